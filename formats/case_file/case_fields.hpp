@@ -83,6 +83,7 @@ void describe(F& f, In<F, BoltLine>& bolt) {
   f.real("strength", bolt.strength);
   f.real("pretension", bolt.pretension);
   f.index("type", bolt.type);
+  f.name_at_end("name", bolt.name);
 }
 
 template <class F>
@@ -129,6 +130,7 @@ void describe(F& f, In<F, BlockBolt>& bolt) {
   f.real("stiffness", bolt.stiffness);
   f.real("strength", bolt.strength);
   f.real("pretension", bolt.pretension);
+  f.name_at_end("name", bolt.name);
 }
 
 template <class F>
@@ -475,6 +477,7 @@ void describe(F& f, In<F, HistoryPlan>& history) {
   f.optional_row("contact", history.contact);
   f.optional_index("joint", history.joint);
   f.optional_row("line", history.line);
+  f.optional_index("bolt", history.bolt);
 }
 
 template <class F>

@@ -43,6 +43,7 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"strength", "force at which it breaks, F"},
     {"pretension", "force in it at the start, F"},
     {"type", "number of the bolt_properties, for a bolt that has none of its own"},
+    {"bolts.name", "for messages, results, histories and removed_bolts; may be left out"},
     {"x", "L"},
     {"y", "L, upward"},
 
@@ -300,7 +301,8 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
 
     {"outputs", "what a run writes beside the tables that it always leaves"},
     {"histories",
-     "followed in time, in histories.csv; each has one of point, block, contact, joint and line. None: what moves "
+     "followed in time, in histories.csv; each has one of point, block, contact, joint, line and bolt. None: what "
+     "moves "
      "most"},
     {"histories.name", "in the table; absent: made of what it is"},
     {"histories.point", "of a block, or of a body on covers, before any load"},

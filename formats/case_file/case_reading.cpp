@@ -54,6 +54,12 @@ void CaseReading::text(std::string_view name, std::string& value) {
   value = value_->string();
 }
 
+void CaseReading::name_at_end(std::string_view name, Rare<std::string>& value) {
+  if (is_at_end_of_row()) return known(name);
+  text(name, value.emplace());
+  if (value->empty()) value_->fail(fmt::format("{} of {}: a word that is not empty", name, noun_));
+}
+
 void CaseReading::mass_by(std::string_view force, std::string_view stress, Units& units) {
   const auto unit_of = [&](std::string_view name, std::span<const std::string_view> known) {
     std::string unit;

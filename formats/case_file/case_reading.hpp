@@ -31,6 +31,8 @@ class CaseReading : public NumberFields {
 
   void flag(std::string_view name, bool& value);
   void text(std::string_view name, std::string& value);
+  /// Of a row, which may lack it.
+  void name_at_end(std::string_view name, Rare<std::string>& value);
   /// A unit of force, or of stress, from which that of mass follows.
   void mass_by(std::string_view force, std::string_view stress, Units& units);
   /// A word by which other parts of the file refer to this one; nothing else keeps it.

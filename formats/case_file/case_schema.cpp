@@ -44,7 +44,9 @@ class CaseSchema {
     add(name, {{"type", type}, {"default", value + 1}});
   }
   void optional_index(std::string_view name, std::optional<int>&) {
-    add(name, {{"type", "integer"}}, kAtLeastOne.wording);
+    Json type = "integer";
+    if (takes_name(name)) type = {"integer", "string"};
+    add(name, {{"type", type}}, kAtLeastOne.wording);
   }
   template <class T>
   void optional_row(std::string_view name, std::optional<T>&) {
@@ -52,6 +54,10 @@ class CaseSchema {
   }
   void flag(std::string_view name, bool& value) { add(name, {{"type", "boolean"}, {"default", value}}); }
   void text(std::string_view name, std::string&) { add(name, {{"type", "string"}}); }
+  void name_at_end(std::string_view name, Rare<std::string>&) {
+    add(name, {{"type", "string"}, {"minLength", 1}});
+    ++places_that_may_lack_;
+  }
   void mass_by(std::string_view force, std::string_view stress, Units&) {
     const auto put = [&](std::string_view name, std::span<const std::string_view> known) {
       add(name, {{"type", "string"}, {"enum", std::vector<std::string>(known.begin(), known.end())}});
@@ -144,7 +150,7 @@ class CaseSchema {
   static Json row_of(std::string_view parent) {
     return row_of(of<T>(parent));
   }
-  /// Every place of a row is needed.
+  /// Every place of a row is needed but for a name at its end.
   static Json row_of(const CaseSchema& parts) {
     Json places = Json::array();
     for (const auto& [name, schema] : parts.keys_.items()) {
@@ -153,7 +159,10 @@ class CaseSchema {
       place.erase("default");
       places.push_back(place);
     }
-    return {{"type", "array"}, {"prefixItems", places}, {"minItems", places.size()}, {"items", false}};
+    return {{"type", "array"},
+            {"prefixItems", places},
+            {"minItems", places.size() - parts.places_that_may_lack_},
+            {"items", false}};
   }
   static Json curve_row(std::string_view parent) {
     CaseSchema parts(parent);
@@ -195,6 +204,7 @@ class CaseSchema {
   std::string_view parent_;
   Json keys_ = Json::object();
   std::vector<std::string> required_;
+  std::size_t places_that_may_lack_ = 0;  ///< at the end of a row
 };
 
 void name_units(Json& units) {

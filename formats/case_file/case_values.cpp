@@ -18,6 +18,10 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kBlockFields{"material", "block_material", "materials"};
 constexpr std::array<std::string_view, 1> kJointFields{"joint_material"};
+constexpr std::array<std::string_view, 1> kBoltFields{"bolt"};
+constexpr std::array<std::string_view, 1> kBoltRows{"removed_bolts"};
+constexpr std::size_t kNameOfLine = 8;  // place of the name in a row of a bolt between two points
+constexpr std::size_t kNameOfBolt = 9;  // likewise between two blocks
 // Lists of rows, and which of their places is a material.
 constexpr std::array<std::string_view, 2> kBlockRows{"material_lines", "materials"};
 constexpr std::array<std::string_view, 6> kJointRows{"joints", "outer",         "holes",
@@ -33,6 +37,7 @@ bool is_one_of(const std::array<std::string_view, N>& names, std::string_view na
 class Values {
  public:
   explicit Values(JsonText& text) : text_(text) {
+    name_bolts(text.root());
     const std::optional<JsonValue> analysis = text.root().member("analysis");
     if (!analysis || analysis->kind() != JsonKind::object) return;
     rocks_ = names_in(*analysis, "block_materials");
@@ -62,6 +67,32 @@ class Values {
   }
 
  private:
+  // Of the geometry first, then of the stages, as their numbers go.
+  void name_bolts(const JsonValue& root) {
+    name_bolts_of(root.member("drawing"), kNameOfLine);
+    name_bolts_of(root.member("blocks"), kNameOfBolt);
+    const std::optional<JsonValue> stages = root.member("stages");
+    if (!stages || stages->kind() != JsonKind::array) return;
+    for (const JsonValue stage : *stages) name_bolts_of(stage, kNameOfLine);
+  }
+
+  void name_bolts_of(const std::optional<JsonValue>& parent, std::size_t place) {
+    if (!parent || parent->kind() != JsonKind::object) return;
+    const std::optional<JsonValue> bolts = parent->member("bolts");
+    if (!bolts || bolts->kind() != JsonKind::array) return;
+    for (const JsonValue bolt : *bolts) {
+      bolts_.emplace_back();
+      if (bolt.kind() != JsonKind::array) continue;
+      std::size_t at = 0;
+      for (const JsonValue value : bolt) {
+        if (at++ != place || value.kind() != JsonKind::string) continue;
+        if (std::ranges::find(bolts_, value.string()) != bolts_.end() && !value.string().empty())
+          value.fail("another name for each of the bolts");
+        bolts_.back() = value.string();
+      }
+    }
+  }
+
   static std::vector<std::string> names_in(const JsonValue& analysis, std::string_view list) {
     std::vector<std::string> names;
     const std::optional<JsonValue> materials = analysis.member(list);
@@ -81,26 +112,28 @@ class Values {
   }
 
   void put(const JsonValue& value, std::string_view key) {
-    if (is_one_of(kBlockFields, key)) return put_material(value, rocks_, "block");
-    if (is_one_of(kJointFields, key)) return put_material(value, joints_, "joint");
+    if (is_one_of(kBlockFields, key)) return put_number(value, rocks_, "block material");
+    if (is_one_of(kJointFields, key)) return put_number(value, joints_, "joint material");
+    if (is_one_of(kBoltFields, key)) return put_number(value, bolts_, "bolt");
   }
 
   /// Beside the material of a row stand numbers, with units perhaps: what is one is left to the reader.
   void put_in_row(const JsonValue& value, std::string_view key) {
+    if (is_one_of(kBoltRows, key)) return put_number(value, bolts_, "bolt");
     const bool is_name = std::ranges::find(rocks_, value.string()) != rocks_.end() ||
                          std::ranges::find(joints_, value.string()) != joints_.end();
     if (!is_name && quantity_in(value.string())) return;
-    if (is_one_of(kBlockRows, key)) put_material(value, rocks_, "block");
-    if (is_one_of(kJointRows, key)) put_material(value, joints_, "joint");
+    if (is_one_of(kBlockRows, key)) put_number(value, rocks_, "block material");
+    if (is_one_of(kJointRows, key)) put_number(value, joints_, "joint material");
   }
 
-  void put_material(const JsonValue& value, const std::vector<std::string>& names, std::string_view kind) {
+  void put_number(const JsonValue& value, const std::vector<std::string>& names, std::string_view kind) {
     const auto found = std::ranges::find(names, value.string());
     if (found == names.end() || value.string().empty()) {
       std::vector<std::string> known = names;
       std::erase(known, std::string());
-      value.fail(known.empty() ? fmt::format("the number of a {} material, for none has a name", kind)
-                               : fmt::format("the number or the name of a {} material, one of {}{}", kind,
+      value.fail(known.empty() ? fmt::format("the number of a {}, for none has a name", kind)
+                               : fmt::format("the number or the name of a {}, one of {}{}", kind,
                                              fmt::join(known, ", "), nearest_words(value.string(), known)));
     }
     text_.replace(value, static_cast<double>(found - names.begin() + 1));
@@ -109,12 +142,13 @@ class Values {
   JsonText& text_;
   std::vector<std::string> rocks_;
   std::vector<std::string> joints_;
+  std::vector<std::string> bolts_;
 };
 
 }  // namespace
 
 bool takes_name(std::string_view field) {
-  return is_one_of(kBlockFields, field) || is_one_of(kJointFields, field);
+  return is_one_of(kBlockFields, field) || is_one_of(kJointFields, field) || is_one_of(kBoltFields, field);
 }
 
 void resolve_names(JsonText& text) {

@@ -1,4 +1,4 @@
-// What people may write where a case file holds numbers of materials: their names.
+// What people may write where a case file holds numbers of materials or bolts: their names.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace keyblock::formats {
 
-/// Turns names of materials into the numbers that they stand for, counted from 1. Throws InputError for a name that no
-/// material has, or two. Values with units are the reader's (CaseReading::real).
+/// Turns names of materials and bolts into the numbers that they stand for, counted from 1. Throws InputError for a
+/// name that none has, or two. Values with units are the reader's (CaseReading::real).
 void resolve_names(JsonText& text);
 
 /// Whether a field may be a name for which `resolve_names` puts a number.

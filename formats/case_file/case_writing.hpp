@@ -35,6 +35,9 @@ class CaseWriting {
   }
   void flag(std::string_view name, bool value);
   void text(std::string_view name, const std::string& value);
+  void name_at_end(std::string_view name, const Rare<std::string>& value) {
+    if (value) text(name, *value);
+  }
   static void mass_by(std::string_view, std::string_view, const Units&) {}
   void name(std::string_view) {}
   template <class Material>

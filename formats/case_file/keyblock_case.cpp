@@ -248,8 +248,9 @@ void place_layers(LayerTable& layers, const JsonValue& from) {
 void check(const OutputPlan& outputs) {
   for (const HistoryPlan& history : outputs.histories) {
     const int given = int(history.point.has_value()) + int(history.block.has_value()) +
-                      int(history.contact.has_value()) + int(history.joint.has_value()) + int(history.line.has_value());
-    if (given != 1) fail(history.place, "one of point, block, contact, joint and line in a history", given);
+                      int(history.contact.has_value()) + int(history.joint.has_value()) +
+                      int(history.line.has_value()) + int(history.bolt.has_value());
+    if (given != 1) fail(history.place, "one of point, block, contact, joint, line and bolt in a history", given);
     if (history.line && history.line->start == history.line->end)
       throw InputError(history.place, "expected a line with a length, found one point");
   }

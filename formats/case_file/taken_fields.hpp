@@ -21,6 +21,9 @@ class TakenFields {
  protected:
   /// The value of the next field into `value_`; false where the object lacks it.
   bool take(std::string_view name);
+  bool is_at_end_of_row() const { return in_row_ && *in_row_ == from_.end(); }
+  /// Names a field that is not taken, for messages.
+  void known(std::string_view name) { known_.push_back(name); }
   const JsonValue& of_kind(JsonKind kind, std::string_view name) const;
   /// For lists of lists: an empty one is so short that a vector that grows would take many times the file.
   static std::size_t size_of(const JsonValue& array);

@@ -6,6 +6,7 @@
 
 #include <initializer_list>
 
+#include "base/printable.hpp"
 #include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
 
@@ -83,7 +84,7 @@ std::string bolts_csv_rows(const Frame& frame) {
     const BoltFrame& bolt = frame.bolts[i];
     text += fmt::format("{},{}", first, (bolt.number < 0 ? static_cast<int>(i) : bolt.number) + 1);
     append(text, {bolt.first.x, bolt.first.y, bolt.second.x, bolt.second.y, bolt.force});
-    text += fmt::format(",{:d}\n", bolt.is_broken);
+    text += fmt::format(",{:d},{}\n", bolt.is_broken, csv_cell(bolt.name));
   }
   return text;
 }

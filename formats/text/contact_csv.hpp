@@ -17,7 +17,8 @@
 //   joint_lines  step,time,joint,joint_material,contacts,closed,sliding,normal_force,shear_force,greatest_gap,
 //             greatest_slip: sums over all contacts along one joint of the drawing; pressure and shear are the same for
 //             both sides
-//   bolts     step,time,bolt,x1,y1,x2,y2,force,is_broken: both ends, tension positive
+//   bolts     step,time,bolt,x1,y1,x2,y2,force,is_broken,name: both ends, tension positive; name is empty where the
+//             case gives none
 #pragma once
 
 #include <string>

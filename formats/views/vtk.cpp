@@ -125,6 +125,34 @@ std::string plastic_text(const PlasticArray& array, const Of& of) {
   return format_real(array.value(of.plastic.value_or(PlasticState{}), invariants_of(of.stress)));
 }
 
+/// The component of elastic strain, from the normal stress along it, the two others', and the shear stress.
+struct ElasticArray {
+  std::string_view name;
+  double (*value)(const Stress&, const BlockMaterial&);
+};
+
+double normal_strain(double along, double across, const BlockMaterial& rock) {
+  return (along - rock.poissons_ratio * across) / rock.youngs_modulus;
+}
+
+constexpr std::array<ElasticArray, 4> kElasticArrays{{
+    {"elastic_strain_xx", [](const Stress& s, const BlockMaterial& m) { return normal_strain(s.xx, s.yy + s.zz, m); }},
+    {"elastic_strain_yy", [](const Stress& s, const BlockMaterial& m) { return normal_strain(s.yy, s.zz + s.xx, m); }},
+    {"elastic_strain_xy",
+     [](const Stress& s, const BlockMaterial& m) { return (1 + m.poissons_ratio) * s.xy / m.youngs_modulus; }},
+    {"elastic_strain_zz", [](const Stress& s, const BlockMaterial& m) { return normal_strain(s.zz, s.xx + s.yy, m); }},
+}};
+
+using Materials = std::span<const BlockMaterial>;
+
+void append_elastic_cells(std::string& text, const Frame& frame, const Units& units, Materials materials) {
+  for (const ElasticArray& array : kElasticArrays)
+    append_cells(text, frame, "Float64", heading(kBlockArrays, array.name, units), 1,
+                 [&](std::size_t, const ElementFrame& e) {
+                   return format_real(array.value(e.stress, materials[static_cast<std::size_t>(e.material)]));
+                 });
+}
+
 void append_plastic_cells(std::string& text, const Frame& frame, const Units& units) {
   using E = const ElementFrame&;
   for (const PlasticArray& array : kPlasticArrays)
@@ -137,7 +165,8 @@ void append_plastic_cells(std::string& text, const Frame& frame, const Units& un
                [](std::size_t, E e) { return fmt::format("{:d}", e.plastic.value_or(PlasticState{}).has_yielded); });
 }
 
-void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& field, const Units& units) {
+void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& field, const Units& units,
+                      Materials materials) {
   using E = const ElementFrame&;
   const auto real = [&](std::string_view name, auto member) {
     append_cells(text, frame, "Float64", heading(kBlockArrays, name, units), 1,
@@ -172,6 +201,7 @@ void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& f
   real("area", [](E e) { return e.area; });
   append_cells(text, frame, "Int32", heading(kBlockArrays, "fixed_points", units), 1,
                [&](std::size_t i, E) { return fmt::format("{}", fixed_points_of(frame, i)); });
+  if (!materials.empty()) append_elastic_cells(text, frame, units, materials);
   if (frame.plastic) append_plastic_cells(text, frame, units);
   text += "</CellData>\n";
 }
@@ -188,13 +218,16 @@ std::string head(double time, std::size_t points, std::size_t cells) {
 }
 
 /// Displacement and stress of corners, one a line.
-void append_field(std::string& text, const FieldFrame& field, const std::vector<Chain>& chains, const Units& units) {
+void append_field(std::string& text, const FieldFrame& field, const std::vector<Chain>& chains, const Units& units,
+                  Materials materials) {
   std::vector<const FieldCorner*> corners;
+  std::vector<int> materials_of_corners;
   for (std::size_t e = 0; e < chains.size(); ++e) {
     std::vector<const FieldCorner*> numbered;
     for (const auto& loop : field.elements[e].loops)
       for (const FieldCorner& corner : loop) numbered.push_back(&corner);
     for (const Corner& corner : chains[e]) corners.push_back(numbered[corner.number]);
+    materials_of_corners.resize(corners.size(), field.elements[e].material);
   }
   const auto append = [&](std::string_view name, int width, auto value) {
     text += fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n",
@@ -216,6 +249,12 @@ void append_field(std::string& text, const FieldFrame& field, const std::vector<
   append("principal_stress_greatest", 1, [](C c) { return format_real(principal(c.stress).second); });
   append("principal_stress_least", 1, [](C c) { return format_real(principal(c.stress).first); });
   append("principal_axis", 3, [](C c) { return axis_text(c.stress); });
+  for (std::size_t i = 0; i < kElasticArrays.size() && !materials.empty(); ++i) {
+    auto material = materials_of_corners.begin();
+    append(kElasticArrays[i].name, 1, [&](C c) {
+      return format_real(kElasticArrays[i].value(c.stress, materials[static_cast<std::size_t>(*material++)]));
+    });
+  }
   if (field.plastic)
     for (const PlasticArray& array : kPlasticArrays) append(array.name, 1, [&](C c) { return plastic_text(array, c); });
   text += "</PointData>\n";
@@ -238,7 +277,8 @@ std::string attribute(std::string_view text) {
 
 }  // namespace
 
-std::string vtu(const Frame& frame, const FieldFrame& field, const Units& units) {
+std::string vtu(const Frame& frame, const FieldFrame& field, const Units& units,
+                std::span<const BlockMaterial> materials) {
   std::vector<Chain> chains;
   std::size_t point_count = 0;
   for (const ElementFrame& element : frame.elements) {
@@ -248,8 +288,8 @@ std::string vtu(const Frame& frame, const FieldFrame& field, const Units& units)
   std::string text = head(frame.time, point_count, chains.size());
   append_points(text, chains);
   append_polygons(text, chains);
-  if (!field.elements.empty()) append_field(text, field, chains, units);
-  append_cell_data(text, frame, field, units);
+  if (!field.elements.empty()) append_field(text, field, chains, units, materials);
+  append_cell_data(text, frame, field, units, materials);
   return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 

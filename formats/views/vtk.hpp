@@ -16,20 +16,28 @@
 // equivalent_plastic_strain (κ = ∫ √(2/3) ‖dev dεᵖ‖), mean_stress, von_mises_stress, lode_angle
 // (material/stress_invariants.hpp), yield_state at the end of the step (0 elastic, 1 smooth part of the surface,
 // 2 edge, 3 apex, 4 tension), has_yielded since the start (0, 1); rock that cannot yield has no plastic strain.
+// Where the materials are given also elastic_strain_xx _yy _xy _zz (components of the tensor, xy half of the shear
+// angle), cell data and, with stress at corners, point data: what Hooke's law of the intact rock makes of the stress.
+// Initial stress counts; out of the plane it is 0 in plane strain without plastic strain, -nu (sxx + syy) / E in plane
+// stress.
 // .pvd: VTK XML Collection; 17 significant digits of time, so that each double is told from its neighbours.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
+#include "problem/analysis.hpp"
 #include "problem/run_choices.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 
 namespace keyblock::formats {
 
-/// `field`: the same instant within the elements, or without elements.
-std::string vtu(const Frame& frame, const FieldFrame& field = {}, const Units& units = {});
+/// `field`: the same instant within the elements, or without elements. `materials`: of blocks, by their numbers in the
+/// frame, of which elastic strain is told; without them none is.
+std::string vtu(const Frame& frame, const FieldFrame& field = {}, const Units& units = {},
+                std::span<const BlockMaterial> materials = {});
 
 /// One file of an instant; its name is relative to the list. Files of one time differ in their part.
 struct PvdEntry {

@@ -19,7 +19,7 @@ std::array<CLI::Option*, 3> add_output_options(CLI::App& options, OutputOptions&
   CLI::Option* histories =
       options
           .add_option("--history", chosen.histories,
-                      "[NAME=]point:X,Y, block:N, contact:A,B, joint:N or line:X1,Y1,X2,Y2: followed in "
+                      "[NAME=]point:X,Y, block:N, contact:A,B, joint:N, line:X1,Y1,X2,Y2 or bolt:N: followed in "
                       "histories.csv, beyond 5,000 steps at every n-th; may be repeated")
           ->take_all();
   CLI::Option* contacts = options.add_option(

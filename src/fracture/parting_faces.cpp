@@ -17,7 +17,7 @@ constexpr double kGoesAtOnce = 0.02;
 // Of the energy: what is left of it is nothing, and the faces have parted.
 constexpr double kParted = 1e-4;
 // Of the length of a piece: how far beside it an element is looked for.
-constexpr double kBeside = 1e-6;
+constexpr double kBesideFace = 1e-6;
 
 bool is_in(const Manifold& manifold, std::size_t e, Point p) {
   Box box;
@@ -57,7 +57,7 @@ PartingFaces parting_faces(Point from, Point to, double energy, Point along,
 
 void put_elements(PartingFaces& faces, const Manifold& manifold) {
   const Point along = faces.to - faces.from;
-  const Point left = kBeside * Point{-along.y, along.x};
+  const Point left = kBesideFace * Point{-along.y, along.x};
   for (PartingPoint& point : faces.points) {
     point.left = element_at(manifold, point.at + left);
     point.right = element_at(manifold, point.at - left);

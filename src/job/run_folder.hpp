@@ -90,6 +90,8 @@ class RunFolder {
 
   /// Says what is to become of contacts, before the first frame.
   void choose_contacts(ContactOutput output) { frame_tables_.choose(std::move(output)); }
+  /// Of which bodies consist, before the first frame.
+  void of_materials(std::vector<BlockMaterial> materials) { frame_files_.of_materials(std::move(materials)); }
   const FrameTables& frame_tables() const { return frame_tables_; }
 
   /// Lines of histories.csv, kept for a while before they are written.

@@ -7,6 +7,7 @@
 #include <boost/container/static_vector.hpp>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/index.hpp"
@@ -105,6 +106,7 @@ struct Bolt {
   double stiffness = 0;  ///< force / length
   double strength = std::numeric_limits<double>::infinity();
   double pretension = 0;  ///< force at the start
+  std::string name = {};  ///< of a case file; empty: none
 
   double start_length() const { return distance(first.start, second.start); }
   bool is_spring() const { return stiffness > 0; }

@@ -3,10 +3,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
 #include "geometry/point.hpp"
+#include "problem/rare.hpp"
 
 namespace keyblock {
 
@@ -43,6 +45,13 @@ struct BlockPolygon {
   }
 };
 
+/// What becomes of blocks so small or so narrow that they are slivers.
+enum class Slivers {
+  kept,
+  glued,     ///< each to the neighbour that it shares the longest length of side with
+  left_out,  ///< they are not there
+};
+
 /// A point carried by a block.
 struct BlockPoint {
   Point position;
@@ -55,10 +64,11 @@ struct BlockBolt {
   Segment segment;
   int first_block = 0;
   int second_block = 0;
-  double stiffness = 0;   ///< force / length
-  double strength = 0;    ///< force
-  double pretension = 0;  ///< force
-  Place place = {};       ///< where a file says so
+  double stiffness = 0;         ///< force / length
+  double strength = 0;          ///< force
+  double pretension = 0;        ///< force
+  Place place = {};             ///< where a file says so
+  Rare<std::string> name = {};  ///< of a case file; never empty
 };
 
 /// The blocks of a scene and their points. Lengths in the file's unit.

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
 #include "geometry/point.hpp"
+#include "problem/rare.hpp"
 
 namespace keyblock {
 
@@ -32,6 +34,7 @@ struct BoltLine {
   double pretension = 0;  ///< force
   int type = 0;           ///< DDAML: index from 0 of the bolt properties
   Place place;
+  Rare<std::string> name = {};  ///< of a case file; never empty
 };
 
 /// A fixed line: yields fixed points where it crosses block edges. A point if both ends are equal.

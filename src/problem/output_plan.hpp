@@ -20,8 +20,8 @@ struct BlockPair {
   bool operator==(const BlockPair&) const = default;
 };
 
-/// One thing that is followed in time: one of its members is given. Numbers of blocks and joints from 0; of bodies on
-/// covers a block is one element.
+/// One thing that is followed in time: one of its members is given. Numbers of blocks, joints and bolts from 0; of
+/// bodies on covers a block is one element.
 struct HistoryPlan {
   std::string name;  ///< empty: made of what it is
   std::optional<Point> point;
@@ -30,10 +30,11 @@ struct HistoryPlan {
   std::optional<int> joint;          ///< of the drawing
   std::optional<Segment> line;       ///< the resultant of all that crosses it
   Place place = {};
+  std::optional<int> bolt = {};  ///< by its number, as `StageBolt`
 
   bool operator==(const HistoryPlan& other) const {
     return name == other.name && point == other.point && block == other.block && contact == other.contact &&
-           joint == other.joint && line == other.line;
+           joint == other.joint && line == other.line && bolt == other.bolt;
   }
 };
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/words/quoted_name.hpp"
 #include "geometry/polygon.hpp"
 #include "problem/ground_motion.hpp"
 #include "problem/magnitudes.hpp"
@@ -116,8 +117,8 @@ std::vector<InputError> bolts_that_push(const std::vector<B>& bolts, auto place_
   for (std::size_t i = 0; i < bolts.size(); ++i)
     if (!(bolts[i].stiffness >= 0))
       errors.emplace_back(place_of(bolts[i]),
-                          fmt::format("expected a stiffness of at least 0 of bolt {} of {}, found {}", i + 1,
-                                      bolts.size(), bolts[i].stiffness));
+                          fmt::format("expected a stiffness of at least 0 of bolt {} of {}{}, found {}", i + 1,
+                                      bolts.size(), quoted_name(bolts[i].name.value_or({})), bolts[i].stiffness));
   return errors;
 }
 

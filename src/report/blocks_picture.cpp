@@ -87,7 +87,8 @@ void draw_scene(SvgPage& page, const PageMap& map, const Blocks& blocks) {
     draw_edges(page, map, block.outer, width);
     for (const BlockLoop& hole : block.holes) draw_edges(page, map, hole, width);
   }
-  for (const BlockBolt& bolt : blocks.bolts) draw_bolt(page, map(bolt.segment.start), map(bolt.segment.end));
+  for (const BlockBolt& bolt : blocks.bolts)
+    draw_bolt(page, map(bolt.segment.start), map(bolt.segment.end), bolt.name.value_or({}));
   draw_points(page, map, blocks.fixed_points, Mark::fixed_point);
   draw_points(page, map, blocks.loading_points, Mark::loading_point);
   draw_points(page, map, blocks.measured_points, Mark::measured_point);

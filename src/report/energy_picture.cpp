@@ -1,8 +1,11 @@
-// One chart below a title.
+// One chart below a title, and more of the energies that are small in it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/energy_picture.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -16,6 +19,11 @@ constexpr double kPageWidth = 900;
 constexpr double kPageHeight = 430;
 constexpr double kMargin = 30;
 constexpr double kChartTop = 50;
+constexpr double kSmallChartHeight = 320;
+constexpr double kSmallChartTitle = 26;
+constexpr double kSmall = 0.05;    // of the greatest energy of a panel: a curve that cannot be read in it
+constexpr double kNothing = 1e-6;  // of the greatest energy of all: round-off, or as good as nothing
+constexpr std::size_t kMostPanels = 3;
 
 using Energy = std::function<double(const LedgerRow&)>;
 
@@ -47,15 +55,52 @@ std::vector<Curve> curves_of(const Ledger& ledger) {
   return curves;
 }
 
+double greatest(const Curve& curve) {
+  double most = 0;
+  for (const double y : curve.y)
+    if (std::isfinite(y)) most = std::max(most, std::abs(y));
+  return most;
+}
+
+double greatest(const std::vector<Curve>& curves) {
+  double most = 0;
+  for (const Curve& curve : curves) most = std::max(most, greatest(curve));
+  return most;
+}
+
+/// All, then those of the panel before that hug zero in it, in their colours.
+std::vector<std::vector<Curve>> panels_of(std::vector<Curve> curves) {
+  const double most = greatest(curves);
+  for (std::size_t i = 0; i < curves.size(); ++i) curves[i].colour = i;
+  std::vector<std::vector<Curve>> panels{std::move(curves)};
+  while (panels.size() < kMostPanels) {
+    std::vector<Curve> small;
+    for (const Curve& curve : panels.back())
+      if (greatest(curve) < kSmall * greatest(panels.back()) && greatest(curve) > kNothing * most)
+        small.push_back(curve);
+    if (small.empty()) break;
+    panels.push_back(std::move(small));
+  }
+  return panels;
+}
+
 }  // namespace
 
 std::string energy_picture(const std::string& title, const Ledger& ledger, const Units& units) {
-  SvgPage page(kPageWidth, kPageHeight);
+  const std::vector<std::vector<Curve>> panels = panels_of(curves_of(ledger));
+  const double more = static_cast<double>(panels.size() - 1) * (kSmallChartTitle + kSmallChartHeight);
+  SvgPage page(kPageWidth, kPageHeight + more);
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});
-  const std::vector<Curve> curves = curves_of(ledger);
-  if (has_points(curves))
-    draw_chart(page, {kMargin, kChartTop}, {kPageWidth - 2 * kMargin, kPageHeight - kChartTop - 14}, curves,
-               {with_unit("time", measures::kTime, units), with_unit("energy", measures::kEnergy, units)});
+  const AxisLabels labels{with_unit("time", measures::kTime, units), with_unit("energy", measures::kEnergy, units)};
+  const double width = kPageWidth - 2 * kMargin;
+  if (has_points(panels.front()))
+    draw_chart(page, {kMargin, kChartTop}, {width, kPageHeight - kChartTop - 14}, panels.front(), labels);
+  double top = kPageHeight;
+  for (std::size_t i = 1; i < panels.size(); ++i, top += kSmallChartTitle + kSmallChartHeight) {
+    page.text({kMargin, top + 10},
+              fmt::format("of these, those below {:g} % of the greatest, to a scale of their own", 100 * kSmall));
+    draw_chart(page, {kMargin, top + kSmallChartTitle}, {width, kSmallChartHeight - 14}, panels[i], labels);
+  }
   return page.str();
 }
 

@@ -142,7 +142,7 @@ void draw_marked(SvgPage& page, const PageMap& map, const RunPicture& picture) {
 /// A broken bolt is not there any more.
 void draw_bolts(SvgPage& page, const PageMap& map, const Frame& frame) {
   for (const BoltFrame& bolt : frame.bolts)
-    if (!bolt.is_broken) draw_bolt(page, map(bolt.first), map(bolt.second));
+    if (!bolt.is_broken) draw_bolt(page, map(bolt.first), map(bolt.second), bolt.name);
 }
 
 void draw_marks(SvgPage& page, const PageMap& map, const Frame& frame) {

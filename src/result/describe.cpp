@@ -65,6 +65,7 @@ void describe(Archive& a, BoltFrame& bolt) {
   a.value("force", bolt.force);
   a.value("is_broken", bolt.is_broken);
   a.value("number", bolt.number);
+  a.value("name", bolt.name);
 }
 
 void describe(Archive& a, const char* name, std::vector<std::vector<Point>>& loops) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/point.hpp"
@@ -51,7 +52,8 @@ struct BoltFrame {
   Point second;
   double force = 0;  ///< tension positive
   bool is_broken = false;
-  int number = -1;  ///< of the bolt for the whole run, from 0; below 0: its index in the frame
+  int number = -1;        ///< of the bolt for the whole run, from 0; below 0: its index in the frame
+  std::string name = {};  ///< of a case file; empty: none
 };
 
 /// What pulls at a crack tip at the end of a step, and where the tip goes on.

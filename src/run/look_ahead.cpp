@@ -13,6 +13,7 @@
 #include "base/counted.hpp"
 #include "base/union_find.hpp"
 #include "base/words/plain_number.hpp"
+#include "cut/bodies/slivers.hpp"
 #include "geometry/polygon.hpp"
 #include "material/strength.hpp"
 #include "problem/units/unit_conversion.hpp"
@@ -22,29 +23,11 @@ namespace keyblock {
 namespace {
 
 constexpr double kLeastStrength = 1e-7;  // of the modulus
-constexpr double kSmall = 0.01;          // of the mean area: a sliver
-constexpr double kNarrow = 0.02;         // mean width over length: a sliver
 constexpr double kSlender = 5;           // length over mean width of a block that ought to bend
 constexpr double kOverlap = 1e-4;        // of the size of the mean block: faces that lie on one another
 constexpr double kDownward = 0.05;       // sine of the angle at which a face rests on another
 constexpr double kStiff = 100;           // springs over inertia, beyond which many pairs take hundreds of systems
 constexpr std::size_t kManyPairs = 500;  // that such a step was measured with
-
-struct Shape {
-  Point centroid;
-  double area = 0;
-  double length = 0;  ///< the greatest distance of two corners
-
-  double width() const { return length > 0 ? area / length : 0; }
-};
-
-Shape shape_of(const std::vector<Point>& points) {
-  Shape shape{centroid(points), area(points)};
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = i + 1; j < points.size(); ++j)
-      shape.length = std::max(shape.length, distance(points[i], points[j]));
-  return shape;
-}
 
 std::string at(const Point& p) {
   return fmt::format("{}, {}", plain(p.x), plain(p.y));
@@ -61,7 +44,7 @@ class Blocky {
         fixed_(blocks_.blocks.size(), 0) {
     for (const BlockPolygon& block : blocks_.blocks) {
       loops_.push_back(points_of(block.outer));
-      shapes_.push_back(shape_of(loops_.back()));
+      shapes_.push_back(form_of(block));
       mean_ += shapes_.back().area;
     }
     mean_ /= static_cast<double>(shapes_.size());
@@ -112,17 +95,16 @@ class Blocky {
   std::string slivers() const {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
-      if (shapes_[i].area < kSmall * mean_ || shapes_[i].width() < kNarrow * shapes_[i].length) found.push_back(i);
+      if (is_sliver(shapes_[i], mean_)) found.push_back(i);
     if (found.empty()) return {};
     const auto smallest = *std::ranges::min_element(found, {}, [&](std::size_t i) { return shapes_[i].area; });
     const auto thinnest =
         *std::ranges::min_element(found, {}, [&](std::size_t i) { return shapes_[i].width() / shapes_[i].length; });
     return fmt::format(
-        "{} of {} {} below {:g} % of the mean area or narrower than {:g} % of their length: the smallest is "
-        "{}; the thinnest is block {} at {}, {} wide and {} long. Slivers fail to come to rest and need "
-        "small steps",
+        "{} of {} {} {}: the smallest is {}; the thinnest is block {} at {}, {} wide and {} long. Slivers fail to come "
+        "to rest and need small steps; --set slivers=glue joins each to a neighbour, slivers=leave_out takes them away",
         counted(found.size(), "block"), shapes_.size(), found.size() == 1 ? "is a sliver," : "are slivers,",
-        100 * kSmall, 100 * kNarrow, named(smallest), thinnest + 1, at(shapes_[thinnest].centroid),
+        slivers_in_words(), named(smallest), thinnest + 1, at(shapes_[thinnest].centroid),
         plain(shapes_[thinnest].width(), 3), plain(shapes_[thinnest].length, 3));
   }
 
@@ -258,10 +240,10 @@ class Blocky {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (fixed_[i] < 2 && model_.elements[index(i)].can_move() && shapes_[i].length > kSlender * shapes_[i].width() &&
-          shapes_[i].area >= kSmall * mean_)
+          shapes_[i].area >= kSliverArea * mean_)
         found.push_back(i);
     if (found.empty()) return {};
-    const Shape& first = shapes_[found.front()];
+    const BlockForm& first = shapes_[found.front()];
     return fmt::format(
         "{} slender, the first is block {} at {}, {} long and {} wide: the strain of a block is the same all "
         "over it, so that it cannot bend; a section `covers` of a case file, or cuts across it, lets it",
@@ -285,7 +267,7 @@ class Blocky {
   std::vector<ElementPair> touching_;
   std::vector<int> fixed_;  ///< points of each block
   std::vector<std::vector<Point>> loops_;
-  std::vector<Shape> shapes_;
+  std::vector<BlockForm> shapes_;
   double mean_ = 0;
 };
 
@@ -407,13 +389,13 @@ std::string softer_springs(const Prepared& prepared) {
 
 std::string smallest_block(const Blocks& blocks) {
   if (blocks.blocks.empty()) return {};
-  std::vector<Shape> shapes;
+  std::vector<BlockForm> shapes;
   double sum = 0;
   for (const BlockPolygon& block : blocks.blocks) {
-    shapes.push_back(shape_of(points_of(block.outer)));
+    shapes.push_back(form_of(block));
     sum += shapes.back().area;
   }
-  const auto smallest = std::ranges::min_element(shapes, {}, &Shape::area);
+  const auto smallest = std::ranges::min_element(shapes, {}, &BlockForm::area);
   return fmt::format("smallest block: {} at {}, area {}, {:.3g} % of the mean", smallest - shapes.begin() + 1,
                      at(smallest->centroid), plain(smallest->area, 3),
                      100 * smallest->area * static_cast<double>(shapes.size()) / sum);

@@ -129,7 +129,16 @@ Model by_old_rules(const Cover& cover, const Analysis& analysis, const Settings&
   return with_affine_elements(model_from_manifold(manifold_of(cover), points_of(cover), analysis));
 }
 
+// Bodies on covers are cut with their slits, and their mesh bears small ones.
+void require_kept_slivers(const Problem& problem, const Settings& settings, const Place& place) {
+  if (settings.slivers == Slivers::kept) return;
+  if (problem.covers && !problem.covers->mesh.materials.empty()) return;
+  throw InputError(place, fmt::format("expected slivers = keep where all bodies are on covers, found {}",
+                                      settings.slivers == Slivers::glued ? "glue" : "leave_out"));
+}
+
 Geometry on_covers(const Problem& problem, const Settings& settings, const Place& place) {
+  require_kept_slivers(problem, settings, place);
   Geometry geometry;
   geometry.cut.blocks.place = place;
   if (problem.covers && !problem.stages.empty()) return geometry;  // each stage has its own

@@ -106,7 +106,8 @@ Frame frame_of(const Model& model, const State& state, const StartPlaces& start,
     frame.measured_points[i].number = model.identities.of_measured_point(i);
   for (std::size_t i = 0; i < state.bolts.size(); ++i) {
     const BoltState& bolt = state.bolts[i];
-    frame.bolts.push_back({bolt.first, bolt.second, bolt.force, bolt.is_broken, model.identities.of_bolt(i)});
+    frame.bolts.push_back(
+        {bolt.first, bolt.second, bolt.force, bolt.is_broken, model.identities.of_bolt(i), model.bolts[i].name});
   }
   return frame;
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "problem/analysis.hpp"
+#include "problem/blocks.hpp"
 #include "problem/drawing.hpp"
 #include "settings/per_material.hpp"
 #include "settings/standard_choices.hpp"
@@ -66,6 +67,7 @@ struct TrustLimits {
 struct Settings {
   NodeMerging node_merging = NodeMerging::in_order_found;
   NearPieces near_pieces = NearPieces::deleted;
+  Slivers slivers = Slivers::kept;
   int step_count = 0;
   double time_step = 0;  ///< g1
   StepControl step_control = StepControl::constant;

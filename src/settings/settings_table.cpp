@@ -98,6 +98,12 @@ std::vector<SettingRow> rows_of_the_run() {
           "cut",
           at(&Settings::near_pieces),
           one_of<NearPieces>({{NearPieces::led_through, "led_through"}, {NearPieces::deleted, "deleted"}})),
+      row("slivers",
+          "what becomes of blocks below 1 % of the mean area or narrower than 2 % of their length, as they are cut: "
+          "kept, "
+          "joined to the neighbour with the longest common side, or left out",
+          at(&Settings::slivers),
+          one_of<Slivers>({{Slivers::kept, "keep"}, {Slivers::glued, "glue"}, {Slivers::left_out, "leave_out"}})),
       row("steps", "number of time steps", at(&Settings::step_count), whole(1)),
       row("time_step",
           "step size; under dynamics standard with step_control shi or error the interval of reports and the upper "

@@ -217,7 +217,7 @@ TEST(HistoriesCommand, what_cannot_be_followed_is_refused_before_anything_is_wri
   EXPECT_FALSE(std::filesystem::exists(folder + "/out"));
   const std::string two = case_in("histories_two", R"(, "outputs": {"histories": [{"block": 1, "joint": 5}]})");
   EXPECT_TRUE(contains(run_keyblock({"check", two + "/case.json"}).messages,
-                       "expected one of point, block, contact, joint and line in a history, found 2"));
+                       "expected one of point, block, contact, joint, line and bolt in a history, found 2"));
 }
 
 TEST(HistoriesCommand, a_run_that_was_killed_ends_with_the_same_histories) {

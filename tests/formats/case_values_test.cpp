@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "formats/case.hpp"
+#include "formats/case_file/keyblock_case.hpp"
 #include "formats/case_file/material_library.hpp"
 #include "tests/formats/reading.hpp"
 #include "tests/support/program.hpp"
@@ -65,6 +66,68 @@ TEST(CaseValues, faults_are_named_where_they_stand) {
   EXPECT_NE(error_of(case_of(kMetre, kRock, R"({"name": "bedding", "like": "granite_jiont"})", kRatio))
                 .find("did you mean \"granite_joint\"?"),
             std::string::npos);
+}
+
+namespace {
+
+// Two bolts of the geometry and one of a stage, all with names but the second.
+std::string bolted(const std::string& removed, const std::string& third = "\"tie\"", const std::string& history = "2") {
+  return R"({"keyblock": 1, "blocks": {"blocks": [{"outer": [[0, 0, 1], [4, 0, 1], [4, 1, 1], [0, 1, 1]]},
+   {"outer": [[1, 1, 1], [3, 1, 1], [3, 2, 1], [1, 2, 1]]}], "fixed_points": [[0.1, 0.1, 1], [3.9, 0.1, 1]],
+   "bolts": [[1.5, 0.5, 1.5, 1.5, 1, 2, 1e6, 0, 100, "left, \u00e4"], [2, 0.5, 2, 1.5, 1, 2, 1e6, 0, 200]]},
+ "stages": [{"steps": 2, "bolts": [[2.5, 0.5, 2.5, 1.5, 1e6, 0, 300, 1, )" +
+         third + R"(]]},
+  {"steps": 2, "removed_bolts": [[)" +
+         removed + R"(]]}], "outputs": {"histories": [{"bolt": )" + history + R"(}]},
+ "analysis": {"step_count": 4, "time_step": 0.001, "allowed_displacement_ratio": 0.01, "velocity_carry_over": 1,
+  "gravity": 9.81, "block_materials": [{"density": 2600, "youngs_modulus": 1e9}],
+  "joint_materials": [{"friction_angle_deg": 30}]}})";
+}
+
+}  // namespace
+
+TEST(CaseValues, bolts_have_names_that_stand_for_their_numbers) {
+  const Content content = read({"f", bolted(R"("tie")", R"("tie")", R"("left, ä")")}).content;
+  EXPECT_EQ(content.blocks->bolts[0].name.value_or({}), "left, ä");
+  EXPECT_FALSE(content.blocks->bolts[1].name);
+  EXPECT_EQ(content.stages.at(0).bolts[0].name.value_or({}), "tie");
+  EXPECT_EQ(content.stages.at(1).removed_bolts[0].bolt, 2);
+  EXPECT_EQ(content.outputs->histories[0].bolt, 0);
+  const std::string written = kKeyblockCase.write(content);
+  const Content again = read({"g", written}).content;
+  EXPECT_EQ(again.blocks->bolts[0].name.value_or({}), "left, ä");
+  EXPECT_EQ(again.stages.at(0).bolts[0].name.value_or({}), "tie");
+  EXPECT_EQ(again.stages.at(1).removed_bolts[0].bolt, 2);
+}
+
+TEST(CaseValues, names_of_bolts_that_cannot_be_are_refused_where_they_stand) {
+  EXPECT_EQ(
+      error_of(bolted(R"("tei")")),
+      "f:5:35: error: expected the number or the name of a bolt, one of left, ä, tie; did you mean \"tie\"?, found "
+      "\"tei\"");
+  EXPECT_NE(error_of(bolted("1", R"("left, ä")")).find("f:4:73: error: expected another name for each of the bolts"),
+            std::string::npos)
+      << error_of(bolted("1", R"("left, ä")"));
+  EXPECT_NE(error_of(bolted("1", "7")).find("expected name of bolts: a word, found 7"), std::string::npos)
+      << error_of(bolted("1", "7"));
+  EXPECT_NE(error_of(bolted("1", R"("")")).find("a word that is not empty"), std::string::npos);
+}
+
+TEST(CaseValues, names_of_bolts_are_told_in_tables_and_pictures) {
+  const std::string folder = support::fresh_folder("named_bolts");
+  support::write_text(folder + "/case.json", bolted(R"("left, ä")", R"("tie")", R"("tie")"));
+  const support::ProgramRun run = support::run_keyblock({"run", folder + "/case.json", "-o", folder + "/out"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  const std::string bolts = support::read_text(folder + "/out/bolts.csv");
+  EXPECT_NE(bolts.find(",is_broken,name\n"), std::string::npos) << bolts;
+  EXPECT_NE(bolts.find(",0,\"left, ä\"\n"), std::string::npos) << bolts;
+  EXPECT_NE(bolts.find(",0,\n"), std::string::npos) << bolts;
+  const std::string last = bolts.substr(bolts.rfind("\n4,") + 1);
+  EXPECT_EQ(last.find("left"), std::string::npos) << last;
+  EXPECT_NE(last.find(",tie\n"), std::string::npos) << last;
+  EXPECT_NE(support::read_text(folder + "/out/histories.csv").find(",bolt,tie,force,"), std::string::npos);
+  const std::string picture = support::read_text(folder + "/out/picture.svg");
+  EXPECT_NE(picture.find(">tie</text>"), std::string::npos);
 }
 
 // Settings are texts: those that look like numbers stay what they are.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <pugixml.hpp>
 #include <sstream>
 
@@ -35,8 +36,8 @@ struct Parsed {
   pugi::xml_document document;
   pugi::xml_node piece;
 
-  explicit Parsed(const Frame& frame, const FieldFrame& field = {}) {
-    EXPECT_TRUE(document.load_string(vtu(frame, field).c_str()));
+  explicit Parsed(const Frame& frame, const FieldFrame& field = {}, const std::vector<BlockMaterial>& materials = {}) {
+    EXPECT_TRUE(document.load_string(vtu(frame, field, {}, materials).c_str()));
     piece = document.child("VTKFile").child("UnstructuredGrid").child("Piece");
   }
   std::vector<double> array(const char* part, const char* name) const {
@@ -125,6 +126,47 @@ TEST(Vtk, a_field_has_displacement_and_stress_at_every_corner) {
   EXPECT_EQ(parsed.array("CellData", "body"), (std::vector<double>{1, 2}));
   EXPECT_EQ(parsed.array("CellData", "material"), (std::vector<double>{2, 1}));
   EXPECT_EQ(parsed.array("CellData", "stress_xx"), (std::vector<double>{1, 4}));
+}
+
+// σ = λ tr ε + 2 μ ε, with Lamé's constants, of a strain that is given.
+TEST(Vtk, elastic_strain_is_the_one_whose_stress_is_told) {
+  BlockMaterial soft, hard;
+  soft.youngs_modulus = 1e9, soft.poissons_ratio = 0.3;
+  hard.youngs_modulus = 4e10, hard.poissons_ratio = 0.15;
+  const auto stress_of = [](const BlockMaterial& rock, double xx, double yy, double xy, double zz) {
+    const double mu = rock.youngs_modulus / (2 * (1 + rock.poissons_ratio));
+    const double lambda = 2 * mu * rock.poissons_ratio / (1 - 2 * rock.poissons_ratio);
+    const double trace = lambda * (xx + yy + zz);
+    return Stress{trace + 2 * mu * xx, trace + 2 * mu * yy, 2 * mu * xy, trace + 2 * mu * zz};
+  };
+  Frame frame = square_with_hole_and_triangle();
+  frame.elements[0].stress = stress_of(soft, 1e-3, -2e-3, 5e-4, 3e-4);
+  frame.elements[1].stress = stress_of(hard, -1e-3, 4e-3, -7e-4, 0);
+  FieldFrame field;
+  for (const ElementFrame& element : frame.elements) {
+    FieldElement& made = field.elements.emplace_back();
+    made.material = element.material;
+    for (const auto& loop : element.loops) {
+      made.loops.emplace_back();
+      for (const Point p : loop) made.loops.back().push_back({p, {}, element.stress});
+    }
+  }
+  EXPECT_TRUE(Parsed(frame, field).array("CellData", "elastic_strain_xx").empty());
+  const Parsed parsed(frame, field, {soft, hard});
+  const std::map<std::string, std::pair<double, double>> wanted{{"elastic_strain_xx", {1e-3, -1e-3}},
+                                                                {"elastic_strain_yy", {-2e-3, 4e-3}},
+                                                                {"elastic_strain_xy", {5e-4, -7e-4}},
+                                                                {"elastic_strain_zz", {3e-4, 0}}};
+  for (const auto& [name, strain] : wanted) {
+    const std::vector<double> cells = parsed.array("CellData", name.c_str());
+    ASSERT_EQ(cells.size(), 2U) << name;
+    EXPECT_NEAR(cells[0], strain.first, 1e-17) << name;
+    EXPECT_NEAR(cells[1], strain.second, 1e-17) << name;
+    const std::vector<double> corners = parsed.array("PointData", name.c_str());
+    ASSERT_EQ(corners.size(), 13U) << name;
+    EXPECT_EQ(corners.front(), cells[0]) << name;
+    EXPECT_EQ(corners.back(), cells[1]) << name;
+  }
 }
 
 TEST(Vtk, what_rock_that_yields_remembers_is_told_of_cells_where_some_may) {

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "run/follow/drawn_joints.hpp"
@@ -200,6 +202,54 @@ TEST(Histories, what_is_not_there_is_refused_by_name) {
   EXPECT_NE(refused(history_of("joint:1")).find("expected blocks cut from a drawing"), std::string::npos);
   EXPECT_NE(refused(history_of("point:0.5,9")).find("found 0.5, 9 in none"), std::string::npos);
   EXPECT_EQ(refused(history_of("contact:1,3")), "");
+}
+
+// Force and elongation belong together by the stiffness; the length is that between the ends of the frame.
+TEST(Histories, a_bolt_is_followed_by_its_force_and_elongation) {
+  Blocks scene;
+  scene.blocks = {rectangle({-2, -1}, {4, 0}), rectangle({0, 0}, {2, 1})};
+  scene.fixed_points = {{{-1, -0.5}, 0, {}}, {{3, -0.5}, 0, {}}};
+  scene.bolts = {{{{-1, -0.2}, {-1.5, -0.2}}, 0, 0, 0, 0, 0, {}},
+                 {{{1, -0.5}, {1, 0.5}}, 0, 1, 2e6, 0, 5000, {}, std::string("crown, left")}};
+  const Prepared made = prepared(scene, 30, 30, "standard");
+  Followed followed({history_of("bolt:2"), history_of("mine=bolt:2")}, made.scene, {}, {});
+  std::map<std::string, double> values;
+  double length_at_end = 0;
+  Observer observer;
+  observer.on_state = [&](const Stepper& stepper) {
+    const BoltState& bolt = stepper.state().bolts[1];
+    length_at_end = distance(bolt.first, bolt.second);
+    std::istringstream rows(followed.rows(stepper, {}));
+    for (std::string row; std::getline(rows, row);) {
+      ASSERT_NE(row.find(",bolt,"), std::string::npos) << row;
+      const std::size_t unit = row.rfind(',');
+      const std::size_t value = row.rfind(',', unit - 1);
+      const std::size_t name = row.find(",bolt,") + 6;
+      values[row.substr(name, value - name)] = std::stod(row.substr(value + 1));
+    }
+  };
+  EXPECT_EQ(run(made.scene, 1, observer).reason, "");
+  ASSERT_EQ(values.size(), 6U);
+  EXPECT_NE(length_at_end, 1);
+  EXPECT_NEAR(values["\"crown, left\",elongation"], length_at_end - 1, 1e-15);
+  EXPECT_NEAR(values["\"crown, left\",force"], 5000 + 2e6 * (length_at_end - 1), 1e-6);
+  EXPECT_EQ(values["\"crown, left\",is_broken"], 0);
+  EXPECT_EQ(values["mine,force"], values["\"crown, left\",force"]);
+}
+
+TEST(Histories, a_bolt_that_is_not_there_is_refused) {
+  Blocks scene = wall(1);
+  const auto refused = [&] {
+    try {
+      Followed({history_of("bolt:3")}, prepared(scene, 30, 1, "standard").scene, {}, {});
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refused().find("expected a bolt in a scene with a history of one, found none"), std::string::npos);
+  scene.bolts = {{{{0.5, -0.5}, {0.5, 0.5}}, 0, 1, 1, 0, 0, {}}};
+  EXPECT_NE(refused().find("expected the number of a bolt in a history, 1 to 1, found 3"), std::string::npos);
 }
 
 }  // namespace keyblock::histories_test

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <pugixml.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -232,6 +233,60 @@ TEST(PlasticOutputs, resumed_runs_leave_the_same_bytes) {
       support::killed_runs({folder + "/in.json", "--trace", "--set", "steps=60", "--set", "mesh.side=0.2"}, 2, 3);
   EXPECT_EQ(runs.differs, "");
   EXPECT_GT(runs.resumed, 0);
+}
+
+namespace {
+
+/// Values of the cells of the last frame.
+std::vector<double> last_cells(const Done& done, const char* name) {
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(done.out + "/frames"))
+    if (entry.path().extension() == ".vtu") files.insert(entry.path().string());
+  pugi::xml_document document;
+  EXPECT_TRUE(document.load_file(files.rbegin()->c_str()));
+  const pugi::xml_node piece = document.child("VTKFile").child("UnstructuredGrid").child("Piece");
+  std::istringstream text(piece.child("CellData").find_child_by_attribute("DataArray", "Name", name).text().get());
+  std::vector<double> values;
+  for (double value = 0; text >> value;) values.push_back(value);
+  return values;
+}
+
+}  // namespace
+
+// Under plane strain a side free to move gives way by ν/(1-ν) of what the pressed one does.
+TEST(PlasticOutputs, elastic_strain_of_elastic_rock_is_that_of_its_displacement) {
+  const std::string little = R"({"along": [[0, 1], [1, 1]], "held": "y", "y": -1e-5})";
+  const Done done = run_of("elastic_strain", square(little, ""));
+  ASSERT_EQ(done.exit_code, 0) << done.messages;
+  const std::vector<double> yy = last_cells(done, "elastic_strain_yy");
+  const std::vector<double> xx = last_cells(done, "elastic_strain_xx");
+  const std::vector<double> zz = last_cells(done, "elastic_strain_zz");
+  ASSERT_GT(yy.size(), 4U);
+  for (std::size_t i = 0; i < yy.size(); ++i) {
+    EXPECT_NEAR(yy[i], -1e-5, 1e-8);  // edges give way by 1e-4 of what rock does, strain changes by its own square
+    EXPECT_NEAR(xx[i], kNu / (1 - kNu) * 1e-5, 1e-8);
+    EXPECT_NEAR(zz[i], 0, 1e-12);
+  }
+}
+
+// To a hundredth of the elastic part, which is told of Cauchy stress, at a strain of 0.01.
+TEST(PlasticOutputs, elastic_and_plastic_strain_add_up_to_that_of_the_displacement) {
+  const Done done = run_of("sum_of_strains", square(kPressed, kMises));
+  ASSERT_EQ(done.exit_code, 0) << done.messages;
+  const Homogeneous h(done.out + "/points.csv");
+  const auto sums = [&](const char* elastic, const char* plastic, double wanted) {
+    const std::vector<double> one = last_cells(done, elastic);
+    const std::vector<double> other = last_cells(done, plastic);
+    ASSERT_GT(one.size(), 4U);
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      EXPECT_NEAR(one[i] + other[i], wanted, 0.01 * std::abs(one[i]) + kGiven) << elastic;
+      EXPECT_GT(std::abs(other[i]), 1e-4) << plastic;
+    }
+  };
+  sums("elastic_strain_xx", "plastic_strain_xx", h.xx);
+  sums("elastic_strain_yy", "plastic_strain_yy", h.yy);
+  sums("elastic_strain_zz", "plastic_strain_zz", 0);
 }
 
 }  // namespace keyblock::plastic_outputs_test

@@ -21,6 +21,7 @@
 #include "app/strength/strength_reduction.hpp"
 #include "base/error.hpp"
 #include "base/sha256.hpp"
+#include "cut/bodies/slivers.hpp"
 #include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
 #include "job/run_heading.hpp"
@@ -35,7 +36,6 @@
 #include "settings/settings_table.hpp"
 #include "study/cases/case_file.hpp"
 #include "study/cases/named_files.hpp"
-#include "study/strength/strength_trial.hpp"
 
 namespace keyblock {
 namespace {
@@ -129,20 +129,20 @@ std::string what_they_do(const std::vector<std::string>& options) {
 void print_sliver_hint(const Prepared& prepared, const RunOutcome& outcome) {
   const std::vector<BlockPolygon>& blocks = prepared.blocks.blocks;
   if (!is_of_the_scene(outcome.failure) || outcome.numbers.empty() || !outcome.scenes.empty()) return;
-  const double most = study::kLooseArea * prepared.scene.model.mean_area;
-  const auto is_sliver = [&](int number) {
+  const double mean = prepared.scene.model.mean_area;
+  const bool are_slivers = std::ranges::all_of(outcome.numbers, [&](int number) {
     const auto at = static_cast<std::size_t>(number) - 1;
-    return at < blocks.size() && area(points_of(blocks[at].outer)) < most;
-  };
-  if (!std::ranges::all_of(outcome.numbers, is_sliver)) return;
+    return at < blocks.size() && is_sliver(form_of(blocks[at]), mean);
+  });
+  if (!are_slivers) return;
   const bool is_one = outcome.numbers.size() == 1;
   spdlog::info(
-      "block{} {} {}, below {:g} % of the mean area, and nothing else was found to move: taken out of the drawing, or "
-      "lost in the rest by a larger edge_node_ratio, {} no equilibrium of the others; `keyblock fos` leaves such "
-      "blocks "
-      "out by itself",
-      is_one ? "" : "s", fmt::join(outcome.numbers, ", "), is_one ? "is a sliver" : "are slivers",
-      100 * study::kLooseArea, is_one ? "it hides" : "they hide");
+      "block{} {} {}, {}, and nothing else was found to move: {} no equilibrium of the others; --set slivers=glue "
+      "joins "
+      "such blocks to their neighbours, --set slivers=leave_out takes them away, and `keyblock fos` leaves them out by "
+      "itself",
+      is_one ? "" : "s", fmt::join(outcome.numbers, ", "), is_one ? "is a sliver" : "are slivers", slivers_in_words(),
+      is_one ? "it hides" : "they hide");
 }
 
 // What to try where a run failed.

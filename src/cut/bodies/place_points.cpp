@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/words/quoted_name.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/segment.hpp"
@@ -99,11 +100,12 @@ class Placer {
     const auto second = find("bolt end", bolt.segment.end, bolt.place);
     if (!first || !second) return;
     if (*first == *second) {
-      warnings_.push_back(
-          {"bolt_in_one_block", bolt.place, "both ends of the bolt lie in one block: it holds nothing"});
+      warnings_.push_back({"bolt_in_one_block", bolt.place,
+                           fmt::format("both ends of the bolt{} lie in one block: it holds nothing",
+                                       quoted_name(bolt.name.value_or({})))});
     }
     blocks_.bolts.push_back(
-        {bolt.segment, *first, *second, bolt.stiffness, bolt.strength, bolt.pretension, bolt.place});
+        {bolt.segment, *first, *second, bolt.stiffness, bolt.strength, bolt.pretension, bolt.place, bolt.name});
   }
 
   // Loads belong to loading points by their order: leaving one out would give its load to the next.

@@ -67,7 +67,7 @@ std::map<int, fs::path> frames_in(const fs::path& folder) {
 
 void FrameFiles::write(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts, const Units& units) {
   const auto& [blocks, points, lines, cracks] = kParts;
-  write(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field, units));
+  write(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field, units, materials_));
   if (!contacts.empty())
     write(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts, units));
   if (!frame.bolts.empty()) write(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame, units));

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/archive.hpp"
@@ -32,6 +33,8 @@ class FrameFiles {
 
   /// The bodies with `field` where that has elements, and files of contacts, bolts and cracks where there are any.
   void write(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts, const Units& units);
+  /// Of which bodies consist, before the first frame: for elastic strain.
+  void of_materials(std::vector<BlockMaterial> materials) { materials_ = std::move(materials); }
   /// The list of them for viewers.
   std::string list() const;
   /// Throws OutputError where one is gone.
@@ -58,6 +61,7 @@ class FrameFiles {
 
   std::filesystem::path folder_;
   std::vector<File> files_;
+  std::vector<BlockMaterial> materials_;
   std::size_t flushed_ = 0;
 };
 

@@ -52,7 +52,8 @@ double mean_area_of(const Blocks& blocks) {
 }  // namespace
 
 Bolt bolt_between(const BlockBolt& bolt, ElementIndex first, ElementIndex second) {
-  return {{bolt.segment.start, first}, {bolt.segment.end, second}, bolt.stiffness, strength_of(bolt), bolt.pretension};
+  return {{bolt.segment.start, first}, {bolt.segment.end, second}, bolt.stiffness, strength_of(bolt), bolt.pretension,
+          bolt.name.value_or({})};
 }
 
 Model model_from_blocks(const Blocks& blocks, const Analysis& analysis) {

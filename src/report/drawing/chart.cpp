@@ -61,22 +61,22 @@ void draw_curve(SvgPage& page, const Plot& plot, const Curve& curve, std::string
     for (Point p : points) page.circle(p, 3.2, {.fill = "#ffffff", .stroke = colour, .stroke_width = 1.5});
 }
 
-int curve_colour(std::size_t index) {
-  return static_cast<int>(index + 1);  // the first line colour is that of frames and text
+std::string_view colour_of(const Curve& curve, std::size_t index) {
+  return line_colour(static_cast<int>(curve.colour.value_or(index) + 1));  // the first is that of frames and text
 }
 
 std::vector<LegendEntry> make_legend(const std::vector<Curve>& curves) {
   std::vector<LegendEntry> legend;
   for (std::size_t i = 0; i < curves.size(); ++i)
     legend.push_back({.sign = curves[i].style == Curve::Style::line ? LegendEntry::Sign::line : LegendEntry::Sign::dots,
-                      .colour = line_colour(curve_colour(i)),
+                      .colour = colour_of(curves[i], i),
                       .words = curves[i].label});
   return legend;
 }
 
 void draw_curves(SvgPage& page, const Plot& plot, const std::vector<Curve>& curves, Curve::Style style) {
   for (std::size_t i = 0; i < curves.size(); ++i)
-    if (curves[i].style == style) draw_curve(page, plot, curves[i], line_colour(curve_colour(i)));
+    if (curves[i].style == style) draw_curve(page, plot, curves[i], colour_of(curves[i], i));
 }
 
 }  // namespace

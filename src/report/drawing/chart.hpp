@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Curve {
   std::vector<double> x;
   std::vector<double> y;
   Style style = Style::line;
+  std::optional<std::size_t> colour = {};  ///< as of the curve with this index; nothing: as of its own
 };
 
 /// What stands on the axes, with units.

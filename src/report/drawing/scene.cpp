@@ -17,6 +17,7 @@ constexpr std::size_t kLegendLimit = 12;
 constexpr double kRow = 20;
 constexpr double kSignWidth = 26;
 constexpr double kEntryGap = 18;
+constexpr double kNameGap = 5;  // from the end of a bolt
 constexpr double kTextSize = 12;
 constexpr double kFarAway = 0.1;     // of the diagonal of what was drawn, beyond it
 constexpr double kFewOfMany = 0.05;  // of the number of all blocks
@@ -90,8 +91,12 @@ void draw_mark(SvgPage& page, Point at, Mark mark) {
   }
 }
 
-void draw_bolt(SvgPage& page, Point from, Point to) {
+void draw_bolt(SvgPage& page, Point from, Point to, const std::string& name) {
   page.line(from, to, {.stroke = kBoltColour, .stroke_width = 1.5, .dash = "4 3"});
+  if (name.empty()) return;
+  const bool goes_left = to.x < from.x;
+  page.text({to.x + (goes_left ? -kNameGap : kNameGap), to.y + (to.y > from.y ? kNameGap : -kNameGap)}, name,
+            {.size = 11, .anchor = goes_left ? Anchor::end : Anchor::start, .fill = kBoltColour});
 }
 
 std::vector<std::size_t> far_small_blocks(const Box& drawn, const std::vector<PlacedBlock>& blocks) {

@@ -20,8 +20,8 @@ enum class Mark { fixed_point, loading_point, measured_point };
 /// Draws the sign of a point of the scene at a place of the page.
 void draw_mark(SvgPage& page, Point at, Mark mark);
 
-/// Draws a bolt between two places of the page.
-void draw_bolt(SvgPage& page, Point from, Point to);
+/// Draws a bolt between two places of the page, its name behind its second end.
+void draw_bolt(SvgPage& page, Point from, Point to, const std::string& name = {});
 
 /// Width of block edges: one page unit for few blocks, finer where they crowd.
 double edge_width(Point page_size, std::size_t block_count);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cut/bodies/cracks.hpp"
+#include "cut/bodies/treat_slivers.hpp"
 #include "cut/covers/cut_cover.hpp"
 #include "cut/covers/from_cover.hpp"
 #include "cut/covers/to_cover.hpp"
@@ -84,9 +85,10 @@ void require_cracks_in_meshed_blocks(const Blocks& blocks, const CoverPlan& plan
 }  // namespace
 
 CutResult blocks_of(const Problem& problem, const Settings& settings) {
-  if (const auto* drawing = std::get_if<Drawing>(&problem.geometry))
-    return cut_blocks(*drawing, settings.node_merging, settings.near_pieces);
-  return {std::get<Blocks>(problem.geometry), {}, {}, {}};
+  const auto* drawing = std::get_if<Drawing>(&problem.geometry);
+  CutResult cut = drawing != nullptr ? cut_blocks(*drawing, settings.node_merging, settings.near_pieces)
+                                     : CutResult{std::get<Blocks>(problem.geometry), {}, {}, {}};
+  return with_slivers_treated(std::move(cut), settings.slivers);
 }
 
 CoverModel cover_model(const Problem& problem, const Settings& settings) {

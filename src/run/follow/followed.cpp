@@ -27,6 +27,7 @@ std::string word_of(const HistoryPlan& plan) {
   if (plan.point) return "point";
   if (plan.block) return "block";
   if (plan.contact) return "contact";
+  if (plan.bolt) return "bolt";
   return plan.joint ? "joint" : "line";
 }
 
@@ -36,6 +37,7 @@ std::string name_of(const HistoryPlan& plan) {
   if (plan.block) return fmt::format("{}", *plan.block + 1);
   if (plan.contact) return fmt::format("{}-{}", plan.contact->first + 1, plan.contact->second + 1);
   if (plan.joint) return fmt::format("{}", *plan.joint + 1);
+  if (plan.bolt) return fmt::format("{}", *plan.bolt + 1);
   const auto& [start, end] = *plan.line;
   return fmt::format("{:g} {:g} to {:g} {:g}", start.x, start.y, end.x, end.y);
 }
@@ -165,6 +167,18 @@ class Lines {
     put("moment", found.moment, units_.moment);
   }
 
+  // Elongation is that over the length as drawn; also after it broke, when its force is 0.
+  void bolt(int number) {
+    const Model& model = stepper_.model();
+    for (std::size_t i = 0; i < model.bolts.size(); ++i) {
+      if (model.identities.of_bolt(i) != number) continue;
+      const BoltState& now = stepper_.state().bolts[i];
+      put("force", now.force, units_.force);
+      put("elongation", distance(now.first, now.second) - model.bolts[i].start_length(), units_.length);
+      put("is_broken", now.is_broken ? 1 : 0, "1");
+    }
+  }
+
   std::string text;
   bool bears = false;               ///< a contact that is closed, or what crosses the line
   std::optional<double> least_gap;  ///< of contacts that were looked at
@@ -240,6 +254,28 @@ void require_line(const Scene& first, const Segment& line, const HistoryPlan& pl
       "on covers: what acts there is its stress");
 }
 
+/// Of the scene and of those that follow it: one that a stage installs comes later.
+void require_bolt(const Scene& first, int number, const HistoryPlan& plan) {
+  std::size_t most = 0;
+  for (const Scene* scene : scenes_of(first))
+    for (std::size_t i = 0; i < scene->model.bolts.size(); ++i) {
+      const int own = scene->model.identities.of_bolt(i);
+      if (own == number) return;
+      most = std::max(most, static_cast<std::size_t>(own) + 1);
+    }
+  throw InputError(plan.place, most == 0 ? std::string("expected a bolt in a scene with a history of one, found none")
+                                         : fmt::format("expected the number of a bolt in a history, 1 to {}, found {}",
+                                                       most, static_cast<long long>(number) + 1));
+}
+
+/// What the case calls it; empty where it does not.
+std::string name_of_bolt(const Scene& first, int number) {
+  for (const Scene* scene : scenes_of(first))
+    for (std::size_t i = 0; i < scene->model.bolts.size(); ++i)
+      if (scene->model.identities.of_bolt(i) == number) return scene->model.bolts[i].name;
+  return {};
+}
+
 Point start_of(const Model& model, VertexIndex v) {
   return model.start_vertices[static_cast<std::size_t>(v.value)];
 }
@@ -299,12 +335,16 @@ Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, co
     if (plan.contact) look_at_pair(one, first.model);
     if (plan.joint) require_joint(joints, *plan.joint, plan);
     if (plan.line) require_line(first, *plan.line, plan);
+    if (plan.bolt) require_bolt(first, *plan.bolt, plan);
+    if (plan.bolt && plan.name.empty())
+      if (const std::string name = name_of_bolt(first, *plan.bolt); !name.empty()) one.name = name;
   }
 }
 
 std::string Followed::rows(const Stepper& stepper, const DrawnJoints& joints) {
   ContactFrames contacts;
-  if (std::ranges::any_of(all_, [](const One& one) { return !one.plan.point; })) contacts = stepper.contacts();
+  if (std::ranges::any_of(all_, [](const One& one) { return !one.plan.point && !one.plan.bolt; }))
+    contacts = stepper.contacts();
   joints.name(contacts, stepper.model());
   std::string text;
   for (One& one : all_) {
@@ -315,6 +355,7 @@ std::string Followed::rows(const Stepper& stepper, const DrawnJoints& joints) {
     if (plan.contact) lines.pair(*plan.contact, contacts);
     if (plan.joint) lines.joint(*plan.joint, contacts);
     if (plan.line) lines.resultant(*plan.line, contacts);
+    if (plan.bolt) lines.bolt(*plan.bolt);
     one.has_rows = true;
     one.has_borne = one.has_borne || lines.bears;
     if (lines.least_gap) one.nearest = one.nearest < 0 ? *lines.least_gap : std::min(one.nearest, *lines.least_gap);
@@ -349,7 +390,7 @@ Warnings Followed::of_nothing() const {
   Warnings warnings;
   for (const One& one : all_) {
     const HistoryPlan& plan = one.plan;
-    if (one.has_borne || !one.has_rows || plan.point || plan.block) continue;
+    if (one.has_borne || !one.has_rows || plan.point || plan.block || plan.bolt) continue;
     std::string how_near;
     if (one.nearest >= 0)
       how_near = fmt::format("; the least gap is {}", plain(one.nearest));

@@ -21,9 +21,9 @@ namespace keyblock {
 namespace {
 
 constexpr const char* kForms =
-    "point:X,Y, block:N, contact:A,B, joint:N or line:X1,Y1,X2,Y2, with NAME= before it or not";
+    "point:X,Y, block:N, contact:A,B, joint:N, line:X1,Y1,X2,Y2 or bolt:N, with NAME= before it or not";
 
-[[noreturn]] void refuse(const std::string& text, const std::string& more = {}) {
+[[noreturn]] void refuse_history(const std::string& text, const std::string& more = {}) {
   throw std::invalid_argument(fmt::format("expected {}; found \"{}\"{}", kForms, text, more));
 }
 
@@ -33,7 +33,7 @@ std::vector<double> numbers_in(std::string_view list, const std::string& text) {
     const std::size_t end = std::min(list.find(','), list.size());
     double& number = numbers.emplace_back();
     const auto [stop, error] = std::from_chars(list.data(), list.data() + end, number);
-    if (error != std::errc{} || stop != list.data() + end || !std::isfinite(number)) refuse(text);
+    if (error != std::errc{} || stop != list.data() + end || !std::isfinite(number)) refuse_history(text);
     if (end == list.size()) return numbers;
     list.remove_prefix(end + 1);
   }
@@ -41,7 +41,8 @@ std::vector<double> numbers_in(std::string_view list, const std::string& text) {
 
 int index_of(double number, const std::string& text) {
   constexpr double kMost = 1e9;
-  if (number < 1 || number > kMost || number != std::floor(number)) refuse(text, ", whose numbers count from 1");
+  if (number < 1 || number > kMost || number != std::floor(number))
+    refuse_history(text, ", whose numbers count from 1");
   return static_cast<int>(number) - 1;
 }
 
@@ -82,25 +83,26 @@ HistoryPlan history_of(const std::string& text) {
     rest.remove_prefix(equals + 1);
   }
   const std::size_t colon = rest.find(':');
-  if (colon == std::string_view::npos) refuse(text);
+  if (colon == std::string_view::npos) refuse_history(text);
   const std::string word(rest.substr(0, colon));
-  constexpr std::array<std::pair<const char*, std::size_t>, 5> kWords{
-      {{"point", 2}, {"block", 1}, {"contact", 2}, {"joint", 1}, {"line", 4}}};
+  constexpr std::array<std::pair<const char*, std::size_t>, 6> kWords{
+      {{"point", 2}, {"block", 1}, {"contact", 2}, {"joint", 1}, {"line", 4}, {"bolt", 1}}};
   std::size_t wanted = 0;
   std::vector<std::string> known;
   for (const auto& [name, count] : kWords) {
     known.emplace_back(name);
     if (word == name) wanted = count;
   }
-  if (wanted == 0) refuse(text, nearest_words(word, known));
+  if (wanted == 0) refuse_history(text, nearest_words(word, known));
   const std::vector<double> values = numbers_in(rest.substr(colon + 1), text);
-  if (values.size() != wanted) refuse(text);
+  if (values.size() != wanted) refuse_history(text);
   if (word == "point") plan.point = Point{values[0], values[1]};
   if (word == "block") plan.block = index_of(values[0], text);
   if (word == "contact") plan.contact = BlockPair{index_of(values[0], text), index_of(values[1], text)};
   if (word == "joint") plan.joint = index_of(values[0], text);
   if (word == "line") plan.line = Segment{{values[0], values[1]}, {values[2], values[3]}};
-  if (plan.line && plan.line->start == plan.line->end) refuse(text, ", a line without length");
+  if (word == "bolt") plan.bolt = index_of(values[0], text);
+  if (plan.line && plan.line->start == plan.line->end) refuse_history(text, ", a line without length");
   return plan;
 }
 

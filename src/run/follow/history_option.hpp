@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// `point:X,Y`, `block:N`, `contact:A,B`, `joint:N` or `line:X1,Y1,X2,Y2`, with `NAME=` before it where it is to have a
-/// name; numbers of blocks and joints from 1. Throws std::invalid_argument.
+/// `point:X,Y`, `block:N`, `contact:A,B`, `joint:N`, `line:X1,Y1,X2,Y2` or `bolt:N`, with `NAME=` before it where it is
+/// to have a name; numbers of blocks, joints and bolts from 1. Throws std::invalid_argument.
 HistoryPlan history_of(const std::string& text);
 
 /// The points of histories as measured points, behind those of the problem: they travel with what they lie in. Throws

@@ -112,6 +112,9 @@ std::vector<StageChoices> choices_of_stages(const Problem& problem, const std::s
     if (settings.dynamics != Dynamics::standard)
       throw InputError(stage.place,
                        fmt::format("expected dynamics standard for stages, found those of Shi (profile {})", chosen));
+    if (!all.empty() && settings.slivers != all.front().settings.slivers)
+      throw InputError(stage.place,
+                       "expected the setting slivers of the first stage, for the rock is cut once, found another");
     const int steps = steps_of(stage, settings_of(asked, "standard", {}).time_step, settings.time_step);
     total += steps;
     all.push_back({std::move(settings), steps});

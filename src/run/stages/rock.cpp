@@ -203,7 +203,8 @@ class Changing {
                      line.stiffness,
                      line.strength,
                      line.pretension,
-                     line.place};
+                     line.place,
+                     line.name};
       const std::vector<BoltProperties>& types = rock_.analysis.bolt_properties;
       const bool has_none = bolt.stiffness == 0 && bolt.strength == 0 && bolt.pretension == 0;
       if (has_none && !types.empty()) {

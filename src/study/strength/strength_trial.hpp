@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cut/bodies/slivers.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 #include "run/prepare.hpp"
@@ -48,7 +49,7 @@ struct TrialOutcome {
 };
 
 /// A block is loose where it falls by itself and is smaller than this share of the mean area: what `slivers` warns of.
-inline constexpr double kLooseArea = 0.01;
+inline constexpr double kLooseArea = kSliverArea;
 /// All that are left out may have this share of the area of all blocks: a tenth of the width of bracket that is sought
 /// unless asked otherwise, so that the weight that goes with them is no more than that to the factor.
 inline constexpr double kLooseInAll = 1e-3;

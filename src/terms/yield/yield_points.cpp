@@ -35,7 +35,7 @@ constexpr double kRounding = 1e-9;  // of weights, which sum to 1
 // that forces on it would move it far: the corner of Cook's membrane went 8 to 22 % too far on turned meshes.
 constexpr double kSmallPiece = 0.2;
 
-bool is_small_piece(const Manifold& manifold, int e) {
+bool averages_miss(const Manifold& manifold, int e) {
   const ManifoldElement& element = manifold.elements[static_cast<std::size_t>(e)];
   double own = 0;
   for (const std::vector<Point>& loop : manifold.polygon(element)) own += area(loop);
@@ -58,7 +58,7 @@ void YieldPoints::add_averaged(const Continuum& continuum, const CoverBasis& bas
   std::map<int, Gathered> covers;
   for (int e = 0; e < basis.element_count(); ++e) {
     if (!continuum.material(e).is_nonlinear()) continue;
-    if (is_small_piece(continuum.manifold, e)) {
+    if (averages_miss(continuum.manifold, e)) {
       add_own(continuum, basis, e);
       has_own_[static_cast<std::size_t>(e)] = true;
       continue;
