@@ -17,7 +17,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double kEqualStrengths = 0.01;  // of the greatest nearness: those that start together
+constexpr double kStartsTogether = 0.01;  // of the greatest nearness: those that start together
 constexpr double kApart = 4;              // discs: starts nearer to each other are one
 constexpr double kFreeOfTips = 2;         // discs about a start without a tip
 constexpr int kDegree = 2;                // of the stress in an element
@@ -42,7 +42,7 @@ class Starts {
     std::ranges::stable_sort(all, std::ranges::greater(), &CrackStart::nearness);
     std::vector<CrackStart> chosen;
     for (const CrackStart& start : all) {
-      if (start.nearness() < (1 - kEqualStrengths) * all.front().nearness()) break;
+      if (start.nearness() < (1 - kStartsTogether) * all.front().nearness()) break;
       if (std::ranges::none_of(chosen, [&](const CrackStart& other) {
             return distance(other.at, start.at) < kApart * (start.half_length + other.half_length) / 2;
           }))
@@ -118,7 +118,7 @@ class Starts {
     for (std::size_t i = 0; i < 2; ++i)
       for (const double way : {-1.0, 1.0})
         at_ends[i] += left_by_friction(e, start->at + way * start->half_length * planes[i], planes[i], friction);
-    start->along = planes[at_ends[1] > (1 + kEqualStrengths) * at_ends[0] ? 1 : 0];
+    start->along = planes[at_ends[1] > (1 + kStartsTogether) * at_ends[0] ? 1 : 0];
     return start;
   }
 

@@ -19,10 +19,10 @@ namespace {
 /// A number with its derivatives by the three trial stresses and κ.
 using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
 template <class T>
-using Principal = std::array<T, 3>;
+using PrincipalValues = std::array<T, 3>;
 
 // Of the stress at hand: what multipliers, order and limits may miss by rounding when sides are chosen.
-constexpr double kFlowRounding = 1e-13;
+constexpr double kRoundOff = 1e-13;
 
 double value_of(double x) {
   return x;
@@ -119,12 +119,12 @@ constexpr std::array<Corner, 8> kTensionCorners = {{
 /// Of a side: normal, D times its flow, and the limit.
 template <class T>
 struct SideAt {
-  Principal<T> normal, relaxed;
+  PrincipalValues<T> normal, relaxed;
   T limit;
 
   SideAt(Side side, const Planes<T>& p, const Eigen::Matrix3d& d) {
     normal.fill(T(0.0));
-    Principal<T> flow;
+    PrincipalValues<T> flow;
     flow.fill(T(0.0));
     const auto i = static_cast<std::size_t>(side.greater);
     if (side.lesser < 0) {
@@ -145,12 +145,12 @@ struct SideAt {
 };
 
 template <class T>
-T dot(const Principal<T>& a, const Principal<T>& b) {
+T dot(const PrincipalValues<T>& a, const PrincipalValues<T>& b) {
   return T(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
 /// What the sides of a corner give way by, x.
-Eigen::Vector3d multipliers(const Corner& corner, const Principal<double>& trial, const Planes<double>& p,
+Eigen::Vector3d multipliers(const Corner& corner, const PrincipalValues<double>& trial, const Planes<double>& p,
                             const Eigen::Matrix3d& d) {
   Eigen::Matrix3d system = Eigen::Matrix3d::Identity();
   Eigen::Vector3d beyond = Eigen::Vector3d::Zero();
@@ -165,12 +165,12 @@ Eigen::Vector3d multipliers(const Corner& corner, const Principal<double>& trial
 
 /// The stress on one side or on two of them, before rounding is taken out of what they fix.
 template <class T>
-Principal<T> relaxed_onto(const Corner& corner, const Principal<T>& trial, const Planes<T>& p,
-                          const Eigen::Matrix3d& d) {
+PrincipalValues<T> relaxed_onto(const Corner& corner, const PrincipalValues<T>& trial, const Planes<T>& p,
+                                const Eigen::Matrix3d& d) {
   const SideAt<T> a(corner.sides[0], p, d);
   const T beyond = T(dot(a.normal, trial) - a.limit);
   const T stiffness = dot(a.normal, a.relaxed);
-  Principal<T> stress = trial;
+  PrincipalValues<T> stress = trial;
   if (corner.count == 1) {
     const T x = T(beyond / stiffness);
     for (std::size_t i = 0; i < 3; ++i) stress[i] = T(trial[i] - x * a.relaxed[i]);
@@ -188,7 +188,8 @@ Principal<T> relaxed_onto(const Corner& corner, const Principal<T>& trial, const
 
 /// The stress in a corner: what its sides fix is set, not subtracted, so that it lies on them to the last digit.
 template <class T>
-Principal<T> land(const Corner& corner, const Principal<T>& trial, const Planes<T>& p, const Eigen::Matrix3d& d) {
+PrincipalValues<T> land(const Corner& corner, const PrincipalValues<T>& trial, const Planes<T>& p,
+                        const Eigen::Matrix3d& d) {
   const auto below = [&](const T& greater) { return T(p.ratio * greater - p.strength); };
   if (corner.count == 0) return {p.apex(), p.apex(), p.apex()};
   const bool limits = corner.region == YieldRegion::tension;
@@ -199,7 +200,7 @@ Principal<T> land(const Corner& corner, const Principal<T>& trial, const Planes<
     const bool lower = corner.sides[1].lesser == 1;
     return {p.tension, lower ? low : p.tension, low};
   }
-  const Principal<T> s = relaxed_onto(corner, trial, p, d);
+  const PrincipalValues<T> s = relaxed_onto(corner, trial, p, d);
   if (!limits) {
     if (corner.count == 1) return {s[0], s[1], below(s[0])};
     if (corner.sides[1].greater == 0) return {s[0], below(s[0]), below(s[0])};
@@ -210,15 +211,15 @@ Principal<T> land(const Corner& corner, const Principal<T>& trial, const Planes<
   return {p.tension, corner.count == 2 ? p.tension : s[1], s[2]};
 }
 
-Corner shear_corner(const Principal<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
-  const Principal<double> plane = land(kPlane, trial, p, d);
+Corner shear_corner(const PrincipalValues<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
+  const PrincipalValues<double> plane = land(kPlane, trial, p, d);
   // Two that are equal stay so: where the plane is hardly reached, rounding would choose which of them alone gives way.
-  const double equal = kFlowRounding * std::max({std::abs(trial[0]), std::abs(trial[2]), p.strength});
+  const double equal = kRoundOff * std::max({std::abs(trial[0]), std::abs(trial[2]), p.strength});
   const bool upper = plane[0] < plane[1] || trial[0] - trial[1] <= equal;
   const bool lower = plane[1] < plane[2] || trial[1] - trial[2] <= equal;
   if (!upper && !lower) return kPlane;
   const auto holds = [&](const Corner& edge) {
-    const Principal<double> s = land(edge, trial, p, d);
+    const PrincipalValues<double> s = land(edge, trial, p, d);
     return !p.has_apex() || s[0] >= s[2];
   };
   if (upper && holds(kUpperEdge)) {
@@ -230,20 +231,20 @@ Corner shear_corner(const Principal<double>& trial, const Planes<double>& p, con
 }
 
 /// By how much a corner's stress breaks what makes it the one sought.
-double fault_of(const Corner& corner, const Principal<double>& trial, const Planes<double>& p,
+double fault_of(const Corner& corner, const PrincipalValues<double>& trial, const Planes<double>& p,
                 const Eigen::Matrix3d& d) {
-  const Principal<double> s = land(corner, trial, p, d);
+  const PrincipalValues<double> s = land(corner, trial, p, d);
   double fault = std::max({s[1] - s[0], s[2] - s[1], s[0] - p.tension, p.ratio * s[0] - s[2] - p.strength});
   const Eigen::Vector3d x = multipliers(corner, trial, p, d) * d(0, 0);
   for (int i = 0; i < corner.count; ++i) fault = std::max(fault, -x(i));
   return std::isfinite(fault) ? fault : std::numeric_limits<double>::infinity();
 }
 
-Corner corner_of(const Principal<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
+Corner corner_of(const PrincipalValues<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
   const bool sheared = p.ratio * trial[0] - trial[2] > p.strength;
   const Corner shear = sheared ? shear_corner(trial, p, d) : kPlane;
   if (!p.limited || (sheared ? land(shear, trial, p, d)[0] : trial[0]) <= p.tension) return shear;
-  const double rounding = kFlowRounding * std::max({std::abs(trial[0]), std::abs(trial[2]), p.strength});
+  const double rounding = kRoundOff * std::max({std::abs(trial[0]), std::abs(trial[2]), p.strength});
   const Corner* least = kTensionCorners.data();
   double least_fault = std::numeric_limits<double>::infinity();
   for (const Corner& corner : kTensionCorners) {
@@ -300,13 +301,13 @@ struct ConeAt {
 };
 
 template <class T>
-T mean_of(const Principal<T>& s) {
+T mean_of(const PrincipalValues<T>& s) {
   return T((s[0] + s[1] + s[2]) / 3.0);
 }
 
 /// √J2.
 template <class T>
-T shear_of(const Principal<T>& s) {
+T shear_of(const PrincipalValues<T>& s) {
   using std::sqrt;
   const T a = T(s[0] - s[1]), b = T(s[1] - s[2]), c = T(s[2] - s[0]);
   return T(sqrt(T((a * a + b * b + c * c) / 6.0)));
@@ -316,29 +317,30 @@ enum class ConePart { cone, apex, limit, rim };
 
 /// The deviator, without what rounding of a great mean leaves in its own.
 template <class T>
-Principal<T> deviator_of(const Principal<T>& s) {
+PrincipalValues<T> deviator_of(const PrincipalValues<T>& s) {
   const T mean = mean_of(s);
-  const Principal<T> d = {T(s[0] - mean), T(s[1] - mean), T(s[2] - mean)};
+  const PrincipalValues<T> d = {T(s[0] - mean), T(s[1] - mean), T(s[2] - mean)};
   const T rest = mean_of(d);
   return {T(d[0] - rest), T(d[1] - rest), T(d[2] - rest)};
 }
 
 /// The stress of this deviator's direction with √J2 and the mean given.
 template <class T>
-Principal<T> with_shear(const Principal<T>& trial, const T& shear, const T& mean) {
+PrincipalValues<T> with_shear(const PrincipalValues<T>& trial, const T& shear, const T& mean) {
   const T ratio = T(shear / shear_of(trial));
-  Principal<T> s = deviator_of(trial);
+  PrincipalValues<T> s = deviator_of(trial);
   for (T& value : s) value = T(value * ratio + mean);
   return s;
 }
 
 template <class T>
-Principal<T> land(ConePart part, const Principal<T>& trial, const ConeAt<T>& cone, double bulk, double shear_modulus) {
+PrincipalValues<T> land(ConePart part, const PrincipalValues<T>& trial, const ConeAt<T>& cone, double bulk,
+                        double shear_modulus) {
   switch (part) {
     case ConePart::apex:
       return {cone.apex(), cone.apex(), cone.apex()};
     case ConePart::limit: {
-      const Principal<T> d = deviator_of(trial);
+      const PrincipalValues<T> d = deviator_of(trial);
       return {T(d[0] + cone.tension), T(d[1] + cone.tension), T(d[2] + cone.tension)};
     }
     case ConePart::rim:
@@ -353,7 +355,7 @@ Principal<T> land(ConePart part, const Principal<T>& trial, const ConeAt<T>& con
   return with_shear(trial, T(cone.strength - 3.0 * cone.slope * lower), lower);
 }
 
-ConePart part_of(const Principal<double>& trial, const ConeAt<double>& cone, double bulk, double shear_modulus) {
+ConePart part_of(const PrincipalValues<double>& trial, const ConeAt<double>& cone, double bulk, double shear_modulus) {
   const double shear = shear_of(trial);
   const double mean = mean_of(trial);
   const double beyond = shear + 3 * cone.slope * mean - cone.strength;
@@ -389,11 +391,11 @@ YieldRegion region_of(ConePart part) {
   return part == ConePart::apex ? YieldRegion::apex : YieldRegion::tension;
 }
 
-Principal<double> array_of(const Eigen::Vector3d& v) {
+PrincipalValues<double> array_of(const Eigen::Vector3d& v) {
   return {v(0), v(1), v(2)};
 }
 
-Eigen::Vector3d ordered(const Principal<double>& s) {
+Eigen::Vector3d ordered(const PrincipalValues<double>& s) {
   return {std::max(s[0], s[2]), std::clamp(s[1], std::min(s[0], s[2]), std::max(s[0], s[2])), std::min(s[0], s[2])};
 }
 
@@ -425,7 +427,7 @@ double excess_of_stress(const SurfaceOfKappa& surface, double kappa, const Eigen
 Eigen::Vector3d stress_on_surface(const SurfaceOfKappa& surface, double kappa, const Eigen::Vector3d& trial,
                                   const Eigen::Matrix3d& d) {
   if (!(excess_of_stress(surface, kappa, trial) > 0)) return trial;
-  const Principal<double> from = array_of(trial);
+  const PrincipalValues<double> from = array_of(trial);
   if (has_planes(surface)) {
     const Planes<double> p(surface, kappa);
     return ordered(land(corner_of(from, p, d), from, p, d));
@@ -442,10 +444,10 @@ PrincipalReturn return_to_surface(const SurfaceOfKappa& surface, double kappa, c
   back.by_trial.setIdentity();
   back.by_kappa.setZero();
   if (!(excess_of_stress(surface, kappa, trial) > 0)) return back;
-  const Principal<double> from = array_of(trial);
-  Principal<Dual> dual;
+  const PrincipalValues<double> from = array_of(trial);
+  PrincipalValues<Dual> dual;
   for (int i = 0; i < 3; ++i) dual[static_cast<std::size_t>(i)] = Dual(trial(i), 4, i);
-  Principal<Dual> landed;
+  PrincipalValues<Dual> landed;
   if (has_planes(surface)) {
     const Corner corner = corner_of(from, Planes<double>(surface, kappa), d);
     landed = land(corner, dual, Planes<Dual>(surface, kappa), d);
@@ -456,7 +458,7 @@ PrincipalReturn return_to_surface(const SurfaceOfKappa& surface, double kappa, c
     landed = land(part, dual, ConeAt<Dual>(surface, kappa), bulk, shear);
     back.region = region_of(part);
   }
-  Principal<double> values;
+  PrincipalValues<double> values;
   for (std::size_t i = 0; i < 3; ++i) {
     values[i] = landed[i].value();
     back.by_trial.row(static_cast<Eigen::Index>(i)) = landed[i].derivatives().head<3>();

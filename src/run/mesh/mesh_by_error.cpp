@@ -26,7 +26,7 @@ namespace {
 constexpr double kHalf = 0.5;        // of ‖e‖²
 constexpr double kSameError = 1e-6;  // of symmetric places
 constexpr double kLow = 3;           // estimates are low at tips, by up to 2.4 (see the tests)
-constexpr int kMostRounds = 60;
+constexpr int kMostMeshRounds = 60;
 constexpr double kShortest =
     1e-6;                     // sides, of the extent of the mesh: at points of infinite stress nothing else ends it
 constexpr double kFew = 0.1;  // of the error wanted: what a force at a point may do without being looked at
@@ -186,7 +186,7 @@ class Refinement {
   /// One round: half of the error, or all triangles where an estimate that is small enough is to be confirmed. Returns
   /// what is in the way, if anything is.
   std::string refine(Estimate& found) {
-    if (result_.rounds.size() == kMostRounds) return fmt::format("after {} rounds", kMostRounds);
+    if (result_.rounds.size() == kMostMeshRounds) return fmt::format("after {} rounds", kMostMeshRounds);
     if (found.halves.empty()) return "its sides can be no shorter";
     std::vector<RefinedPoint>& refined = result_.problem.covers->mesh.refined;
     const std::vector<RefinedPoint> before = refined;
