@@ -115,7 +115,32 @@ def cantilever_in_time():
     write_case(os.path.join(HERE, 'cantilever_in_time'), json.dumps(case, indent=1) + '\n', values, 'double cantilever driven apart in time', slow=True)
 
 
+def spalling_pillar():
+    """A pillar with a flaw near its side, pressed by 0.00384 of its height 2: wings part a slab, and both stand."""
+    young, poisson, height, pressed = 1e4, 0.2, 2, 0.00384
+    half, angle, at = 0.1, math.radians(60), (0.8, 1)
+    flaw = [[at[0] + k * half * math.cos(angle), at[1] + k * half * math.sin(angle)] for k in (-1, 1)]
+    stress = -young / (1 - poisson ** 2) * pressed / height
+    mesh = free_mesh(0.2)
+    along = 'between the ends of the flaw: wings turn to the direction of the load'
+    case = {'keyblock': 1,
+            'blocks': {'blocks': [{'outer': [[x, y, 1] for x, y in rectangle(0, 0, 1, height)]}],
+                       'measured_points': [[0.5, 1, 1], [0.95, 2, 1]]},
+            'covers': {'contact': 'felt', 'mesh': mesh, 'cracks': [{'along': flaw}], 'growth': {'increment': 0.08, 'loads': 'given'},
+                       'displacements': [{'along': [[0, 0], [1, 0]], 'held': 'y', 'y': 0}, {'along': [[0, height], [1, height]], 'held': 'y', 'y': -pressed}],
+                       'springs': [[0, 0, 1, 0, young]]},
+            'analysis': {'step_count': 26, 'time_step': 1, 'velocity_carry_over': 0, 'allowed_displacement_ratio': 0.1, 'plane_strain': True, 'gravity': 0,
+                         'joint_materials': [{'friction_angle_deg': math.degrees(math.atan(0.3))}],
+                         'block_materials': [{'density': 1, 'unit_weight': 0, 'youngs_modulus': young, 'poissons_ratio': poisson, 'toughness': {'mode_1': 1}}]}}
+    write_case(os.path.join(HERE, 'spalling_pillar'), json.dumps(case, indent=1) + '\n',
+               [('tip_x', tip, at[0], half * math.cos(angle), along, 'Horii & Nemat-Nasser 1985', 8) for tip in (1, 2)] +
+               [('point_syy', 1, stress, 0.05 * abs(stress), '5 %: wings along the load take none of it', "Hooke's law of a column in plane strain", 26),
+                ('point_dx', 2, 0, 0.02, 'a hundredth of the height: the slab stands', 'equilibrium', 26)],
+               'pillar from whose side wings of a closed flaw part a slab: both stand', slow=True)
+
+
 if __name__ == '__main__':
+    spalling_pillar()
     cantilever_in_time()
     PATH = 'independent reckoning with singular functions, corrected steps of 0.15 in.; Cotterell & Rice 1980: unstable for T > 0'
     cantilever('cantilever_tilted', 5.71, 0.15, 13, [('tip_y', 1, 1.10, 0.165, 'asked for: 15 % of the deviation', PATH, 13), ('tip_x', 1, 5.16, 0.18, 'asked for: 15 % of the way', PATH, 13),

@@ -55,6 +55,55 @@ std::pair<Point, Point> part_in_rock(Point from, Point to, const std::function<b
   return {end_in_rock(from), end_in_rock(to)};
 }
 
+/// Faces that part from now on, under the stress that the rock had; elements on covers are numbered on from
+/// `first_on_covers`.
+PartingFaces new_faces(const StandardStepper& now, int first_on_covers, const Place& plan, const Segment& piece,
+                       double energy) {
+  const Manifold& manifold = now.model().continuum->manifold;
+  const CoverDisplacement moved = *now.on_covers();
+  const auto element = [&](Point p) { return element_of(manifold, CrackTip{p, {}}); };
+  const auto [first, last] = part_in_rock(piece.start, piece.end, [&](Point p) { return element(p) >= 0; });
+  const auto place = [&](Point p) {
+    const int e = element(p);
+    if (e < 0) throw InputError(plan, fmt::format("no rock at ({:.6g}, {:.6g})", p.x, p.y));
+    return p + displacement_at(moved, e, p);
+  };
+  const Point along = place(last) - place(first);
+  const double stretch = length(along) / distance(first, last);
+  const Point out = (stretch / length(along)) * Point{along.y, -along.x};
+  const auto traction = [&](Point p) {
+    const int e = element(p);
+    if (e < 0) return Point{};
+    const Stress s = now.stress_at({first_on_covers + e}, p);
+    return Point{s.xx * out.x + s.xy * out.y, s.xy * out.x + s.yy * out.y};
+  };
+  return parting_faces(first, last, energy * distance(first, last), along, traction);
+}
+
+/// Elements on covers are numbered on from `first`.
+std::vector<FacePull> pulls_of(const std::vector<PartingFaces>& parting, int first) {
+  std::vector<FacePull> pulls;
+  for (const PartingFaces& faces : parting)
+    for (const PartingPoint& point : faces.points) {
+      if (point.left < 0) continue;
+      const Point pull = faces.share * point.pull;
+      pulls.push_back({{first + point.left}, point.at, pull});
+      pulls.push_back({{first + point.right}, point.at, -1.0 * pull});
+    }
+  return pulls;
+}
+
+/// Half of the kink that a trial finds at each tip of a front.
+std::vector<double> corrections(const CrackFront& front, const std::vector<TipState>& found) {
+  std::vector<double> more(front.tips.size(), 0);
+  for (std::size_t i = 0; i < more.size(); ++i)
+    for (const TipState& tip : found)
+      if (front.tips[i].goes_on && front.tips[i].has_room && tip.crack == front.tips[i].crack &&
+          tip.at_end == front.tips[i].at_end && tip.has_room)
+        more[i] = tip.kink / 2;
+  return more;
+}
+
 void describe_point(Archive& archive, const char* x, const char* y, Point& p) {
   archive.value(x, p.x);
   archive.value(y, p.y);
@@ -114,7 +163,7 @@ GrowthUnderLoads::GrowthUnderLoads(Scene first, Archive& saved) : first_(std::mo
     now_ = std::make_unique<StandardStepper>(std::move(scene), saved);
   });
   place_parting(model().continuum->manifold);
-  now_->put_pulls(pulls(first_on_covers()));
+  now_->put_pulls(pulls_of(parting_, first_on_covers()));
 }
 
 void GrowthUnderLoads::save(Archive& archive) {
@@ -178,18 +227,6 @@ void GrowthUnderLoads::place_parting(const Manifold& manifold) {
   }
 }
 
-std::vector<FacePull> GrowthUnderLoads::pulls(int first) const {
-  std::vector<FacePull> pulls;
-  for (const PartingFaces& faces : parting_)
-    for (const PartingPoint& point : faces.points) {
-      if (point.left < 0) continue;
-      const Point pull = faces.share * point.pull;
-      pulls.push_back({{first + point.left}, point.at, pull});
-      pulls.push_back({{first + point.right}, point.at, -1.0 * pull});
-    }
-  return pulls;
-}
-
 Scene GrowthUnderLoads::scene_with_cracks() const {
   Scene scene = first_.growth->remade(front_.cracks, refined_);
   scene.growth.reset();
@@ -198,29 +235,11 @@ Scene GrowthUnderLoads::scene_with_cracks() const {
 }
 
 void GrowthUnderLoads::begin_to_part(const std::vector<CrackPlan>& after) {
-  const Manifold& manifold = model().continuum->manifold;
-  const CoverDisplacement moved = *now_->on_covers();
   for (const auto& [from, to] : gained(front_.cracks, after)) {
     const auto piece = std::ranges::find(pieces_, from, &Piece::from);
     if (piece == pieces_.end()) throw std::logic_error("a crack gained a piece whose energy of fracture is not known");
-    if (!(piece->energy > 0)) continue;
-    const auto element = [&](Point p) { return element_of(manifold, CrackTip{p, {}}); };
-    const auto [first, last] = part_in_rock(from, to, [&](Point p) { return element(p) >= 0; });
-    const auto place = [&](Point p) {
-      const int e = element(p);
-      if (e < 0) throw InputError(first_.growth->plan.place, fmt::format("no rock at ({:.6g}, {:.6g})", p.x, p.y));
-      return p + displacement_at(moved, e, p);
-    };
-    const Point along = place(last) - place(first);
-    const double stretch = length(along) / distance(first, last);
-    const Point out = (stretch / length(along)) * Point{along.y, -along.x};
-    const auto traction = [&](Point p) {
-      const int e = element(p);
-      if (e < 0) return Point{};
-      const Stress s = now_->stress_at({first_on_covers() + e}, p);
-      return Point{s.xx * out.x + s.xy * out.y, s.xy * out.x + s.yy * out.y};
-    };
-    parting_.push_back(parting_faces(first, last, piece->energy * distance(first, last), along, traction));
+    if (piece->energy > 0)
+      parting_.push_back(new_faces(*now_, first_on_covers(), first_.growth->plan.place, {from, to}, piece->energy));
   }
 }
 
@@ -244,7 +263,7 @@ std::unique_ptr<StandardStepper> GrowthUnderLoads::recut() {
     const Manifold& manifold = change->scene.model.continuum->manifold;
     const int first = static_cast<int>(change->scene.model.elements.size() - manifold.elements.size());
     place_parting(manifold);
-    now_.swap(of_before = std::make_unique<StandardStepper>(*now_, *change, pulls(first)));
+    now_.swap(of_before = std::make_unique<StandardStepper>(*now_, *change, pulls_of(parting_, first)));
   } catch (...) {
     next_ = wanted;
     front_ = std::move(before);
@@ -259,17 +278,6 @@ std::unique_ptr<StandardStepper> GrowthUnderLoads::recut() {
   return of_before;
 }
 
-std::vector<double> GrowthUnderLoads::corrections(const CrackFront& front) const {
-  std::vector<double> more(front.tips.size(), 0);
-  const std::vector<TipState> found = tips_of(solution(), front_.cracks, first_.growth->plan.criterion);
-  for (std::size_t i = 0; i < more.size(); ++i)
-    for (const TipState& tip : found)
-      if (front.tips[i].goes_on && front.tips[i].has_room && tip.crack == front.tips[i].crack &&
-          tip.at_end == front.tips[i].at_end && tip.has_room)
-        more[i] = tip.kink / 2;
-  return more;
-}
-
 void GrowthUnderLoads::correct() {
   const CrackFront front = front_;
   const std::vector<Piece> pieces = pieces_;
@@ -277,7 +285,8 @@ void GrowthUnderLoads::correct() {
   const int next_number = next_number_;
   std::unique_ptr<StandardStepper> before = recut();
   const bool stands = std::holds_alternative<StepReport>(now_->advance());
-  const std::vector<double> more = stands ? corrections(front) : std::vector<double>(front.tips.size(), 0);
+  const std::vector<double> more = corrections(
+      front, stands ? tips_of(solution(), front_.cracks, first_.growth->plan.criterion) : std::vector<TipState>());
   now_ = std::move(before);
   front_ = front;
   pieces_ = pieces;
@@ -345,7 +354,7 @@ std::variant<StepReport, StepFailure> GrowthUnderLoads::advance() {
   for (PartingFaces& faces : parting_) let_go(faces, [&](int e, Point p) { return displacement_at(moved, e, p); });
   look_at_tips();
   std::erase_if(parting_, &PartingFaces::have_parted);
-  now_->put_pulls(pulls(first_on_covers()));
+  now_->put_pulls(pulls_of(parting_, first_on_covers()));
   return made;
 }
 

@@ -15,8 +15,9 @@ namespace keyblock {
 
 /// After each step the tips whose K_eq has reached the toughness go on by an increment, those cracks start that have
 /// reached the strength, and the next step is made on bodies cut so, which keep their motion (carry_motion.hpp). At
-/// rest the kink is the mean of those before and after a trial of the step. In time a tip goes on no faster than waves run along a free surface, and its new faces part as PartingFaces says; at
-/// rest they part at once, the work they would have done being lost.
+/// rest the kink is the mean of those before and after a trial of the step, and faces part at once, the work that they
+/// would have done being lost. In time a tip goes on no faster than waves run along a free surface, and its new faces
+/// part as PartingFaces says.
 class GrowthUnderLoads : public StepperOfScenes {
  public:
   /// Of a scene with growth that the standard step moves. Throws std::invalid_argument for one that cannot be stepped.
@@ -47,16 +48,12 @@ class GrowthUnderLoads : public StepperOfScenes {
   CoverSolution solution() const;
   int first_on_covers() const;  ///< its index among the elements of the model
   void place_parting(const Manifold& manifold);
-  /// Of the faces that part, the elements on covers being numbered on from `first`.
-  std::vector<FacePull> pulls(int first) const;
   Scene scene_with_cracks() const;
   /// Cuts the scene with `next_` and returns the stepper of the scene before. Throws InputError where it cannot be cut
   /// so.
   std::unique_ptr<StandardStepper> recut();
   /// Puts `next_` to the mean of the kinks before and after a trial of the step, which leaves nothing else behind.
   void correct();
-  /// Half of the kink that the trial finds at each tip of a front.
-  std::vector<double> corrections(const CrackFront& front) const;
   void begin_to_part(const std::vector<CrackPlan>& after);
   void look_at_tips();
   /// `next_` of the tips that go on, tip i by its kink and more[i] (rad), and of the cracks that start.

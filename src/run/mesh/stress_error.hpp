@@ -33,7 +33,7 @@ struct StressError {
 /// Zhu 1992): on the elements of each physical cover one polynomial of the degree of the displacement, fitted to the
 /// stress by least squares, in an element the three of its covers joined by the weights of its triangle. Where the
 /// elements of a cover tell too little, those around them are fitted too; where a body has too few, or no whole
-/// triangle, all of its stress is counted as wrong. Covers are of one body and end at joints and cracks, and so do the fits.
+/// triangle, all of its stress counts as wrong. Covers are of one body and end at joints and cracks, as do the fits.
 StressError stress_error(const Continuum& continuum, const CoverBasis& basis, const Eigen::VectorXd& d,
                          std::span<const Uncounted> uncounted = {});
 
