@@ -362,6 +362,24 @@ Prepared prepared_as_it_is(const Problem& problem, const std::string& profile, c
           std::move(cut.joint_lines)};
 }
 
+[[noreturn]] void refuse_unseen(const Place& place, const char* found) {
+  throw InputError(place, fmt::format("expected only loads and supports of `covers` beside an error of the mesh, which "
+                                      "is found under them alone, found {}",
+                                      found));
+}
+
+// What the mesh by error, found without contact, would not know.
+void require_seen_by_mesh(const Problem& problem) {
+  for (const Stage& stage : problem.stages)
+    if (!stage.forces.empty() || !stage.held.empty() || !stage.bolts.empty())
+      refuse_unseen(stage.place, "forces, held points or bolts of a stage");
+}
+
+// Else they have no effect on the run either.
+bool feels_points(const Problem& problem) {
+  return problem.covers->contact == CoverContact::felt && problem.covers->excavations.empty();
+}
+
 }  // namespace
 
 void tell(const MeshByError& found, Prepared& prepared) {
@@ -377,10 +395,15 @@ bool can_prepare(const Problem& problem) {
 MeshByError with_mesh_found(const Problem& problem, const std::string& profile,
                             const std::vector<Override>& overrides) {
   if (!has_mesh_by_error(problem) || !problem.analysis) return {problem, {}, {}};
+  require_seen_by_mesh(problem);
   return mesh_by_error(problem, [&](const Problem& still, const std::vector<Override>& more) {
     std::vector<Override> all = overrides;
     all.insert(all.end(), more.begin(), more.end());
-    return prepared_as_it_is(still, profile, all).scene;
+    const Prepared prepared = prepared_as_it_is(still, profile, all);
+    for (const Warning& warning : prepared.warnings)
+      if (feels_points(problem) && (warning.name == "points_without_effect" || warning.name == "bolts_without_effect"))
+        refuse_unseen(problem.covers->place, "fixed or loading points or bolts");
+    return prepared.scene;
   });
 }
 

@@ -262,6 +262,20 @@ TEST(MeshByError, is_set_from_the_command) {
     EXPECT_THROW(set(plan, "mesh.most_unknowns", wrong), std::invalid_argument) << wrong;
 }
 
+// Its mesh is found without contact, and points of the old programs are felt with it.
+TEST(MeshByError, refuses_loads_that_it_would_not_see) {
+  Problem loaded = cracked_plate(0.05);
+  loaded.covers->contact = CoverContact::felt;
+  std::get<Blocks>(loaded.geometry).loading_points = {{{0.9, 0.9}, 0, {}}};
+  EXPECT_NE(fault_of(loaded).find("expected only loads and supports of `covers` beside an error of the mesh"),
+            std::string::npos)
+      << fault_of(loaded);
+  Problem staged = cracked_plate(0.05);
+  staged.stages.emplace_back().held.push_back({{0.9, 0.9}, {}});
+  EXPECT_NE(fault_of(staged).find("found forces, held points or bolts of a stage"), std::string::npos)
+      << fault_of(staged);
+}
+
 TEST(MeshByError, refuses_a_first_mesh_that_is_too_large) {
   Problem problem = cracked_plate(0.05);
   problem.covers->mesh.most_unknowns = 100;

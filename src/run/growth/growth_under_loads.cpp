@@ -138,6 +138,14 @@ double energy_of(const Continuum& continuum, const TipState& tip) {
   return energy_of_fracture(rock_at(continuum, tip_of(continuum.manifold, tip)), tip.toughness);
 }
 
+/// The first scene with other cracks.
+Scene scene_with(const Scene& first, const std::vector<CrackPlan>& cracks, const std::vector<RefinedPoint>& refined) {
+  Scene scene = first.growth->remade(cracks, refined);
+  scene.growth.reset();
+  scene.model.scale = first.model.scale;  // tolerances of a run stay those of its beginning
+  return scene;
+}
+
 StepFailure cannot_go_on(int step, const std::exception& error) {
   const std::string why = fmt::format("step {}: cracks cannot go on so: {}", step, error.what());
   return {why, {}, FailureKind::cracks};
@@ -153,7 +161,8 @@ GrowthUnderLoads::GrowthUnderLoads(Scene first) : first_(std::move(first)) {
 
 GrowthUnderLoads::GrowthUnderLoads(Scene first, Archive& saved) : first_(std::move(first)) {
   describe(saved);
-  Scene scene = front_.cracks.empty() && first_.growth->cracks.empty() ? first_ : scene_with_cracks();
+  Scene scene =
+      front_.cracks.empty() && first_.growth->cracks.empty() ? first_ : scene_with(first_, front_.cracks, refined_);
   saved.group("scene", [&] {
     std::vector<Identity>& names = scene.model.identities.elements;
     describe_names(saved, names);
@@ -227,13 +236,6 @@ void GrowthUnderLoads::place_parting(const Manifold& manifold) {
   }
 }
 
-Scene GrowthUnderLoads::scene_with_cracks() const {
-  Scene scene = first_.growth->remade(front_.cracks, refined_);
-  scene.growth.reset();
-  scene.model.scale = first_.model.scale;  // tolerances of a run stay those of its beginning
-  return scene;
-}
-
 void GrowthUnderLoads::begin_to_part(const std::vector<CrackPlan>& after) {
   for (const auto& [from, to] : gained(front_.cracks, after)) {
     const auto piece = std::ranges::find(pieces_, from, &Piece::from);
@@ -257,7 +259,7 @@ std::unique_ptr<StandardStepper> GrowthUnderLoads::recut() {
     refined_.clear();
     for (const PartingFaces& faces : parting_)
       for (const Point end : {faces.from, faces.to}) refined_.push_back({end, first_.growth->tip_side});
-    Scene scene = scene_with_cracks();
+    Scene scene = scene_with(first_, front_.cracks, refined_);
     const Table<ElementIndex, ElementIndex> parents = parents_by_place(model(), scene.model);
     *change = change_between(model(), std::move(scene), parents, next_number_);
     const Manifold& manifold = change->scene.model.continuum->manifold;
@@ -283,22 +285,33 @@ void GrowthUnderLoads::correct() {
   const std::vector<Piece> pieces = pieces_;
   const std::vector<RefinedPoint> refined = refined_;
   const int next_number = next_number_;
+  const std::vector<CrackPlan> wanted = next_;
   std::unique_ptr<StandardStepper> before = recut();
-  const bool stands = std::holds_alternative<StepReport>(now_->advance());
-  const std::vector<double> more = corrections(
-      front, stands ? tips_of(solution(), front_.cracks, first_.growth->plan.criterion) : std::vector<TipState>());
-  now_ = std::move(before);
-  front_ = front;
-  pieces_ = pieces;
-  refined_ = refined;
-  next_number_ = next_number;
+  const auto go_back = [&] {
+    now_ = std::move(before);
+    front_ = front;
+    pieces_ = pieces;
+    refined_ = refined;
+    next_number_ = next_number;
+    next_ = wanted;
+  };
+  std::vector<double> more(front.tips.size(), 0);
+  // A stop in the trial leaves the step unmade.
+  try {
+    if (std::holds_alternative<StepReport>(now_->advance()))
+      more = corrections(front, tips_of(solution(), front_.cracks, first_.growth->plan.criterion));
+  } catch (...) {
+    go_back();
+    throw;
+  }
+  go_back();
   put_next(more);
 }
 
 // What arrives where the step ended is that of `next_`, which may be put a second time.
 void GrowthUnderLoads::put_next(const std::vector<double>& more) {
-  std::erase_if(arrivals_, [&](const Arrival& arrival) { return arrival.time == state().time; });
   next_ = prolonged(front_, model().continuum->manifold, first_.growth->plan.increment, more);
+  std::erase_if(arrivals_, [&](const Arrival& arrival) { return arrival.time == state().time; });
   for (const auto& [from, to] : gained(front_.cracks, next_)) arrivals_.push_back({to, state().time});
   for (std::size_t c = next_.size() - front_.starts.size(); c < next_.size(); ++c)
     arrivals_.push_back({next_[c].along.front(), state().time});

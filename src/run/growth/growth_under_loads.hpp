@@ -48,7 +48,6 @@ class GrowthUnderLoads : public StepperOfScenes {
   CoverSolution solution() const;
   int first_on_covers() const;  ///< its index among the elements of the model
   void place_parting(const Manifold& manifold);
-  Scene scene_with_cracks() const;
   /// Cuts the scene with `next_` and returns the stepper of the scene before. Throws InputError where it cannot be cut
   /// so.
   std::unique_ptr<StandardStepper> recut();

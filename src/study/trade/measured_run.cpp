@@ -160,9 +160,17 @@ void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& meas
   require_there(chosen, model);
   require_points(chosen, problem, model.measured_points.size());
   measured.unknowns = prepared.requirements.unknowns;
-  RunLimits rest = limits;
-  rest.cpu_seconds -= finding;
-  best_of(limits, measured, [&](MeasuredRun& run) { run_scene(chosen, prepared.scene, rest, run); });
+  // A finer mesh that was asked for is not the one there is.
+  for (const Warning& warning : found.warnings)
+    if (warning.name == "mesh_error_not_reached") throw InputError(warning.place, warning.sentence);
+  if (finding > limits.cpu_seconds) {
+    measured.end = MeasuredEnd::over_limit;
+    measured.reason =
+        fmt::format("{:.3g} s of processor time, of {:.3g} s, went into its mesh", finding, limits.cpu_seconds);
+    measured.seconds = finding;
+    return;
+  }
+  best_of(limits, measured, [&](MeasuredRun& run) { run_scene(chosen, prepared.scene, limits, run); });
   measured.seconds += finding;
 }
 
