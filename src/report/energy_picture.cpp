@@ -68,6 +68,12 @@ double greatest(const std::vector<Curve>& curves) {
   return most;
 }
 
+/// By more than round-off, which a scale of its own would show.
+bool changes(const Curve& curve) {
+  const auto [low, high] = std::ranges::minmax(curve.y);
+  return high - low > kNothing * greatest(curve);
+}
+
 /// All, then those of the panel before that hug zero in it, in their colours.
 std::vector<std::vector<Curve>> panels_of(std::vector<Curve> curves) {
   const double most = greatest(curves);
@@ -78,7 +84,7 @@ std::vector<std::vector<Curve>> panels_of(std::vector<Curve> curves) {
     for (const Curve& curve : panels.back())
       if (greatest(curve) < kSmall * greatest(panels.back()) && greatest(curve) > kNothing * most)
         small.push_back(curve);
-    if (small.empty()) break;
+    if (std::ranges::none_of(small, changes)) break;
     panels.push_back(std::move(small));
   }
   return panels;

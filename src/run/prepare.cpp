@@ -10,6 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/words/quoted_name.hpp"
 #include "cut/covers/from_cover.hpp"
 #include "legacy/step/hanging.hpp"
 #include "model/setup/choose_basis.hpp"
@@ -41,12 +42,19 @@ constexpr double kSameWeight = 1e-3;
 // What the files ask for that this profile does not do is said, not dropped in silence.
 Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Settings& settings) {
   Warnings warnings;
-  const auto warn = [&](const char* name, const char* sentence) {
+  const auto warn = [&](const char* name, const std::string& sentence) {
     warnings.push_back({name, analysis.place, sentence});
   };
   const auto has_strength = [](const BlockBolt& bolt) { return bolt.strength > 0; };
   if (settings.dynamics == Dynamics::shi && std::ranges::any_of(blocks.bolts, has_strength))
     warn("bolt_strength_without_effect", "the strength of bolts is read, but breaks none, as in the old program");
+  const auto is_overdrawn = [](const BlockBolt& bolt) { return bolt.strength > 0 && bolt.pretension >= bolt.strength; };
+  if (const auto bolt = std::ranges::find_if(blocks.bolts, is_overdrawn);
+      settings.dynamics == Dynamics::standard && bolt != blocks.bolts.end())
+    warn("bolt_broken_at_start",
+         fmt::format("bolt {}{} is broken from the start: its pretension of {:g} is not below its strength of {:g}",
+                     bolt - blocks.bolts.begin() + 1, quoted_name(bolt->name.value_or({})), bolt->pretension,
+                     bolt->strength));
   if (analysis.contact_damping != 0)
     warn("contact_damping_without_effect", "the contact damping is read, but has no effect in this profile");
   const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };

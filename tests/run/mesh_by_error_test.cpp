@@ -276,6 +276,16 @@ TEST(MeshByError, refuses_loads_that_it_would_not_see) {
       << fault_of(staged);
 }
 
+TEST(MeshByError, a_loose_error_costs_no_more_than_a_tight_one) {
+  int before = solved(cracked_plate(0)).unknowns;
+  for (const double error : {0.5, 0.2, 0.1, 0.05}) {
+    const int unknowns = solved(cracked_plate(error)).unknowns;
+    EXPECT_GE(unknowns, before) << error;
+    before = unknowns;
+  }
+  EXPECT_EQ(solved(cracked_plate(0.5)).unknowns, solved(cracked_plate(0.4)).unknowns);
+}
+
 TEST(MeshByError, refuses_a_first_mesh_that_is_too_large) {
   Problem problem = cracked_plate(0.05);
   problem.covers->mesh.most_unknowns = 100;
@@ -296,7 +306,7 @@ TEST(MeshByError, says_that_a_first_estimate_is_not_confirmed) {
 }
 
 TEST(MeshByError, is_found_before_cracks_grow) {
-  Problem growing = cracked_plate(0.05);
+  Problem growing = cracked_plate(0.01);
   Toughness toughness;
   toughness.mode_1 = 1;
   growing.analysis->block_materials[0].toughness = toughness;

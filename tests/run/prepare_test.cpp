@@ -111,6 +111,17 @@ TEST(Prepare, legacy_says_that_it_breaks_no_bolt) {
             (std::vector<std::string>{"bolt_strength_without_effect"}));
 }
 
+TEST(Prepare, a_bolt_that_its_pretension_breaks_is_warned_of) {
+  Blocks blocks = one_block();
+  blocks.bolts = {{{{0, 0}, {1, 0}}, 0, 0, 1e6, 0, 0}};
+  blocks.bolts[0].strength = 20;
+  blocks.bolts[0].pretension = 19;
+  const auto warned = [&] { return names(prepare({blocks, analysis_of_file()}, "standard", {}).warnings); };
+  EXPECT_EQ(std::ranges::count(warned(), "bolt_broken_at_start"), 0);
+  blocks.bolts[0].pretension = 20;
+  EXPECT_EQ(std::ranges::count(warned(), "bolt_broken_at_start"), 1);
+}
+
 TEST(Prepare, a_choice_for_a_material_that_is_not_there_is_refused) {
   EXPECT_NO_THROW(prepare({one_block(), analysis_of_file()}, "standard", {{"restitution.1", "0.5"}}));
   EXPECT_THROW(prepare({one_block(), analysis_of_file()}, "standard", {{"restitution.2", "0.5"}}),

@@ -26,6 +26,7 @@ namespace {
 constexpr double kHalf = 0.5;        // of ‖e‖²
 constexpr double kSameError = 1e-6;  // of symmetric places
 constexpr double kLow = 3;           // estimates are low at tips, by up to 2.4 (see the tests)
+constexpr double kMostChange = 0.5;  // of the energy norm: a greater one confirms nothing, whatever was asked
 constexpr int kMostMeshRounds = 60;
 constexpr double kShortest =
     1e-6;                     // sides, of the extent of the mesh: at points of infinite stress nothing else ends it
@@ -183,32 +184,36 @@ class Refinement {
   }
 
  private:
-  /// One round: half of the error, or all triangles where an estimate that is small enough is to be confirmed. Returns
-  /// what is in the way, if anything is.
+  /// One round: half of the error, or all triangles of a first mesh. Where a mesh with a small enough error is to be
+  /// confirmed, and the finer one agrees, the mesh stays. Returns what is in the way, if anything is.
   std::string refine(Estimate& found) {
     if (result_.rounds.size() == kMostMeshRounds) return fmt::format("after {} rounds", kMostMeshRounds);
     if (found.halves.empty()) return "its sides can be no shorter";
+    const bool is_to_confirm = found.round.error <= wanted_;
     std::vector<RefinedPoint>& refined = result_.problem.covers->mesh.refined;
     const std::vector<RefinedPoint> before = refined;
-    if (found.round.error > wanted_)
-      put(refined, marked(found.halves, kHalf));
-    else
-      for (const Half& half : found.halves) refined.push_back(half.at);
+    put(refined, marked(found.halves, is_to_confirm && result_.rounds.size() == 1 ? 1 : kHalf));
     auto next = estimate();
     if (std::holds_alternative<TooLarge>(next)) {
       refined = before;
       return fmt::format("the next mesh would have more than most_unknowns = {}", most_unknowns_);
     }
     const Estimate last = std::exchange(found, std::get<Estimate>(std::move(next)));
-    result_.rounds.push_back(found.round);
     is_confirmed_ = agrees(last, found);
-    return found.triangles == last.triangles ? "refinement no longer changes it" : "";
+    if (is_to_confirm && is_confirmed_ && found.round.error <= wanted_) {
+      refined = before;
+      found = last;
+      return "";
+    }
+    result_.rounds.push_back(found.round);
+    const bool is_done = is_confirmed_ && found.round.error <= wanted_;
+    return found.triangles == last.triangles && !is_done ? "refinement no longer changes it" : "";
   }
 
   /// Whether a mesh changed the energy by no more than the last one was estimated to lack of it. Where sides are longer
   /// than a body is wide, stresses hardly differ, and the estimate says nothing.
   bool agrees(const Estimate& last, const Estimate& now) const {
-    const double estimate = kLow * std::max(wanted_, last.round.error);
+    const double estimate = std::min(kMostChange, kLow * std::max(wanted_, last.round.error));
     return std::abs(now.strain - last.strain) <= estimate * estimate * now.strain;
   }
 

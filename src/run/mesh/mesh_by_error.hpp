@@ -34,11 +34,11 @@ bool has_mesh_by_error(const Problem& problem);
 /// The bodies are solved as linear elastic rock at rest under the loads of the file, all at once, what is ever dug out
 /// gone and nothing touching, whatever the case does with them afterwards. Elements that carry half of the estimated
 /// ‖e‖² are halved (Dörfler 1996), as many as have the same error with them, until the share of the energy norm
-/// (`stress_error`) is at most that of `mesh.error` and the last mesh changed the energy by no more than estimated; a
-/// first mesh is refined once in any case. Within a quarter of the first mesh's side about a point
-/// that bears a force, where the stress has no limit, errors do not count. `scene` makes a problem a scene under
-/// overrides of its own. Throws InputError where bodies are not held so that there is a solution, or the first mesh has
-/// more than `mesh.most_unknowns`.
+/// (`stress_error`) is at most that of `mesh.error` and the last round changed the energy by no more than estimated; a
+/// first mesh that is fine enough stays if one with all triangles halved agrees. Within a quarter of the first mesh's
+/// side about a point that bears a force, where the stress has no limit, errors do not count. `scene` makes a problem a
+/// scene under overrides of its own. Throws InputError where bodies are not held so that there is a solution, or the
+/// first mesh has more than `mesh.most_unknowns`.
 MeshByError mesh_by_error(const Problem& problem,
                           const std::function<Scene(const Problem&, const std::vector<Override>&)>& scene);
 

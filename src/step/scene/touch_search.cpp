@@ -26,6 +26,9 @@ constexpr double kNewOverlap = 1e-9;
 // origin, and what a solution left. At half a millisecond a block of metres leaves it with a millimetre a second.
 constexpr double kPushedOut = 1e-7;
 
+// Of block size, between two corners: one that hangs on the other stays so near, one that passes it does not.
+constexpr double kHangs = 1e-6;
+
 // Cosine of the angle between two faces that carry a block as one: two and a half degrees.
 constexpr double kSameLine = 0.999;
 
@@ -109,6 +112,31 @@ VertexIndex edge_under(const Touch& touch, const Model& model, const Table<Verte
   return part;
 }
 
+namespace {
+
+// Whether a corner that a tie holds on the corner it met may as well slide past it: another edge of the tie keeps the
+// two apart, and along the line of that edge a closed touch already guides one of them. The tie is then left open, and
+// closes again where the motion without it makes them overlap. At a crossing of joints opposite blocks meet so: one
+// hung on the line of the joint across while its own joint let it go.
+bool slides_along_another(const CornerTie& tie, const Touch& taken, const Touches& touches, const Motion& motion,
+                          const Table<VertexIndex, Point>& vertices, double overlap) {
+  if (distance(vertices[taken.vertex], vertices[taken.other]) > overlap) return false;
+  const Point normal = normal_of(taken, vertices);
+  for (const Touch& other : tie.candidates) {
+    if (other.kind != TouchKind::corner || gap_of(other, vertices) < -overlap) continue;
+    const Point line = normal_of(other, vertices);
+    if (std::abs(dot(normal, line)) > kSameLine) continue;
+    for (const Touch& touch : touches) {
+      const bool on_edge = touch.start == other.start && touch.end == other.end;
+      const bool in_line = touch.vertex == other.vertex && dot(normal_of(touch, vertices), line) > kSameLine;
+      if ((on_edge || in_line) && motion.closed.of(touch)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt) {
   const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;
   const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
@@ -118,7 +146,9 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
   for (const CornerTie& tie : found.ties) {
     const auto was_closed =
         std::ranges::find_if(tie.candidates, [&](const Touch& touch) { return motion.closed.of(touch); });
-    if (was_closed != tie.candidates.end()) closed.push_back(*was_closed);
+    if (was_closed != tie.candidates.end() &&
+        !slides_along_another(tie, *was_closed, found.touches, motion, vertices, kHangs * scales.size))
+      closed.push_back(*was_closed);
   }
   drop_known(closed, found.touches);
   found.touches.insert(found.touches.end(), closed.begin(), closed.end());
