@@ -60,6 +60,12 @@ Reading read(const Source& source, const ReadHint& hint) {
   if (entities == nullptr) throw InputError({source.name}, "expected a section ENTITIES, found none");
   const DxfUnit unit = unit_of(document, hint.length);
   Warnings warnings = joined(document.warnings(), unit.warnings);
+  if (unit.length.empty() && unit.warnings.empty() && !hint.length.empty())
+    warnings.push_back(
+        {"dxf_without_unit",
+         {source.name},
+         fmt::format("the drawing names no unit ($INSUNITS): its coordinates are taken as in {}, the unit of the case",
+                     hint.length)});
   const double ratio = edge_node_ratio(document, {source.name}, warnings);
   DxfDefinitions definitions(document, find_section(document, "BLOCKS"));
   DxfDrawing made = drawing_of(read_entities(document, entities->records, definitions), unit.factor, hint.layers);

@@ -212,12 +212,26 @@ TEST(HistoriesCommand, what_cannot_be_followed_is_refused_before_anything_is_wri
   EXPECT_EQ(refused("block:9").exit_code, 3);
   EXPECT_TRUE(contains(refused("block:9").messages,
                        "--history block:9: error: expected the number of a block in a history, 1 to 3, found 9"));
+  EXPECT_TRUE(contains(refused("bolt:crown").messages, "bolts have numbers here, names in the case file"));
   EXPECT_EQ(refused("joint:9").exit_code, 3);
   EXPECT_TRUE(contains(refused("point:7,7").messages, "found 7, 7 in none")) << refused("point:7,7").messages;
   EXPECT_FALSE(std::filesystem::exists(folder + "/out"));
   const std::string two = case_in("histories_two", R"(, "outputs": {"histories": [{"block": 1, "joint": 5}]})");
   EXPECT_TRUE(contains(run_keyblock({"check", two + "/case.json"}).messages,
                        "expected one of point, block, contact, joint, line and bolt in a history, found 2"));
+}
+
+// Two stages, the second of which cuts the upper block in two: four blocks in all, and a fifth in neither.
+TEST(HistoriesCommand, blocks_that_a_stage_makes_are_followed_and_those_that_none_makes_refused) {
+  const std::string folder = case_in("histories_stages", R"(, "stages": [{"steps": 3},
+      {"steps": 3, "cuts": [[-9, 2.4, 9, 2.5, 1]]}])");
+  const auto followed = [&](const std::string& history) {
+    return run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--force", "--history", history});
+  };
+  EXPECT_EQ(followed("block:4").exit_code, 0) << followed("block:4").messages;
+  const auto fifth = followed("block:5");
+  EXPECT_EQ(fifth.exit_code, 3);
+  EXPECT_TRUE(contains(fifth.messages, "1 to 4, found 5")) << fifth.messages;
 }
 
 TEST(HistoriesCommand, a_run_that_was_killed_ends_with_the_same_histories) {

@@ -200,4 +200,15 @@ TEST(LookAhead, a_run_that_fails_at_once_is_the_last_line_of_check) {
   EXPECT_EQ(support::run_keyblock({"check", file, "--trial", "0"}).exit_code, 0);
 }
 
+TEST(LookAhead, what_check_advises_to_set_it_takes_itself) {
+  std::string text = case_text(blocks({kFloor, rectangle(20, 2, 22, 4)}));
+  text.replace(text.find(kMoves), kMoves.size(), R"("velocity_carry_over": 0)");
+  const std::string file = support::fresh_folder("check_set") + "/case.json";
+  support::write_text(file, text);
+  EXPECT_EQ(support::run_keyblock({"check", file, "--set", "motion=dynamic"}).exit_code, 0) << "it falls";
+  const support::ProgramRun wrong = support::run_keyblock({"check", file, "--set", "motoin=dynamic"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.messages.find("did you mean"), std::string::npos) << wrong.messages;
+}
+
 }  // namespace keyblock::look_ahead_test

@@ -145,6 +145,16 @@ TEST(Dxf, coordinates_are_brought_to_metres_and_the_factor_is_named) {
             std::vector<std::string>{"dxf_unit_unknown"});
 }
 
+TEST(Dxf, a_drawing_without_unit_beside_a_case_that_has_one_is_told) {
+  for (const char* header : {"", "9\n$INSUNITS\n70\n0\n"}) {
+    ReadHint hint;
+    hint.length = "mm";
+    const Reading beside = kDxf.read(Source{"f", dxf_text(line("JOINT_1"), header)}, hint);
+    EXPECT_EQ(beside.content.drawing->joints.at(0).segment.end, (Point{1000, 2000}));
+    EXPECT_NE(sentence(beside, "dxf_without_unit").find("taken as in mm"), std::string::npos);
+  }
+}
+
 TEST(Dxf, coordinates_are_brought_to_the_unit_that_is_asked_for) {
   const Source source{"f", dxf_text(line("JOINT_1"), "9\n$INSUNITS\n70\n4\n")};
   const auto end_in = [&](const std::string& length) {

@@ -151,9 +151,11 @@ TEST(GrowthUnderLoads, a_beam_on_blocks_breaks_in_two) {
   const std::unique_ptr<Stepper> stepper = stepper_for(scene_of(file_of("beam", text)));
   LedgerSums sums;
   sums.add(stepper->ledger());
-  for (int step = 0; step < 150; ++step) {
+  int parted = 0;
+  for (int step = 0; step < 150 && parted < 5; ++step) {
     ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance())) << step;
     sums.add(stepper->ledger());
+    if (stepper->tips().empty()) ++parted;
   }
   EXPECT_TRUE(stepper->tips().empty()) << "it hangs together";
   EXPECT_LT(sums.energy_closure(), 1e-8);

@@ -111,7 +111,7 @@ TEST(MeshByError, the_estimate_is_the_error_of_smooth_solutions) {
 // penalty s has of it is below a tenth here. The reference is a mesh of other functions with a tenth of the error. Next
 // to the tip stresses have no polynomial to be fitted by, and derived functions smooth them: there the estimate is low.
 TEST(MeshByError, the_estimate_is_low_at_a_crack_but_falls_with_the_error) {
-  Problem fine = cracked_plate(0.002);
+  Problem fine = cracked_plate(0.004);
   fine.covers->functions = CoverFunctions::linear;
   const double exact = solved(fine).strain;
   for (const double asked : {0.05, 0.02}) {

@@ -133,6 +133,17 @@ TEST(MixedStages, a_mesh_for_no_block_is_said) {
   EXPECT_EQ(std::ranges::count(warnings, "stage_without_effect", &Warning::name), 1);
 }
 
+TEST(MixedStages, a_bolt_that_is_gone_already_is_said) {
+  Problem problem = column(2);
+  problem.stages = {stage_of(5), stage_of(5), stage_of(5)};
+  problem.stages[0].bolts = {{{{1, 0.4}, {1, 1.5}}, 1e6, 0, 1e3, 0, {}}};
+  problem.stages[1].removed_bolts = {{0, {}}};
+  EXPECT_EQ(prepare(problem, "standard", {}).warnings, Warnings{});
+  problem.stages[2].removed_bolts = {{0, {}}};
+  const Warnings warnings = prepare(problem, "standard", {}).warnings;
+  EXPECT_EQ(std::ranges::count(warnings, "stage_without_effect", &Warning::name), 1);
+}
+
 TEST(MixedStages, what_cannot_be_is_an_error) {
   Problem problem = column(2);
   problem.stages = {stage_of(5), stage_of(5)};

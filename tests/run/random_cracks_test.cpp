@@ -23,15 +23,15 @@ void expect_sound(const CracksTold& told) {
 
 TEST(RandomCracks, are_cut_solved_and_carried) {
   int tips = 0, refused = 0, domains = 0;
-  for (int kind = 0; kind < support::kCrackKinds; ++kind)
-    for (const unsigned seed : {1U, 2U}) {
-      SCOPED_TRACE(fmt::format("{} {}", name_of(static_cast<CrackKind>(kind)), seed));
-      const CracksTold told = support::told_of_cracks(support::random_cracks(static_cast<CrackKind>(kind), seed));
-      expect_sound(told);
-      tips += told.tips;
-      domains += told.domains;
-      refused += told.refused_domains;
-    }
+  for (int kind = 0; kind < support::kCrackKinds; ++kind) {
+    const unsigned seed = 1;
+    SCOPED_TRACE(fmt::format("{} {}", name_of(static_cast<CrackKind>(kind)), seed));
+    const CracksTold told = support::told_of_cracks(support::random_cracks(static_cast<CrackKind>(kind), seed));
+    expect_sound(told);
+    tips += told.tips;
+    domains += told.domains;
+    refused += told.refused_domains;
+  }
   EXPECT_GT(tips, 10);
   EXPECT_GT(refused, 0);
   EXPECT_LT(refused, domains);

@@ -162,7 +162,7 @@ TEST(TradeoffTruth, an_error_asked_for_is_met_and_told_within_a_factor_of_three)
 // The runs of the design cost a millisecond or so: a budget buys digits, and none of them is said too many.
 TEST(TradeoffTruth, a_budget_is_used_and_the_error_told_within_a_factor_of_three) {
   for (const Truth& truth : truths()) {
-    const Told answer = told(truth, {1.0, std::nullopt});
+    const Told answer = told(truth, {0.5, std::nullopt});
 #if !defined(__SANITIZE_ADDRESS__)               // under which the same seconds buy less
     EXPECT_LT(answer.said, 2e-4) << truth.name;  // 1e-3 by a quarter of the step, the finest planned
 #endif

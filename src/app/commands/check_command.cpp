@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "app/above_zero.hpp"
 #include "app/command.hpp"
+#include "app/commands/study_options.hpp"
 #include "app/layers_option.hpp"
 #include "app/progress.hpp"
 #include "base/counted.hpp"
@@ -20,6 +22,7 @@
 #include "cut/covers/from_cover.hpp"
 #include "formats/case.hpp"
 #include "job/run_report.hpp"
+#include "run/cover_settings.hpp"
 #include "run/follow/drawn_joints.hpp"
 #include "run/follow/followed.hpp"
 #include "run/follow/history_option.hpp"
@@ -47,6 +50,7 @@ struct CheckOptions {
   bool as_json = false;
   double trial_seconds = kTrialSeconds;
   std::string layers;
+  std::vector<std::string> sets;
 };
 
 /// The whole case: its complaints, or why it could not be put together.
@@ -240,21 +244,23 @@ Warnings look_at_histories(const Problem& problem, const Prepared& prepared) {
   return Followed(problem.outputs.histories, prepared.scene, joints, problem.units).of_distant_pairs();
 }
 
-CaseReport report_of(const std::vector<formats::FileReading>& files, const std::string& profile, double trial_seconds) {
+CaseReport report_of(const std::vector<formats::FileReading>& files, const CheckOptions& options) {
   std::vector<formats::Content> contents;
   for (const formats::FileReading& file : files)
     if (file.reading) contents.push_back(file.reading->content);
   if (Warnings told = several_cases(files); !told.empty()) return {std::move(told), {}, std::nullopt};
   try {
-    const Checked checked = check(formats::pair(contents));
+    Checked checked = check(formats::pair(contents));
     CaseReport report{checked.warnings, {}, std::nullopt};
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
     if (const auto* cover = std::get_if<Cover>(&checked.problem.geometry); cover && report.errors.empty())
       manifold_of(*cover);  // throws where elements and loops do not fit together
     if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
-    report.profile = chosen_profile(checked.problem, profile, {});
-    const Problem problem = with_followed_points(study::with_named_files(checked.problem, {}, {}));
-    const Prepared prepared = prepare(problem, report.profile.name, {});
+    std::vector<Override> overrides = overrides_of(options.sets);
+    report.profile = chosen_profile(checked.problem, options.profile, overrides);
+    overrides = set_plan(checked.problem, overrides);
+    const Problem problem = with_followed_points(study::with_named_files(checked.problem, overrides, {}));
+    const Prepared prepared = prepare(problem, report.profile.name, overrides);
     const Warnings of_histories = look_at_histories(problem, prepared);
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
     report.warnings = joined(std::move(report.warnings), look_ahead(checked.problem, prepared));
@@ -263,10 +269,13 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const std::
     report.stages = stages_of(prepared.scene);
     report.smallest_block = smallest_block(prepared.blocks);
     report.steps = prepared.scene.settings.step_count;
-    if (trial_seconds > 0) try_steps(report, prepared.scene, trial_seconds, checked.problem.analysis->place);
+    if (options.trial_seconds > 0)
+      try_steps(report, prepared.scene, options.trial_seconds, checked.problem.analysis->place);
     return report;
   } catch (const InputError& error) {
     return {{}, {error.what()}, std::nullopt};
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());  // a wrong setting is the user's, not the file's
   }
 }
 
@@ -325,12 +334,12 @@ bool is_folder_of_cases(const std::vector<std::string>& paths) {
 }
 
 ExitCode check_files(const CheckOptions& options) {
-  if (is_folder_of_cases(options.files) && options.layers.empty())
+  if (is_folder_of_cases(options.files) && options.layers.empty() && options.sets.empty())
     return check_folder(options.files.front(), options.profile, options.as_json);
   std::vector<std::string> inputs = inputs_of(options.files);
   take_layers(inputs, options.layers);
   const std::vector<formats::FileReading> files = formats::read_files(inputs);
-  const CaseReport report = report_of(files, options.profile, options.trial_seconds);
+  const CaseReport report = report_of(files, options);
   if (options.as_json) {
     print_json(files, report);
   } else {
@@ -354,6 +363,9 @@ Action configure_check(CLI::App& options) {
       ->required();
   options.add_option("--profile", chosen->profile, "preset of all choices that a run would take (default: as for run)")
       ->check(CLI::IsMember(profile_names()));
+  options.add_option("--set", chosen->sets, "key=value: a setting that a run would be given; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all();
   add_layers_option(options, chosen->layers);
   options
       .add_option("--trial", chosen->trial_seconds,

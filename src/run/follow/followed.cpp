@@ -229,9 +229,13 @@ int point_at(const Scene& first, const HistoryPlan& plan) {
                                            plain(plan.point->x, 6), plain(plan.point->y, 6)));
 }
 
+/// Of the scene and of those that follow it: stages may cut blocks.
 void require_block(const Scene& first, int number, const HistoryPlan& plan) {
-  const std::size_t count = first.model.elements.size();
-  if (first.next || static_cast<std::size_t>(number) < count) return;  // stages may make more
+  int count = 0;
+  for (const Scene* scene : scenes_of(first))
+    for (std::size_t e = 0; e < scene->model.elements.size(); ++e)
+      count = std::max(count, scene->model.identities.of_element(static_cast<int>(e)).number + 1);
+  if (number < count) return;
   throw InputError(plan.place, fmt::format("expected the number of a block in a history, 1 to {}, found {}", count,
                                            static_cast<long long>(number) + 1));
 }

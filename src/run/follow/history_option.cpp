@@ -94,7 +94,10 @@ HistoryPlan history_of(const std::string& text) {
     if (word == name) wanted = count;
   }
   if (wanted == 0) refuse_history(text, nearest_words(word, known));
-  const std::vector<double> values = numbers_in(rest.substr(colon + 1), text);
+  const std::string_view what = rest.substr(colon + 1);
+  if (word == "bolt" && what.find_first_not_of("0123456789") != std::string_view::npos)
+    refuse_history(text, ": bolts have numbers here, names in the case file");
+  const std::vector<double> values = numbers_in(what, text);
   if (values.size() != wanted) refuse_history(text);
   if (word == "point") plan.point = Point{values[0], values[1]};
   if (word == "block") plan.block = index_of(values[0], text);

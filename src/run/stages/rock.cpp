@@ -187,7 +187,9 @@ class Changing {
     std::vector<int> kept = in_order(rock_.blocks.bolts.size());
     for (const StageBolt& removed : stage_.removed_bolts) {
       require(removed.bolt, static_cast<std::size_t>(rock_.next_bolt), "bolt", removed.place);
-      std::erase_if(kept, [&](int i) { return rock_.identities.bolts[static_cast<std::size_t>(i)] == removed.bolt; });
+      const std::size_t erased = std::erase_if(
+          kept, [&](int i) { return rock_.identities.bolts[static_cast<std::size_t>(i)] == removed.bolt; });
+      if (erased == 0) warn(removed.place, "the bolt is gone already: none is removed");
     }
     if (kept.size() == rock_.blocks.bolts.size()) return;
     rock_.blocks.bolts = picked(rock_.blocks.bolts, kept);
