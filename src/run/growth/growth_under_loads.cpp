@@ -280,7 +280,7 @@ std::unique_ptr<StandardStepper> GrowthUnderLoads::recut() {
   return of_before;
 }
 
-void GrowthUnderLoads::correct() {
+std::optional<std::variant<StepReport, StepFailure>> GrowthUnderLoads::correct() {
   const CrackFront front = front_;
   const std::vector<Piece> pieces = pieces_;
   const std::vector<RefinedPoint> refined = refined_;
@@ -295,17 +295,19 @@ void GrowthUnderLoads::correct() {
     next_number_ = next_number;
     next_ = wanted;
   };
-  std::vector<double> more(front.tips.size(), 0);
-  // A stop in the trial leaves the step unmade.
+  std::vector<double> more;
   try {
-    if (std::holds_alternative<StepReport>(now_->advance()))
-      more = corrections(front, tips_of(solution(), front_.cracks, first_.growth->plan.criterion));
-  } catch (...) {
+    std::variant<StepReport, StepFailure> trial = now_->advance();
+    if (std::holds_alternative<StepFailure>(trial)) return trial;
+    more = corrections(front, tips_of(solution(), front_.cracks, first_.growth->plan.criterion));
+    if (std::ranges::all_of(more, [](double turn) { return turn == 0; })) return trial;
+  } catch (...) {  // a stop in the trial leaves the step unmade
     go_back();
     throw;
   }
   go_back();
   put_next(more);
+  return std::nullopt;
 }
 
 // What arrives where the step ended is that of `next_`, which may be put a second time.
@@ -352,16 +354,17 @@ void GrowthUnderLoads::look_at_tips() {
 }
 
 std::variant<StepReport, StepFailure> GrowthUnderLoads::advance() {
+  std::optional<std::variant<StepReport, StepFailure>> tried;
   if (!next_.empty()) try {
       const bool may_turn = std::ranges::any_of(front_.tips, &TipState::goes_on);
-      if (may_turn && !is_in_time() && first_.growth->plan.has_corrector) correct();
-      recut();
+      if (may_turn && !is_in_time() && first_.growth->plan.has_corrector) tried = correct();
+      if (!tried) recut();
     } catch (const InputError& error) {
       return cannot_go_on(state().step + 1, error);
     } catch (const std::invalid_argument& error) {
       return cannot_go_on(state().step + 1, error);
     }
-  std::variant<StepReport, StepFailure> made = now_->advance();
+  std::variant<StepReport, StepFailure> made = tried ? std::move(*tried) : now_->advance();
   if (std::holds_alternative<StepFailure>(made)) return made;
   const CoverDisplacement moved = *now_->on_covers();
   for (PartingFaces& faces : parting_) let_go(faces, [&](int e, Point p) { return displacement_at(moved, e, p); });

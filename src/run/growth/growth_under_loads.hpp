@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fracture/parting_faces.hpp"
@@ -51,8 +52,9 @@ class GrowthUnderLoads : public StepperOfScenes {
   /// Cuts the scene with `next_` and returns the stepper of the scene before. Throws InputError where it cannot be cut
   /// so.
   std::unique_ptr<StandardStepper> recut();
-  /// Puts `next_` to the mean of the kinks before and after a trial of the step, which leaves nothing else behind.
-  void correct();
+  /// Puts `next_` to the mean of the kinks before and after a trial of the step, which leaves nothing else behind. A
+  /// trial that fails, or turns no tip, is the step itself.
+  std::optional<std::variant<StepReport, StepFailure>> correct();
   void begin_to_part(const std::vector<CrackPlan>& after);
   void look_at_tips();
   /// `next_` of the tips that go on, tip i by its kink and more[i] (rad), and of the cracks that start.
