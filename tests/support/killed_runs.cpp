@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Between two checkpoints: a few steps of a small scene.
-const std::vector<std::string> kOften{"--checkpoint-every", "0.003"};
+const std::vector<std::string> kOften{"--checkpoint-every", "0.01"};
 
 // Where none of the moments asked for fell between the first checkpoint and the end: a busy machine.
 constexpr int kMoreMoments = 20;
