@@ -29,7 +29,9 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"drawing.joints", "lines that may become edges of blocks"},
     {"material_lines", "lines that give every block they cross their material; the last one wins"},
     {"bolts", "axial springs between two points"},
-    {"fixed_lines", "where they cross edges blocks are fixed; a fixed point where both ends are equal"},
+    {"fixed_lines",
+     "where they cross edges blocks are fixed, just inside; a line that crosses none, or has no length, fixes its "
+     "first point alone"},
     {"loading_points", "points that carry the point_loads, in their order"},
     {"measured_points", "points that are followed in time"},
     {"hole_points", "points whose blocks are taken out"},

@@ -201,6 +201,20 @@ TEST(HistoriesCommand, a_line_through_a_body_on_covers_is_refused) {
   EXPECT_EQ(between.exit_code, 0) << between.messages;
 }
 
+// Corners of what bears lie at the ends of the line, by round-off or as rock bulges a little beyond them.
+TEST(HistoriesCommand, a_line_from_side_to_side_has_the_corners_at_its_ends) {
+  const std::string folder = case_in("histories_ends");
+  const auto run = run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--set", "motion=static",
+                                 "--history", "line:0,1,1,1", "--history", "wide=line:-1,1,2,1"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  std::vector<double> forces;
+  for (const auto& row : rows_of(folder + "/out/histories.csv"))
+    if (row.size() > 5 && row[0] == "20" && row[4] == "force_y") forces.push_back(std::stod(row[5]));
+  ASSERT_EQ(forces.size(), 2U);
+  EXPECT_NEAR(forces[0], 2 * 2500 * 9.81, 1e-5 * forces[0]);
+  EXPECT_NEAR(forces[1], forces[0], 1e-9 * forces[0]);
+}
+
 TEST(HistoriesCommand, what_cannot_be_followed_is_refused_before_anything_is_written) {
   const std::string folder = case_in("histories_wrong");
   const auto refused = [&](const std::string& history) {

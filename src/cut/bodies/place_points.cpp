@@ -86,9 +86,14 @@ class Placer {
   void add_fixed(const FixedLine& line) {
     const std::size_t before = blocks_.fixed_points.size();
     if (line.segment.start != line.segment.end) add_fixed_crossings(line);
-    if (blocks_.fixed_points.size() == before) {
-      add_point(blocks_.fixed_points, "fixed point", {line.segment.start, line.place});
-    }
+    if (blocks_.fixed_points.size() > before) return;
+    add_point(blocks_.fixed_points, "fixed point", {line.segment.start, line.place});
+    if (line.segment.start == line.segment.end || blocks_.fixed_points.size() == before) return;
+    warnings_.push_back(
+        {"fixed_line_in_one_block", line.place,
+         fmt::format("the fixed line from ({}, {}) to ({}, {}) crosses no edge: it fixes its first "
+                     "point alone, about which the block can turn",
+                     line.segment.start.x, line.segment.start.y, line.segment.end.x, line.segment.end.y)});
   }
 
   void add_point(std::vector<BlockPoint>& list, std::string_view kind, const MarkedPoint& mark) {

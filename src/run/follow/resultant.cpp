@@ -10,10 +10,13 @@
 namespace keyblock {
 namespace {
 
+// Of the length of a line: corners at its ends count where round-off, or rock that bulges, puts them just beyond.
+constexpr double kBeyondEnds = 1e-3;
+
 bool lies_along(const Segment& line, Point p) {
   const Point along = line.end - line.start;
-  const double station = dot(p - line.start, along);
-  return station >= 0 && station <= dot(along, along);
+  const double share = dot(p - line.start, along) / dot(along, along);
+  return share >= -kBeyondEnds && share <= 1 + kBeyondEnds;
 }
 
 class Sum {

@@ -137,7 +137,8 @@ bool slides_along_another(const CornerTie& tie, const Touch& taken, const Touche
 
 }  // namespace
 
-FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt) {
+FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt,
+                        HangingCorners hanging) {
   const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;
   const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
@@ -147,7 +148,8 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
     const auto was_closed =
         std::ranges::find_if(tie.candidates, [&](const Touch& touch) { return motion.closed.of(touch); });
     if (was_closed != tie.candidates.end() &&
-        !slides_along_another(tie, *was_closed, found.touches, motion, vertices, kHangs * scales.size))
+        (hanging == HangingCorners::hold ||
+         !slides_along_another(tie, *was_closed, found.touches, motion, vertices, kHangs * scales.size)))
       closed.push_back(*was_closed);
   }
   drop_known(closed, found.touches);

@@ -10,9 +10,14 @@ namespace keyblock {
 /// that the touch is on.
 VertexIndex edge_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices);
 
+/// What becomes of a tie that holds a corner on the corner it met, and is guided along another edge of the tie: in time
+/// it slides past. A search for an equilibrium holds it, for opened it would overlap, close and be opened without end.
+enum class HangingCorners { hold, slide_past };
+
 /// Pairs within reach of a step of `dt`, as touches. Ties of corners that were closed in the last step are touches
-/// still.
-FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt);
+/// still, but for hanging corners that slide past.
+FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt,
+                        HangingCorners hanging = HangingCorners::hold);
 
 /// Touches that overlap at the end of a motion to `vertices` by more than a named share of block size and are not in
 /// `known`: corners that came round, and ties that closed.

@@ -63,7 +63,7 @@ class Attempt {
     scales_ = scales_of(scene, loads_, start.q, start.v);
     add_centrifugal_force(scene, start.v, loads_);
     scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
-    found_ = touches_of(scene, start, scales_, dt);
+    found_ = touches_of(scene, start, scales_, dt, HangingCorners::slide_past);
     leave_overlaps(scene, start, scales_, found_.touches);
     least_force_ = of_steps::kForceGoal * scales_.force + of_steps::kMomentumGoal * scales_.momentum / dt;
   }
