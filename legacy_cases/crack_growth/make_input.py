@@ -139,7 +139,77 @@ def spalling_pillar():
                'pillar from whose side wings of a closed flaw part a slab: both stand', slow=True)
 
 
+def half_disc_falls(after, gravity, flat, corners):
+    """How far a point 0.4 from the middle of the cut has gone, of half a disc that is rigid: it stands beside its mirror image without friction and
+    leans out from rest, first about the outer end of its flat, then on its rim, while the lower end of the cut stays where it is or rises along the
+    plane of symmetry. By its energy, (w M w)/2 + V = V0 for the angle and its rate w."""
+    half = [(0, corners[0][1])] + corners + [(0, corners[-1][1])]
+    area = centroid = polar = 0
+    for (x, y), (u, v) in zip(half, half[1:] + half[:1]):
+        c = x * v - u * y
+        area, centroid, polar = area + c / 2, centroid + c * (x + u) / 6, polar + c * (x * x + x * u + u * u + y * y + y * v + v * v) / 12
+    centroid /= area
+    inertia = polar / area - centroid ** 2
+    sine, cosine = math.sin(flat), math.cos(flat)
+
+    def middle(t):  # of the disc
+        return (sine - sine * math.cos(t) + cosine * math.sin(t), sine * math.sin(t) + cosine * math.cos(t)) if t < flat else (cosine * math.sin(t), 1)
+
+    def place(t):
+        return middle(t)[0] + centroid * math.cos(t), middle(t)[1] - centroid * math.sin(t)
+    time, root, part = 0, 0, 1e-3  # the angle is the square of `root`: at rest its rate goes as the root of the angle
+    while time < after:
+        t = (root + part / 2) ** 2
+        low, high = place(t - 1e-8), place(t + 1e-8)
+        mass = ((high[0] - low[0]) ** 2 + (high[1] - low[1]) ** 2) / 4e-16 + inertia
+        rate = math.sqrt(2 * gravity * (place(0)[1] - place(t)[1]) / mass)
+        time, root = time + 2 * (root + part / 2) * part / rate, root + part
+    t = root ** 2
+    return middle(t)[0] + 0.4 * math.cos(t) - 0.4, middle(t)[1] - 0.4 * math.sin(t) - cosine
+
+
+def disc_falls_apart():
+    """A disc with a crack along its middle, pressed between two plates until it splits; the upper plate is then taken away. With
+    K_I = sigma sqrt(pi a) N_I, sigma = P/(pi R) and K_I = 0.35085 P for a/R = 0.3 (as in stress_intensity/cracked_disc_03_0) the mean of both tips is
+    K_Ic where P + W/2 = K_Ic/0.35085: the weight W, borne below, is W/2 at both ends and a rest that is antisymmetric about the middle, which adds
+    to one tip what it takes from the other. The mean stress of the plate above, held along its upper side, is -P over its width."""
+    young, poisson, tough, gravity, flat, half, width, high, dt, steps = 8e4, 0.2, 20, 10, 4, 0.3, 0.4, 0.15, 1.5e-3, 330
+    right = arc(1, -90 + flat, 90 - flat, 24)
+    corners = right + [(-x, -y) for x, y in right]
+    top = right[-1][1]
+    area = sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(corners, corners[1:] + corners[:1])) / 2
+    load = tough / 0.3508548903219572 - gravity * area / 2
+    down = [[0, 0, 0], [0.03, 0, -0.000425], [0.12, 0, -0.002975], [0.14, 0, -0.002975], [0.24, 0, 0.3], [0.54, 0, 1.2]]
+    mesh = {'side': 0.3, 'through_x': 0, 'through_y': 0, 'tip_side': 0.006, 'materials': [[1]]}
+    plates = [rectangle(-3, -top - high, 3, -top), rectangle(-width / 2, top, width / 2, top + high)]
+    case = {'keyblock': 1,
+            'blocks': {'blocks': [{'material': 2, 'outer': [[x, y, 1] for x, y in plate]} for plate in plates] +
+                       [{'material': 1, 'outer': [[x, y, 1] for x, y in corners]}],
+                       'fixed_points': [[-2.9, -top - high, 1], [2.9, -top - high, 1], [-0.18, top + high, 2], [0.18, top + high, 2]],
+                       'measured_points': [[0.4, 0, 3], [-0.4, 0, 3]]},
+            'covers': {'mesh': mesh, 'cracks': [{'along': [[0, -half], [0, half]]}], 'growth': {'increment': 0.35}},
+            'analysis': {'step_count': steps, 'time_step': dt, 'velocity_carry_over': 1, 'allowed_displacement_ratio': 0.1, 'plane_strain': True, 'gravity': gravity,
+                         'fixed_point_motions': [[], [], down, down], 'joint_materials': [{'friction_angle_deg': 0}],
+                         'block_materials': [{'density': 1, 'unit_weight': 0, 'youngs_modulus': young, 'poissons_ratio': poisson, 'toughness': {'mode_1': tough}},
+                                             {'density': 0.01, 'unit_weight': 0, 'youngs_modulus': 10 * young, 'poissons_ratio': poisson}]},
+            'run': {'set': {'stiffness_damping.1': '1e-3'}}}
+    end, split = steps * dt, 0.096
+    x, y = half_disc_falls(end - split, gravity, math.radians(flat), right)
+    share = '9 %: waves of the load 5 %, K with sides of a/50 at the tip 3 % low'
+    even = 'a hundredth of what a half does'
+    fall = '9 %: halves set out with some of the energy that the crack set free'
+    rigid = 'fall of a rigid half beside its mirror image from when the tips went on (0.096, this program), by its energy'
+    write_case(os.path.join(HERE, 'disc_falls_apart'), json.dumps(case, indent=1) + '\n',
+               [('syy', 2, -load / width, 0.09 * load / width, share, 'Atkinson, Smelser & Sanchez 1982; mean stress of the plate by equilibrium', 63 * dt)] +
+               [('tip_x', tip, 0, 0.035, 'a tenth of an increment: along the loaded diameter', 'symmetry', 68 * dt) for tip in (1, 2)] +
+               [('centre_of_mass_x', '', 0, 0.005, even, 'symmetry', end), ('momentum_x', '', 0, 0.01, even, 'symmetry: nothing pushes sideways', end)] +
+               [('point_dx', point, sign * x, 0.09 * x, fall, rigid, end) for point, sign in ((1, 1), (2, -1))] +
+               [('point_dy', point, y, -0.09 * y, fall, rigid, end) for point in (1, 2)],
+               'disc that splits between two plates: both halves fall apart', slow=True)
+
+
 if __name__ == '__main__':
+    disc_falls_apart()
     spalling_pillar()
     cantilever_in_time()
     PATH = 'independent reckoning with singular functions, corrected steps of 0.15 in.; Cotterell & Rice 1980: unstable for T > 0'

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
@@ -16,6 +17,9 @@ constexpr int kPoints = 12;  // of a piece: tip_side is a sixteenth of an increm
 constexpr double kGoesAtOnce = 0.02;
 // Of the energy: what is left of it is nothing, and the faces have parted.
 constexpr double kParted = 1e-4;
+// Over the opening that a tip at its toughness has behind it as far as the piece is long, 8 K/E' √(l/2π), by which
+// faces that pulled each other have taken their energy.
+constexpr double kWide = 4;
 // Of the length of a piece: how far beside it an element is looked for.
 constexpr double kBesideFace = 1e-6;
 
@@ -38,11 +42,18 @@ Point opening_at(const PartingPoint& point, const std::function<Point(int, Point
   return displacement(point.left, point.at) - displacement(point.right, point.at);
 }
 
+bool lies_wide_open(const PartingFaces& faces) {
+  return std::ranges::all_of(faces.points,
+                             [&](const PartingPoint& p) { return p.left < 0 || length(p.apart) > faces.wide; });
+}
+
 }  // namespace
 
-PartingFaces parting_faces(Point from, Point to, double energy, Point along,
+PartingFaces parting_faces(Point from, Point to, double energy, double modulus, Point along,
                            const std::function<Point(Point)>& traction) {
-  PartingFaces faces{from, to, energy, 0, std::sqrt(1 - kGoesAtOnce)};
+  // With K = √(E' Γ/l).
+  const double wide = kWide * 8 * std::sqrt(energy / modulus / (2 * std::numbers::pi));
+  PartingFaces faces{from, to, energy, wide, 0, std::sqrt(1 - kGoesAtOnce)};
   const double part = distance(from, to) / kPoints;
   const Point direction = (1 / length(along)) * along;
   const Point out{direction.y, -direction.x};  // of the left face
@@ -73,7 +84,8 @@ void let_go(PartingFaces& faces, const std::function<Point(int, Point)>& displac
     point.apart = apart;
   }
   const double left = 1 - faces.taken / faces.energy;
-  faces.share = left > kParted ? std::min(faces.share, std::sqrt((1 - kGoesAtOnce) * left)) : 0;
+  const bool holds = left > kParted && !lies_wide_open(faces);
+  faces.share = holds ? std::min(faces.share, std::sqrt((1 - kGoesAtOnce) * left)) : 0;
 }
 
 void look_at_openings(PartingFaces& faces, const std::function<Point(int, Point)>& displacement) {

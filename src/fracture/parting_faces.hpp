@@ -24,11 +24,14 @@ struct PartingPoint {
 /// W the work that the pulls have taken and Γ the energy of fracture of the piece. Where points open in proportion this
 /// is a traction that falls linearly with the opening and takes Γ in all (nodal release, Kobayashi, Emery & Mall 1976;
 /// linear cohesive law, Hillerborg, Modéer & Petersson 1976). A little of the pull, s, goes at once: a balance that
-/// nothing disturbs would last. Faces that close again are pulled no more than before.
+/// nothing disturbs would last. Faces that close again are pulled no more than before. Where rock was pressed across a
+/// piece as it parted, its faces hold each other by little or nothing and would never take Γ: what lies wide open has
+/// parted too.
 struct PartingFaces {
   Point from;
   Point to;           ///< the left face lies to the left of the way to it
   double energy = 0;  ///< Γ, per unit thickness
+  double wide = 0;    ///< farther apart than this all along, faces have parted
   double taken = 0;   ///< W
   double share = 1;   ///< f; 0: they have parted
   std::vector<PartingPoint> points = {};
@@ -36,10 +39,11 @@ struct PartingFaces {
   bool have_parted() const { return share == 0; }
 };
 
-/// A piece with its pulls by the tractions of the rock before it parts. `traction`: on the left face at a place, by
-/// what lies to the right of it, force per length² of the undeformed face; it is taken at the middles of equal parts.
-/// What presses the faces together is left to contact: `along` the direction of the piece in the deformed body.
-PartingFaces parting_faces(Point from, Point to, double energy, Point along,
+/// A piece with its pulls by the tractions of the rock before it parts. `energy`: Γ; `modulus`: E'. `traction`: on the
+/// left face at a place, by what lies to the right of it, force per length² of the undeformed face; it is taken at the
+/// middles of equal parts. What presses the faces together is left to contact: `along` the direction of the piece in
+/// the deformed body.
+PartingFaces parting_faces(Point from, Point to, double energy, double modulus, Point along,
                            const std::function<Point(Point)>& traction);
 
 /// Puts the elements on both sides of the points, as bodies are cut now.

@@ -3,6 +3,7 @@
 #include "contact/solve/contact_matrix.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "base/loop.hpp"
@@ -57,6 +58,28 @@ double product_of(const ContactRow& a, const ContactRow& b) {
 
 }  // namespace
 
+// Tens of megabytes where a thousand faces of a crack lie on each other: written once, where they stay.
+CoupledRows::CoupledRows(const std::vector<std::vector<Entry>>& lower, bool mirrors) : first_(lower.size() + 1, 0) {
+  const auto is_mirrored = [&](const Entry& entry, std::size_t i) {
+    return mirrors && entry.row != static_cast<Eigen::Index>(i);
+  };
+  for (std::size_t i = 0; i < lower.size(); ++i) {
+    first_[i + 1] += lower[i].size();
+    for (const Entry& entry : lower[i])
+      if (is_mirrored(entry, i)) ++first_[static_cast<std::size_t>(entry.row) + 1];
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  entries_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  // Of a row all before the diagonal are its own and come with it, those beyond it with later rows.
+  for (std::size_t i = 0; i < lower.size(); ++i)
+    for (const Entry& entry : lower[i]) {
+      entries_[next[i]++] = entry;
+      if (is_mirrored(entry, i))
+        entries_[next[static_cast<std::size_t>(entry.row)]++] = {static_cast<Eigen::Index>(i), entry.value};
+    }
+}
+
 void CoupledRows::add(std::span<const Entry> entries) {
   if (first_.empty()) first_.push_back(0);
   entries_.insert(entries_.end(), entries.begin(), entries.end());
@@ -79,15 +102,7 @@ SharedCoupling::SharedCoupling(const ContactRows& rows, const Flexibility& flexi
       add_coupled(rows[static_cast<std::size_t>(i)], count, some, answers, lower[static_cast<std::size_t>(i)]);
     }
   }
-  std::vector<std::vector<Entry>> upper(rows.size());
-  for (std::size_t i = 0; is_symmetric && i < rows.size(); ++i)
-    for (const Entry& entry : lower[i])
-      if (entry.row != static_cast<Eigen::Index>(i))
-        upper[static_cast<std::size_t>(entry.row)].push_back({static_cast<Eigen::Index>(i), entry.value});
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    lower[i].insert(lower[i].end(), upper[i].begin(), upper[i].end());
-    rows_.add(lower[i]);
-  }
+  rows_ = CoupledRows(lower, is_symmetric);
 }
 
 std::span<const SharedCoupling::Entry> SharedCoupling::entries(Eigen::Index i) const {
@@ -146,6 +161,11 @@ const CoupledRows& ContactMatrix::coupled() const {
   std::vector<Eigen::Index> others;
   std::vector<CoupledRows::Entry> entries;
   for (Eigen::Index i = 0; i < rows(); ++i) {
+    const bool is_shared_alone = row(i).of_vertex.size() == 0 && row(i).of_edge.size() == 0;
+    if (is_shared_alone && !shared_.is_none() && shared_.entry(i, i) != 0) {
+      all->add(shared_.entries(i));
+      continue;
+    }
     others.assign(1, i);
     for (const CoupledRows::Entry& entry : shared_.entries(i)) others.push_back(entry.row);
     for (const ElementIndex e : {row(i).vertex_element, row(i).edge_element})

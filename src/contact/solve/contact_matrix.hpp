@@ -21,6 +21,10 @@ class CoupledRows {
     double value = 0;
   };
 
+  CoupledRows() = default;
+  /// All rows at once. `mirrors`: of a symmetric matrix, of which the rows end with the diagonal.
+  CoupledRows(const std::vector<std::vector<Entry>>& lower, bool mirrors);
+
   bool is_none() const { return first_.empty(); }
   std::span<const Entry> of(Eigen::Index i) const {
     const std::size_t first = first_[static_cast<std::size_t>(i)];

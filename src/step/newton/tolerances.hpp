@@ -63,6 +63,9 @@ inline constexpr double kOfLast = 2;
 // The matrix of bodies on covers is kept from round to round while a round leaves less than this share of the change
 // before.
 inline constexpr double kWorstGain = 0.03;
+// A tangent about increments that differ by less is the same one: where elements are a thousandth of a body it differs
+// by a share of that, far less than the gain that is asked for. What it costs is a solution a contact force.
+inline constexpr double kSameTangent = 1e-6;
 // Linear systems that a round may make whatever those before it took.
 inline constexpr int kFewestSystems = 8;
 

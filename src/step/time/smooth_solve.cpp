@@ -52,8 +52,11 @@ class SmoothSolve {
     const bool rows_moved = round > 0 && round < of_smooth_motion::kMostRows &&
                             free_.greatest_change(increments_, linearised_) > same_rows();
     const bool falls_slowly = !free_.is_linear() && round > 1 && change_ > of_smooth_motion::kWorstGain * before_;
-    is_new_tangent_ = round == 0 || falls_slowly;
-    if (is_new_tangent_) result_.converged = free_.linearise(increments_);
+    is_new_tangent_ = round == 0 || (falls_slowly && may_be_tangent());
+    if (is_new_tangent_) {
+      result_.converged = free_.linearise(increments_);
+      tangent_at_ = increments_;
+    }
     if (!result_.converged) return RoundsEnd::no_factor;
     if (is_new_tangent_ || rows_moved) {
       linearised_ = increments_;
@@ -101,6 +104,12 @@ class SmoothSolve {
     increments_ = free_.steady();
     result_.forces = contacts_.remembered_forces();
     settle();
+  }
+
+  // A tangent that was made so near is not why changes fall slowly: contact forces that are acceptable, and no more,
+  // go on being shared out among pairs that bear the same load.
+  bool may_be_tangent() const {
+    return free_.has_kinks() || free_.greatest_change(increments_, tangent_at_) > of_smooth_motion::kSameTangent;
   }
 
   // What changes so little would be accepted after the last round: where new tangents have not made it less several
@@ -160,7 +169,8 @@ class SmoothSolve {
   bool starts_otherwise_ = false;  ///< than from the velocity
   int stalls_ = 0;                 ///< rounds of tolerable changes that a new tangent made no less
   double unsolved_ = 0;            ///< by the forces of the round before in the gaps of this one
-  UnknownsTable linearised_;       ///< increments about which rows and matrix were made
+  UnknownsTable tangent_at_;       ///< increments about which the matrix was made
+  UnknownsTable linearised_;       ///< those about which rows, and the matrix of forces, were made
   SmoothMotion result_;
 };
 
