@@ -166,7 +166,7 @@ TEST(TradeoffTruth, a_budget_is_used_and_the_error_told_within_a_factor_of_three
 #if !defined(__SANITIZE_ADDRESS__)               // under which the same seconds buy less
     EXPECT_LT(answer.said, 2e-4) << truth.name;  // 1e-3 by a quarter of the step, the finest planned
 #endif
-    EXPECT_LE(answer.truly, answer.said) << truth.name;
+    EXPECT_LE(answer.truly, answer.said + kLeastError) << truth.name << ": errors nearer than that are not told apart";
     EXPECT_LE(answer.said, 3 * std::max(answer.truly, kLeastError)) << truth.name;
   }
 }
