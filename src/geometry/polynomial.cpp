@@ -14,13 +14,21 @@ std::vector<Exponents> exponents(int degree) {
   return list;
 }
 
-Eigen::VectorXd monomials(int degree, Point p) {
-  Eigen::VectorXd values(monomial_count(degree));
+namespace {
+
+void put_monomials(int degree, Point p, Eigen::VectorXd& values) {
   values(0) = 1;
   for (int n = 1; n <= degree; ++n) {
     for (int j = 0; j < n; ++j) values(monomial(n - j, j)) = p.x * values(monomial(n - 1 - j, j));
     values(monomial(0, n)) = p.y * values(monomial(0, n - 1));
   }
+}
+
+}  // namespace
+
+Eigen::VectorXd monomials(int degree, Point p) {
+  Eigen::VectorXd values(monomial_count(degree));
+  put_monomials(degree, p, values);
   return values;
 }
 
@@ -40,12 +48,13 @@ Eigen::MatrixX2d monomial_gradients(int degree, Point p) {
 
 Eigen::VectorXd product(const Eigen::VectorXd& a, int degree_a, const Eigen::VectorXd& b, int degree_b) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(monomial_count(degree_a + degree_b));
-  const std::vector<Exponents> of_a = exponents(degree_a);
-  const std::vector<Exponents> of_b = exponents(degree_b);
-  for (std::size_t i = 0; i < of_a.size(); ++i) {
-    for (std::size_t j = 0; j < of_b.size(); ++j) {
-      result(monomial(of_a[i].x + of_b[j].x, of_a[i].y + of_b[j].y)) +=
-          a(static_cast<Eigen::Index>(i)) * b(static_cast<Eigen::Index>(j));
+  Eigen::Index i = 0;
+  for (int n = 0; n <= degree_a; ++n) {
+    for (int y = 0; y <= n; ++y, ++i) {
+      Eigen::Index j = 0;
+      for (int m = 0; m <= degree_b; ++m) {
+        for (int z = 0; z <= m; ++z, ++j) result(monomial(n - y + m - z, y + z)) += a(i) * b(j);
+      }
     }
   }
   return result;
@@ -56,12 +65,16 @@ Eigen::VectorXd product(const Eigen::VectorXd& a, int degree_a, const Eigen::Vec
 Eigen::VectorXd polygon_moments(std::span<const std::vector<Point>> loops, const LocalFrame& frame, int degree) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(monomial_count(degree));
   const GaussRule& rule = gauss_rule(degree / 2 + 1);
+  Eigen::VectorXd at_point(monomial_count(degree));
   for (const std::vector<Point>& loop : loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Point a = frame.local(loop[i]);
       const Point b = frame.local(loop[i + 1 == loop.size() ? 0 : i + 1]);
       const double twice_area = cross(a, b);
-      for (const GaussPoint& g : rule) sum += twice_area * g.weight * monomials(degree, a + g.at * (b - a));
+      for (const GaussPoint& g : rule) {
+        put_monomials(degree, a + g.at * (b - a), at_point);
+        sum += twice_area * g.weight * at_point;
+      }
     }
   }
   for (int n = 0; n <= degree; ++n) sum.segment(monomial(n, 0), n + 1) *= frame.size * frame.size / (n + 2);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -35,11 +34,11 @@ LocalFrame frame_of(const std::array<Point, 3>& t) {
 }
 
 /// λ_k of a triangle in local coordinates.
-std::array<Eigen::VectorXd, 3> weights_of(const std::array<Point, 3>& triangle, const LocalFrame& frame) {
+std::array<Eigen::Vector3d, 3> weights_of(const std::array<Point, 3>& triangle, const LocalFrame& frame) {
   std::array<Point, 3> t;
   for (std::size_t k = 0; k < 3; ++k) t[k] = frame.local(triangle[k]);
   const double twice_area = cross(t[1] - t[0], t[2] - t[0]);
-  std::array<Eigen::VectorXd, 3> weights;
+  std::array<Eigen::Vector3d, 3> weights;
   for (std::size_t k = 0; k < 3; ++k) {
     const Point side = t[(k + 2) % 3] - t[(k + 1) % 3];
     weights[k] = Eigen::Vector3d(1.0 / 3, -side.y / twice_area, side.x / twice_area);
@@ -48,11 +47,21 @@ std::array<Eigen::VectorXd, 3> weights_of(const std::array<Point, 3>& triangle, 
 }
 
 /// The local coordinate x or y less that of a point, as a polynomial.
-Eigen::VectorXd less_x(Point p) {
-  return Eigen::Vector3d(-p.x, 1, 0);
+Eigen::Vector3d less_x(Point p) {
+  return {-p.x, 1, 0};
 }
-Eigen::VectorXd less_y(Point p) {
-  return Eigen::Vector3d(-p.y, 0, 1);
+Eigen::Vector3d less_y(Point p) {
+  return {-p.y, 0, 1};
+}
+
+/// `product` of two polynomials of degree 1, without memory of its own.
+Eigen::Vector<double, 6> product_of_linear(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  constexpr std::array<std::array<Eigen::Index, 3>, 3> kPlace{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
+  Eigen::Vector<double, 6> result = Eigen::Vector<double, 6>::Zero();
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      result(kPlace[i][j]) += a(static_cast<Eigen::Index>(i)) * b(static_cast<Eigen::Index>(j));
+  return result;
 }
 
 /// Sides of the triangles of covers: those of one of their elements.
@@ -62,6 +71,22 @@ std::vector<double> sizes_of_covers(const Manifold& manifold, const std::vector<
     for (const int c : manifold.elements[e].covers) sizes[static_cast<std::size_t>(c)] = frames[e].size;
   }
   return sizes;
+}
+
+/// Of covers whose gradients are derived, but for those with an `own_gradient`: ascending.
+std::vector<int> functions_of_derived(const std::array<int, 3>& covers, const std::vector<int>& own_gradient,
+                                      const std::vector<CoverGradient>& gradients) {
+  std::vector<int> functions(covers.begin(), covers.end());
+  for (const int cover : covers) {
+    const auto c = static_cast<std::size_t>(cover);
+    if (own_gradient[c] >= 0)
+      functions.insert(functions.end(), {own_gradient[c], own_gradient[c] + 1});
+    else
+      for (const CoverGradient::Share& share : gradients[c].shares) functions.push_back(share.cover);
+  }
+  std::sort(functions.begin(), functions.end());
+  functions.erase(std::unique(functions.begin(), functions.end()), functions.end());
+  return functions;
 }
 
 /// Covers with a derived gradient do not derive it from what carries functions beside its polynomial.
@@ -178,7 +203,7 @@ void CoverBasis::add_cover_polynomials(const Manifold& manifold, const TipEnrich
   for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
     const std::array<int, 3>& covers = manifold.elements[e].covers;
     const std::array<Point, 3> triangle = manifold.triangle(manifold.elements[e]);
-    const std::array<Eigen::VectorXd, 3> weights = weights_of(triangle, frames_[e]);
+    const std::array<Eigen::Vector3d, 3> weights = weights_of(triangle, frames_[e]);
     std::vector<int> functions;
     Eigen::MatrixXd monomial(monomial_count(degree_), 3 * count);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -215,13 +240,15 @@ void CoverBasis::add_derived(const Manifold& manifold, TipEnrichment* tips) {
       is_linear_.push_back(std::ranges::any_of(element.covers, [&](int c) { return tips->has_own_gradient(c); }) ? 1
                                                                                                                  : 0);
   }
+  Eigen::VectorXd per_x, per_y;
   for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
     const std::array<int, 3>& covers = manifold.elements[e].covers;
     const std::array<Point, 3> triangle = manifold.triangle(manifold.elements[e]);
-    const std::array<Eigen::VectorXd, 3> weights = weights_of(triangle, frames_[e]);
-    std::map<int, Eigen::VectorXd> sum;  // by function: a cover's own number, then gradients
-    const auto of = [&](int function) -> Eigen::VectorXd& {
-      return sum.try_emplace(function, Eigen::VectorXd::Zero(monomial_count(2))).first->second;
+    const std::array<Eigen::Vector3d, 3> weights = weights_of(triangle, frames_[e]);
+    std::vector<int> functions = functions_of_derived(covers, own_gradient, gradients);
+    Eigen::MatrixXd monomial = Eigen::MatrixXd::Zero(monomial_count(2), static_cast<Eigen::Index>(functions.size()));
+    const auto of = [&](int function) {
+      return monomial.col(std::lower_bound(functions.begin(), functions.end(), function) - functions.begin());
     };
     for (std::size_t k = 0; k < 3; ++k) {
       of(covers[k]).head(3) += weights[k];
@@ -229,21 +256,15 @@ void CoverBasis::add_derived(const Manifold& manifold, TipEnrichment* tips) {
       const auto c = static_cast<std::size_t>(covers[k]);
       if (own_gradient[c] >= 0) {
         const double scale = frames_[e].size / sizes[c];
-        of(own_gradient[c]) += scale * product(weights[k], 1, less_x(node), 1);
-        of(own_gradient[c] + 1) += scale * product(weights[k], 1, less_y(node), 1);
+        of(own_gradient[c]) += scale * product_of_linear(weights[k], less_x(node));
+        of(own_gradient[c] + 1) += scale * product_of_linear(weights[k], less_y(node));
         continue;
       }
       const double half = frames_[e].size / 2;
-      const Eigen::VectorXd per_x = half * product(weights[k], 1, less_x(node), 1);
-      const Eigen::VectorXd per_y = half * product(weights[k], 1, less_y(node), 1);
+      per_x = half * product_of_linear(weights[k], less_x(node));
+      per_y = half * product_of_linear(weights[k], less_y(node));
       for (const CoverGradient::Share& share : gradients[c].shares)
         of(share.cover) += share.weight.x * per_x + share.weight.y * per_y;
-    }
-    std::vector<int> functions;
-    Eigen::MatrixXd monomial(monomial_count(2), static_cast<Eigen::Index>(sum.size()));
-    for (const auto& [function, polynomial] : sum) {
-      monomial.col(static_cast<Eigen::Index>(functions.size())) = polynomial;
-      functions.push_back(function);
     }
     add(std::move(functions), monomial, tips);
   }

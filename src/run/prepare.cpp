@@ -182,6 +182,7 @@ Geometry geometry_of(const Problem& problem, const Settings& settings) {
 struct Plan {
   Model model;
   Requirements requirements;
+  std::shared_ptr<const Groundwork> groundwork = {};
 };
 
 // The model with the bases of `standard`, and the plan with the enforcement that was decided on. Throws InputError for
@@ -200,8 +201,10 @@ Plan standard_plan(Model model, const Settings& settings, const Place& place) {
   const std::string why = unsupported(scene);
   if (!why.empty()) throw InputError(place, why);
   const bool is_automatic = settings.standard.enforcement.common == Enforcement::automatic;
-  return {scene.model, requirements(scene.model, scene.settings,
-                                    is_automatic ? why_enforcement(scene.model, settings) : std::string())};
+  return {
+      scene.model,
+      requirements(scene.model, scene.settings, is_automatic ? why_enforcement(scene.model, settings) : std::string()),
+      scene.groundwork};
 }
 
 Plan plan_of(Model model, const Settings& settings, const Place& place, bool is_untouched) {
@@ -301,8 +304,9 @@ Scenes scenes_in(const Asked& asked, Geometry& geometry, Warnings& warnings) {
   } else {
     geometry.model = with_joint_strength(std::move(geometry.model), settings.joint_strength_factor);
   }
-  auto [model, needs] = plan_of(std::move(geometry.model), settings, place, asked.is_untouched);
+  auto [model, needs, groundwork] = plan_of(std::move(geometry.model), settings, place, asked.is_untouched);
   Scene scene{std::move(model), settings};
+  scene.groundwork = std::move(groundwork);
   scene.is_untouched = asked.is_untouched;
   if (staged) {
     scene.end = end_of(problem.stages.front(), asked.choices.front());

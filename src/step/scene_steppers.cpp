@@ -24,7 +24,7 @@ std::unique_ptr<SceneStepper> restored_scene_stepper(Scene scene, Archive& saved
 }
 
 LedgerScope ledger_scope_of(const Scene& scene) {
-  return scene.is_untouched ? LedgerScope() : ledger_scope(standard_scene(scene.model, scene.settings));
+  return scene.is_untouched ? LedgerScope() : ledger_scope(standard_scene(scene));
 }
 
 }  // namespace keyblock

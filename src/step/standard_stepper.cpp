@@ -134,6 +134,22 @@ ElementState element_state(const StandardScene& scene, const Motion& motion, con
   return scene.groups.of(e).state_of(scene.parts(), e, motion, place(scene.model, vertices, e, scene.settings));
 }
 
+// Those of state_of, without stresses and velocities of elements that share a basis, which lie where their vertices do.
+StartPlaces places_at(const StandardScene& scene, const Motion& motion) {
+  StartPlaces places{vertices_at(scene.model, scene.reference, motion.q), {}};
+  places.elements.reserve(scene.model.elements.size());
+  for (ElementIndex e : indices(scene.model.elements)) {
+    if (scene.groups.of(e).shared_basis() != nullptr) {
+      const Placement placed = place(scene.model, places.vertices, e, scene.settings);
+      places.elements.push_back({placed.centroid, placed.moments});
+    } else {
+      const ElementState state = element_state(scene, motion, places.vertices, e);
+      places.elements.push_back({state.centroid, state.moments});
+    }
+  }
+  return places;
+}
+
 }  // namespace
 
 State state_of(const StandardScene& scene, const Motion& motion) {
@@ -156,11 +172,10 @@ State state_of(const StandardScene& scene, const Motion& motion) {
   return state;
 }
 
-StandardStepper::StandardStepper(Scene scene)
-    : scene_(standard_scene(std::move(scene.model), std::move(scene.settings))) {
+StandardStepper::StandardStepper(Scene scene) : scene_(standard_scene(std::move(scene))) {
   const std::string why = unsupported(scene_);
   if (!why.empty()) throw std::invalid_argument(why);
-  unloaded_ = places_of(state_of(scene_, start_motion(scene_)));
+  unloaded_ = places_at(scene_, start_motion(scene_));
   First first = first_motion(scene_);
   start_report_ = std::move(first.report);
   start_failure_ = std::move(first.failure);
@@ -172,7 +187,7 @@ StandardStepper::StandardStepper(Scene scene)
 
 StandardStepper::StandardStepper(const StandardStepper& before, const SceneChange& change, std::vector<FacePull> pulls)
     : scene_(standard_scene(installed(change.scene.model, change.map, before.scene_, before.motion_),
-                            change.scene.settings)),
+                            change.scene.settings, change.scene.groundwork)),
       motion_(carried_motion(before.scene_, before.motion_, change.map, scene_, before.state_.time)),
       next_part_(before.next_part_),
       begins_scene_(true),
@@ -184,7 +199,7 @@ StandardStepper::StandardStepper(const StandardStepper& before, const SceneChang
   scene_.pulls = std::move(pulls);
   scene_.mass_centre = before.scene_.mass_centre;
   scene_.load_share = before.scene_.load_share;
-  unloaded_ = places_of(state_of(scene_, start_motion(scene_)));
+  unloaded_ = places_at(scene_, start_motion(scene_));
   motion_.a = balanced_acceleration(scene_, motion_, before.state_.time);
   state_ = state_of(scene_, motion_);
   state_.step = before.state_.step;
@@ -194,8 +209,8 @@ StandardStepper::StandardStepper(const StandardStepper& before, const SceneChang
 }
 
 StandardStepper::StandardStepper(Scene scene, Archive& saved)
-    : scene_(standard_scene(std::move(scene.model), std::move(scene.settings))), motion_(start_motion(scene_)) {
-  unloaded_ = places_of(state_of(scene_, motion_));
+    : scene_(standard_scene(std::move(scene))), motion_(start_motion(scene_)) {
+  unloaded_ = places_at(scene_, motion_);
   describe(saved);
 }
 

@@ -101,9 +101,8 @@ double CoverElasticity::energy(const Eigen::VectorXd& d) const {
   for (int e = 0; e < basis_.element_count(); ++e) {
     const Element& element = elements_[static_cast<std::size_t>(e)];
     displacement_gradients(element.gradients, basis_.shape(e).functions, d, h);
-    for (Eigen::Index i = 0; i < element.weights.size(); ++i) {
+    for (Eigen::Index i = 0; i < element.weights.size(); ++i)
       sum += element.weights(i) * element.at(i).energy(green_strain(at_point(h, i)));
-    }
   }
   return sum;
 }
@@ -111,8 +110,7 @@ double CoverElasticity::energy(const Eigen::VectorXd& d) const {
 Eigen::VectorXd CoverElasticity::force(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, double common,
                                        std::span<const double> more) const {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(d0.size());
-  Eigen::MatrixX2d flux;  // S F_halfᵀ
-  Eigen::MatrixX2d h0, h1;
+  Eigen::MatrixX2d h0, h1, flux;  // flux: S F_halfᵀ
   for (int e = 0; e < basis_.element_count(); ++e) {
     const Element& element = elements_[static_cast<std::size_t>(e)];
     const std::span<const int> functions = basis_.shape(e).functions;
@@ -207,12 +205,11 @@ void CoverElasticity::add_element_tangent(int e, const Eigen::MatrixX2d& mean, d
     tangent = b * weighted;
     both = element.gradients.transpose() * stressed;
   }
-  for (Eigen::Index a = 0; a < n; ++a) {
+  for (Eigen::Index a = 0; a < n; ++a)
     for (Eigen::Index c = 0; c < n; ++c) {
       tangent(2 * a, 2 * c) += both(a, c);
       tangent(2 * a + 1, 2 * c + 1) += both(a, c);
     }
-  }
   system.add_matrix(basis_.shape(e).functions, tangent);
 }
 
@@ -237,8 +234,7 @@ Eigen::Matrix2d CoverElasticity::deformation(const Eigen::VectorXd& d, int eleme
   return Eigen::Matrix2d::Identity() + (shape.gradients(at_start) * unknowns_of(shape, d)).transpose();
 }
 
-Stress CoverElasticity::stress(const Eigen::VectorXd& d, int element, Point at_start) const {
-  const Eigen::Matrix2d f = deformation(d, element, at_start);
+Stress CoverElasticity::stress_of(const Eigen::Matrix2d& f, int element, Point at_start) const {
   const Eigen::Vector3d green = green_strain(f - Eigen::Matrix2d::Identity());
   const Element& own = elements_[static_cast<std::size_t>(element)];
   const Stress start = initial_stress(element, at_start);

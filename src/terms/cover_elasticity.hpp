@@ -55,7 +55,11 @@ class CoverElasticity {
 
   /// Cauchy stress F S Fᵀ / det F in the axes of the plane and Szz / det F across it, tension positive; the change of
   /// thickness under plane stress is left out.
-  Stress stress(const Eigen::VectorXd& d, int element, Point at_start) const;
+  Stress stress(const Eigen::VectorXd& d, int element, Point at_start) const {
+    return stress_of(deformation(d, element, at_start), element, at_start);
+  }
+  /// The same of a deformation F.
+  Stress stress_of(const Eigen::Matrix2d& f, int element, Point at_start) const;
 
  private:
   /// An element's points of integration, two rows of gradients each.

@@ -34,11 +34,11 @@ class CoversAlone {
     scene_ = std::make_unique<StandardScene>(standard_scene(std::move(scene.model), std::move(scene.settings)));
     start_ = start_motion(*scene_);
     for (const auto& group : scene_->groups)
-      if (const auto* covers = dynamic_cast<const CoverGroup*>(group.get())) covers_ = &covers->bodies();
+      if (const auto* covers = dynamic_cast<const CoverGroup*>(group.get())) covers_ = covers;
     if (!covers_) throw std::logic_error("there are no bodies on covers");
   }
 
-  const CoverScene& covers() const { return *covers_; }
+  const CoverScene& covers() const { return covers_->bodies(); }
   CoverEquations& equations() const { return covers_->equations(); }
 
   /// Undeformed, at rest.
@@ -68,7 +68,7 @@ class CoversAlone {
  private:
   std::unique_ptr<StandardScene> scene_;
   Motion start_;
-  const CoverScene* covers_ = nullptr;
+  const CoverGroup* covers_ = nullptr;
 };
 
 /// Where the loads of bodies on covers are in balance, as far as they have to go; none: no such state was found.

@@ -25,6 +25,11 @@ struct SceneEnd {
   std::optional<double> equilibrium;  ///< earlier where forces are balanced to this share of the largest load
 };
 
+/// What whoever made a scene worked out of its model and settings on the way; floors above know what it is.
+struct Groundwork {
+  virtual ~Groundwork() = default;
+};
+
 struct Scene {
   Model model;
   Settings settings;
@@ -36,6 +41,8 @@ struct Scene {
   /// Of a load step of such rock that may yield: how often it is halved before no equilibrium is said to be there.
   int load_cuts = 6;
   std::shared_ptr<const CrackGrowth> growth = {};  ///< of cracks during the run; none: they stay
+  /// None, or of another model or other settings: steppers work it out, with the same result to the bit.
+  std::shared_ptr<const Groundwork> groundwork = {};
 };
 
 /// How the cracks of a scene go on, and the same scene with other cracks.

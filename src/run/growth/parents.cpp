@@ -1,9 +1,11 @@
-// By boxes, then by polygons; see parents.hpp.
+// By triangles of the mesh where it is the same, else by boxes; then by polygons; see parents.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/parents.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "geometry/box_tree.hpp"
@@ -45,35 +47,77 @@ int nearest_to(const Manifold& manifold, Point p) {
   return nearest;
 }
 
+Point inner_point(const Manifold& manifold, std::size_t e) {
+  const auto loops = loops_of(manifold, e);
+  const std::optional<Point> inside = point_inside(loops);
+  return inside ? *inside : centroid(loops.front());
+}
+
+bool are_alike(const Manifold& was, const ManifoldElement& old, const Manifold& is, const ManifoldElement& element) {
+  if (old.holes.size != 0 || element.holes.size != 0 || old.outer.size != element.outer.size) return false;
+  return std::ranges::equal(was.loop(old.outer), is.loop(element.outer), {}, &ElementCorner::position,
+                            &ElementCorner::position);
+}
+
+/// Of elements in a triangle that was there before; -1 for the others.
+std::vector<int> parents_in_triangles(const Manifold& was, const Manifold& is) {
+  std::vector<int> parent(is.elements.size(), -1);
+  if (was.mesh.nodes != is.mesh.nodes || was.mesh.triangles != is.mesh.triangles) return parent;
+  std::vector<int> first(was.mesh.triangles.size(), -1);  // of the elements of each triangle
+  std::vector<int> next(was.elements.size(), -1);
+  for (std::size_t e = was.elements.size(); e-- > 0;) {
+    int& head = first[static_cast<std::size_t>(was.elements[e].triangle)];
+    next[e] = std::exchange(head, static_cast<int>(e));
+  }
+  for (std::size_t e = 0; e < is.elements.size(); ++e) {
+    const ManifoldElement& element = is.elements[e];
+    const int head = first[static_cast<std::size_t>(element.triangle)];
+    for (int old = head; old >= 0 && parent[e] < 0; old = next[static_cast<std::size_t>(old)])
+      if (are_alike(was, was.elements[static_cast<std::size_t>(old)], is, element)) parent[e] = old;
+    if (head < 0 || parent[e] >= 0) continue;
+    const Point inner = inner_point(is, e);
+    for (int old = head; old >= 0 && parent[e] < 0; old = next[static_cast<std::size_t>(old)])
+      if (holds(loops_of(was, static_cast<std::size_t>(old)), inner)) parent[e] = old;
+  }
+  return parent;
+}
+
+/// Of those that are below 0.
+void find_by_boxes(const Manifold& was, const Manifold& is, std::vector<int>& parent) {
+  std::vector<Box> boxes(was.elements.size());
+  for (std::size_t e = 0; e < was.elements.size(); ++e)
+    for (const ElementCorner& corner : was.loop(was.elements[e].outer)) boxes[e].add(corner.position);
+  std::vector<std::size_t> sought;
+  std::vector<Point> inner;
+  for (std::size_t e = 0; e < parent.size(); ++e) {
+    if (parent[e] >= 0) continue;
+    sought.push_back(e);
+    inner.push_back(inner_point(is, e));
+    boxes.emplace_back().add(inner.back());
+  }
+  const int old = static_cast<int>(was.elements.size());
+  visit_touching(boxes, 0, [&](int i, int j) {
+    if (i >= old || j < old) return true;
+    const auto k = static_cast<std::size_t>(j - old);
+    int& found = parent[sought[k]];
+    if (found < 0 && holds(loops_of(was, static_cast<std::size_t>(i)), inner[k])) found = i;
+    return true;
+  });
+  for (std::size_t k = 0; k < sought.size(); ++k)
+    if (parent[sought[k]] < 0) parent[sought[k]] = nearest_to(was, inner[k]);
+}
+
 }  // namespace
 
 Table<ElementIndex, ElementIndex> parents_by_place(const Model& before, const Model& after) {
   const Manifold& was = before.continuum->manifold;
   const Manifold& is = after.continuum->manifold;
   const int blocks = static_cast<int>(after.elements.size()) - count_on_covers(after);
-  std::vector<Box> boxes(was.elements.size());
-  for (std::size_t e = 0; e < was.elements.size(); ++e)
-    for (const ElementCorner& corner : was.loop(was.elements[e].outer)) boxes[e].add(corner.position);
-  std::vector<Point> inner;
-  for (std::size_t e = 0; e < is.elements.size(); ++e) {
-    const auto loops = loops_of(is, e);
-    const std::optional<Point> inside = point_inside(loops);
-    inner.push_back(inside ? *inside : centroid(loops.front()));
-    boxes.emplace_back().add(inner.back());
-  }
-  const int old = static_cast<int>(was.elements.size());
-  std::vector<int> parent(is.elements.size(), -1);
-  visit_touching(boxes, 0, [&](int i, int j) {
-    if (i >= old || j < old) return true;
-    int& found = parent[static_cast<std::size_t>(j - old)];
-    if (found < 0 && holds(loops_of(was, static_cast<std::size_t>(i)), inner[static_cast<std::size_t>(j - old)]))
-      found = i;
-    return true;
-  });
+  std::vector<int> parent = parents_in_triangles(was, is);
+  if (std::ranges::any_of(parent, [](int p) { return p < 0; })) find_by_boxes(was, is, parent);
   Table<ElementIndex, ElementIndex> parents;
   for (int b = 0; b < blocks; ++b) parents.push_back({b});
-  for (std::size_t e = 0; e < parent.size(); ++e)
-    parents.push_back({blocks + (parent[e] >= 0 ? parent[e] : nearest_to(was, inner[e]))});
+  for (const int p : parent) parents.push_back({blocks + p});
   return parents;
 }
 

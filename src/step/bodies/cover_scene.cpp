@@ -9,6 +9,7 @@
 #include <span>
 
 #include "model/body_load.hpp"
+#include "step/bodies/cover_flexibility.hpp"
 #include "step/bodies/linear_static.hpp"
 #include "terms/ghost_force.hpp"
 
@@ -16,76 +17,6 @@ namespace keyblock {
 namespace {
 
 using Functions = std::vector<std::vector<int>>;
-
-// Rows of one body, of the columns in which it has any.
-template <class Solve>
-Eigen::MatrixXd by_body(const Functions& functions, const Eigen::MatrixXd& forces, Solve solve) {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(forces.rows(), forces.cols());
-  for (std::size_t body = 0; body < functions.size(); ++body) {
-    const std::vector<int>& own = functions[body];
-    std::vector<Eigen::Index> columns;
-    for (Eigen::Index c = 0; c < forces.cols(); ++c)
-      if (std::ranges::any_of(own, [&](int f) { return forces(2 * f, c) != 0 || forces(2 * f + 1, c) != 0; }))
-        columns.push_back(c);
-    if (columns.empty()) continue;
-    Eigen::MatrixXd part(static_cast<Eigen::Index>(2 * own.size()), static_cast<Eigen::Index>(columns.size()));
-    for (Eigen::Index c = 0; c < part.cols(); ++c)
-      for (Eigen::Index i = 0; i < part.rows() / 2; ++i)
-        part.col(c).segment<2>(2 * i) =
-            forces.col(columns[static_cast<std::size_t>(c)]).segment<2>(2 * own[static_cast<std::size_t>(i)]);
-    const Eigen::MatrixXd answer = solve(static_cast<int>(body), part);
-    for (Eigen::Index c = 0; c < part.cols(); ++c)
-      for (Eigen::Index i = 0; i < part.rows() / 2; ++i)
-        result.col(columns[static_cast<std::size_t>(c)]).segment<2>(2 * own[static_cast<std::size_t>(i)]) =
-            answer.col(c).segment<2>(2 * i);
-  }
-  return result;
-}
-
-class StepAnswer : public SharedFlexibility {
- public:
-  StepAnswer(const CoverEquations& equations, const Functions& functions)
-      : equations_(equations), functions_(functions) {}
-  Eigen::Index size() const override { return equations_.residual().size(); }
-  bool is_symmetric() const override { return equations_.is_symmetric(); }
-  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
-    return by_body(functions_, forces,
-                   [&](int body, const Eigen::MatrixXd& part) { return equations_.solve(body, part); });
-  }
-
- private:
-  const CoverEquations& equations_;
-  const Functions& functions_;
-};
-
-PartFactors mass_factors(const ElasticBodies& bodies) {
-  const auto factors = [&](Definiteness definiteness) {
-    PartFactors made(bodies.mass, bodies.rigid.functions(), definiteness);
-    made.factorise(bodies.mass);
-    return made;
-  };
-  try {
-    return factors(definiteness_of(bodies.continuum.functions));
-  } catch (const NotPositiveDefinite&) {  // of covers on thin pieces alone, where functions are nearly one
-    return factors(Definiteness::semidefinite);
-  }
-}
-
-class MassAnswer : public SharedFlexibility {
- public:
-  MassAnswer(const ElasticBodies& bodies)
-      : functions_(bodies.rigid.functions()), factors_(mass_factors(bodies)), size_(bodies.unknown_count()) {}
-  Eigen::Index size() const override { return size_; }
-  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
-    return by_body(functions_, forces,
-                   [&](int body, const Eigen::MatrixXd& part) { return factors_.solve(body, part); });
-  }
-
- private:
-  const Functions& functions_;
-  PartFactors factors_;
-  Eigen::Index size_;
-};
 
 CoverDamping damping_of(const std::vector<int>& body_materials, const Settings& settings) {
   CoverDamping damping;
@@ -96,10 +27,20 @@ CoverDamping damping_of(const std::vector<int>& body_materials, const Settings& 
   return damping;
 }
 
+std::vector<double> carry_over_of(const std::vector<int>& body_materials, const Settings& settings) {
+  std::vector<double> shares;
+  for (const int material : body_materials) shares.push_back(settings.velocity_carry_over.of(material));
+  return shares;
+}
+
 ElementIndex first_on_covers(const Model& model) {
   for (ElementIndex e : indices(model.elements))
     if (model.elements[e].is_on_covers()) return e;
   return model.elements.end_index();
+}
+
+double rotation_of(const Eigen::Matrix2d& f) {
+  return std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));
 }
 
 /// Displacements of all corners of elements by unknowns.
@@ -125,19 +66,19 @@ Eigen::SparseMatrix<double> values_at_corners(const Continuum& continuum, const 
 }  // namespace
 
 CoverScene::CoverScene(const Model& model, const Settings& settings)
-    : bodies_(*model.continuum, damping_of(model.continuum->manifold.body_materials, settings)),
+    : made_of_(model.continuum),
+      damping_(damping_of(made_of_->manifold.body_materials, settings)),
+      bodies_(*made_of_, damping_),
       first_(first_on_covers(model)),
       kinematics_(std::make_shared<CoverKinematics>(model, first_, bodies_.basis())),
-      equations_(std::make_unique<CoverEquations>(bodies_)),
-      mass_inverse_(std::make_shared<MassAnswer>(bodies_)) {
+      carry_(carry_over_of(made_of_->manifold.body_materials, settings)),
+      mass_inverse_(mass_flexibility_of(bodies_)) {
   if (definiteness_of(bodies_.continuum.functions) == Definiteness::semidefinite)
     at_corners_ = values_at_corners(bodies_.continuum, bodies_.basis());
   weight_ = bodies_.supports.load();
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(bodies_.unknown_count());
   initial_force_ = -bodies_.elasticity.force(still, still, 1);
   if (!yield().is_empty()) initial_force_ -= yield().answer(still, yield().start()).force;
-  for (const int material : bodies_.continuum.manifold.body_materials)
-    carry_.push_back(settings.velocity_carry_over.of(material));
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(bodies_.unknown_count());
   at_start_.resize(bodies_.rigid.functions().size());
   at_start_ = whole(none, none);
@@ -151,6 +92,13 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
     const BlockMaterial& material = bodies_.continuum.materials[static_cast<std::size_t>(number)];
     slow_frequency_ = std::min(slow_frequency_, std::sqrt(material.youngs_modulus / material.density) / size_);
   }
+}
+
+// A model hands its continuum on unchanged, or makes another.
+bool CoverScene::is_of(const Model& model, const Settings& settings) const {
+  if (model.continuum != made_of_ || first_on_covers(model) != first_) return false;
+  const std::vector<int>& materials = made_of_->manifold.body_materials;
+  return damping_of(materials, settings) == damping_ && carry_over_of(materials, settings) == carry_;
 }
 
 Eigen::VectorXd CoverScene::felt(const Eigen::VectorXd& unknowns) const {
@@ -270,6 +218,11 @@ double CoverScene::damping_work(const Eigen::VectorXd& from, const Eigen::Vector
   return bodies_.has_mass_damping ? work + way.dot(bodies_.mass_damping.times(rate)) : work;
 }
 
+Eigen::VectorXd CoverScene::damping_force(const Eigen::VectorXd& v) const {
+  if (!bodies_.has_mass_damping) return Eigen::VectorXd::Zero(v.size());
+  return bodies_.mass_damping.times(v);
+}
+
 Eigen::VectorXd CoverScene::elastic_force(const Eigen::VectorXd& d, const YieldStates& points) const {
   return bodies_.force(d, points);
 }
@@ -288,22 +241,30 @@ bool CoverScene::are_one_body(ElementIndex a, ElementIndex b) const {
   return kinematics_->carries(a) && kinematics_->carries(b) && body_of(a) == body_of(b);
 }
 
-// Velocity gradient Ḟ F⁻¹; its skew part turns.
-Velocity CoverScene::velocity(ElementIndex e, const Eigen::VectorXd& d, const Eigen::VectorXd& v, Point start) const {
-  const Point moved_by = moved({}, kinematics_->shares(e, start), v);
-  const Eigen::Matrix2d rate =
-      bodies_.elasticity.deformation(v, e.value - first_.value, start) - Eigen::Matrix2d::Identity();
-  const Eigen::Matrix2d gradient = rate * bodies_.elasticity.deformation(d, e.value - first_.value, start).inverse();
-  return {moved_by.x, moved_by.y, (gradient(1, 0) - gradient(0, 1)) / 2};
-}
-
 double CoverScene::rotation(ElementIndex e, const Eigen::VectorXd& d, Point start) const {
-  const Eigen::Matrix2d f = bodies_.elasticity.deformation(d, e.value - first_.value, start);
-  return std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));
+  return rotation_of(bodies_.elasticity.deformation(d, e.value - first_.value, start));
 }
 
-std::shared_ptr<const SharedFlexibility> CoverScene::flexibility_of_step() const {
-  return std::make_shared<StepAnswer>(*equations_, bodies_.rigid.functions());
+// Velocity gradient Ḟ F⁻¹; its skew part turns.
+MotionOfPoint motion_of_point(const CoverScene& scene, ElementIndex e, const Eigen::VectorXd& d,
+                              const Eigen::VectorXd& v, const YieldStates& points, Point start) {
+  const int element = scene.kinematics()->manifold_element(e);
+  const ElementShape shape = scene.basis().shape(element);
+  const Eigen::Matrix2Xd gradients = shape.gradients(start);
+  const auto deformation_by = [&](const Eigen::VectorXd& field) -> Eigen::Matrix2d {
+    Eigen::MatrixX2d own(shape.function_count(), 2);
+    for (int a = 0; a < shape.function_count(); ++a)
+      own.row(a) = field.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]).transpose();
+    return Eigen::Matrix2d::Identity() + (gradients * own).transpose();
+  };
+  const Eigen::Matrix2d f = deformation_by(d);
+  const Stress stress = scene.continuum().material(element).is_nonlinear()
+                            ? scene.yield().stress(d, points, element, start)
+                            : scene.bodies().elasticity.stress_of(f, element, start);
+  const Point moved_by = moved({}, scene.kinematics()->shares(e, start), v);
+  const Eigen::Matrix2d rate = deformation_by(v) - Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d gradient = rate * f.inverse();
+  return {stress, rotation_of(f), {moved_by.x, moved_by.y, (gradient(1, 0) - gradient(0, 1)) / 2}};
 }
 
 }  // namespace keyblock

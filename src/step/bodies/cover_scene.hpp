@@ -9,18 +9,23 @@
 
 #include "contact/rows/contact_row.hpp"
 #include "model/cover_kinematics.hpp"
+#include "model/scene/scene.hpp"
 #include "settings/settings.hpp"
-#include "step/bodies/cover_equations.hpp"
+#include "step/bodies/elastic_bodies.hpp"
 #include "step/bodies/whole_body.hpp"
 
 namespace keyblock {
 
-/// All bodies of a model that hang on covers. Vectors have the entries (dx, dy) of every cover function.
-class CoverScene {
+/// All bodies of a model that hang on covers. Vectors have the entries (dx, dy) of every cover function. It does not
+/// change once it is made, so that those who prepare a scene hand theirs on to those who step through it.
+class CoverScene : public Groundwork {
  public:
   /// The model has a continuum, whose elements are its last.
   CoverScene(const Model& model, const Settings& settings);
   CoverScene(const CoverScene&) = delete;  // its parts refer to each other
+
+  /// Whether one of this model and these settings would be the same.
+  bool is_of(const Model& model, const Settings& settings) const;
 
   std::shared_ptr<const CoverKinematics> kinematics() const { return kinematics_; }
   const WholeBody& body_at_start(ElementIndex e) const;
@@ -43,6 +48,7 @@ class CoverScene {
   /// M times a uniform field.
   Eigen::VectorXd inertia_of(Point acceleration) const;
 
+  const ElasticBodies& bodies() const { return bodies_; }
   const Continuum& continuum() const { return bodies_.continuum; }
   const CoverBasis& basis() const { return bodies_.basis(); }
   const CoverYield& yield() const { return bodies_.yield; }
@@ -76,23 +82,20 @@ class CoverScene {
   /// Of the rock at rest; ∂U/∂d where it does not flow.
   Eigen::VectorXd elastic_force(const Eigen::VectorXd& d, const YieldStates& points) const;
   /// Against v at rest from strain: a M v.
-  Eigen::VectorXd damping_force(const Eigen::VectorXd& v) const { return bodies_.mass_damping.times(v); }
+  Eigen::VectorXd damping_force(const Eigen::VectorXd& v) const;
 
   Stress stress(ElementIndex e, const Eigen::VectorXd& d, const YieldStates& points, Point start) const;
   double rotation(ElementIndex e, const Eigen::VectorXd& d, Point start) const;  ///< of the polar decomposition, rad
-  /// Of the point that lay at `start`, and the turning there, half the curl: length and rad, per time.
-  Velocity velocity(ElementIndex e, const Eigen::VectorXd& d, const Eigen::VectorXd& v, Point start) const;
   /// Number of the body of an element on covers, from 0.
   int body_of(ElementIndex e) const;
   /// Whether both elements are of one body on covers.
   bool are_one_body(ElementIndex a, ElementIndex b) const;
 
-  /// Of the step at hand: one step at a time is made of a scene.
-  CoverEquations& equations() const { return *equations_; }
-  std::shared_ptr<const SharedFlexibility> flexibility_of_step() const;
   std::shared_ptr<const SharedFlexibility> mass_inverse() const { return mass_inverse_; }
 
  private:
+  std::shared_ptr<const Continuum> made_of_;
+  CoverDamping damping_;
   ElasticBodies bodies_;
   ElementIndex first_;
   std::shared_ptr<const CoverKinematics> kinematics_;
@@ -102,9 +105,19 @@ class CoverScene {
   double slow_frequency_ = 0;
   Eigen::VectorXd weight_;
   Eigen::VectorXd initial_force_;
-  std::unique_ptr<CoverEquations> equations_;
   std::shared_ptr<const SharedFlexibility> mass_inverse_;
   Eigen::SparseMatrix<double> at_corners_;  ///< of unknowns that may depend on each other; empty else
 };
+
+/// Of a point of the bodies; `velocity` with the turning there, half the curl: length and rad, per time.
+struct MotionOfPoint {
+  Stress stress;
+  double rotation = 0;
+  Velocity velocity;
+};
+
+/// Of that which lay at `start`, by one look at the functions there: the same as `stress` and `rotation` to the bit.
+MotionOfPoint motion_of_point(const CoverScene& scene, ElementIndex e, const Eigen::VectorXd& d,
+                              const Eigen::VectorXd& v, const YieldStates& points, Point start);
 
 }  // namespace keyblock

@@ -14,26 +14,27 @@
 namespace keyblock {
 namespace {
 
-SparseSystem empty_system(const Continuum& continuum, const CoverBasis& basis, const CoverYield& yield) {
-  FunctionGroups groups = coupled_functions(basis, elastic_ghost_pairs(continuum, basis));
+SparseSystem ghost_of(const Continuum& continuum, const CoverBasis& basis, const CoverYield& yield) {
+  const std::vector<GhostPair> pairs = elastic_ghost_pairs(continuum, basis);
+  FunctionGroups groups = coupled_functions(basis, pairs);
   yield.add_groups(groups);
-  return {basis.function_count(), groups};
+  SparseSystem ghost(basis.function_count(), groups);
+  add_ghost_penalty(continuum, basis, pairs, ghost);
+  return ghost;
 }
 
-SparseSystem mass_of(const Continuum& continuum, const CoverBasis& basis, const CoverYield& yield) {
-  SparseSystem mass = empty_system(continuum, basis, yield);
+/// Of the same groups.
+SparseSystem empty_like(SparseSystem other) {
+  other.clear();
+  return other;
+}
+
+SparseSystem mass_of(const Continuum& continuum, const CoverBasis& basis, SparseSystem mass) {
   add_cover_mass(continuum, basis, mass);
   return mass;
 }
 
-SparseSystem ghost_of(const Continuum& continuum, const CoverBasis& basis, const CoverYield& yield) {
-  SparseSystem ghost = empty_system(continuum, basis, yield);
-  add_ghost_penalty(continuum, basis, elastic_ghost_pairs(continuum, basis), ghost);
-  return ghost;
-}
-
-SparseSystem supports_of(const Continuum& continuum, const CoverBasis& basis, const CoverYield& yield) {
-  SparseSystem supports = empty_system(continuum, basis, yield);
+SparseSystem supports_of(const Continuum& continuum, const CoverBasis& basis, SparseSystem supports) {
   add_supports_and_loads(continuum, basis, supports);
   return supports;
 }
@@ -48,13 +49,12 @@ ElasticBodies::ElasticBodies(Continuum with_loads, const CoverDamping& damping)
     : continuum(std::move(with_loads)),
       elasticity(continuum, CoverBasis(continuum.manifold, continuum.functions)),
       yield(continuum, basis()),
-      mass(mass_of(continuum, basis(), yield)),
-      mass_damping(mass),
-      has_mass_damping(damps(damping.mass)),
       ghost(ghost_of(continuum, basis(), yield)),
-      supports(supports_of(continuum, basis(), yield)),
+      mass(mass_of(continuum, basis(), empty_like(ghost))),
+      has_mass_damping(damps(damping.mass)),
+      mass_damping(has_mass_damping ? empty_like(ghost) : SparseSystem(0, {})),
+      supports(supports_of(continuum, basis(), empty_like(ghost))),
       rigid(continuum.manifold, basis(), mass) {
-  mass_damping.clear();
   if (has_mass_damping) {
     std::vector<double> of_functions(static_cast<std::size_t>(basis().function_count()));
     for (std::size_t body = 0; body < rigid.functions().size(); ++body)

@@ -15,18 +15,20 @@ namespace keyblock {
 struct CoverDamping {
   std::vector<double> mass;       ///< a of each body, 1 / time; empty: none is damped so
   std::vector<double> stiffness;  ///< b of each body, time; empty: none
+  bool operator==(const CoverDamping&) const = default;
 };
 
 struct ElasticBodies {
   Continuum continuum;
   CoverElasticity elasticity;
-  CoverYield yield;           ///< empty where nothing may yield
-  SparseSystem mass;          ///< M; its groups are those of every matrix here
-  SparseSystem mass_damping;  ///< a M, with a of each body
+  CoverYield yield;  ///< empty where nothing may yield
+  /// G, a force after `ghost_force`: it vanishes for every affine d, so that rigid motion stays free. Its groups are
+  /// those of every matrix here.
+  SparseSystem ghost;
+  SparseSystem mass;  ///< M
   bool has_mass_damping = false;
+  SparseSystem mass_damping;              ///< a M, with a of each body; of no functions where every a is 0
   std::vector<double> stiffness_damping;  ///< b of each element; empty where all are 0
-  SparseSystem
-      ghost;  ///< G, a force after `ghost_force`: it vanishes for every affine d, so that rigid motion stays free
   /// H: Nitsche's terms of prescribed displacements and point springs, a force H d whatever the motion. Nitsche's terms
   /// take stress and normal of the boundary as at the start: a held part may not turn by more than a strain. Its load:
   /// body force, tractions, point forces and what prescribed displacements other than 0 need, all in directions and

@@ -50,6 +50,7 @@ class Carrying {
     Eigen::VectorXd result = copied(field);
     Eigen::VectorXd left = Eigen::VectorXd::Zero(result.size());
     for (int e = 0; e < after_.basis().element_count(); ++e) {
+      if (is_kept(e, field, result)) continue;
       const ElementShape shape = after_.basis().shape(e);
       const FieldPolynomial missing = before(e, field) - field_of(shape, result);
       const Eigen::MatrixX2d force = shape.monomial.transpose() * (mass(e) * missing);
@@ -84,6 +85,17 @@ class Carrying {
 
   FieldPolynomial before(int element, const Eigen::VectorXd& field) const {
     return field_of(before_.basis().shape(parents_[static_cast<std::size_t>(element)]), field);
+  }
+
+  /// Whether an element has the polynomials of its parent and copies of its unknowns, so that it misses nothing.
+  bool is_kept(int element, const Eigen::VectorXd& field, const Eigen::VectorXd& result) const {
+    const ElementShape was = before_.basis().shape(parents_[static_cast<std::size_t>(element)]);
+    const ElementShape is = after_.basis().shape(element);
+    if (was.function_count() != is.function_count() || was.degree != is.degree) return false;
+    if (was.frame.origin != is.frame.origin || was.frame.size != is.frame.size) return false;
+    for (std::size_t a = 0; a < is.functions.size(); ++a)
+      if (field.segment<2>(2 * was.functions[a]) != result.segment<2>(2 * is.functions[a])) return false;
+    return was.monomial == is.monomial;
   }
 
   /// Function by function of the covers that elements had and have: all of it, but for gradients that are derived from

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/worse.hpp"
+#include "step/bodies/cover_flexibility.hpp"
 #include "system/sparse_lu.hpp"
 
 namespace keyblock {
@@ -13,7 +14,7 @@ namespace {
 
 class CoverStep final : public EstimatedStep {
  public:
-  explicit CoverStep(const CoverScene& bodies) : bodies_(bodies), equations_(bodies.equations()) {}
+  explicit CoverStep(CoverEquations& equations) : equations_(equations) {}
 
   bool linearise(const UnknownsTable& estimate, FreeStep& step) override {
     bool has_factor = true;
@@ -24,7 +25,7 @@ class CoverStep final : public EstimatedStep {
     } catch (const SingularMatrix&) {
       has_factor = false;
     }
-    step.flexibility.shared = bodies_.flexibility_of_step();
+    step.flexibility.shared = flexibility_of(equations_);
     if (!step.judging.blocks.empty()) step.judging.shared = step.flexibility.shared;
     return has_factor;
   }
@@ -43,7 +44,6 @@ class CoverStep final : public EstimatedStep {
   }
 
  private:
-  const CoverScene& bodies_;
   CoverEquations& equations_;
 };
 
@@ -88,6 +88,11 @@ CarriedCovers carried_by_points(const CoverScene& bodies, const std::vector<Elem
 }
 
 }  // namespace
+
+CoverEquations& CoverGroup::equations() const {
+  if (!equations_) equations_ = std::make_unique<CoverEquations>(bodies_->bodies());
+  return *equations_;
+}
 
 std::optional<ElasticLaw> CoverGroup::law_of_large_strain(const SceneParts& scene, ElementIndex e) const {
   if (scene.model.material_of(scene.model.elements[e]).is_nonlinear()) return ElasticLaw::logarithmic;  // CoverYield's
@@ -200,23 +205,18 @@ double CoverGroup::step_error(const BodiesMotion& before, const BodiesMotion& af
 
 std::unique_ptr<EstimatedStep> CoverGroup::begin(const BodiesMotion& start, const UnknownsTable& loads,
                                                  const StepRule& rule, double dt, FreeStep& step) const {
-  CoverEquations& equations = bodies_->equations();
+  CoverEquations& equations = this->equations();
   equations.begin({start.q.shared, start.v.shared, start.a.shared, start.points.covers}, loads.shared, rule, dt);
   step.known_velocity.shared = equations.known_velocity();
   step.known_acceleration.shared = equations.known_acceleration();
-  return std::make_unique<CoverStep>(*bodies_);
+  return std::make_unique<CoverStep>(equations);
 }
 
 ElementState CoverGroup::state_of(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
                                   const Placement& placed) const {
-  const Point at_start = scene.reference.centroids[e];
-  return {placed.centroid,
-          placed.moments,
-          motion.v[e],
-          motion.v[e],
-          bodies_->stress(e, motion.q.shared, motion.points.covers, at_start),
-          bodies_->rotation(e, motion.q.shared, at_start),
-          bodies_->velocity(e, motion.q.shared, motion.v.shared, at_start)};
+  const MotionOfPoint now = motion_of_point(*bodies_, e, motion.q.shared, motion.v.shared, motion.points.covers,
+                                            scene.reference.centroids[e]);
+  return {placed.centroid, placed.moments, motion.v[e], motion.v[e], now.stress, now.rotation, now.velocity};
 }
 
 Stress CoverGroup::stress_at(const SceneParts&, ElementIndex e, const BodiesMotion& motion, Point start) const {

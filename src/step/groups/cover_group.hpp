@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "step/bodies/cover_equations.hpp"
 #include "step/bodies/cover_scene.hpp"
 #include "step/groups/body_group.hpp"
 #include "step/groups/carry_covers.hpp"
@@ -14,6 +15,8 @@ class CoverGroup final : public BodyGroup {
       : bodies_(std::move(bodies)), elements_(boxed_elements(*bodies_)) {}
 
   const CoverScene& bodies() const { return *bodies_; }
+  /// Of the step at hand: one step at a time is made of a group. Made with the first.
+  CoverEquations& equations() const;
 
   bool has(ElementIndex e) const override { return bodies_->kinematics()->carries(e); }
   double size() const override { return bodies_->size(); }
@@ -76,6 +79,7 @@ class CoverGroup final : public BodyGroup {
  private:
   std::shared_ptr<const CoverScene> bodies_;
   std::vector<std::vector<BoxedElement>> elements_;  ///< of every body
+  mutable std::unique_ptr<CoverEquations> equations_;
 };
 
 }  // namespace keyblock

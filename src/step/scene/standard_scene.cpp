@@ -48,14 +48,15 @@ void add_constant_bolts(const StandardScene& scene, const UnknownsTable& q, Unkn
 
 }  // namespace
 
-StandardScene standard_scene(Model model, Settings settings) {
+StandardScene standard_scene(Model model, Settings settings, std::shared_ptr<const Groundwork> groundwork) {
   StandardScene scene;
   scene.model = std::move(model);
   scene.settings = with_enforcement_decided(std::move(settings), scene.model);
   scene.reference = reference_of(scene.model, scene.settings);
-  MadeGroups made = groups_of(scene.model, scene.settings, scene.reference);
+  MadeGroups made = groups_of(scene.model, scene.settings, scene.reference, groundwork);
   scene.groups = std::move(made.all);
   scene.blocks = std::move(made.blocks);
+  scene.groundwork = std::move(made.groundwork);
   scene.pieces.reserve(scene.model.elements.size());
   scene.with_faces.reserve(scene.model.elements.size());
   for (ElementIndex e : indices(scene.model.elements)) scene.pieces.push_back(convex_pieces(scene.model, e));
@@ -64,6 +65,10 @@ StandardScene standard_scene(Model model, Settings settings) {
   scene.held = held_points(scene.model);
   scene.mass_centre = mass_centre_of(scene);
   return scene;
+}
+
+StandardScene standard_scene(Scene scene) {
+  return standard_scene(std::move(scene.model), std::move(scene.settings), std::move(scene.groundwork));
 }
 
 std::string unsupported(const StandardScene& scene) {

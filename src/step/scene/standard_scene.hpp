@@ -6,6 +6,7 @@
 
 #include "contact/find/touch.hpp"
 #include "model/material_choices.hpp"
+#include "model/scene/scene.hpp"
 #include "model/state.hpp"
 #include "step/groups/block_group.hpp"
 #include "step/scene/contact_memory.hpp"
@@ -25,6 +26,7 @@ struct StandardScene {
   Reference reference;
   BodyGroups groups;
   std::shared_ptr<const BlockGroup> blocks;  ///< one of the groups
+  std::shared_ptr<const Groundwork> groundwork;
   Table<ElementIndex, ConvexPieces> pieces;
   std::vector<ElementIndex> with_faces;  ///< elements that something may touch
   std::vector<CarriedPoint> held;        ///< fixed points of elements that have unknowns
@@ -46,8 +48,9 @@ struct StandardScene {
 /// M⁻¹ of everything.
 Flexibility mass_flexibility(const StandardScene& scene);
 
-/// An enforcement that is `automatic` is decided here.
-StandardScene standard_scene(Model model, Settings settings);
+/// An enforcement that is `automatic` is decided here. `groundwork`: Scene::groundwork.
+StandardScene standard_scene(Model model, Settings settings, std::shared_ptr<const Groundwork> groundwork = {});
+StandardScene standard_scene(Scene scene);
 
 /// Why this scene cannot be run so, in one sentence; empty if it can: blocks with holes have no convex pieces.
 std::string unsupported(const StandardScene& scene);

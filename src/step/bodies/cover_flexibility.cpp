@@ -1,0 +1,95 @@
+// Columns gathered and scattered by the functions of each body; see cover_flexibility.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/bodies/cover_flexibility.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "step/bodies/linear_static.hpp"
+
+namespace keyblock {
+namespace {
+
+using FunctionsOfBodies = std::vector<std::vector<int>>;
+
+// Rows of one body, of the columns in which it has any.
+template <class Solve>
+Eigen::MatrixXd by_body(const FunctionsOfBodies& functions, const Eigen::MatrixXd& forces, Solve solve) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(forces.rows(), forces.cols());
+  for (std::size_t body = 0; body < functions.size(); ++body) {
+    const std::vector<int>& own = functions[body];
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index c = 0; c < forces.cols(); ++c)
+      if (std::ranges::any_of(own, [&](int f) { return forces(2 * f, c) != 0 || forces(2 * f + 1, c) != 0; }))
+        columns.push_back(c);
+    if (columns.empty()) continue;
+    Eigen::MatrixXd part(static_cast<Eigen::Index>(2 * own.size()), static_cast<Eigen::Index>(columns.size()));
+    for (Eigen::Index c = 0; c < part.cols(); ++c)
+      for (Eigen::Index i = 0; i < part.rows() / 2; ++i)
+        part.col(c).segment<2>(2 * i) =
+            forces.col(columns[static_cast<std::size_t>(c)]).segment<2>(2 * own[static_cast<std::size_t>(i)]);
+    const Eigen::MatrixXd answer = solve(static_cast<int>(body), part);
+    for (Eigen::Index c = 0; c < part.cols(); ++c)
+      for (Eigen::Index i = 0; i < part.rows() / 2; ++i)
+        result.col(columns[static_cast<std::size_t>(c)]).segment<2>(2 * own[static_cast<std::size_t>(i)]) =
+            answer.col(c).segment<2>(2 * i);
+  }
+  return result;
+}
+
+class StepAnswer : public SharedFlexibility {
+ public:
+  StepAnswer(const CoverEquations& equations, const FunctionsOfBodies& functions)
+      : equations_(equations), functions_(functions) {}
+  Eigen::Index size() const override { return equations_.residual().size(); }
+  bool is_symmetric() const override { return equations_.is_symmetric(); }
+  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
+    return by_body(functions_, forces,
+                   [&](int body, const Eigen::MatrixXd& part) { return equations_.solve(body, part); });
+  }
+
+ private:
+  const CoverEquations& equations_;
+  const FunctionsOfBodies& functions_;
+};
+
+PartFactors mass_factors(const ElasticBodies& bodies) {
+  const auto factors = [&](Definiteness definiteness) {
+    PartFactors made(bodies.mass, bodies.rigid.functions(), definiteness);
+    made.factorise(bodies.mass);
+    return made;
+  };
+  try {
+    return factors(definiteness_of(bodies.continuum.functions));
+  } catch (const NotPositiveDefinite&) {  // of covers on thin pieces alone, where functions are nearly one
+    return factors(Definiteness::semidefinite);
+  }
+}
+
+class MassAnswer : public SharedFlexibility {
+ public:
+  explicit MassAnswer(const ElasticBodies& bodies)
+      : functions_(bodies.rigid.functions()), factors_(mass_factors(bodies)), size_(bodies.unknown_count()) {}
+  Eigen::Index size() const override { return size_; }
+  Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
+    return by_body(functions_, forces,
+                   [&](int body, const Eigen::MatrixXd& part) { return factors_.solve(body, part); });
+  }
+
+ private:
+  const FunctionsOfBodies& functions_;
+  PartFactors factors_;
+  Eigen::Index size_;
+};
+
+}  // namespace
+
+std::shared_ptr<const SharedFlexibility> mass_flexibility_of(const ElasticBodies& bodies) {
+  return std::make_shared<MassAnswer>(bodies);
+}
+
+std::shared_ptr<const SharedFlexibility> flexibility_of(const CoverEquations& equations) {
+  return std::make_shared<StepAnswer>(equations, equations.bodies().rigid.functions());
+}
+
+}  // namespace keyblock
