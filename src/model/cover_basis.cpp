@@ -180,6 +180,10 @@ CoverFunctions CoverBasis::functions(int element) const {
 // Near-tip functions go behind the polynomials, of which they have none.
 void CoverBasis::add(std::vector<int> functions, const Eigen::MatrixXd& monomial, const TipEnrichment* tips) {
   const auto element = static_cast<int>(first_number_.size());
+  if (element == 0) {  // most have as many as the first, or one more
+    numbers_.reserve(frames_.size() * (functions.size() + 1));
+    coefficients_.reserve(numbers_.capacity() * static_cast<std::size_t>(monomial.rows()));
+  }
   const std::size_t polynomials = functions.size();
   if (tips != nullptr) {
     TipShape shape = tips->shape(element, functions);

@@ -16,11 +16,16 @@ constexpr double kSettled = 1e-14;
 
 CoverKinematics::CoverKinematics(const Model& model, ElementIndex first, const CoverBasis& basis)
     : basis_(basis), first_(first), first_vertex_(model.elements[first].first_vertex) {
-  for (VertexIndex v : IndexRange<VertexIndex>(first_vertex_, model.vertices.end_index())) {
+  const IndexRange<VertexIndex> own(first_vertex_, model.vertices.end_index());
+  std::size_t count = 0;
+  for (VertexIndex v : own) count += basis_.shape(manifold_element(model.vertices[v].element)).functions.size();
+  shares_.reserve(count);
+  for (VertexIndex v : own) {
     begins_.push_back(shares_.size());
-    const std::vector<CoverShare> of =
-        shares(model.vertices[v].element, model.start_vertices[static_cast<std::size_t>(v.value)]);
-    shares_.insert(shares_.end(), of.begin(), of.end());
+    const ElementShape shape = basis_.shape(manifold_element(model.vertices[v].element));
+    const Eigen::RowVectorXd values = shape.values(model.start_vertices[static_cast<std::size_t>(v.value)]);
+    for (int a = 0; a < shape.function_count(); ++a)
+      shares_.push_back({shape.functions[static_cast<std::size_t>(a)], values[a]});
   }
   begins_.push_back(shares_.size());
 }

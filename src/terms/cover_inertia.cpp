@@ -55,13 +55,14 @@ void add_cover_mass(const Continuum& continuum, const CoverBasis& basis, SparseS
   // refused. They would move by forces that no mass answers.
   const bool are_independent =
       continuum.functions == CoverFunctions::constant || continuum.functions == CoverFunctions::derived;
+  Eigen::MatrixXd both;
   for (int e = 0; e < basis.element_count(); ++e) {
     const ElementShape shape = basis.shape(e);
     const Eigen::MatrixXd mass =
         are_independent && is_small_piece(continuum.manifold, e)
             ? mass_by_points(continuum, e, shape)
             : cover_mass(shape, moments_of(continuum, e, shape, 2 * shape.degree), continuum.material(e).density);
-    Eigen::MatrixXd both = Eigen::MatrixXd::Zero(2 * mass.rows(), 2 * mass.cols());
+    both.setZero(2 * mass.rows(), 2 * mass.cols());
     for (Eigen::Index a = 0; a < mass.rows(); ++a) {
       for (Eigen::Index b = 0; b < mass.cols(); ++b) both(2 * a, 2 * b) = both(2 * a + 1, 2 * b + 1) = mass(a, b);
     }

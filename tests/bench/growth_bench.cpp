@@ -104,14 +104,14 @@ Json recut(int elements) {
   const Scene first = prepare(flying(side, 0.4), "standard", {}).scene;
   const StandardStepper before(first);
   Scene next;
-  const double cut = timed([&] { next = prepare(flying(side, 0.45), "standard", {}).scene; });
+  const double cut = best([&] { next = prepare(flying(side, 0.45), "standard", {}).scene; }, 2);
   int number = static_cast<int>(first.model.elements.size());
   SceneChange change;
   const double map = timed([&] {
     const Table<ElementIndex, ElementIndex> parents = parents_by_place(before.model(), next.model);
     change = change_between(before.model(), std::move(next), parents, number);
   });
-  const double carry = timed([&] { const StandardStepper after(before, change); });
+  const double carry = best([&] { const StandardStepper after(before, change); }, 2);
   const Continuum& continuum = *change.scene.model.continuum;
   const CoverBasis basis = basis_of(continuum);
   const SparseSystem matrix = assemble_static(continuum, basis);

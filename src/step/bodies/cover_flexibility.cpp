@@ -53,10 +53,37 @@ class StepAnswer : public SharedFlexibility {
   const FunctionsOfBodies& functions_;
 };
 
-PartFactors mass_factors(const ElasticBodies& bodies) {
+/// The mass of one body in one direction: x and y have the same, and none between them.
+Eigen::SparseMatrix<double> mass_in_x(const SparseSystem& mass, const std::vector<int>& functions) {
+  const Eigen::SparseMatrix<double>& all = mass.lower();
+  std::vector<int> place(static_cast<std::size_t>(all.cols() / 2));
+  for (std::size_t i = 0; i < functions.size(); ++i)
+    place[static_cast<std::size_t>(functions[i])] = static_cast<int>(i);
+  const auto size = static_cast<Eigen::Index>(functions.size());
+  Eigen::SparseMatrix<double> own(size, size);
+  Eigen::Index count = 0;
+  for (const int f : functions) count += (all.outerIndexPtr()[2 * f + 1] - all.outerIndexPtr()[2 * f]) / 2;
+  own.resizeNonZeros(count);
+  int* outer = own.outerIndexPtr();
+  int at = *outer = 0;
+  for (const int f : functions) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(all, 2 * f); entry; ++entry) {
+      if (entry.row() % 2 != 0) continue;
+      own.innerIndexPtr()[at] = place[static_cast<std::size_t>(entry.row() / 2)];
+      own.valuePtr()[at++] = entry.value();
+    }
+    *++outer = at;
+  }
+  return own;
+}
+
+std::vector<SparseFactor> mass_factors(const ElasticBodies& bodies) {
   const auto factors = [&](Definiteness definiteness) {
-    PartFactors made(bodies.mass, bodies.rigid.functions(), definiteness);
-    made.factorise(bodies.mass);
+    std::vector<SparseFactor> made;
+    for (const std::vector<int>& functions : bodies.rigid.functions()) {
+      const Eigen::SparseMatrix<double> own = mass_in_x(bodies.mass, functions);
+      made.emplace_back(own, definiteness).factorise(own);
+    }
     return made;
   };
   try {
@@ -72,13 +99,25 @@ class MassAnswer : public SharedFlexibility {
       : functions_(bodies.rigid.functions()), factors_(mass_factors(bodies)), size_(bodies.unknown_count()) {}
   Eigen::Index size() const override { return size_; }
   Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const override {
-    return by_body(functions_, forces,
-                   [&](int body, const Eigen::MatrixXd& part) { return factors_.solve(body, part); });
+    return by_body(functions_, forces, [&](int body, const Eigen::MatrixXd& part) { return solved(body, part); });
   }
 
  private:
+  // A column of x and y in turns is, read column by column, two rows of them.
+  Eigen::MatrixXd solved(int body, const Eigen::MatrixXd& part) const {
+    const Eigen::Index size = part.rows() / 2;
+    Eigen::MatrixXd right(size, 2 * part.cols());
+    for (Eigen::Index c = 0; c < part.cols(); ++c)
+      right.middleCols(2 * c, 2) = part.col(c).reshaped(2, size).transpose();
+    const Eigen::MatrixXd left = factors_[static_cast<std::size_t>(body)].solve(right);
+    Eigen::MatrixXd answer(part.rows(), part.cols());
+    for (Eigen::Index c = 0; c < part.cols(); ++c)
+      answer.col(c).reshaped(2, size) = left.middleCols(2 * c, 2).transpose();
+    return answer;
+  }
+
   const FunctionsOfBodies& functions_;
-  PartFactors factors_;
+  std::vector<SparseFactor> factors_;
   Eigen::Index size_;
 };
 
