@@ -68,8 +68,8 @@ std::vector<Point> ways(const NewUnits& units, const std::vector<Override>& over
 
 }  // namespace
 
-// An absolute tolerance anywhere would show; 1e-10 is a hundred-millionth of the way, beyond round-off. In units that round otherwise friction may bear in other ways: that is the
-// last digit of the input, not its scale.
+// An absolute tolerance anywhere would show; 1e-10 is a hundred-millionth of the way, beyond round-off. In units that
+// round otherwise friction may bear in other ways: that is the last digit of the input, not its scale.
 TEST(OtherUnits, a_jointed_bank_moves_the_same_in_units_that_round_alike) {
   const std::vector<std::vector<Override>> choices = {
       {}, {{"start", "sudden"}}, {{"enforcement", "lagrange"}}, {{"impact", "springs"}}, {{"step_control", "error"}}};

@@ -135,9 +135,9 @@ void describe_names(Archive& archive, std::vector<Identity>& names) {
 constexpr double kLeastOfJ = 0.5;
 
 /// What a tip that goes on takes per length: G, at the load under which its equivalent reaches the toughness. It is J,
-/// but where J is far below (K_I² + K_II²)/E' (Irwin 1957) that: the error of J goes with the square of the stress along
-/// the crack, that K has no part of. In a disc pressed along its crack a mesh of six sides across found 0.37 of it, and
-/// less than none beside the rim, where new faces took nothing.
+/// but where J is far below (K_I² + K_II²)/E' (Irwin 1957) that: the error of J goes with the square of the stress
+/// along the crack, of which K has no part. In a disc pressed along its crack a mesh of six sides across found 0.37 of
+/// it, and less than none beside the rim, where new faces took nothing.
 double energy_of(const Continuum& continuum, const TipState& tip) {
   const PlaneElasticity rock = rock_at(continuum, tip_of(continuum.manifold, tip));
   if (!tip.has_room || !(tip.equivalent > 0)) return energy_of_fracture(rock, tip.toughness);
@@ -145,6 +145,20 @@ double energy_of(const Continuum& continuum, const TipState& tip) {
   const double by_k = (mode_1 * mode_1 + tip.mode_2 * tip.mode_2) / rock.effective_modulus();
   const double over = tip.toughness / tip.equivalent;
   return (tip.energy_release < kLeastOfJ * by_k ? by_k : tip.energy_release) * over * over;
+}
+
+[[noreturn]] void refuse(const PartingFaces& faces, const Place& place) {
+  throw InputError(place,
+                   fmt::format("no rock on both sides of the new faces from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})",
+                               faces.from.x, faces.from.y, faces.to.x, faces.to.y));
+}
+
+/// Of Rayleigh waves in the rock about a tip.
+double speed_at(const Continuum& continuum, const TipState& tip) {
+  const CrackTip& place = tip_of(continuum.manifold, tip);
+  const int e = element_of(continuum.manifold, place);
+  if (e < 0) throw std::logic_error("a tip lies in no element");
+  return rayleigh_speed(rock_at(continuum, place), continuum.material(e).density);
 }
 
 /// The first scene with other cracks.
@@ -239,9 +253,7 @@ void GrowthUnderLoads::place_parting(const Manifold& manifold) {
   for (PartingFaces& faces : parting_) {
     put_elements(faces, manifold);
     if (std::ranges::none_of(faces.points, [](const PartingPoint& point) { return point.left >= 0; }))
-      throw InputError(first_.growth->plan.place,
-                       fmt::format("no rock on both sides of the new faces from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})",
-                                   faces.from.x, faces.from.y, faces.to.x, faces.to.y));
+      refuse(faces, first_.growth->plan.place);
   }
 }
 
@@ -348,10 +360,7 @@ void GrowthUnderLoads::look_at_tips() {
   front_.starts = crack_starts(now);
   std::erase_if(front_.starts, [](const CrackStart& start) { return start.nearness() < 1; });
   for (TipState& tip : front_.tips) {
-    const CrackTip& place = tip_of(continuum.manifold, tip);
-    const int e = element_of(continuum.manifold, place);
-    if (e < 0) throw std::logic_error("a tip lies in no element");
-    tip.goes_on = may_go_on(tip, rayleigh_speed(rock_at(continuum, place), continuum.material(e).density));
+    tip.goes_on = may_go_on(tip, speed_at(continuum, tip));
     if (tip.goes_on) pieces_.push_back({tip.at, energy_of(continuum, tip)});
   }
   if (pieces_.empty() && front_.starts.empty()) return;
