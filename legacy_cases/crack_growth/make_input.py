@@ -140,9 +140,10 @@ def spalling_pillar():
 
 
 def half_disc_falls(after, gravity, flat, corners):
-    """How far a point 0.4 from the middle of the cut has gone, of half a disc that is rigid: it stands beside its mirror image without friction and
-    leans out from rest, first about the outer end of its flat, then on its rim, while the lower end of the cut stays where it is or rises along the
-    plane of symmetry. By its energy, (w M w)/2 + V = V0 for the angle and its rate w."""
+    """How far a point 0.4 from the middle of the cut has gone, of half a disc that is rigid: it stands beside its
+    mirror image without friction and leans out from rest, first about the outer end of its flat, then on its rim, while
+    the lower end of the cut stays where it is or rises along the plane of symmetry. By its energy, (w M w)/2 + V = V0
+    for the angle and its rate w."""
     half = [(0, corners[0][1])] + corners + [(0, corners[-1][1])]
     area = centroid = polar = 0
     for (x, y), (u, v) in zip(half, half[1:] + half[:1]):
@@ -169,10 +170,11 @@ def half_disc_falls(after, gravity, flat, corners):
 
 
 def disc_falls_apart():
-    """A disc with a crack along its middle, pressed between two plates until it splits; the upper plate is then taken away. With
-    K_I = sigma sqrt(pi a) N_I, sigma = P/(pi R) and K_I = 0.35085 P for a/R = 0.3 (as in stress_intensity/cracked_disc_03_0) the mean of both tips is
-    K_Ic where P + W/2 = K_Ic/0.35085: the weight W, borne below, is W/2 at both ends and a rest that is antisymmetric about the middle, which adds
-    to one tip what it takes from the other. The mean stress of the plate above, held along its upper side, is -P over its width."""
+    """A disc with a crack along its middle, pressed between two plates until it splits; the upper plate is then taken
+    away. With K_I = sigma sqrt(pi a) N_I, sigma = P/(pi R) and K_I = 0.35085 P for a/R = 0.3 (as in
+    stress_intensity/cracked_disc_03_0) the mean of both tips is K_Ic where P + W/2 = K_Ic/0.35085: the weight W, borne
+    below, is W/2 at both ends and a rest that is antisymmetric about the middle, which adds to one tip what it takes
+    from the other. The mean stress of the plate above, held along its upper side, is -P over its width."""
     young, poisson, tough, gravity, flat, half, width, high, dt, steps = 8e4, 0.2, 20, 10, 4, 0.3, 0.4, 0.15, 1.5e-3, 330
     right = arc(1, -90 + flat, 90 - flat, 24)
     corners = right + [(-x, -y) for x, y in right]
@@ -200,7 +202,7 @@ def disc_falls_apart():
     fall = '9 %: halves set out with some of the energy that the crack set free'
     rigid = 'fall of a rigid half beside its mirror image from when the tips went on (0.096, this program), by its energy'
     write_case(os.path.join(HERE, 'disc_falls_apart'), json.dumps(case, indent=1) + '\n',
-               [('syy', 2, -load / width, 0.09 * load / width, share, 'Atkinson, Smelser & Sanchez 1982; mean stress of the plate by equilibrium', 63 * dt)] +
+               [('syy', 2, -load / width, 0.09 * load / width, share, 'Atkinson, Smelser & Sanchez 1982; mean stress of the plate by equilibrium, one step before the tips go on (0.096, this program)', 63 * dt)] +
                [('tip_x', tip, 0, 0.035, 'a tenth of an increment: along the loaded diameter', 'symmetry', 68 * dt) for tip in (1, 2)] +
                [('centre_of_mass_x', '', 0, 0.005, even, 'symmetry', end), ('momentum_x', '', 0, 0.01, even, 'symmetry: nothing pushes sideways', end)] +
                [('point_dx', point, sign * x, 0.09 * x, fall, rigid, end) for point, sign in ((1, 1), (2, -1))] +

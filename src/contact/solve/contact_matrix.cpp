@@ -161,6 +161,7 @@ const CoupledRows& ContactMatrix::coupled() const {
   std::vector<Eigen::Index> others;
   std::vector<CoupledRows::Entry> entries;
   for (Eigen::Index i = 0; i < rows(); ++i) {
+    // Of a row without entries of blocks the coupling through shared functions is all there is.
     const bool is_shared_alone = row(i).of_vertex.size() == 0 && row(i).of_edge.size() == 0;
     if (is_shared_alone && !shared_.is_none() && shared_.entry(i, i) != 0) {
       all->add(shared_.entries(i));

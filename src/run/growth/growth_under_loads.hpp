@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "fracture/parting_faces.hpp"
