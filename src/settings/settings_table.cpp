@@ -261,24 +261,6 @@ std::vector<SettingRow> rows_of_solution() {
                 "length of a step along the path of equilibria, over that by which an equal share of the loads moves "
                 "elastic rock",
                 at(&C::path_step), real(kAboveZero))),
-      row(Materials::of_joints, "enforcement",
-          "contact forces by multipliers, by springs of the contact stiffness, or by such springs until nothing "
-          "overlaps; automatic: springs where more than a few blocks touch in a ring, else multipliers",
-          at(&C::enforcement),
-          one_of<Enforcement>({{Enforcement::lagrange, "lagrange"},
-                               {Enforcement::penalty, "penalty"},
-                               {Enforcement::augmented, "augmented"},
-                               {Enforcement::automatic, "automatic"}})),
-      row("spring_points", "where springs stand between two faces: at the ends, or three by Lobatto's rule",
-          at(&C::spring_points),
-          one_of<SpringPoints>({{SpringPoints::ends, "ends"}, {SpringPoints::lobatto, "lobatto"}})),
-      row("force_tolerance",
-          "residual of contact forces over the heaviest load that a step goes for where more than 50 touches are "
-          "settled "
-          "together",
-          at(&C::force_tolerance), real({0, true, 1e-3})),
-      row("impact", "what stops blocks that meet fast: a jump with restitution, or the contact springs", at(&C::impact),
-          one_of<ImpactLaw>({{ImpactLaw::jump, "jump"}, {ImpactLaw::springs, "springs"}})),
       under({"motion = dynamic", [](const Settings& s) { return s.standard.motion == MotionRule::dynamic; }},
             row("start", "strains and contact forces at the start", at(&C::start),
                 one_of<StartRule>({{StartRule::compatible, "compatible"}, {StartRule::sudden, "sudden"}}))),
@@ -294,6 +276,35 @@ std::vector<SettingRow> rows_of_solution() {
           at(&C::elastic_law),
           one_of<ElasticLaw>(
               {{ElasticLaw::st_venant_kirchhoff, "st_venant_kirchhoff"}, {ElasticLaw::logarithmic, "logarithmic"}})),
+  };
+}
+
+/// Of dynamics `standard`: what holds bodies apart.
+std::vector<SettingRow> rows_of_contact_forces() {
+  using C = StandardChoices;
+  return {
+      row(Materials::of_joints, "enforcement",
+          "contact forces by multipliers, by springs of the contact stiffness, or by such springs until nothing "
+          "overlaps; automatic: springs where more than a few blocks touch in a ring, else multipliers",
+          at(&C::enforcement),
+          one_of<Enforcement>({{Enforcement::lagrange, "lagrange"},
+                               {Enforcement::penalty, "penalty"},
+                               {Enforcement::augmented, "augmented"},
+                               {Enforcement::automatic, "automatic"}})),
+      row("spring_points", "where springs stand between two faces: at the ends, or three by Lobatto's rule",
+          at(&C::spring_points),
+          one_of<SpringPoints>({{SpringPoints::ends, "ends"}, {SpringPoints::lobatto, "lobatto"}})),
+      row("corner_rounding",
+          "overlap of two corners by which they still slide past each other, over half the width of the narrower "
+          "block; 0: sharp corners, which hang on a step of a micrometre",
+          at(&C::corner_rounding), real({0, false, 0.1})),
+      row("force_tolerance",
+          "residual of contact forces over the heaviest load that a step goes for where more than 50 touches are "
+          "settled "
+          "together",
+          at(&C::force_tolerance), real({0, true, 1e-3})),
+      row("impact", "what stops blocks that meet fast: a jump with restitution, or the contact springs", at(&C::impact),
+          one_of<ImpactLaw>({{ImpactLaw::jump, "jump"}, {ImpactLaw::springs, "springs"}})),
   };
 }
 
@@ -341,7 +352,7 @@ const std::vector<SettingRow>& table() {
     for (const auto& part : {rows_of_the_run(), rows_of_loads_and_materials(), rows_of_contact_and_steps(),
                              rows_of_trust(), rows_of_quirks()})
       all.insert(all.end(), part.begin(), part.end());
-    for (const auto& part : {rows_of_solution(), rows_of_integration()})
+    for (const auto& part : {rows_of_solution(), rows_of_contact_forces(), rows_of_integration()})
       for (const SettingRow& row : part) all.push_back(of(Dynamics::standard, row));
     return all;
   }();

@@ -66,6 +66,7 @@ struct StandardChoices {
   double force_tolerance =
       1e-6;  ///< of contact forces over the heaviest load, where more than fifty touches are settled together
   SpringPoints spring_points = SpringPoints::ends;
+  double corner_rounding = 1e-3;  ///< overlap by which corners still pass each other, over half the narrower width
   ImpactLaw impact = ImpactLaw::jump;
   PerMaterial<double> restitution = 0;  ///< rebound over approach speed of an impact; by joint material
 };

@@ -39,6 +39,7 @@ void describe(Archive& a, ContactMemory& memory) {
   a.value("normal_compliance", memory.normal_compliance);
   a.value("tangential_compliance", memory.tangential_compliance);
   a.value("normal_at_end", memory.normal_at_end);
+  a.value("tried_at", memory.tried_at);
   a.value("compression", memory.compression);
 }
 

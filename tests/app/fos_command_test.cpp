@@ -265,35 +265,4 @@ TEST(FosCommand, a_trial_beyond_its_limit_is_given_up_and_the_bracket_told_as_it
   EXPECT_TRUE(note.ends_with("nothing is known")) << note;
 }
 
-// Bedding of 33 degrees that comes out in the face, with steep joints across it: the rock above the lowest bed slides
-// on it as a whole. At each crossing corners of four blocks meet, and an equilibrium must not hang on one of them, nor
-// be sought for ever where one may slide past another.
-TEST(FosCommand, a_drawn_slope_with_crossing_joints_slides_on_its_lowest_bed) {
-  const double dip = 33, friction = 25;
-  std::string entities = "0\nPOLYLINE\n8\nBOUNDARY\n66\n1\n70\n1\n";
-  for (const auto& [x, y] : {std::pair{0., 0.}, {30., 0.}, {30., 15.}, {14., 15.}, {6., 4.}, {0., 4.}})
-    entities += fmt::format("0\nVERTEX\n8\nBOUNDARY\n10\n{}\n20\n{}\n", x, y);
-  entities += "0\nSEQEND\n";
-  const auto add = [&](const char* layer, double x, double y, double run, double rise) {
-    entities += fmt::format("0\nLINE\n8\n{}\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", layer, x, y, x + run, y + rise);
-  };
-  for (int i = 0; i < 5; ++i) add("JOINT_1", 5 + 2.5 * i, 4.8 + 0.5 * i, 33, 33 * tangent(dip));
-  for (int i = 0; i < 4; ++i) add("JOINT_2", 15.53 + 5 * i, -5, -24 * tangent(10), 24);
-  add("FIXED", 0, 0.01, 30, 0);
-  add("FIXED", 29.99, 0, 0, 15);
-  const std::string folder = fresh_folder("fos_crossings");
-  write_text(folder + "/slope.dxf", "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" +
-                                        entities + "0\nENDSEC\n0\nEOF\n");
-  write_text(folder + "/slope.json", fmt::format(R"({{"keyblock": 2, "drawing": "slope.dxf",
-    "units": {{"length": "m", "force": "kN", "time": "s"}},
-    "analysis": {{"step_count": 10, "time_step": "5 ms",
-      "block_materials": [{{"density": "2600 kg/m3", "youngs_modulus": "20 GPa", "poissons_ratio": 0.22}}],
-      "joint_materials": [{{"friction_angle_deg": {}}}, {{"friction_angle_deg": 35}}]}}}})",
-                                                 friction));
-  const ProgramRun run = run_keyblock({"fos", folder + "/slope.json", "--json"});
-  ASSERT_EQ(run.exit_code, 1) << "it is not safe: " << run.messages;
-  const Json found = Json::parse(run.output);
-  EXPECT_NEAR(found["factor_of_safety"].get<double>(), tangent(friction) / tangent(dip), 0.01);
-}
-
 }  // namespace keyblock::fos_command_test

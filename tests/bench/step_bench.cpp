@@ -156,7 +156,7 @@ Json parts_of_standard(const StandardStepper& stepper) {
   const UnknownsTable loads = loads_at(scene, motion.q, stepper.state().time);
   const Scales scales = scales_of(scene, loads, motion.q, motion.v);
   FoundTouches found;
-  parts["search"] = best([&] { found = touches_of(scene, motion, scales, dt); });
+  parts["search"] = best([&] { found = touches_of(scene, motion, scales, dt, GuidedCorners::by_motion); });
   ContactRows rows;
   parts["rows"] = best([&] { rows = contact_rows(scene.model, scene.reference, motion.q, found.touches); });
   SmoothMotion smooth;
@@ -166,8 +166,10 @@ Json parts_of_standard(const StandardStepper& stepper) {
                           step_rule(scene.settings.standard, dt));
   });
   parts["factors_of_forces"] = smooth.solves;
-  parts["overlaps"] = best(
-      [&] { newly_overlapping(scene, motion, vertices_at(scene.model, scene.reference, smooth.q), found, scales); });
+  parts["overlaps"] = best([&] {
+    newly_overlapping(scene, motion, vertices_at(scene.model, scene.reference, smooth.q), found, scales,
+                      GuidedCorners::by_motion);
+  });
   parts["state"] = best([&] { state_of(scene, motion); });
   return parts;
 }

@@ -108,6 +108,7 @@ const std::set<std::string> kNotShown{"penetration_limit",
                                       "energy_limit",         // of the record, not the run
                                       "allowed_penetration",  // of warnings
                                       "force_tolerance",      // more than 50 touches
+                                      "corner_rounding",      // crossing joints
                                       "ledger",
                                       "dynamics"};
 

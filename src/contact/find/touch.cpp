@@ -309,7 +309,7 @@ FoundTouches find_touches(const std::vector<ElementPair>& pairs, const Table<Ele
       const std::size_t first = found.touches.size();
       for (const ConvexPiece& of_a : pieces[a])
         for (const ConvexPiece& of_b : pieces[b])
-          PairTouches(of_a, of_b, vertices, search, search.slack_of(a, b)).add_to(found);
+          PairTouches(of_a, of_b, vertices, search, search.slack_of(a, b) + search.rounding_of(a, b)).add_to(found);
       drop_repeated(found.touches, first);
     }
   });

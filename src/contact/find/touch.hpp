@@ -60,6 +60,7 @@ struct CornerTie {
 struct FoundTouches {
   Touches touches;
   std::vector<CornerTie> ties;
+  Touches released = {};  ///< of ties: closed in the last step, and left open to see whether they still are
 };
 
 /// How finely touches are searched.
@@ -70,8 +71,14 @@ struct TouchSearch {
   Table<ElementIndex, double> slack = {};
   bool with_middles =
       false;  ///< a third point inside each shared stretch, weights 1/6, 4/6, 1/6 (Lobatto); else two halves
+  /// Overlap by which corners of two elements still pass each other, of each element: the lesser of the two counts.
+  /// None: no overlap.
+  const Table<ElementIndex, double>* rounding = nullptr;
 
   double slack_of(ElementIndex a, ElementIndex b) const { return slack.empty() ? 0 : std::max(slack[a], slack[b]); }
+  double rounding_of(ElementIndex a, ElementIndex b) const {
+    return rounding ? std::min((*rounding)[a], (*rounding)[b]) : 0;
+  }
 };
 
 /// The touches of the given pairs. For two convex pieces the line of reference is the edge, of either, from which the

@@ -251,6 +251,8 @@ inline constexpr int kMostSteps = 40;
 inline constexpr int kMostSearches = 4;
 // At rest is what moves by less than this share of what a free block does.
 inline constexpr double kAtRest = 1e-4;
+// Ways of two steps that differ by less than this share are as long: what does not rest goes on under settled forces.
+inline constexpr double kEvenly = 1e-3;
 // Of the largest load on a block; what steps of the run itself ask of as many touches.
 inline constexpr double kForceGoal = 1e-6;
 inline constexpr double kForceAcceptable = 1e-3;

@@ -25,7 +25,7 @@ class CompatibleSettling {
   CompatibleSettling(const StandardScene& scene, Motion motion)
       : start_(scene, std::move(motion)),
         unshifted_(start_.motion),
-        found_(touches_of(scene, start_.motion, start_.scales, scene.settings.time_step)) {}
+        found_(touches_of(scene, start_.motion, start_.scales, scene.settings.time_step, GuidedCorners::pass)) {}
 
   CompatibleStart run() {
     if (start_.tolerance == 0) return {std::move(start_.motion), {}};
@@ -165,7 +165,9 @@ class CompatibleSettling {
   // Corners where no edge led, and that strains and shifts have pressed together.
   void add_overlapping() {
     const auto vertices = vertices_at(start_.scene.model, start_.scene.reference, start_.motion.q);
-    const Touches fresh = newly_overlapping(start_.scene, unshifted_, vertices, found_, start_.scales);
+    unshifted_.closed = closed();
+    const Touches fresh =
+        newly_overlapping(start_.scene, unshifted_, vertices, found_, start_.scales, GuidedCorners::pass);
     if (fresh.empty()) return;
     const auto of_points = static_cast<Eigen::Index>(2 * (start_.bolts.size() + start_.scene.held.size()));
     Eigen::VectorXd grown = Eigen::VectorXd::Zero(start_.forces.size() + static_cast<Eigen::Index>(2 * fresh.size()));
@@ -185,14 +187,18 @@ class CompatibleSettling {
         greatest_shift_, asked_);
   }
 
-  void remember() {
+  ClosedContacts closed() const {
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < start_.touches.size(); ++i) {
       if (start_.normal(i) == 0) continue;
       const ContactLaw law = start_.law(i);
       closed.push_back({start_.touches[i], memory_of(law, start_.normal(i), start_.forces[start_.tangential(i)])});
     }
-    start_.motion.closed = ClosedContacts(std::move(closed));
+    return ClosedContacts(std::move(closed));
+  }
+
+  void remember() {
+    start_.motion.closed = closed();
     const Eigen::VectorXd longer = elongations(start_.scene.model, start_.scene.reference, start_.motion.q);
     for (std::size_t i = 0; i < start_.scene.model.bolts.size(); ++i) {
       const Bolt& bolt = start_.scene.model.bolts[i];

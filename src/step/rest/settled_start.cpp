@@ -31,7 +31,7 @@ class Settling {
   }
 
   Settled run() {
-    found_ = touches_of(scene_, motion_, scales_, scene_.settings.time_step);
+    found_ = touches_of(scene_, motion_, scales_, scene_.settings.time_step, GuidedCorners::pass);
     found_.touches = resting_touches(scene_, motion_, scales_);
     const UnknownsTable drawn = motion_.q;
     leave_unsupported(found_.touches);
@@ -39,24 +39,48 @@ class Settling {
     Motion before = motion_;  // with what the springs of the glue are compressed by
     before.q = drawn;
     add_overlapping(before);
-    double stiffness = of_settled_start::kShortest;
-    double first_share = 0;
-    for (int i = 0; i < of_settled_start::kMostSteps; ++i) {
-      const double moved = step(stiffness);
-      const double free = stiffness * scales_.force / (2 * scene_.normal_stiffness());
-      if (i == 0) first_share = moved / free;
-      tell_headway("start, glued blocks let go",
-                   std::max(double(i + 1) / of_settled_start::kMostSteps,
-                            share_of_fall(first_share, moved / free, of_settled_start::kAtRest)));
-      if (moved <= of_settled_start::kAtRest * free) break;
-      if (moved <= of_settled_start::kFarthest * scales_.size)
-        stiffness = std::min(of_settled_start::kGrowth * stiffness, of_settled_start::kLongest);
-    }
+    dissolve();
     motion_.v = velocities_;
     return {std::move(motion_), unsolved_};
   }
 
  private:
+  void dissolve() {
+    double stiffness = of_settled_start::kShortest;
+    double first_share = 0;
+    double slid = 0;  // steps so far, by their stiffness
+    for (int i = 0; i < of_settled_start::kMostSteps; ++i) {
+      const UnknownsTable last = std::move(moved_);
+      const double moved = step(stiffness);
+      const double free = stiffness * scales_.force / (2 * scene_.normal_stiffness());
+      slid += stiffness;
+      if (i == 0) first_share = moved / free;
+      tell_headway("start, glued blocks let go",
+                   std::max(double(i + 1) / of_settled_start::kMostSteps,
+                            share_of_fall(first_share, moved / free, of_settled_start::kAtRest)));
+      if (moved <= of_settled_start::kAtRest * free) break;
+      if (goes_on_evenly(last)) {
+        motion_.q = plus(motion_.q, -slid / stiffness, moved_);
+        break;
+      }
+      if (moved <= of_settled_start::kFarthest * scales_.size)
+        stiffness = std::min(of_settled_start::kGrowth * stiffness, of_settled_start::kLongest);
+    }
+  }
+
+  // Whether the last step was as long as the one before, for every block: what does not rest slides or falls, under
+  // forces that have settled, and may do so from where it was drawn.
+  bool goes_on_evenly(const UnknownsTable& last) const {
+    const double most = farthest(moved_);
+    return farthest(last) > 0 && most > 0 && farthest(plus(moved_, -1, last)) <= of_settled_start::kEvenly * most;
+  }
+  static double farthest(const UnknownsTable& ways) {
+    double most = 0;
+    for (const Unknowns& of : ways)
+      if (of.size() > 0) most = std::max(most, of.head<2>().norm());
+    return most;
+  }
+
   // All faces glued, and bolts and held points with them. What the glue bears is where the search for friction begins.
   void load_glued(const Touches& touches) {
     Touches faces;
@@ -114,8 +138,8 @@ class Settling {
       ++unsolved_;
       return of_settled_start::kFarthest * scales_.size;
     }
-    const UnknownsTable moved = plus(made.q, -1, motion_.q);
-    const Eigen::VectorXd way = rates(made.rows, moved);
+    moved_ = plus(made.q, -1, motion_.q);
+    const Eigen::VectorXd way = rates(made.rows, moved_);
     motion_.q = std::move(made.q);
     motion_.bonds = std::move(made.bonds);
     motion_.constraints = std::move(made.constraints);
@@ -128,16 +152,14 @@ class Settling {
             {touch, memory_of(made.laws[i], made.forces[n], made.forces[n + 1], way[n + 1], motion_.closed.of(touch))});
     }
     motion_.closed = ClosedContacts(std::move(closed));
-    double farthest = 0;
-    for (const Unknowns& of : moved)
-      if (of.size() > 0) farthest = std::max(farthest, of.head<2>().norm());
-    return farthest;
+    return farthest(moved_);
   }
 
   // Corners at nodes, where more than two blocks meet, and what else came round: without them blocks would slip past
   // each other.
   Touches overlapping_at(const UnknownsTable& q, const Motion& before) const {
-    return newly_overlapping(scene_, before, vertices_at(scene_.model, scene_.reference, q), found_, scales_);
+    return newly_overlapping(scene_, before, vertices_at(scene_.model, scene_.reference, q), found_, scales_,
+                             GuidedCorners::pass);
   }
   void add_overlapping(const Motion& before) {
     const Touches fresh = overlapping_at(motion_.q, before);
@@ -173,6 +195,7 @@ class Settling {
   UnknownsTable loads_;
   Scales scales_;
   FoundTouches found_;
+  UnknownsTable moved_;  ///< in the last step; empty where it was not solved
   int unsolved_ = 0;
 };
 

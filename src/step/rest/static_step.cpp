@@ -118,7 +118,7 @@ class StaticSolve {
     Motion still = now_;
     still.v.set_zero();
     const Scales scales = scales_of(scene_, loads, still.q, still.v);
-    FoundTouches found = touches_of(scene_, still, scales, tau_);
+    FoundTouches found = touches_of(scene_, still, scales, tau_, GuidedCorners::pass);
     const ForceTolerance tolerance{
         of_statics::kForceGoal * load_,
         std::max(of_statics::kForceAcceptable, of_statics::kForceOnTheWay * result_.residual) * load_};
@@ -129,7 +129,8 @@ class StaticSolve {
       made = smooth_solve(scene_, now_, loads, touches, tolerance, time_ - 1, 1, resting_rule(tau_));
       if (made.sweeps > 0) ++result_.fallbacks;
       const auto end = vertices_at(scene_.model, scene_.reference, made.q);
-      const Touches fresh = made.converged ? newly_overlapping(scene_, still, end, found, scales) : Touches{};
+      const Touches fresh =
+          made.converged ? newly_overlapping(scene_, still, end, found, scales, GuidedCorners::pass) : Touches{};
       if (fresh.empty()) break;
       found.touches.insert(found.touches.end(), fresh.begin(), fresh.end());
     }

@@ -37,7 +37,8 @@ std::vector<ClosedContact> with_open_ones(const StandardScene& scene, const Moti
   std::vector<ClosedContact> contacts = motion.closed.all();
   const std::size_t closed = contacts.size();
   const Scales scales = scales_of(scene, loads_at(scene, motion.q, state.time), motion.q, motion.v);
-  for (const Touch& touch : touches_of(scene, motion, scales, scene.settings.time_step).touches)
+  for (const Touch& touch :
+       touches_of(scene, motion, scales, scene.settings.time_step, GuidedCorners::by_motion).touches)
     if (motion.closed.of(touch) == nullptr) contacts.push_back({touch, {}});
   std::sort(contacts.begin() + static_cast<std::ptrdiff_t>(closed), contacts.end(),
             [](const ClosedContact& a, const ClosedContact& b) { return a.touch < b.touch; });

@@ -24,6 +24,9 @@ struct ContactMemory {
   /// to rest within the step. The next step pushes that out; no energy is held by it, nor by what a point slipped while
   /// it came to rest.
   double compression = 0;
+  /// Of a corner that might slide past the one it met: its force when it was last left open and the motion closed it
+  /// again. 0: it has not been.
+  double tried_at = 0;
 
   /// Held by the springs.
   double energy() const {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "contact/rows/point_motion.hpp"
+#include "geometry/polygon.hpp"
 #include "model/body_load.hpp"
 #include "model/setup/choose_basis.hpp"
 #include "step/groups/make_groups.hpp"
@@ -33,6 +34,18 @@ Point mass_centre_of(const StandardScene& scene) {
       sum = sum + body.mass * body.centre;
     });
   return mass > 0 ? (1 / mass) * sum : Point{};
+}
+
+// Twice the area over the perimeter, of all pieces: half the width of a long block, half the side of a square.
+double half_width_of(const ConvexPieces& pieces, const std::vector<Point>& vertices) {
+  double around = 0, twice_area = 0;
+  for (const ConvexPiece& piece : pieces) {
+    std::vector<Point> loop;
+    for (const VertexIndex v : piece.corners) loop.push_back(vertices[static_cast<std::size_t>(v.value)]);
+    twice_area += 2 * area(loop);
+    for (std::size_t i = 0; i < loop.size(); ++i) around += distance(loop[i], loop[(i + 1) % loop.size()]);
+  }
+  return around > 0 ? twice_area / around : 0;
 }
 
 // Bolts without stiffness pull with their pretension along the line of their ends.
@@ -62,6 +75,10 @@ StandardScene standard_scene(Model model, Settings settings, std::shared_ptr<con
   for (ElementIndex e : indices(scene.model.elements)) scene.pieces.push_back(convex_pieces(scene.model, e));
   for (ElementIndex e : indices(scene.pieces))
     if (!scene.pieces[e].empty()) scene.with_faces.push_back(e);
+  scene.rounding.reserve(scene.pieces.size());
+  for (const ConvexPieces& pieces : scene.pieces)
+    scene.rounding.push_back(scene.settings.standard.corner_rounding *
+                             half_width_of(pieces, scene.model.start_vertices));
   scene.held = held_points(scene.model);
   scene.mass_centre = mass_centre_of(scene);
   return scene;

@@ -28,6 +28,7 @@ struct StandardScene {
   std::shared_ptr<const BlockGroup> blocks;  ///< one of the groups
   std::shared_ptr<const Groundwork> groundwork;
   Table<ElementIndex, ConvexPieces> pieces;
+  Table<ElementIndex, double> rounding;  ///< of corners: the overlap by which two of them still pass each other
   std::vector<ElementIndex> with_faces;  ///< elements that something may touch
   std::vector<CarriedPoint> held;        ///< fixed points of elements that have unknowns
   Point mass_centre;                     ///< of the blocks that can move, at the start

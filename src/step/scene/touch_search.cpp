@@ -26,8 +26,13 @@ constexpr double kNewOverlap = 1e-9;
 // origin, and what a solution left. At half a millisecond a block of metres leaves it with a millimetre a second.
 constexpr double kPushedOut = 1e-7;
 
-// Of block size, between two corners: one that hangs on the other stays so near, one that passes it does not.
-constexpr double kHangs = 1e-6;
+// Least rounding of corners, as a share of block size: what springs and strains make of corners that were drawn as one.
+constexpr double kLeastRounding = 1e-6;
+// Overlap that closes corners again which were closed in the last step and left open in this one, as a share of block
+// size: no more than round-off, or they would gain speed until it is more.
+constexpr double kPressed = 1e-12;
+// Change of the force on such a corner, as a share of it, after which it is tried again whether they pass.
+constexpr double kAsPressed = 0.1;
 
 // Cosine of the angle between two faces that carry a block as one: two and a half degrees.
 constexpr double kSameLine = 0.999;
@@ -43,6 +48,7 @@ double top_speed(const StandardScene& scene, const UnknownsTable& v) {
 TouchSearch search_of(const StandardScene& scene, const Motion& motion, const Table<VertexIndex, Point>& vertices,
                       double reach) {
   TouchSearch search{reach, {}, scene.has_springs() && scene.settings.standard.spring_points == SpringPoints::lobatto};
+  search.rounding = &scene.rounding;
   search.slack.assign(scene.model.elements.size(), 0);
   for (const auto& [touch, memory] : motion.closed.all()) {
     if (memory.normal_compliance == 0) continue;
@@ -114,16 +120,15 @@ VertexIndex edge_under(const Touch& touch, const Model& model, const Table<Verte
 
 namespace {
 
-// Whether a corner that a tie holds on the corner it met may as well slide past it: another edge of the tie keeps the
-// two apart, and along the line of that edge a closed touch already guides one of them. The tie is then left open, and
-// closes again where the motion without it makes them overlap. At a crossing of joints opposite blocks meet so: one
-// hung on the line of the joint across while its own joint let it go.
-bool slides_along_another(const CornerTie& tie, const Touch& taken, const Touches& touches, const Motion& motion,
-                          const Table<VertexIndex, Point>& vertices, double overlap) {
-  if (distance(vertices[taken.vertex], vertices[taken.other]) > overlap) return false;
+// Whether two corners may slide past each other: a closed touch guides one of them along an edge of the other, or along
+// a face in line with it, and they overlap by no more than the rounding. At a crossing of joints opposite blocks meet
+// so: what one has sunk by more than the other would be a step in the joint, and a slope would hang on it.
+bool may_pass(const CornerTie& tie, const Touch& taken, const Touches& touches, const Motion& motion,
+              const Table<VertexIndex, Point>& vertices, double rounding) {
+  if (distance(vertices[taken.vertex], vertices[taken.other]) > rounding) return false;
   const Point normal = normal_of(taken, vertices);
   for (const Touch& other : tie.candidates) {
-    if (other.kind != TouchKind::corner || gap_of(other, vertices) < -overlap) continue;
+    if (other.kind != TouchKind::corner || gap_of(other, vertices) < -rounding) continue;
     const Point line = normal_of(other, vertices);
     if (std::abs(dot(normal, line)) > kSameLine) continue;
     for (const Touch& touch : touches) {
@@ -135,22 +140,38 @@ bool slides_along_another(const CornerTie& tie, const Touch& taken, const Touche
   return false;
 }
 
+double rounding_of(const StandardScene& scene, const Touch& touch, const Scales& scales) {
+  const auto of = [&](VertexIndex v) { return scene.rounding[scene.model.vertices[v].element]; };
+  return std::max(kLeastRounding * scales.size, std::min(of(touch.vertex), of(touch.start)));
+}
+
+const Touch* closed_before(const CornerTie& tie, const Motion& motion) {
+  const auto is_closed = [&](const Touch& touch) { return motion.closed.of(touch) != nullptr; };
+  const auto closed = std::ranges::find_if(tie.candidates, is_closed);
+  return closed == tie.candidates.end() ? nullptr : &*closed;
+}
+
+// A corner that is pressed as it was when the motion without it closed it again is not tried once more.
+bool was_tried(const ContactMemory& memory) {
+  return std::abs(memory.normal - memory.tried_at) <= kAsPressed * memory.tried_at;
+}
+
 }  // namespace
 
 FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt,
-                        HangingCorners hanging) {
+                        GuidedCorners guided) {
   const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;
   const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
   FoundTouches found = found_within(scene, vertices, search_of(scene, motion, vertices, reach));
   Touches closed;
   for (const CornerTie& tie : found.ties) {
-    const auto was_closed =
-        std::ranges::find_if(tie.candidates, [&](const Touch& touch) { return motion.closed.of(touch); });
-    if (was_closed != tie.candidates.end() &&
-        (hanging == HangingCorners::hold ||
-         !slides_along_another(tie, *was_closed, found.touches, motion, vertices, kHangs * scales.size)))
-      closed.push_back(*was_closed);
+    const Touch* touch = closed_before(tie, motion);
+    if (!touch) continue;
+    const bool is_tried = guided == GuidedCorners::by_motion && was_tried(*motion.closed.of(*touch));
+    const bool is_held =
+        is_tried || !may_pass(tie, *touch, found.touches, motion, vertices, rounding_of(scene, *touch, scales));
+    (is_held ? closed : found.released).push_back(*touch);
   }
   drop_known(closed, found.touches);
   found.touches.insert(found.touches.end(), closed.begin(), closed.end());
@@ -158,7 +179,7 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
 }
 
 Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
-                          const FoundTouches& known, const Scales& scales) {
+                          const FoundTouches& known, const Scales& scales, GuidedCorners guided) {
   Touches sorted = known.touches;
   std::set<Touch> added;
   bool is_sorted = false;  // few steps have a touch to look up
@@ -192,8 +213,12 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   const auto takes_none = [&](const Touch& touch) { return is_new(touch) || !lies_over_edge(touch, vertices); };
   for (const std::vector<CornerTie>* ties : {&known.ties, &found.ties}) {
     for (const CornerTie& tie : *ties) {
-      const Touch* touch = touch_of(tie, before, vertices, overlap);
+      const bool was_closed = closed_before(tie, start) != nullptr;
+      const Touch* touch = touch_of(tie, before, vertices, was_closed ? kPressed * scales.size : overlap);
       if (!touch || !is_new(*touch) || !std::ranges::all_of(tie.candidates, takes_none)) continue;
+      if (guided == GuidedCorners::pass &&
+          may_pass(tie, *touch, known.touches, start, vertices, rounding_of(scene, *touch, scales)))
+        continue;
       added.insert(*touch);
       fresh.push_back(*touch);
     }
@@ -236,7 +261,7 @@ void leave_overlaps(const StandardScene& scene, const Motion& start, const Scale
 
 Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales) {
   const double dt = scene.settings.time_step;
-  const Touches all = touches_of(scene, motion, scales, dt).touches;
+  const Touches all = touches_of(scene, motion, scales, dt, GuidedCorners::pass).touches;
   const double slow = slow_speed(scene, scales, motion.v, dt);
   const Eigen::VectorXd speeds = rates(contact_rows(scene.model, scene.reference, motion.q, all), motion.v);
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);

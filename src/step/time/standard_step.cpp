@@ -63,7 +63,7 @@ class Attempt {
     scales_ = scales_of(scene, loads_, start.q, start.v);
     add_centrifugal_force(scene, start.v, loads_);
     scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
-    found_ = touches_of(scene, start, scales_, dt, HangingCorners::slide_past);
+    found_ = touches_of(scene, start, scales_, dt, GuidedCorners::by_motion);
     leave_overlaps(scene, start, scales_, found_.touches);
     least_force_ = of_steps::kForceGoal * scales_.force + of_steps::kMomentumGoal * scales_.momentum / dt;
   }
@@ -135,7 +135,7 @@ class Attempt {
       step_.fallbacks += smooth_.sweeps > 0 ? 1 : 0;
       if (!smooth_.converged) return;
       const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
-      Touches fresh = newly_overlapping(scene_, start_, end, found_, scales_);
+      Touches fresh = newly_overlapping(scene_, start_, end, found_, scales_, GuidedCorners::by_motion);
       if (fresh.empty()) return;
       leave_overlaps(scene_, start_, scales_, fresh);
       found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
@@ -251,6 +251,8 @@ class Attempt {
         memory.compression = by_gap * law.normal_compliance;
         if (!smooth_.rate_laws[i]) memory.normal_at_end = by_gap;
       }
+      const ContactMemory* before = start_.closed.of(touch);
+      memory.tried_at = std::ranges::count(found_.released, touch) > 0 ? normal(i) : before ? before->tried_at : 0;
       closed.push_back({touch, memory});
     }
     step_.motion.closed = ClosedContacts(std::move(closed));
