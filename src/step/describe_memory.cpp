@@ -95,6 +95,10 @@ void describe(Archive& a, Motion& motion, VertexIndex vertices) {
     a.value("length", bond.length);
   });
   a.group("ties", [&] { describe(a, motion.constraints); });
+  a.list("passing", motion.passing, [&](CornerPair& pair) {
+    a.index("lower", pair.lower, vertices);
+    a.index("upper", pair.upper, vertices);
+  });
   if (motion.q.shared.size() > 0) a.value("given_up", motion.given_up);
   describe_points(a, "points_of_blocks", motion.points.blocks);
   describe_points(a, "points_of_covers", motion.points.covers);

@@ -45,6 +45,27 @@ struct Leading {
   double separation = -std::numeric_limits<double>::infinity();
 };
 
+Touch against(Edge e, VertexIndex vertex, VertexIndex met) {
+  Touch touch{vertex, e.start, e.end};
+  touch.other = met;
+  return touch;
+}
+
+Touch bisector(const Touch& first, const Touch& second, bool of_two_elements) {
+  Touch touch = first;
+  touch.kind = TouchKind::bisector;
+  touch.second_start = second.start;
+  touch.second_end = second.end;
+  touch.second_sign = of_two_elements ? -1 : 1;
+  return touch;
+}
+
+// The two edges run against each other: low on one is high on the other.
+Facing facing_of(Edge reference, Edge facing, int place) {
+  if (reference.start < facing.start) return {reference.start, facing.start, place};
+  return {facing.start, reference.start, 2 - place};
+}
+
 class PairTouches {
  public:
   PairTouches(const ConvexPiece& a, const ConvexPiece& b, const Table<VertexIndex, Point>& vertices,
@@ -59,24 +80,41 @@ class PairTouches {
     a_leads_ = of_a_.separation >= of_b_.separation - kTie * length(along(of_b_.edge));
   }
 
-  void add_to(FoundTouches& found) const {
+  void add_to(FoundTouches& found, double rounding) const {
     const Leading& reference = a_leads_ ? of_a_ : of_b_;
     if (reference.separation > search_.reach || reference.edge.is_inner) return;
     const Edge facing = most_opposed(reference.edge, a_leads_ ? b_ : a_);
-    CornerTie tie;
-    if (corners_meet(reference) && !is_wedge(reference, facing)) {
-      tie = tie_of(leading(a_, b_, reference.separation), leading(b_, a_, reference.separation));
-      if (tie.candidates.empty() && only_ends_meet(reference, facing)) tie = tie_at_corners();
-    }
+    CornerTie tie = tie_between(reference, facing);
     if (!tie.candidates.empty()) {
-      found.ties.push_back(tie);
+      found.ties.push_back(std::move(tie));
       return;
     }
-    const Touches touches = along_stretch(reference.edge, facing);
-    found.touches.insert(found.touches.end(), touches.begin(), touches.end());
+    Touches touches = along_stretch(reference.edge, facing);
+    if (rounding > 0) tie = rounded_by(rounding).tie_between(reference, facing);
+    if (!tie.candidates.empty()) {
+      tie.rounding = rounding;
+      tie.sharp = std::move(touches);
+      found.ties.push_back(std::move(tie));
+    } else {
+      found.touches.insert(found.touches.end(), touches.begin(), touches.end());
+    }
   }
 
  private:
+  PairTouches rounded_by(double rounding) const {
+    PairTouches rounded = *this;
+    rounded.slack_ += rounding;
+    return rounded;
+  }
+
+  // Without candidates where an edge leads.
+  CornerTie tie_between(const Leading& reference, Edge facing) const {
+    if (!corners_meet(reference) || is_wedge(reference, facing)) return {};
+    CornerTie tie = tie_of(leading(a_, b_, reference.separation), leading(b_, a_, reference.separation));
+    if (tie.candidates.empty() && only_ends_meet(reference, facing)) tie = tie_at_corners();
+    return tie;
+  }
+
   Point at(VertexIndex v) const { return vertices_[v]; }
   Point along(Edge e) const { return at(e.end) - at(e.start); }
   Point direction(Edge e) const { return (1 / length(along(e))) * along(e); }
@@ -183,26 +221,12 @@ class PairTouches {
     return nearest;
   }
 
-  static Touch against(Edge e, VertexIndex vertex, VertexIndex met) {
-    Touch touch{vertex, e.start, e.end};
-    touch.other = met;
-    return touch;
-  }
   // A face that rests on springs leans by their slack over its length; that makes no corner of it.
   bool parallel(const Touch& a, const Touch& b) const {
     const Edge first{a.start, a.end}, second{b.start, b.end};
     const double shorter = std::min(length(along(first)), length(along(second)));
     return std::abs(cross(direction(first), direction(second))) < kParallel + slack_ / shorter;
   }
-  static Touch bisector(const Touch& first, const Touch& second, bool of_two_elements) {
-    Touch touch = first;
-    touch.kind = TouchKind::bisector;
-    touch.second_start = second.start;
-    touch.second_end = second.end;
-    touch.second_sign = of_two_elements ? -1 : 1;
-    return touch;
-  }
-
   Edge most_opposed(Edge reference, const ConvexPiece& other) const {
     const Point line = direction(reference);
     Edge best = edge_of(other, 0);
@@ -272,12 +296,6 @@ class PairTouches {
     return touches;
   }
 
-  // The two edges run against each other: low on one is high on the other.
-  static Facing facing_of(Edge reference, Edge facing, int place) {
-    if (reference.start < facing.start) return {reference.start, facing.start, place};
-    return {facing.start, reference.start, 2 - place};
-  }
-
   double station(Edge reference, VertexIndex v) const { return dot(at(v) - at(reference.start), direction(reference)); }
 
   const Table<VertexIndex, Point>& vertices_;
@@ -309,7 +327,7 @@ FoundTouches find_touches(const std::vector<ElementPair>& pairs, const Table<Ele
       const std::size_t first = found.touches.size();
       for (const ConvexPiece& of_a : pieces[a])
         for (const ConvexPiece& of_b : pieces[b])
-          PairTouches(of_a, of_b, vertices, search, search.slack_of(a, b) + search.rounding_of(a, b)).add_to(found);
+          PairTouches(of_a, of_b, vertices, search, search.slack_of(a, b)).add_to(found, search.rounding_of(a, b));
       drop_repeated(found.touches, first);
     }
   });
@@ -354,10 +372,15 @@ bool lies_over_edge(const Touch& touch, const Table<VertexIndex, Point>& vertice
 const Touch* touch_of(const CornerTie& tie, const Table<VertexIndex, Point>& before,
                       const Table<VertexIndex, Point>& after, double overlap) {
   const auto gained = [&](const Touch& touch) { return gap_of(touch, after) - std::min(0.0, gap_of(touch, before)); };
+  // An edge that the corner has run past cannot take it.
+  const auto fitness = [&](const Touch& touch) { return std::pair{lies_over_edge(touch, after), gained(touch)}; };
   const Touch* best = nullptr;
-  for (const Touch& touch : tie.candidates)
-    if (touch.kind == TouchKind::corner && (!best || gained(touch) > gained(*best))) best = &touch;
-  if (!best || gained(*best) >= -overlap) return nullptr;
+  for (const Touch& touch : tie.candidates) {
+    if (touch.kind != TouchKind::corner) continue;
+    if (gained(touch) >= -overlap) return nullptr;
+    if (!best || fitness(touch) > fitness(*best)) best = &touch;
+  }
+  if (!best) return nullptr;
   for (const Touch& touch : tie.candidates) {
     if (touch.kind != TouchKind::bisector) continue;
     Touch first = touch;

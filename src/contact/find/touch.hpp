@@ -54,7 +54,9 @@ using Touches = std::vector<Touch>;
 /// Corner on corner, neither edge leading: which of them takes the touch cannot be said before it is known how they
 /// move.
 struct CornerTie {
-  Touches candidates;  ///< one an edge, then one bisector a pair of edges that are not parallel
+  Touches candidates;   ///< one an edge, then one bisector a pair of edges that are not parallel
+  double rounding = 0;  ///< > 0: an edge does lead, by no more than this
+  Touches sharp = {};   ///< what touches along that edge
 };
 
 struct FoundTouches {

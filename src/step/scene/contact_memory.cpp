@@ -40,6 +40,10 @@ std::pair<std::uint32_t, std::uint32_t> places(const std::vector<std::uint32_t>&
 
 }  // namespace
 
+CornerPair corners_of(const Touch& touch) {
+  return {std::min(touch.vertex, touch.other), std::max(touch.vertex, touch.other)};
+}
+
 ClosedContacts::ClosedContacts(std::vector<ClosedContact> contacts) : by_touch_(std::move(contacts)) {
   std::ranges::stable_sort(by_touch_, {}, &ClosedContact::touch);
   keep_last(by_touch_, [](const ClosedContact& a, const ClosedContact& b) { return a.touch == b.touch; });

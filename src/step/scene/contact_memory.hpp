@@ -24,9 +24,7 @@ struct ContactMemory {
   /// to rest within the step. The next step pushes that out; no energy is held by it, nor by what a point slipped while
   /// it came to rest.
   double compression = 0;
-  /// Of a corner that might slide past the one it met: its force when it was last left open and the motion closed it
-  /// again. 0: it has not been.
-  double tried_at = 0;
+  double tried_at = 0;  ///< force when the motion, without it, last closed it; 0: it was closed at the start
 
   /// Held by the springs.
   double energy() const {
@@ -68,6 +66,17 @@ class ClosedContacts {
 
 /// Saves or restores; every index lies below `vertices`.
 void describe(Archive& archive, ClosedContacts& contacts, VertexIndex vertices);
+
+/// Two corners that met; the same whichever edge a touch between them is on.
+struct CornerPair {
+  VertexIndex lower;
+  VertexIndex upper;
+
+  auto operator<=>(const CornerPair&) const = default;
+};
+
+/// Of a touch between two corners.
+CornerPair corners_of(const Touch& touch);
 
 /// Bolts and held points.
 struct ConstraintMemory {

@@ -60,7 +60,8 @@ struct Motion : BodiesMotion {
   ClosedContacts closed;
   Bonds bonds;
   ConstraintMemory constraints;
-  double given_up = 0;  ///< energy that the clean-up of the last step took where bodies resolve impacts
+  std::vector<CornerPair> passing;  ///< let go in a step whose motion did not press them together; sorted
+  double given_up = 0;              ///< energy that the clean-up of the last step took where bodies resolve impacts
 };
 
 Motion start_motion(const StandardScene& scene);

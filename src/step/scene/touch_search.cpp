@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -83,7 +84,10 @@ FoundTouches found_within(const StandardScene& scene, const Table<VertexIndex, P
   });
   FoundTouches found = find_touches(pairs, scene.pieces, vertices, search);
   name_joints(found.touches, scene.model, vertices);
-  for (CornerTie& tie : found.ties) name_joints(tie.candidates, scene.model, vertices);
+  for (CornerTie& tie : found.ties) {
+    name_joints(tie.candidates, scene.model, vertices);
+    name_joints(tie.sharp, scene.model, vertices);
+  }
   return found;
 }
 
@@ -120,24 +124,50 @@ VertexIndex edge_under(const Touch& touch, const Model& model, const Table<Verte
 
 namespace {
 
-// Whether two corners may slide past each other: a closed touch guides one of them along an edge of the other, or along
-// a face in line with it, and they overlap by no more than the rounding. At a crossing of joints opposite blocks meet
-// so: what one has sunk by more than the other would be a step in the joint, and a slope would hang on it.
+// Whether a closed touch guides one of the corners of a tie along the edge of a candidate, or along a face in line with
+// it.
+bool is_guided_along(const Touch& candidate, const Touches& touches, const Motion& motion,
+                     const Table<VertexIndex, Point>& vertices) {
+  const Point line = normal_of(candidate, vertices);
+  return std::ranges::any_of(touches, [&](const Touch& touch) {
+    const bool on_edge = touch.start == candidate.start && touch.end == candidate.end;
+    const bool in_line = touch.vertex == candidate.vertex && dot(normal_of(touch, vertices), line) > kSameLine;
+    return (on_edge || in_line) && motion.closed.of(touch);
+  });
+}
+
+// Whether two corners may slide past each other: one is guided along another edge than that of the touch, and they
+// overlap by no more than the rounding. At a crossing of joints opposite blocks meet so: what one has sunk by more than
+// the other would be a step in the joint, and a slope would hang on it.
 bool may_pass(const CornerTie& tie, const Touch& taken, const Touches& touches, const Motion& motion,
               const Table<VertexIndex, Point>& vertices, double rounding) {
   if (distance(vertices[taken.vertex], vertices[taken.other]) > rounding) return false;
   const Point normal = normal_of(taken, vertices);
-  for (const Touch& other : tie.candidates) {
-    if (other.kind != TouchKind::corner || gap_of(other, vertices) < -rounding) continue;
-    const Point line = normal_of(other, vertices);
-    if (std::abs(dot(normal, line)) > kSameLine) continue;
-    for (const Touch& touch : touches) {
-      const bool on_edge = touch.start == other.start && touch.end == other.end;
-      const bool in_line = touch.vertex == other.vertex && dot(normal_of(touch, vertices), line) > kSameLine;
-      if ((on_edge || in_line) && motion.closed.of(touch)) return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(tie.candidates, [&](const Touch& other) {
+    return other.kind == TouchKind::corner && gap_of(other, vertices) >= -rounding &&
+           std::abs(dot(normal, normal_of(other, vertices))) <= kSameLine &&
+           is_guided_along(other, touches, motion, vertices);
+  });
+}
+
+// Corners that pass each other along no line within their rounding, as fast as they go, strike each other as if they
+// were sharp: an impact has to be known before it overlaps.
+void sharpen_struck_corners(const StandardScene& scene, const Motion& motion, double dt,
+                            const Table<VertexIndex, Point>& vertices, FoundTouches& found) {
+  const auto strikes = [&](const CornerTie& tie) {
+    Touches edges;
+    std::ranges::copy_if(tie.candidates, std::back_inserter(edges),
+                         [](const Touch& touch) { return touch.kind == TouchKind::corner; });
+    const Eigen::VectorXd speeds = rates(contact_rows(scene.model, scene.reference, motion.q, edges), motion.v);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      if (gap_of(edges[i], vertices) + speeds[static_cast<Eigen::Index>(2 * i)] * dt >= -tie.rounding) return false;
+    return true;
+  };
+  std::erase_if(found.ties, [&](const CornerTie& tie) {
+    if (tie.rounding == 0 || !strikes(tie)) return false;
+    found.touches.insert(found.touches.end(), tie.sharp.begin(), tie.sharp.end());
+    return true;
+  });
 }
 
 double rounding_of(const StandardScene& scene, const Touch& touch, const Scales& scales) {
@@ -164,6 +194,7 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
   const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
   FoundTouches found = found_within(scene, vertices, search_of(scene, motion, vertices, reach));
+  if (guided == GuidedCorners::by_motion) sharpen_struck_corners(scene, motion, dt, vertices, found);
   Touches closed;
   for (const CornerTie& tie : found.ties) {
     const Touch* touch = closed_before(tie, motion);
@@ -216,9 +247,9 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
       const bool was_closed = closed_before(tie, start) != nullptr;
       const Touch* touch = touch_of(tie, before, vertices, was_closed ? kPressed * scales.size : overlap);
       if (!touch || !is_new(*touch) || !std::ranges::all_of(tie.candidates, takes_none)) continue;
-      if (guided == GuidedCorners::pass &&
-          may_pass(tie, *touch, known.touches, start, vertices, rounding_of(scene, *touch, scales)))
-        continue;
+      const bool passes =
+          guided == GuidedCorners::pass || std::ranges::binary_search(start.passing, corners_of(*touch));
+      if (passes && may_pass(tie, *touch, known.touches, start, vertices, rounding_of(scene, *touch, scales))) continue;
       added.insert(*touch);
       fresh.push_back(*touch);
     }

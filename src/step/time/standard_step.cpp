@@ -256,6 +256,23 @@ class Attempt {
       closed.push_back({touch, memory});
     }
     step_.motion.closed = ClosedContacts(std::move(closed));
+    step_.motion.passing = passing();
+  }
+
+  // Corners that were let go, now or before, are still near each other, and that nothing pressed together.
+  std::vector<CornerPair> passing() const {
+    std::vector<CornerPair> passing;
+    for (const CornerTie& tie : found_.ties) {
+      const CornerPair corners = corners_of(tie.candidates.front());
+      const auto is_released = [&](const Touch& touch) { return std::ranges::count(found_.released, touch) > 0; };
+      const bool is_let_go =
+          std::ranges::binary_search(start_.passing, corners) || std::ranges::any_of(tie.candidates, is_released);
+      const auto is_closed_now = [&](const Touch& touch) { return step_.motion.closed.of(touch) != nullptr; };
+      if (is_let_go && std::ranges::none_of(tie.candidates, is_closed_now)) passing.push_back(corners);
+    }
+    std::ranges::sort(passing);
+    passing.erase(std::ranges::unique(passing).begin(), passing.end());
+    return passing;
   }
 
   const StandardScene& scene_;
