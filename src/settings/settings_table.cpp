@@ -294,10 +294,11 @@ std::vector<SettingRow> rows_of_contact_forces() {
       row("spring_points", "where springs stand between two faces: at the ends, or three by Lobatto's rule",
           at(&C::spring_points),
           one_of<SpringPoints>({{SpringPoints::ends, "ends"}, {SpringPoints::lobatto, "lobatto"}})),
-      row("corner_rounding",
-          "overlap of two corners by which they still slide past each other, over half the width of the narrower "
-          "block; 0: sharp corners, which hang on a step of a micrometre",
-          at(&C::corner_rounding), real({0, false, 0.1})),
+      under({"impact = jump", [](const Settings& s) { return s.standard.impact == ImpactLaw::jump; }},
+            row("corner_rounding",
+                "overlap of two corners by which they still slide past each other, over half the width of the narrower "
+                "block; 0: sharp but for a millionth of the largest block, so that they hang on small steps",
+                at(&C::corner_rounding), real({0, false, 0.1}))),
       row("force_tolerance",
           "residual of contact forces over the heaviest load that a step goes for where more than 50 touches are "
           "settled "

@@ -306,9 +306,9 @@ std::size_t log_errors(const std::vector<formats::FileReading>& files, const Cas
 }
 
 // A folder with one case stands for its files.
-std::vector<std::string> inputs_of(const std::vector<std::string>& paths) {
+std::vector<std::string> inputs_of(const CheckOptions& options) {
   std::vector<std::string> files;
-  for (const std::string& path : paths) {
+  for (const std::string& path : options.files) {
     if (!std::filesystem::is_directory(path)) {
       files.push_back(path);
       continue;
@@ -316,7 +316,9 @@ std::vector<std::string> inputs_of(const std::vector<std::string>& paths) {
     if (study::find_cases({path}).size() != 1)
       throw UsageError(fmt::format(
           "check: expected files, the folder of one case, or a folder of cases alone; found the folder {} {}", path,
-          paths.size() > 1 ? "beside others" : "and --layers"));
+          options.files.size() > 1 ? "beside others"
+          : options.layers.empty() ? "and --set"
+                                   : "and --layers"));
     const std::vector<std::string> inputs = study::the_case_in(path).inputs();
     files.insert(files.end(), inputs.begin(), inputs.end());
   }
@@ -336,7 +338,7 @@ bool is_folder_of_cases(const std::vector<std::string>& paths) {
 ExitCode check_files(const CheckOptions& options) {
   if (is_folder_of_cases(options.files) && options.layers.empty() && options.sets.empty())
     return check_folder(options.files.front(), options.profile, options.as_json);
-  std::vector<std::string> inputs = inputs_of(options.files);
+  std::vector<std::string> inputs = inputs_of(options);
   take_layers(inputs, options.layers);
   const std::vector<formats::FileReading> files = formats::read_files(inputs);
   const CaseReport report = report_of(files, options);

@@ -92,7 +92,7 @@ class PairTouches {
     Touches touches = along_stretch(reference.edge, facing);
     if (rounding > 0) tie = rounded_by(rounding).tie_between(reference, facing);
     if (!tie.candidates.empty()) {
-      tie.rounding = rounding;
+      tie.rounding = slack_ + rounding;
       tie.sharp = std::move(touches);
       found.ties.push_back(std::move(tie));
     } else {
@@ -372,15 +372,10 @@ bool lies_over_edge(const Touch& touch, const Table<VertexIndex, Point>& vertice
 const Touch* touch_of(const CornerTie& tie, const Table<VertexIndex, Point>& before,
                       const Table<VertexIndex, Point>& after, double overlap) {
   const auto gained = [&](const Touch& touch) { return gap_of(touch, after) - std::min(0.0, gap_of(touch, before)); };
-  // An edge that the corner has run past cannot take it.
-  const auto fitness = [&](const Touch& touch) { return std::pair{lies_over_edge(touch, after), gained(touch)}; };
   const Touch* best = nullptr;
-  for (const Touch& touch : tie.candidates) {
-    if (touch.kind != TouchKind::corner) continue;
-    if (gained(touch) >= -overlap) return nullptr;
-    if (!best || fitness(touch) > fitness(*best)) best = &touch;
-  }
-  if (!best) return nullptr;
+  for (const Touch& touch : tie.candidates)
+    if (touch.kind == TouchKind::corner && (!best || gained(touch) > gained(*best))) best = &touch;
+  if (!best || gained(*best) >= -overlap) return nullptr;
   for (const Touch& touch : tie.candidates) {
     if (touch.kind != TouchKind::bisector) continue;
     Touch first = touch;

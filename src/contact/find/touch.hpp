@@ -51,8 +51,8 @@ struct Touch {
 
 using Touches = std::vector<Touch>;
 
-/// Corner on corner, neither edge leading: which of them takes the touch cannot be said before it is known how they
-/// move.
+/// Corner on corner, no edge leading, or by no more than corners are rounded: which of them takes the touch cannot be
+/// said before it is known how they move.
 struct CornerTie {
   Touches candidates;   ///< one an edge, then one bisector a pair of edges that are not parallel
   double rounding = 0;  ///< > 0: an edge does lead, by no more than this

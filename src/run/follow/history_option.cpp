@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -95,7 +97,8 @@ HistoryPlan history_of(const std::string& text) {
   }
   if (wanted == 0) refuse_history(text, nearest_words(word, known));
   const std::string_view what = rest.substr(colon + 1);
-  if (word == "bolt" && what.find_first_not_of("0123456789") != std::string_view::npos)
+  const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0; };
+  if (word == "bolt" && std::ranges::any_of(what, is_letter))
     refuse_history(text, ": bolts have numbers here, names in the case file");
   const std::vector<double> values = numbers_in(what, text);
   if (values.size() != wanted) refuse_history(text);

@@ -13,10 +13,10 @@ namespace {
 // Of the length of a line: corners at its ends count where round-off, or rock that bulges, puts them just beyond.
 constexpr double kBeyondEnds = 1e-3;
 
-bool lies_along(const Segment& line, Point p) {
+bool lies_along(const Segment& line, Point p, double beyond = kBeyondEnds) {
   const Point along = line.end - line.start;
   const double share = dot(p - line.start, along) / dot(along, along);
-  return share >= -kBeyondEnds && share <= 1 + kBeyondEnds;
+  return share >= -beyond && share <= 1 + beyond;
 }
 
 class Sum {
@@ -48,7 +48,7 @@ int body_across(const Segment& line, const Manifold& manifold) {
   std::map<int, bool> side_of_body;
   for (const ManifoldElement& element : manifold.elements) {
     const Point middle = centroid(manifold.polygon(element).front());
-    if (!lies_along(line, middle)) continue;
+    if (!lies_along(line, middle, 0)) continue;
     const bool is_left = cross(line.end - line.start, middle - line.start) > 0;
     if (side_of_body.try_emplace(element.body, is_left).first->second != is_left) return element.body;
   }

@@ -7,7 +7,7 @@
 namespace keyblock {
 
 /// Of models of the same rock, which differ by cracks and by the mesh of bodies on covers: the blocks before them are
-/// the same; of an element on covers that which holds a point inside it. Throws std::logic_error where none does.
+/// the same; of an element on covers that which holds a point inside it, or comes nearest to one.
 Table<ElementIndex, ElementIndex> parents_by_place(const Model& before, const Model& after);
 
 }  // namespace keyblock

@@ -53,7 +53,7 @@ class Settling {
       const UnknownsTable last = std::move(moved_);
       const double moved = step(stiffness);
       const double free = stiffness * scales_.force / (2 * scene_.normal_stiffness());
-      slid += stiffness;
+      if (farthest(moved_) > 0) slid += stiffness;
       if (i == 0) first_share = moved / free;
       tell_headway("start, glued blocks let go",
                    std::max(double(i + 1) / of_settled_start::kMostSteps,

@@ -59,6 +59,13 @@ class Names {
     return rename(facing.lower) && rename(facing.upper);  // blocks stay in order, and so do their edges
   }
 
+  /// False where one of the corners is gone.
+  bool rename(CornerPair& corners) const {
+    if (!rename(corners.lower) || !rename(corners.upper)) return false;
+    if (corners.upper < corners.lower) std::swap(corners.lower, corners.upper);
+    return true;
+  }
+
  private:
   bool rename(VertexIndex& v) const {
     if (!v) return true;
@@ -77,6 +84,12 @@ ClosedContacts carried_contacts(const ClosedContacts& closed, const Names& names
   for (const ClosedContact& contact : closed.all())
     if (const std::optional<Touch> touch = names.of(contact.touch)) kept.push_back({*touch, contact.memory});
   return ClosedContacts(std::move(kept));
+}
+
+std::vector<CornerPair> carried_passing(std::vector<CornerPair> passing, const Names& names) {
+  std::erase_if(passing, [&](CornerPair& corners) { return !names.rename(corners); });
+  std::ranges::sort(passing);
+  return passing;
 }
 
 /// Whether one of two edges that were there before is of another joint material now.
@@ -232,6 +245,7 @@ Motion carried_motion(const StandardScene& before, const Motion& motion, const S
   for (const auto& group : after.groups) group->carry(after.parts(), bodies, carried);
   const Names names(map, before, after);
   carried.closed = carried_contacts(motion.closed, names);
+  carried.passing = carried_passing(motion.passing, names);
   carried.bonds = carried_bonds(motion.bonds, names, map, before, carried, after, time);
   carry_constraints(before, motion, map, after, carried);
   return carried;

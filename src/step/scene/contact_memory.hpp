@@ -24,7 +24,7 @@ struct ContactMemory {
   /// to rest within the step. The next step pushes that out; no energy is held by it, nor by what a point slipped while
   /// it came to rest.
   double compression = 0;
-  double tried_at = 0;  ///< force when the motion, without it, last closed it; 0: it was closed at the start
+  double tried_at = 0;  ///< force when the motion, without it, last closed it; 0: no step did
 
   /// Held by the springs.
   double energy() const {

@@ -36,14 +36,15 @@ Point mass_centre_of(const StandardScene& scene) {
   return mass > 0 ? (1 / mass) * sum : Point{};
 }
 
-// Twice the area over the perimeter, of all pieces: half the width of a long block, half the side of a square.
+// Twice the area over the perimeter: half the width of a long block, half the side of a square.
 double half_width_of(const ConvexPieces& pieces, const std::vector<Point>& vertices) {
   double around = 0, twice_area = 0;
   for (const ConvexPiece& piece : pieces) {
     std::vector<Point> loop;
     for (const VertexIndex v : piece.corners) loop.push_back(vertices[static_cast<std::size_t>(v.value)]);
     twice_area += 2 * area(loop);
-    for (std::size_t i = 0; i < loop.size(); ++i) around += distance(loop[i], loop[(i + 1) % loop.size()]);
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      if (!piece.is_inner[i]) around += distance(loop[i], loop[(i + 1) % loop.size()]);
   }
   return around > 0 ? twice_area / around : 0;
 }
@@ -76,9 +77,11 @@ StandardScene standard_scene(Model model, Settings settings, std::shared_ptr<con
   for (ElementIndex e : indices(scene.pieces))
     if (!scene.pieces[e].empty()) scene.with_faces.push_back(e);
   scene.rounding.reserve(scene.pieces.size());
+  // Springs that stop impacts would push out all of an overlap that corners were let pass with.
+  const StandardChoices& choices = scene.settings.standard;
+  const double rounding = choices.impact == ImpactLaw::springs ? 0 : choices.corner_rounding;
   for (const ConvexPieces& pieces : scene.pieces)
-    scene.rounding.push_back(scene.settings.standard.corner_rounding *
-                             half_width_of(pieces, scene.model.start_vertices));
+    scene.rounding.push_back(rounding * half_width_of(pieces, scene.model.start_vertices));
   scene.held = held_points(scene.model);
   scene.mass_centre = mass_centre_of(scene);
   return scene;

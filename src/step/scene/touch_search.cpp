@@ -150,40 +150,48 @@ bool may_pass(const CornerTie& tie, const Touch& taken, const Touches& touches, 
   });
 }
 
-// Corners that pass each other along no line within their rounding, as fast as they go, strike each other as if they
-// were sharp: an impact has to be known before it overlaps.
-void sharpen_struck_corners(const StandardScene& scene, const Motion& motion, double dt,
-                            const Table<VertexIndex, Point>& vertices, FoundTouches& found) {
-  const auto strikes = [&](const CornerTie& tie) {
-    Touches edges;
-    std::ranges::copy_if(tie.candidates, std::back_inserter(edges),
-                         [](const Touch& touch) { return touch.kind == TouchKind::corner; });
-    const Eigen::VectorXd speeds = rates(contact_rows(scene.model, scene.reference, motion.q, edges), motion.v);
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      if (gap_of(edges[i], vertices) + speeds[static_cast<Eigen::Index>(2 * i)] * dt >= -tie.rounding) return false;
-    return true;
-  };
-  std::erase_if(found.ties, [&](const CornerTie& tie) {
-    if (tie.rounding == 0 || !strikes(tie)) return false;
-    found.touches.insert(found.touches.end(), tie.sharp.begin(), tie.sharp.end());
-    return true;
-  });
-}
-
-double rounding_of(const StandardScene& scene, const Touch& touch, const Scales& scales) {
-  const auto of = [&](VertexIndex v) { return scene.rounding[scene.model.vertices[v].element]; };
-  return std::max(kLeastRounding * scales.size, std::min(of(touch.vertex), of(touch.start)));
-}
-
 const Touch* closed_before(const CornerTie& tie, const Motion& motion) {
   const auto is_closed = [&](const Touch& touch) { return motion.closed.of(touch) != nullptr; };
   const auto closed = std::ranges::find_if(tie.candidates, is_closed);
   return closed == tie.candidates.end() ? nullptr : &*closed;
 }
 
+// Corners that pass each other along no line within their rounding, as fast as they go, strike each other as if they
+// were sharp: an impact has to be known before it overlaps.
+void sharpen_struck_corners(const StandardScene& scene, const Motion& motion, double dt,
+                            const Table<VertexIndex, Point>& vertices, FoundTouches& found) {
+  const auto may_strike = [&](const CornerTie& tie) { return !tie.sharp.empty() && !closed_before(tie, motion); };
+  const auto is_edge = [](const Touch& touch) { return touch.kind == TouchKind::corner; };
+  Touches edges;
+  for (const CornerTie& tie : found.ties)
+    if (may_strike(tie)) std::ranges::copy_if(tie.candidates, std::back_inserter(edges), is_edge);
+  if (edges.empty()) return;
+  const Eigen::VectorXd speeds = rates(contact_rows(scene.model, scene.reference, motion.q, edges), motion.v);
+  Touches struck;
+  Eigen::Index row = 0;
+  std::erase_if(found.ties, [&](const CornerTie& tie) {
+    if (!may_strike(tie)) return false;
+    bool strikes = true;
+    for (const Touch& touch : tie.candidates) {
+      if (!is_edge(touch)) continue;
+      if (gap_of(touch, vertices) + speeds[row] * dt >= -tie.rounding) strikes = false;
+      row += 2;
+    }
+    if (strikes) struck.insert(struck.end(), tie.sharp.begin(), tie.sharp.end());
+    return strikes;
+  });
+  drop_known(struck, found.touches);
+  found.touches.insert(found.touches.end(), struck.begin(), struck.end());
+}
+
+double most_overlap(const StandardScene& scene, const Touch& touch, const Scales& scales) {
+  const auto of = [&](VertexIndex v) { return scene.rounding[scene.model.vertices[v].element]; };
+  return std::max(kLeastRounding * scales.size, std::min(of(touch.vertex), of(touch.start)));
+}
+
 // A corner that is pressed as it was when the motion without it closed it again is not tried once more.
 bool was_tried(const ContactMemory& memory) {
-  return std::abs(memory.normal - memory.tried_at) <= kAsPressed * memory.tried_at;
+  return memory.tried_at != 0 && std::abs(memory.normal - memory.tried_at) <= kAsPressed * std::abs(memory.tried_at);
 }
 
 }  // namespace
@@ -201,7 +209,7 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
     if (!touch) continue;
     const bool is_tried = guided == GuidedCorners::by_motion && was_tried(*motion.closed.of(*touch));
     const bool is_held =
-        is_tried || !may_pass(tie, *touch, found.touches, motion, vertices, rounding_of(scene, *touch, scales));
+        is_tried || !may_pass(tie, *touch, found.touches, motion, vertices, most_overlap(scene, *touch, scales));
     (is_held ? closed : found.released).push_back(*touch);
   }
   drop_known(closed, found.touches);
@@ -249,7 +257,8 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
       if (!touch || !is_new(*touch) || !std::ranges::all_of(tie.candidates, takes_none)) continue;
       const bool passes =
           guided == GuidedCorners::pass || std::ranges::binary_search(start.passing, corners_of(*touch));
-      if (passes && may_pass(tie, *touch, known.touches, start, vertices, rounding_of(scene, *touch, scales))) continue;
+      if (passes && may_pass(tie, *touch, known.touches, start, vertices, most_overlap(scene, *touch, scales)))
+        continue;
       added.insert(*touch);
       fresh.push_back(*touch);
     }
