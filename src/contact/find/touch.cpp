@@ -227,6 +227,7 @@ class PairTouches {
     const double shorter = std::min(length(along(first)), length(along(second)));
     return std::abs(cross(direction(first), direction(second))) < kParallel + slack_ / shorter;
   }
+
   Edge most_opposed(Edge reference, const ConvexPiece& other) const {
     const Point line = direction(reference);
     Edge best = edge_of(other, 0);

@@ -24,7 +24,7 @@ struct ContactMemory {
   /// to rest within the step. The next step pushes that out; no energy is held by it, nor by what a point slipped while
   /// it came to rest.
   double compression = 0;
-  double tried_at = 0;  ///< force when the motion, without it, last closed it; 0: no step did
+  double tried_at = 0;  ///< force when it was last let go and the motion closed it again; 0: it was not let go yet
 
   /// Held by the springs.
   double energy() const {
