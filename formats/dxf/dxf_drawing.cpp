@@ -103,6 +103,7 @@ class DrawingMaker {
   }
 
   void warn_of_unused_rows() {
+    for (const std::string_view layer : shapes_.unread_layers) parts_.named(layer);
     std::vector<std::string> names;
     for (const std::size_t row : parts_.unused()) names.push_back(in_quotes(table_.rows[row].first));
     if (names.empty()) return;

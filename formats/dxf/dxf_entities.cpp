@@ -195,7 +195,10 @@ class EntityReader {
     return is_plain && type.size() < 40 ? std::string(type) : in_quotes(type);
   }
 
-  void skip(std::string_view kind, const DxfRecord& record) { result_.skipped.add(kind, document_.place(record.head)); }
+  void skip(std::string_view kind, const DxfRecord& record) {
+    result_.skipped.add(kind, document_.place(record.head));
+    result_.unread_layers.insert(of_.layer_of(record));
+  }
 
   void skip_solid(const DxfRecord& record) {
     skip(fmt::format("{} not in the plane z = 0", record.head.value), record);
@@ -346,6 +349,7 @@ class EntityReader {
     --definitions_.depth;
     definition.is_open = false;
     result_.skipped.add_all(definition.shapes->skipped);
+    result_.unread_layers.insert(definition.shapes->unread_layers.begin(), definition.shapes->unread_layers.end());
     result_.warnings = joined(std::move(result_.warnings), definition.shapes->warnings);
     return *definition.shapes;
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,7 @@ struct DxfShape {
 struct DxfShapes {
   std::vector<DxfShape> shapes;
   DxfSkipped skipped;
+  std::set<std::string_view> unread_layers = {};  ///< on which something is skipped
   Warnings warnings;
 };
 

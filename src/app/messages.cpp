@@ -43,6 +43,8 @@ std::unique_ptr<spdlog::formatter> plain_lines() {
   return formatter;
 }
 
+bool is_quiet = false;
+
 void log_into(const std::string& file) {
   try {
     auto sink = std::make_shared<spdlog::sinks::basic_file_sink_st>(file);
@@ -67,7 +69,14 @@ void print_messages_plainly() {
 
 void add_message_options(CLI::App& program) {
   CLI::Option* quiet = program.add_flag_callback(
-      "--quiet", [] { spdlog::set_level(spdlog::level::err); }, "errors alone, no warnings and no progress");
+      "--quiet",
+      [] {
+        for (const spdlog::sink_ptr& sink : spdlog::default_logger()->sinks())
+          if (dynamic_cast<spdlog::sinks::stderr_color_sink_st*>(sink.get()) != nullptr)
+            sink->set_level(spdlog::level::err);
+        is_quiet = true;
+      },
+      "errors alone on the terminal, no warnings and no progress");
   CLI::Option* verbose = program.add_flag_callback(
       "--verbose", [] { spdlog::set_level(spdlog::level::debug); },
       "every warning, where else one of a kind stands for all, and what takes time before the first step");
@@ -77,7 +86,7 @@ void add_message_options(CLI::App& program) {
 }
 
 bool shows_progress() {
-  return spdlog::should_log(spdlog::level::info);
+  return !is_quiet;
 }
 
 }  // namespace keyblock

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "app/option_checks.hpp"
 #include "base/error.hpp"
 #include "job/folder/frame_tables.hpp"
 #include "report/field_picture.hpp"
@@ -34,7 +35,7 @@ std::array<CLI::Option*, 3> add_output_options(CLI::App& options, OutputOptions&
               "what field.svg shows: a component of stress, a principal one (s1 the greatest, s3 the least), the "
               "von Mises stress, the displacement, or principal stresses as crosses (default: the component that "
               "varies most)")
-          ->check(CLI::IsMember(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
+          ->check(one_word_of(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
   return {histories, contacts, field};
 }
 

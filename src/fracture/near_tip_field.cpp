@@ -44,6 +44,10 @@ double PlaneElasticity::kolosov() const {
   return is_plane_strain ? 3 - 4 * poissons_ratio : (3 - poissons_ratio) / (1 + poissons_ratio);
 }
 
+double energy_release(const PlaneElasticity& rock, const StressIntensity& k) {
+  return (k.mode_1 * k.mode_1 + k.mode_2 * k.mode_2) / rock.effective_modulus();
+}
+
 Eigen::Matrix2d near_tip_gradient(const PlaneElasticity& rock, const StressIntensity& k, double r, double theta) {
   const Angular g = angular(rock, k, theta);
   const double scale = 1 / (2 * rock.shear_modulus() * std::sqrt(2 * std::numbers::pi * r));

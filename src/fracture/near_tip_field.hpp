@@ -27,6 +27,9 @@ struct StressIntensity {
   double mode_2 = 0;
 };
 
+/// G = (K_I² + K_II²)/E' of a tip that goes straight on (Irwin 1957); F/L.
+double energy_release(const PlaneElasticity& rock, const StressIntensity& k);
+
 /// ∂u_i/∂x_j, 2 × 2, at a distance r > 0 and the angle θ (rad, -π to π, from straight ahead) in the axes of the tip: x
 /// ahead, y to its left (Williams 1957; Irwin 1957; Moran & Shih 1987).
 Eigen::Matrix2d near_tip_gradient(const PlaneElasticity& rock, const StressIntensity& k, double r, double theta);

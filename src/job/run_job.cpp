@@ -198,6 +198,7 @@ void RunJob::judge() {
   record_.warnings = joined(record_.warnings, remarks_on_outputs());
   record_.warnings = joined(record_.warnings, followed_.of_nothing());
   record_.warnings = joined(record_.warnings, outcome_warnings(prepared_, record_.outcome, place));
+  record_.warnings = joined(record_.warnings, broken_bolts(folder_.first_frame(), folder_.last_frame(), place));
   record_.is_static = watch_.is_static();
   const Judgement judgement = judged(prepared_, record_, folder_.first_frame(), folder_.last_frame(), place);
   record_.doubts = judgement.doubts;

@@ -3,12 +3,16 @@
 #include "job/run_warnings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "base/words/plain_number.hpp"
+#include "base/words/quoted_name.hpp"
 #include "model/material_choices.hpp"
 #include "result/describe.hpp"
 
@@ -265,6 +269,27 @@ Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, c
     warn_held("load_held_after_table", "load", point.curve);
   warn_held("acceleration_held_after_table", "acceleration", prepared.scene.settings.body_acceleration.curve);
   return warnings;
+}
+
+Warnings broken_bolts(const Frame& first, const Frame& last, const Place& place) {
+  const auto numbers_of_broken = [](const Frame& frame) {
+    std::map<int, std::string> names;
+    for (std::size_t i = 0; i < frame.bolts.size(); ++i)
+      if (const BoltFrame& bolt = frame.bolts[i]; bolt.is_broken)
+        names.emplace(bolt.number < 0 ? static_cast<int>(i) : bolt.number, bolt.name);
+    return names;
+  };
+  const std::map<int, std::string> before = numbers_of_broken(first);
+  std::vector<std::string> broken;
+  for (const auto& [number, name] : numbers_of_broken(last))
+    if (!before.contains(number)) broken.push_back(fmt::format("{}{}", number + 1, quoted_name(name)));
+  if (broken.empty()) return {};
+  constexpr std::size_t kNamed = 10;
+  const std::size_t more = broken.size() - std::min(kNamed, broken.size());
+  broken.resize(broken.size() - more);
+  return {{"bolts_broke", place,
+           fmt::format("of {} broke: {}{}; bolts.csv says by which frame", counted(last.bolts.size(), "bolt"),
+                       fmt::join(broken, ", "), more > 0 ? fmt::format(" and {} more", more) : "")}};
 }
 
 }  // namespace keyblock

@@ -59,4 +59,7 @@ class StepWatch {
 /// Of a start not as asked, and of tables that end before the run does.
 Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place);
 
+/// Of bolts that broke between two frames.
+Warnings broken_bolts(const Frame& first, const Frame& last, const Place& place);
+
 }  // namespace keyblock

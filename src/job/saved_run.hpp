@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -58,14 +59,21 @@ std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history
 class CheckpointClock {
  public:
   explicit CheckpointClock(double every) : every_(every) {}
-  bool is_due() const { return every_ > 0 && seconds_since() >= every_; }
-  void written() { last_ = std::chrono::steady_clock::now(); }
+  bool is_due() const { return every_ > 0 && seconds_since() >= (is_first_ ? std::min(kFirst, every_) : every_); }
+  void written() {
+    last_ = std::chrono::steady_clock::now();
+    is_first_ = false;
+  }
 
  private:
   double seconds_since() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
   }
+
+  static constexpr double kFirst = 3;  ///< seconds: most runs are short
+
   double every_;
+  bool is_first_ = true;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 

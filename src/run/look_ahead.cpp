@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -14,7 +15,9 @@
 #include "base/union_find.hpp"
 #include "base/words/plain_number.hpp"
 #include "cut/bodies/slivers.hpp"
+#include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
+#include "geometry/segment.hpp"
 #include "material/strength.hpp"
 #include "problem/units/unit_conversion.hpp"
 #include "step/scene/enforcement.hpp"
@@ -24,6 +27,8 @@ namespace {
 
 constexpr double kLeastStrength = 1e-7;  // of the modulus
 constexpr double kSlender = 5;           // length over mean width of a block that ought to bend
+constexpr double kHeldAlong = 0.5;       // of the length of a slender block: fixed points as far apart keep it straight
+constexpr double kStray = 1e-3;          // of the side of a mean square block: points on an edge are not outside
 constexpr double kOverlap = 1e-4;        // of the size of the mean block: faces that lie on one another
 constexpr double kDownward = 0.05;       // sine of the angle at which a face rests on another
 constexpr double kStiff = 100;           // springs over inertia, beyond which many pairs take hundreds of systems
@@ -31,6 +36,36 @@ constexpr std::size_t kManyPairs = 500;  // that such a step was measured with
 
 std::string at(const Point& p) {
   return fmt::format("{}, {}", plain(p.x), plain(p.y));
+}
+
+// Of a file that says itself of which block a point is. `loops`: of the blocks; `near`: no farther is on an edge.
+std::string points_outside(const Blocks& blocks, const std::vector<std::vector<Point>>& loops, double near) {
+  struct Stray {
+    const char* noun;
+    const BlockPoint* point;
+    double off;
+  };
+  std::vector<Stray> found;
+  const auto look = [&](const char* noun, const std::vector<BlockPoint>& points) {
+    for (const BlockPoint& point : points) {
+      const std::vector<Point>& loop = loops[static_cast<std::size_t>(point.block)];
+      if (side(loop, point.position) != Side::outside) continue;
+      double off = std::numeric_limits<double>::max();
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        off = std::min(off, distance(Segment{loop[i], loop[(i + 1) % loop.size()]}, point.position));
+      if (off > near) found.push_back({noun, &point, off});
+    }
+  };
+  look("a fixed point", blocks.fixed_points);
+  look("a loading point", blocks.loading_points);
+  look("a measured point", blocks.measured_points);
+  if (found.empty()) return {};
+  return fmt::format(
+      "{} outside the block that the file says, the first is {} of block {} at {}, {} from it: it moves with the "
+      "block as "
+      "if it were a part of it",
+      found.size() == 1 ? "1 point lies" : fmt::format("{} points lie", found.size()), found.front().noun,
+      found.front().point->block + 1, at(found.front().point->position), plain(found.front().off, 3));
 }
 
 /// The blocks of a scene as cut, and who touches whom.
@@ -48,7 +83,11 @@ class Blocky {
       mean_ += shapes_.back().area;
     }
     mean_ /= static_cast<double>(shapes_.size());
-    for (const CarriedPoint& point : model_.fixed_points) ++fixed_[point.element.value];
+    held_.resize(blocks_.blocks.size());
+    for (const CarriedPoint& point : model_.fixed_points) {
+      ++fixed_[point.element.value];
+      held_[static_cast<std::size_t>(point.element.value)].add(point.start);
+    }
   }
 
   Warnings warnings(const Problem& problem) const {
@@ -58,6 +97,7 @@ class Blocky {
     };
     put("slivers", slivers());
     if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) put("block_outside_outline", outside(*drawing));
+    put("point_outside_its_block", points_outside(blocks_, loops_, kStray * std::sqrt(mean_)));
     put("unheld_blocks", unheld());
     put("unsupported_blocks", unsupported());
     put("block_cannot_bend", cannot_bend());
@@ -238,17 +278,21 @@ class Blocky {
 
   std::string cannot_bend() const {
     std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < shapes_.size(); ++i)
-      if (fixed_[i] < 2 && model_.elements[index(i)].can_move() && shapes_[i].length > kSlender * shapes_[i].width() &&
-          shapes_[i].area >= kSliverArea * mean_)
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      const bool is_held_along = fixed_[i] >= 2 && length(held_[i].size()) >= kHeldAlong * shapes_[i].length;
+      if (!is_held_along && shapes_[i].length > kSlender * shapes_[i].width() && shapes_[i].area >= kSliverArea * mean_)
         found.push_back(i);
+    }
     if (found.empty()) return {};
+    const bool is_rigid =
+        std::ranges::any_of(found, [&](std::size_t i) { return !model_.elements[index(i)].can_move(); });
     const BlockForm& first = shapes_[found.front()];
     return fmt::format(
         "{} slender, the first is block {} at {}, {} long and {} wide: the strain of a block is the same all "
-        "over it, so that it cannot bend; a section `covers` of a case file, or cuts across it, lets it",
+        "over it, so that it cannot bend{}; a section `covers` of a case file, or cuts across it, lets it",
         found.size() == 1 ? "1 block is" : fmt::format("{} blocks are", found.size()), found.front() + 1,
-        at(first.centroid), plain(first.length, 3), plain(first.width(), 3));
+        at(first.centroid), plain(first.length, 3), plain(first.width(), 3),
+        is_rigid ? ", and held at two points it is rigid" : "");
   }
 
   std::string stiff_springs() const {
@@ -266,6 +310,7 @@ class Blocky {
   const Blocks& blocks_;
   std::vector<ElementPair> touching_;
   std::vector<int> fixed_;  ///< points of each block
+  std::vector<Box> held_;   ///< about the fixed points of each
   std::vector<std::vector<Point>> loops_;
   std::vector<BlockForm> shapes_;
   double mean_ = 0;

@@ -9,8 +9,8 @@
 namespace keyblock {
 
 /// Named warnings with numbers and places, in the units of the input. Names: `slivers`, `block_outside_outline`,
-/// `unheld_blocks`, `unsupported_blocks`, `block_cannot_bend`, `springs_stiff_for_step`, `units_contradict`. Bodies on
-/// covers are looked at for units alone.
+/// `point_outside_its_block`, `unheld_blocks`, `unsupported_blocks`, `block_cannot_bend`, `springs_stiff_for_step`,
+/// `units_contradict`. Bodies on covers are looked at for units alone.
 Warnings look_ahead(const Problem& problem, const Prepared& prepared);
 
 /// `units_contradict` of a block material.

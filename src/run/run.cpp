@@ -65,6 +65,7 @@ class Loop {
       show();
       if (!measures_ && state().step < stepper_.settings().step_count) tell_row();
     }
+    if (outcome.end == RunEnd::finished && stepper_.is_done()) outcome.why_early = stepper_.why_done();
     outcome.steps = state().step;
     outcome.time = state().time;
     outcome.field = field_of(stepper_.model(), stepper_);

@@ -48,6 +48,7 @@ struct RunOutcome {
   std::vector<int> numbers;            ///< theirs, from 1, as tables have them
   int steps = 0;                       ///< accepted
   double time = 0;                     ///< reached
+  std::string why_early = {};          ///< it finished before all steps were made; empty otherwise
   LedgerScope ledger_scope;
   StartReport start;
   std::vector<SceneReport> scenes = {};     ///< where there is more than one

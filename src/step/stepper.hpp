@@ -69,6 +69,8 @@ class Stepper {
   /// however many steps were asked for.
   virtual bool ends_scene() const { return false; }
   virtual bool is_done() const { return false; }
+  /// Why it is, in words, where the user has not asked for an end there; else empty.
+  virtual std::string why_done() const { return {}; }
   /// The scenes so far, where there is more than one.
   virtual std::vector<SceneReport> scenes() const { return {}; }
 

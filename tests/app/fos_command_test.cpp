@@ -155,9 +155,13 @@ TEST(FosCommand, what_falls_at_1_is_exit_1_and_is_told_how_strong_it_would_have_
   const double exact = tangent(20) / tangent(30);
   const Json found = Json::parse(run.output);
   EXPECT_NEAR(found["factor_of_safety"].get<double>(), exact, 0.01);
-  const ProgramRun from = run_keyblock({"fos", slope + ".geo", slope + ".ana", "--from", "1"});
+  const std::string out = fresh_folder("fos_falls") + "/out";
+  const ProgramRun from = run_keyblock({"fos", slope + ".geo", slope + ".ana", "--from", "1", "-o", out});
   EXPECT_EQ(from.exit_code, 1);
   EXPECT_NE(from.output.find("no bracket: it falls at 1"), std::string::npos) << from.output;
+  const std::string picture = read_text(out + "/picture.svg");
+  EXPECT_NE(picture.find("as drawn"), std::string::npos);
+  EXPECT_NE(picture.find("<title>slip"), std::string::npos) << "what falls is shown beside what is drawn";
 }
 
 TEST(FosCommand, no_bracket_up_to_the_limit_is_exit_1) {

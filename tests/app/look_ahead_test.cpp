@@ -115,6 +115,40 @@ TEST(LookAhead, a_beam_of_one_block_is_told_that_it_cannot_bend) {
   EXPECT_TRUE(contains(sentence, "covers")) << sentence;
 }
 
+// Two fixed points at one end of it are a built-in end to the reader, and hold all of the block.
+TEST(LookAhead, a_cantilever_of_one_block_is_told_that_it_is_rigid) {
+  const auto report = check_of(
+      case_text(R"("blocks": {"blocks": [)" + kFloor + R"(], "fixed_points": [[0.1, 0.2, 1], [0.1, 0.8, 1]]})"));
+  EXPECT_TRUE(contains(said(report, "block_cannot_bend"), "held at two points it is rigid")) << report["warnings"];
+}
+
+TEST(LookAhead, points_outside_their_block_are_told) {
+  const auto with = [&](const std::string& points) {
+    return check_of(
+        case_text(R"("blocks": {"blocks": [)" + kFloor + ", " + rectangle(4, 1, 6, 3) + "], " + points + "}"));
+  };
+  const auto stray = with(R"("fixed_points": [[0.5, 0.5, 1], [90, 0.5, 1]], "measured_points": [[5, 7, 2]])");
+  const std::string sentence = said(stray, "point_outside_its_block");
+  EXPECT_TRUE(contains(sentence, "2 points lie outside")) << stray["warnings"];
+  EXPECT_TRUE(contains(sentence, "the first is a fixed point of block 1 at 90, 0.5, 80 from it")) << sentence;
+  const auto sound = with(R"("fixed_points": [[0, 0, 1], [10, 0.5, 1]], "measured_points": [[5, 3, 2]])");
+  EXPECT_EQ(said(sound, "point_outside_its_block"), "") << "corners and edges are not outside";
+}
+
+// A base line drawn a little inside the outline holds the end blocks where it leaves them, and nowhere else.
+TEST(LookAhead, a_fixed_line_that_ends_in_blocks_is_told) {
+  const auto with = [&](const std::string& line) {
+    return check_of(case_text(R"("drawing": {"edge_node_ratio": 0.001, "boundary_count": 4, "joints": [
+        [0, 0, 6, 0, 1], [6, 0, 6, 2, 1], [6, 2, 0, 2, 1], [0, 2, 0, 0, 1], [2, 0, 2, 2, 1], [4, 0, 4, 2, 1]],
+        "fixed_lines": [)" + line +
+                              "]}"));
+  };
+  EXPECT_TRUE(
+      contains(said(with("[0.3, 0.3, 5.7, 0.3]"), "fixed_line_ends_in_block"), "2 blocks are held at one point"));
+  EXPECT_EQ(said(with("[-0.1, 0.3, 6.1, 0.3]"), "fixed_line_ends_in_block"), "") << "beyond the outline";
+  EXPECT_EQ(said(with("[0.3, 0.3, 5.7, 0.3], [0.3, 1, 0.3, 1], [5.7, 1, 5.7, 1]"), "fixed_line_ends_in_block"), "");
+}
+
 // Lines that go on beyond the outline of a drawing make a block there where they close one.
 TEST(LookAhead, blocks_outside_the_outline_are_counted) {
   const auto report = check_of(case_text(R"("drawing": {"edge_node_ratio": 0.001, "boundary_count": 4, "joints": [

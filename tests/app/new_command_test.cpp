@@ -79,7 +79,7 @@ TEST(NewCommand, the_beam_bends_as_its_comment_says) {
 }
 
 TEST(NewCommand, no_file_is_overwritten_unless_told) {
-  const std::string file = support::fresh_folder("new_twice") + "/block.json";
+  const std::string file = support::fresh_folder("new_twice") + "/folder/that/is/new/block.json";
   ASSERT_EQ(run_keyblock({"new", "block", "-o", file}).exit_code, 0);
   support::write_text(file, "mine");
   const ProgramRun again = run_keyblock({"new", "block", "-o", file});

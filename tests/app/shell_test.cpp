@@ -210,10 +210,36 @@ TEST(Shell, quiet_says_errors_alone_and_a_log_keeps_all) {
   const ProgramRun logged = run_keyblock(slide_into(folder + "/b", {"--log", folder + "/log.txt"}));
   EXPECT_TRUE(contains(logged.messages, "2 steps, time"));
   EXPECT_TRUE(contains(read_text(folder + "/log.txt"), "2 steps, time"));
+  const ProgramRun both = run_keyblock(slide_into(folder + "/f", {"--quiet", "--log", folder + "/quiet.txt"}));
+  EXPECT_EQ(both.messages, "");
+  EXPECT_TRUE(contains(read_text(folder + "/quiet.txt"), "2 steps, time"));
   const ProgramRun verbose = run_keyblock(slide_into(folder + "/c", {"--verbose"}));
   EXPECT_TRUE(contains(verbose.messages, "read in ")) << verbose.messages;
   EXPECT_TRUE(contains(run_keyblock({"--quiet", "run", "none.json", "-o", folder + "/d"}).messages, "error:"));
   EXPECT_EQ(run_keyblock(slide_into(folder + "/e", {"--quiet", "--verbose"})).exit_code, 2);
+}
+
+TEST(Shell, no_log_is_written_into_what_the_command_reads) {
+  const std::string file = fresh_folder("log_apart") + "/case.json";
+  ASSERT_EQ(run_keyblock({"new", "block", "-o", file}).exit_code, 0);
+  const std::string before = read_text(file);
+  for (const std::vector<std::string>& log : {std::vector<std::string>{"--log", file}, {"--log=" + file}}) {
+    std::vector<std::string> words{"check", file};
+    words.insert(words.end(), log.begin(), log.end());
+    const ProgramRun run = run_keyblock(words);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_TRUE(contains(run.messages, "a file of its own for the log")) << run.messages;
+  }
+  EXPECT_EQ(read_text(file), before);
+}
+
+TEST(Shell, a_word_that_is_none_of_those_of_an_option_is_asked_about) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"new", "slop"}, {"check", "x", "--profile", "standart"}}) {
+    const ProgramRun run = run_keyblock(words);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_TRUE(contains(run.messages, "did you mean \"s")) << run.messages;
+  }
 }
 
 // No terminal is there: no colours, whatever TERM says.

@@ -89,6 +89,12 @@ TEST(DxfLayerTable, a_layer_on_which_nothing_lies_is_told) {
   EXPECT_NE(told->sentence.find("\"Beding\""), std::string::npos);
 }
 
+TEST(DxfLayerTable, a_layer_of_nothing_but_texts_is_there) {
+  const std::string text = "0\nTEXT\n8\nTitle\n10\n1\n20\n1\n40\n1\n1\nslope 3\n";
+  const Reading reading = drawn(line("a", 0) + text, "a,joint 1\nTitle,ignored\n");
+  for (const Warning& warning : reading.warnings) EXPECT_NE(warning.name, "dxf_layer_not_there") << warning.sentence;
+}
+
 TEST(DxfLayerTable, names_with_commas_stand_in_quotes) {
   const LayerTable table = table_of("\"a, \"\"b\"\"\",fixed\n");
   ASSERT_EQ(table.rows.size(), 1u);

@@ -72,4 +72,20 @@ TEST(StepWatch, forces_out_of_balance_are_told_by_the_worst_step_with_its_contac
             "by 7.0e-04, where block 12 touches block 22 at 1.5, -2 (40 contacts in all, 30 closed)");
 }
 
+TEST(StepWatch, bolts_that_break_on_the_way_are_named) {
+  const BoltFrame whole{{0, 0}, {1, 0}, 1, false, 0, "B1"}, other{{0, 1}, {1, 1}, 1, false, 4};
+  BoltFrame broken = whole, also = other;
+  broken.is_broken = also.is_broken = true;
+  Frame first, last;
+  first.bolts = {whole, other};
+  last.bolts = {broken, other};
+  EXPECT_TRUE(broken_bolts(first, first, {}).empty());
+  ASSERT_EQ(broken_bolts(first, last, {}).size(), 1u);
+  EXPECT_EQ(broken_bolts(first, last, {})[0].sentence, "of 2 bolts broke: 1 \"B1\"; bolts.csv says by which frame");
+  first.bolts = {broken};
+  EXPECT_TRUE(broken_bolts(first, last, {}).empty()) << "broken from the start, which is told before the run";
+  last.bolts = {broken, also};
+  EXPECT_NE(broken_bolts(first, last, {})[0].sentence.find("broke: 5;"), std::string::npos);
+}
+
 }  // namespace keyblock::step_watch_test

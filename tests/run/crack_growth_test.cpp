@@ -12,6 +12,7 @@
 #include "formats/registry.hpp"
 #include "run/checkpoint.hpp"
 #include "run/prepare.hpp"
+#include "run/run.hpp"
 #include "run/steppers.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
@@ -51,6 +52,26 @@ TEST(CrackGrowth, left_before_any_step_it_goes_on_to_the_same_bytes) {
     for (std::size_t step = i; step < 3; ++step) again->advance();
     EXPECT_TRUE(bytes_of(*again) == end) << i;
   }
+}
+
+// The arms of a plate are pulled apart until its crack runs into a hole: the run ends before all steps are made, and
+// says where.
+TEST(CrackGrowth, a_crack_that_ends_in_a_hole_ends_the_run_and_says_so) {
+  const std::string file = support::fresh_folder("crack_hole") + "/in.json";
+  support::write_text(file, R"({"keyblock": 1,
+      "blocks": {"blocks": [{"outer": [[0, -1, 1], [6, -1, 1], [6, 1, 1], [0, 1, 1], [0, 0, 1]],
+        "holes": [[[2.5, -0.2, 1], [2.5, 0.2, 1], [2.9, 0.2, 1], [2.9, -0.2, 1]]]}]},
+      "covers": {"contact": "ignored", "mesh": {"side": 0.3, "angle": 10, "through_x": 0.0137, "through_y": 0.0071},
+        "growth": {"increment": 0.2}, "cracks": [{"along": [[0, 0], [2, 0]]}],
+        "tractions": [{"along": [[0, 0], [0, 1]], "y": 1}, {"along": [[0, -1], [0, 0]], "y": -1}],
+        "springs": [[6, -1, 1, 0, 1e5], [6, -1, 0, 1, 1e5], [6, 1, 1, 0, 1e5]]},
+      "analysis": {"step_count": 9, "time_step": 1, "allowed_displacement_ratio": 0.1, "plane_strain": true,
+        "joint_materials": [{}], "block_materials": [{"density": 1, "unit_weight": 0, "youngs_modulus": 1e5,
+          "poissons_ratio": 0.3, "toughness": {"mode_1": 10}}]}})");
+  const RunOutcome outcome = run(prepare(problem_of(file), "standard", {}).scene, 1, {});
+  EXPECT_EQ(outcome.end, RunEnd::finished);
+  EXPECT_LT(outcome.steps, 5);
+  EXPECT_NE(outcome.why_early.find("crack 1 to (2.5, "), std::string::npos) << outcome.why_early;
 }
 
 // The upper part of a body on covers that a crack cuts through at 30 degrees slides on the lower one as Coulomb says.

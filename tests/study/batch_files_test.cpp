@@ -18,18 +18,21 @@ namespace fs = std::filesystem;
 
 TEST(BatchFiles, all_but_hidden_ones_and_those_of_the_results_are_found_in_order) {
   const fs::path root = support::fresh_folder("batch_files");
-  for (const char* folder : {"b", "out/jobs", ".git", "old/jobs"}) fs::create_directories(root / folder);
+  for (const char* folder : {"b", "out/jobs", ".git", "old/jobs", "mine", "fos"}) fs::create_directories(root / folder);
   for (const char* file : {"z", "b/a", "out/jobs/x", ".git/config", ".hidden", "old/jobs/y"})
     support::write_text(root / file, "");
   support::write_text(root / "old/journal.jsonl", journal_head("check"));
+  support::write_text(root / "mine/run.json", "{\n \"program\": \"keyblock\",\n}");
+  support::write_text(root / "fos/fos.json", "{\n \"program\": \"keyblock\",\n}");
+  support::write_text(root / "b/run.json", "{\"keyblock\": 2}");
   fs::create_directory_symlink(root, root / "b" / "round");
   fs::create_symlink(root / "gone", root / "b" / "dead");
   fs::create_symlink(root / "z", root / "b" / "same");
   const FoundFiles found = files_below(root, root / "out");
-  EXPECT_EQ(found.files, (std::vector<std::string>{"b/a", "b/same", "z"}));
+  EXPECT_EQ(found.files, (std::vector<std::string>{"b/a", "b/run.json", "b/same", "z"}));
   EXPECT_EQ(sentence_of(found.passed_over),
             "1 × dead link (b/dead), 2 × hidden (the first .git), 1 × link to a folder (b/round), "
-            "1 × results of another batch (old)");
+            "2 × results of a run (the first fos), 1 × results of another batch (old)");
   EXPECT_EQ(sentence_of({}), "");
   EXPECT_THROW(files_below(root / "z", {}), InputError);
 }

@@ -13,10 +13,10 @@
 #include <mutex>
 #include <thread>
 
-#include "app/above_zero.hpp"
 #include "app/batch/batch_archive.hpp"
 #include "app/batch/batch_work.hpp"
 #include "app/command.hpp"
+#include "app/option_checks.hpp"
 #include "app/progress.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -249,7 +249,7 @@ ExitCode run_batch(const BatchOptions& options) {
     return journal.find(job.name, archive.files_of(job)) != nullptr;
   });
   if (stop_asked && !is_done) {
-    spdlog::warn("stopped by request; --resume goes on");
+    spdlog::warn("stopped by request; the same command with --resume added goes on");
     return ExitCode::stopped;
   }
   const std::vector<CatalogueRow> rows = rows_of(archive, journal);
@@ -274,8 +274,7 @@ Action configure_batch(CLI::App& app) {
                "is required)");
   app.add_flag("--run", options->is_run, "run every case under the profiles legacy and standard, and compare them");
   app.add_option("--convert", options->format, "convert every case to this format, as `keyblock convert --to`");
-  app.add_option("--profile", options->profile, "only this preset of all choices")
-      ->check(CLI::IsMember(profile_names()));
+  app.add_option("--profile", options->profile, "only this preset of all choices")->check(one_word_of(profile_names()));
   app.add_option("--jobs", options->threads, "jobs at a time (default: as many as cores)")->check(CLI::Range(1, 1024));
   app.add_option(
          "--time-limit", options->limits.cpu_seconds,

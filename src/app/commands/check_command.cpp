@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/layers_option.hpp"
+#include "app/option_checks.hpp"
 #include "app/progress.hpp"
 #include "base/counted.hpp"
 #include "base/printable.hpp"
@@ -159,7 +159,9 @@ void print(const Requirements& plan) {
 }
 
 std::string cost_in_words(const TrialSteps& trial, int steps) {
-  if (!trial.starts) return fmt::format("cost: the start alone takes more than {:.2g} s", trial.start_seconds);
+  if (!trial.starts)
+    return fmt::format("cost: the start alone takes more than {:.2g} s; --trial 60 waits a minute for the first steps",
+                       trial.start_seconds);
   const bool is_bound = trial.made == 0 && trial.failure.empty();
   const double all = trial.seconds_of(steps);
   return fmt::format("cost: start {:.2g} s, {}{:.2g} s a step ({} tried), {}{} for {}", trial.start_seconds,
@@ -364,7 +366,7 @@ Action configure_check(CLI::App& options) {
                   "at, one verdict a line")
       ->required();
   options.add_option("--profile", chosen->profile, "preset of all choices that a run would take (default: as for run)")
-      ->check(CLI::IsMember(profile_names()));
+      ->check(one_word_of(profile_names()));
   options.add_option("--set", chosen->sets, "key=value: a setting that a run would be given; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();

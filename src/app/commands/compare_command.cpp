@@ -10,6 +10,7 @@
 
 #include "app/command.hpp"
 #include "app/commands/compare_table.hpp"
+#include "app/option_checks.hpp"
 #include "app/picture_name.hpp"
 #include "base/error.hpp"
 #include "job/files.hpp"
@@ -210,7 +211,7 @@ Action configure_compare(CLI::App& options) {
       .add_option("--profile", chosen->profile,
                   "only this preset of all choices (default: legacy and standard, as which others are judged); traces "
                   "are of legacy")
-      ->check(CLI::IsMember(profile_names()));
+      ->check(one_word_of(profile_names()));
   add_thread_option(options);
   options.add_flag("--all", chosen->with_slow, "run slow cases too");
   options.add_option("--picture", chosen->picture, "write a picture of the one case given (SVG)")->type_name("FILE");

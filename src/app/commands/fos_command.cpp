@@ -7,6 +7,7 @@
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/layers_option.hpp"
+#include "app/option_checks.hpp"
 #include "app/strength/strength_reduction.hpp"
 #include "base/error.hpp"
 #include "run/settings_of.hpp"
@@ -54,10 +55,10 @@ Action configure_fos(CLI::App& options) {
   options
       .add_option("--reduce", chosen->what,
                   "whose strength: joints, rock, or both (default: what case.json says, else joints)")
-      ->check(CLI::IsMember({"joints", "rock", "both"}));
+      ->check(one_word_of({"joints", "rock", "both"}));
   options
       .add_option("--profile", chosen->profile, "preset of all choices (default: standard, or what a case file says)")
-      ->check(CLI::IsMember(profile_names()));
+      ->check(one_word_of(profile_names()));
   add_layers_option(options, chosen->layers);
   options.add_option("--set", chosen->sets, "key=value: a setting of all trials; may be repeated")
       ->type_name("KEY=VALUE")

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/above_zero.hpp"
+#include "app/option_checks.hpp"
 #include "base/error.hpp"
 
 namespace keyblock {

@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/option_checks.hpp"
 #include "app/templates/case_templates.hpp"
 #include "job/files.hpp"
 
@@ -84,6 +86,8 @@ class YamlOfTemplate {
 ExitCode write_template(const NewOptions& options) {
   const auto found = std::ranges::find(case_templates(), options.name, &CaseTemplate::name);
   const std::string file = options.file.empty() ? options.name + ".json" : options.file;
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (!folder.empty()) std::filesystem::create_directories(folder);
   require_writable({file}, {}, overwrite_if(options.force));
   const bool is_yaml = file.ends_with(".yaml") || file.ends_with(".yml");
   write_output(file, is_yaml ? YamlOfTemplate(found->text).text() : std::string(found->text),
@@ -103,8 +107,10 @@ Action configure_new(CLI::App& options) {
   for (const CaseTemplate& known : case_templates()) lines.push_back(fmt::format("{}: {}", known.name, known.about));
   options.add_option("KIND", chosen->name, fmt::format("{}", fmt::join(lines, "; ")))
       ->required()
-      ->check(CLI::IsMember(template_names()));
-  options.add_option("-o,--output", chosen->file, "the case file to write, .json or .yaml (default: KIND.json)")
+      ->check(one_word_of(template_names()));
+  options
+      .add_option("-o,--output", chosen->file,
+                  "the case file to write, .json or .yaml (default: KIND.json); its folder is made where there is none")
       ->type_name("FILE");
   options.add_flag("--force", chosen->force, "overwrite the file if it exists");
   options.add_flag("--json", chosen->as_json, "print the name of the file, its kind and what it is as JSON");

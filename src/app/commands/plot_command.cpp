@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/option_checks.hpp"
 #include "app/picture_name.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
@@ -126,7 +127,7 @@ Action configure_plot(CLI::App& options) {
       .add_option("--field", chosen->field,
                   "a component of stress, a principal one (s1 the greatest, s3 the least), the von Mises stress, the "
                   "displacement, or principal stresses as crosses (default: the component that varies most)")
-      ->check(CLI::IsMember(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
+      ->check(one_word_of(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
   options.add_option("--step", chosen->step, "the step whose frame is drawn (default: the last that has one)");
   options
       .add_option("-o,--output", chosen->file,

@@ -10,11 +10,11 @@
 #include <memory>
 #include <optional>
 
-#include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "app/commands/both_profiles.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/layers_option.hpp"
+#include "app/option_checks.hpp"
 #include "app/output_options.hpp"
 #include "app/progress.hpp"
 #include "app/stop_request.hpp"
@@ -252,6 +252,8 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
   if (record.outcome.forces) print_balance(*record.outcome.forces, record.outcome.field);
   print_yielding(record);
   if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
+  if (!record.outcome.why_early.empty())
+    spdlog::info("ended before step {}: {}", record.outcome.steps + 1, record.outcome.why_early);
   spdlog::info("{}, time {:.6g}{}{}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time,
                record.units.time.empty() ? "" : " ", record.units.time, folder);
   if (record.outcome.end == RunEnd::finished && !record.doubts.empty())
@@ -555,7 +557,7 @@ Action configure_run(CLI::App& options) {
                              .add_option("--profile", chosen->profile,
                                          "preset of all choices (default: what a case file says; else legacy for files "
                                          "of the old programs, standard for own case files)")
-                             ->check(CLI::IsMember(profile_names()));
+                             ->check(one_word_of(profile_names()));
   CLI::Option* folder =
       options
           .add_option("-o,--output", chosen->folder,
@@ -581,7 +583,8 @@ Action configure_run(CLI::App& options) {
   CLI::Option* force = options.add_flag("--force", chosen->force, "overwrite the results of an earlier run");
   options
       .add_option("--checkpoint-every", chosen->checkpoint_every,
-                  "seconds between checkpoints in the folder (default: 30); 0: none but at the start and where the run "
+                  "seconds between checkpoints in the folder (default: 30; the first after 3 at most); 0: none but at "
+                  "the start and where the run "
                   "is stopped")
       ->check(zero_or_above());
   CLI::Option* resume =
@@ -594,7 +597,7 @@ Action configure_run(CLI::App& options) {
       options
           .add_option("--reduce-strength", chosen->reduction.what,
                       "joints, rock or both: divide their strength until the case no longer stands, as `fos` does")
-          ->check(CLI::IsMember({"joints", "rock", "both"}));
+          ->check(one_word_of({"joints", "rock", "both"}));
   for (CLI::Option* of_search : add_reduction_options(options, chosen->reduction)) of_search->needs(reduced);
   for (CLI::Option* of_run : {every, trace, both, histories, contacts, field}) reduced->excludes(of_run);
   both->excludes(profile);

@@ -12,6 +12,7 @@
 
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
+#include "app/option_checks.hpp"
 #include "base/stop.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
@@ -121,7 +122,7 @@ void print(const study::TipAtEnd& tip, std::size_t number, const study::CaseInte
     }
     const StressIntensity& k = domain.factors->k;
     fmt::print("  {:34} {:13.6g} {:13.6g} {:13.6g} {:13.6g}\n", name_of(domain.choice), k.mode_1, k.mode_2,
-               domain.factors->j, (k.mode_1 * k.mode_1 + k.mode_2 * k.mode_2) / report.rock.effective_modulus());
+               domain.factors->j, energy_release(report.rock, k));
   }
   if (!report.factors) return;
   fmt::print("  K_I {:.6g}, K_II {:.6g} [{}], J {:.6g} [{}]; {}circles differ by {:.2f} % and {:.2f} % of K\n",
@@ -183,7 +184,7 @@ Action configure_sif(CLI::App& app) {
   const auto options = std::make_shared<SifOptions>();
   app.add_option("case", options->paths, "one case folder (legacy_cases/…), or the files of a case")->required();
   app.add_option("--profile", options->profile, "preset of all choices (default: standard, or what a case file says)")
-      ->check(CLI::IsMember(profile_names()));
+      ->check(one_word_of(profile_names()));
   app.add_option("--set", options->sets, "key=value: a setting of the run; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();

@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "app/above_zero.hpp"
+#include "app/option_checks.hpp"
 #include "app/stop_request.hpp"
 #include "base/error.hpp"
 #include "job/files.hpp"
@@ -38,7 +38,7 @@ study::RunLimits StudyOptions::limits() const {
 void add_study_options(CLI::App& options, StudyOptions& chosen) {
   options.add_option("case", chosen.paths, "one case folder (legacy_cases/…), or the files of a case")->required();
   options.add_option("--profile", chosen.profile, "preset that runs vary (default: standard)")
-      ->check(CLI::IsMember(profile_names()));
+      ->check(one_word_of(profile_names()));
   options.add_option("--set", chosen.sets, "key=value: a setting of all runs; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
@@ -47,7 +47,7 @@ void add_study_options(CLI::App& options, StudyOptions& chosen) {
           "--against", chosen.against,
           "what errors are measured against: expected (values of expected.csv; the default where there are any) "
           "or finest (the limit of runs of ever smaller steps)")
-      ->check(CLI::IsMember({"expected", "finest"}));
+      ->check(one_word_of({"expected", "finest"}));
   options.add_option("--finest", chosen.finest, "part of the step that the limit is taken at: 4 (default), 8, 16, …")
       ->check(CLI::Range(4, 1024));
   options.add_option("--repeat", chosen.repeat, "time each run so often, and take the best (default: 1)")

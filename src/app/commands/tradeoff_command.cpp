@@ -10,9 +10,9 @@
 #include <memory>
 #include <numeric>
 
-#include "app/above_zero.hpp"
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
+#include "app/option_checks.hpp"
 #include "app/picture_name.hpp"
 #include "app/stop_request.hpp"
 #include "base/counted.hpp"

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "app/above_zero.hpp"
 #include "app/command.hpp"
+#include "app/option_checks.hpp"
 #include "app/picture_name.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"

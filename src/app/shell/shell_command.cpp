@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/command.hpp"
+#include "app/option_checks.hpp"
 #include "app/shell/bash_completion.hpp"
 #include "app/shell/man_page.hpp"
 
@@ -14,7 +15,7 @@ Action configure_shell(CLI::App& options) {
   const auto what = std::make_shared<std::string>();
   options.add_option("WHAT", *what, "man: the man page; bash: a script that completes commands and options")
       ->required()
-      ->check(CLI::IsMember({"man", "bash"}));
+      ->check(one_word_of({"man", "bash"}));
   return [what, &options] {
     const CLI::App& program = *options.get_parent();
     fmt::print("{}", *what == "man" ? man_page(program) : bash_completion(program));

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/above_zero.hpp"
+#include "app/option_checks.hpp"
 #include "app/stop_request.hpp"
 #include "app/strength/trial_watch.hpp"
 #include "base/error.hpp"
@@ -130,6 +130,15 @@ std::string table_of(const ReducedCase& chosen, const FactorOfSafety& found) {
   return table;
 }
 
+FieldFrame as_drawn(FieldFrame field) {
+  for (FieldElement& element : field.elements) {
+    element.middle.displacement = {};
+    for (auto& loop : element.loops)
+      for (FieldCorner& corner : loop) corner.displacement = {};
+  }
+  return field;
+}
+
 report::StrengthPicture picture_of(const ReducedCase& chosen, const FactorOfSafety& found) {
   report::StrengthPicture picture;
   picture.title = fmt::format("{}: {}", chosen.name, sentence_of(found));
@@ -143,7 +152,8 @@ report::StrengthPicture picture_of(const ReducedCase& chosen, const FactorOfSafe
     picture.standing_words = fmt::format("stands at F = {:.6g}", *found.bracket.stands);
     picture.before = found.standing->field;
   } else {
-    picture.standing_words = "stands at no factor that was tried";
+    picture.standing_words = "as drawn; it stands at no factor that was tried";
+    if (found.falling) picture.standing = picture.before = as_drawn(*found.falling);
   }
   return picture;
 }

@@ -86,7 +86,7 @@ class Placer {
   void add_fixed(const FixedLine& line) {
     const std::size_t before = blocks_.fixed_points.size();
     if (line.segment.start != line.segment.end) add_fixed_crossings(line);
-    if (blocks_.fixed_points.size() > before) return;
+    if (blocks_.fixed_points.size() > before) return crossing_lines_.push_back(&line);
     add_point(blocks_.fixed_points, "fixed point", {line.segment.start, line.place});
     if (line.segment.start == line.segment.end || blocks_.fixed_points.size() == before) return;
     warnings_.push_back(
@@ -94,6 +94,28 @@ class Placer {
          fmt::format("the fixed line from ({}, {}) to ({}, {}) crosses no edge: it fixes its first "
                      "point alone, about which the block can turn",
                      line.segment.start.x, line.segment.start.y, line.segment.end.x, line.segment.end.y)});
+  }
+
+  /// Once all fixed lines are placed: of blocks in which one ends, and which nothing holds but the one point where it
+  /// leaves them.
+  void warn_of_single_points() {
+    std::vector<int> held(blocks_.blocks.size());
+    for (const BlockPoint& point : blocks_.fixed_points) ++held[point.block];
+    std::vector<MarkedPoint> found;
+    for (const FixedLine* line : crossing_lines_)
+      for (const Point end : {line->segment.start, line->segment.end}) {
+        const auto block = block_at(blocks_.blocks, end, tolerances_.vertex_catch);
+        if (block && held[*block] == 1) found.push_back({end, line->place});
+      }
+    if (found.empty()) return;
+    warnings_.push_back(
+        {"fixed_line_ends_in_block", found.front().place,
+         fmt::format(
+             "{} held at one point alone, for a fixed line ends in {}, the first at ({}, {}): only where the line "
+             "crosses an edge does it hold, and about that point the block can turn; draw the line beyond the "
+             "outline, or add a fixed point",
+             found.size() == 1 ? "1 block is" : fmt::format("{} blocks are", found.size()),
+             found.size() == 1 ? "it" : "them", found.front().position.x, found.front().position.y)});
   }
 
   void add_point(std::vector<BlockPoint>& list, std::string_view kind, const MarkedPoint& mark) {
@@ -148,6 +170,7 @@ class Placer {
 
   const CutTolerances& tolerances_;
   Blocks& blocks_;
+  std::vector<const FixedLine*> crossing_lines_;
   Warnings warnings_;
 };
 
@@ -175,6 +198,7 @@ PlacedMarks place_marks(const Drawing& drawing, const CutTolerances& tolerances,
   placed.kept = placer.remove_holes(drawing.hole_points);
   for (const MaterialLine& line : drawing.material_lines) placer.set_material(line);
   for (const FixedLine& line : drawing.fixed_lines) placer.add_fixed(line);
+  placer.warn_of_single_points();
   for (const MarkedPoint& p : drawing.loading_points) placer.add_loading(p);
   for (const MarkedPoint& p : drawing.measured_points) placer.add_point(blocks.measured_points, "measured point", p);
   for (const BoltLine& bolt : drawing.bolts) placer.add_bolt(bolt);

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kStretches = 1000;  // more than a picture has columns
 constexpr std::size_t kMostMarkers = 40;
+constexpr double kStill = 1e-6;  // of the value: what varies less is drawn over 0, or the axis shows its round-off
 
 bool is_drawable(double value) {
   return std::abs(value) <= kGreatestDrawn;  // no NaN either
@@ -90,6 +91,8 @@ void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve
   for (const Curve& curve : curves)
     for (Point p : drawable_points(curve)) box.include(p);
   if (box.empty()) return;
+  if (box.high.y - box.low.y < kStill * std::max(std::abs(box.low.y), std::abs(box.high.y)))
+    box.include({box.low.x, 0});
   const std::vector<LegendEntry> legend = make_legend(curves);
   const double width = size.x - kPlotLeft - kPlotRight;
   const double top = legend_height(legend, width) + 6;

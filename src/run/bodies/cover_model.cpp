@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/counted.hpp"
 #include "cut/bodies/cracks.hpp"
 #include "cut/bodies/treat_slivers.hpp"
 #include "cut/covers/cut_cover.hpp"
@@ -73,13 +74,66 @@ CoverModel of_cover_file(const Cover& cover, const Analysis& analysis, const Set
           {}};
 }
 
-void require_cracks_in_meshed_blocks(const Blocks& blocks, const CoverPlan& plan) {
-  if (plan.cracks.empty()) return;
+std::vector<BodyGraph> graphs_of_meshed_blocks(const Blocks& blocks, const CoverPlan& plan) {
   std::vector<BodyGraph> graphs;
   for (const BlockPolygon& block : blocks.blocks)
     if (std::ranges::count(plan.mesh.materials, block.material, &MeshedMaterial::material) > 0)
       graphs.push_back(graph_of(block));
-  add_cracks(graphs, plan.cracks, CracksOutside::are_refused);
+  return graphs;
+}
+
+/// A drawing cut, with its joints that end inside; or the blocks that are given.
+BodyCut bodies_of(const Problem& problem, const Settings& settings) {
+  const auto* drawing = std::get_if<Drawing>(&problem.geometry);
+  BodyCut cut = drawing != nullptr ? cut_bodies(*drawing, settings.node_merging, settings.near_pieces)
+                                   : BodyCut{{std::get<Blocks>(problem.geometry), {}, {}, {}}, {}};
+  cut.blocks = with_slivers_treated(std::move(cut.blocks), settings.slivers);
+  return cut;
+}
+
+// Of the scale of cutting. Vertices of a block that are left out as straight lie up to 1e-6 off its edges, and so does
+// a joint that began there.
+constexpr double kBeyondOutline = 1e-5;
+
+std::vector<char> nodes_on_outlines(const BodyGraph& graph) {
+  std::vector<char> are(graph.nodes.size(), 0);
+  for (const BodyPiece& piece : graph.pieces)
+    if (!piece.is_slit)
+      for (const int node : {piece.from, piece.to}) are[static_cast<std::size_t>(node)] = 1;
+  return are;
+}
+
+/// Joints that end inside are cracks of a block on covers, and nothing to one that stays a block. Ends on an edge of
+/// the block go a little beyond it.
+std::vector<CrackPlan> joints_inside(const BodyCut& cut, const std::vector<BodyGraph>& meshed, Warnings& warnings) {
+  const BodyGraph& graph = cut.graph;
+  const std::vector<char> is_on_outline = nodes_on_outlines(graph);
+  const double beyond = kBeyondOutline * cut.blocks.report.tolerances.scale;
+  const auto end = [&](int node, Point other, const BodyGraph& body) {
+    const Point at = graph.nodes[static_cast<std::size_t>(node)];
+    const bool is_corner = std::ranges::find(body.nodes, at) != body.nodes.end();
+    const bool goes_beyond = is_on_outline[static_cast<std::size_t>(node)] != 0 && !is_corner;
+    return goes_beyond ? at + (beyond / distance(other, at)) * (at - other) : at;
+  };
+  std::vector<CrackPlan> joints;
+  std::size_t lost = 0;
+  for (const BodyPiece& piece : graph.pieces) {
+    if (!piece.is_slit) continue;
+    const Point from = graph.nodes[static_cast<std::size_t>(piece.from)];
+    const Point to = graph.nodes[static_cast<std::size_t>(piece.to)];
+    const auto holder =
+        std::ranges::find_if(meshed, [&](const BodyGraph& body) { return is_in_a_body(body, 0.5 * (from + to)); });
+    if (holder == meshed.end())
+      ++lost;
+    else
+      joints.push_back({{end(piece.from, to, *holder), end(piece.to, from, *holder)}, {}, piece.joint_material});
+  }
+  if (lost > 0)
+    warnings.push_back({"dangling_lines_removed", cut.blocks.blocks.place,
+                        fmt::format("{} of joints that end inside blocks are removed; those of blocks on covers are "
+                                    "kept as cracks",
+                                    counted(lost, "piece"))});
+  return joints;
 }
 
 }  // namespace
@@ -95,13 +149,15 @@ CoverModel cover_model(const Problem& problem, const Settings& settings) {
   if (const auto* cover = std::get_if<Cover>(&problem.geometry))
     return problem.covers ? all_on_covers(problem, settings) : of_cover_file(*cover, *problem.analysis, settings);
   if (problem.covers->mesh.materials.empty()) return all_on_covers(problem, settings);
-  // Joints that end inside blocks are pruned, as they are in blocks.
-  CutResult cut = blocks_of(problem, settings);
-  require_cracks_in_meshed_blocks(cut.blocks, *problem.covers);
-  Model model = mixed_model(cut.blocks, *problem.analysis, *problem.covers, settings);
+  BodyCut cut = bodies_of(problem, settings);
+  Warnings warnings = std::move(cut.blocks.warnings);
+  std::vector<BodyGraph> meshed = graphs_of_meshed_blocks(cut.blocks.blocks, *problem.covers);
+  const std::vector<CrackPlan> joints = joints_inside(cut, meshed, warnings);
+  add_cracks(meshed, problem.covers->cracks, CracksOutside::are_refused);
+  Model model = mixed_model(cut.blocks.blocks, *problem.analysis, *problem.covers, settings, joints);
   if (!model.continuum)
     throw InputError(problem.covers->mesh.place, "expected a block of the materials that covers name, found none");
-  return {std::move(model), std::move(cut.warnings)};
+  return {std::move(model), std::move(warnings)};
 }
 
 }  // namespace keyblock

@@ -24,10 +24,19 @@
 namespace keyblock {
 namespace {
 
+/// Those whose middle the body holds: their ends may reach into its neighbours.
+std::vector<CrackPlan> inside(const BodyGraph& body, std::vector<CrackPlan> joints) {
+  std::erase_if(joints, [&](const CrackPlan& joint) {
+    return !is_in_a_body(body, 0.5 * (joint.along.front() + joint.along.back()));
+  });
+  return joints;
+}
+
 class Mixed {
  public:
-  Mixed(const Blocks& blocks, const Analysis& analysis, const CoverPlan& plan, const Settings& settings)
-      : blocks_(blocks), plan_(plan), parts_(meshed()) {
+  Mixed(const Blocks& blocks, const Analysis& analysis, const CoverPlan& plan, const Settings& settings,
+        const std::vector<CrackPlan>& joints_inside)
+      : blocks_(blocks), plan_(plan), parts_(meshed(joints_inside)) {
     const Blocks& rest = parts_.rest;
     if (parts_.manifold.elements.empty()) {
       model_ = model_from_blocks(rest, analysis);
@@ -53,7 +62,7 @@ class Mixed {
   Model result() && { return std::move(model_); }
 
  private:
-  MeshedBlocks meshed() const {
+  MeshedBlocks meshed(const std::vector<CrackPlan>& joints_inside) const {
     const MeshPlan& mesh = plan_.mesh;
     const bool has_mesh = mesh.half_rows > 0 || mesh.side > 0;
     const auto is_meshed = [&](const BlockPolygon& block) {
@@ -63,6 +72,7 @@ class Mixed {
     try {
       const auto graph_for = [&](const BlockPolygon& block) {
         BodyGraph graph = graph_of(block);
+        add_cracks({&graph, 1}, inside(graph, joints_inside), CracksOutside::are_gone);
         add_cracks({&graph, 1}, plan_.cracks, CracksOutside::are_gone);
         return graph;
       };
@@ -120,8 +130,9 @@ class Mixed {
 
 }  // namespace
 
-Model mixed_model(const Blocks& blocks, const Analysis& analysis, const CoverPlan& plan, const Settings& settings) {
-  return Mixed(blocks, analysis, plan, settings).result();
+Model mixed_model(const Blocks& blocks, const Analysis& analysis, const CoverPlan& plan, const Settings& settings,
+                  const std::vector<CrackPlan>& joints_inside) {
+  return Mixed(blocks, analysis, plan, settings, joints_inside).result();
 }
 
 }  // namespace keyblock

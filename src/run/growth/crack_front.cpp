@@ -54,6 +54,17 @@ std::vector<CrackPlan> prolonged(const CrackFront& front, const Manifold& manifo
   return cracks;
 }
 
+std::vector<double> kink_corrections(const CrackFront& front, const std::vector<TipState>& found) {
+  std::vector<double> more(front.tips.size(), 0);
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    const TipState& tip = front.tips[i];
+    if (!tip.goes_on || !tip.has_room) continue;
+    for (const TipState& now : found)
+      if (now.crack == tip.crack && now.at_end == tip.at_end && now.has_room) more[i] = now.kink / 2;
+  }
+  return more;
+}
+
 std::string words_of(const TipState& tip, std::size_t number) {
   return fmt::format("tip {} (crack {}) at ({:.6g}, {:.6g})", number + 1, tip.crack + 1, tip.at.x, tip.at.y);
 }

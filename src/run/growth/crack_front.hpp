@@ -32,6 +32,10 @@ std::optional<Point> way_through(const Manifold& manifold, const CrackTip& tip, 
 std::vector<CrackPlan> prolonged(const CrackFront& front, const Manifold& manifold, double increment,
                                  const std::vector<double>& more);
 
+/// Half of the kink (rad) that a trial of a step finds at each tip of the front that went on by its own kink; 0 of the
+/// others.
+std::vector<double> kink_corrections(const CrackFront& front, const std::vector<TipState>& found);
+
 /// "tip 2 (crack 1) at (3, 4)".
 std::string words_of(const TipState& tip, std::size_t number);
 

@@ -3,6 +3,7 @@
 #include "run/growth/growth_stepper.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -132,17 +133,10 @@ std::vector<CrackPlan> GrowthStepper::further(const std::vector<double>& more) c
   return prolonged(front_, manifold_of(*now_), first_.growth->plan.increment, more);
 }
 
-// Half of the kink that a trial finds at its tips.
 std::vector<double> GrowthStepper::corrections(const std::vector<CrackPlan>& trial) const {
-  std::vector<double> more(front_.tips.size(), 0);
   auto tried = solved(trial, load_factor_);
-  if (std::holds_alternative<StepFailure>(tried)) return more;
-  for (std::size_t i = 0; i < front_.tips.size(); ++i)
-    for (const TipState& found : std::get<Solved>(tried).tips)
-      if (front_.tips[i].goes_on && found.crack == front_.tips[i].crack && found.at_end == front_.tips[i].at_end &&
-          found.has_room)
-        more[i] = found.kink / 2;
-  return more;
+  if (std::holds_alternative<StepFailure>(tried)) return std::vector<double>(front_.tips.size(), 0);
+  return kink_corrections(front_, std::get<Solved>(tried).tips);
 }
 
 void GrowthStepper::put_next() {
@@ -158,6 +152,17 @@ void GrowthStepper::put_next() {
   if (is_done_ || !first_.growth->plan.has_corrector) return;
   cracks_ = further(corrections(cracks_));
   is_done_ = ends_with_cracks();
+}
+
+std::string GrowthStepper::why_done() const {
+  if (!is_done_) return {};
+  std::vector<std::string> ends;
+  for (std::size_t c = 0; c < front_.cracks.size(); ++c) {
+    const std::vector<Point>&was = front_.cracks[c].along, &is = cracks_[c].along;
+    for (const auto& [before, after] : {std::pair{was.front(), is.front()}, std::pair{was.back(), is.back()}})
+      if (before != after) ends.push_back(fmt::format("crack {} to ({:.6g}, {:.6g})", c + 1, after.x, after.y));
+  }
+  return fmt::format("the next increment, {}, leaves no tip or cuts a piece free", fmt::join(ends, " and "));
 }
 
 // Proportional loads of elastic rock need one division, contact with gaps or large rotation some more.

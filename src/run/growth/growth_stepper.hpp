@@ -24,6 +24,7 @@ class GrowthStepper : public StepperOfScenes {
 
   /// Where no tip is left, or a piece is cut free.
   bool is_done() const override { return is_done_; }
+  std::string why_done() const override;
   const Settings& settings() const override { return first_.settings; }
   const State& state() const override { return state_; }
   std::variant<StepReport, StepFailure> advance() override;

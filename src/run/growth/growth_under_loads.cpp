@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "fracture/tip_report.hpp"
 #include "model/continuum.hpp"
 #include "run/growth/parents.hpp"
 #include "run/growth/solution_of.hpp"
@@ -19,10 +20,6 @@
 
 namespace keyblock {
 namespace {
-
-double energy_of_fracture(const PlaneElasticity& rock, double toughness) {
-  return toughness * toughness / rock.effective_modulus();
-}
 
 /// The pieces that cracks gained; one that started, from its front to its back, is one piece.
 std::vector<std::pair<Point, Point>> gained(const std::vector<CrackPlan>& before, const std::vector<CrackPlan>& after) {
@@ -94,17 +91,6 @@ std::vector<FacePull> pulls_of(const std::vector<PartingFaces>& parting, int fir
   return pulls;
 }
 
-/// Half of the kink that a trial finds at each tip of a front.
-std::vector<double> corrections(const CrackFront& front, const std::vector<TipState>& found) {
-  std::vector<double> more(front.tips.size(), 0);
-  for (std::size_t i = 0; i < more.size(); ++i)
-    for (const TipState& tip : found)
-      if (front.tips[i].goes_on && front.tips[i].has_room && tip.crack == front.tips[i].crack &&
-          tip.at_end == front.tips[i].at_end && tip.has_room)
-        more[i] = tip.kink / 2;
-  return more;
-}
-
 void describe_point(Archive& archive, const char* x, const char* y, Point& p) {
   archive.value(x, p.x);
   archive.value(y, p.y);
@@ -131,20 +117,16 @@ void describe_names(Archive& archive, std::vector<Identity>& names) {
   });
 }
 
-// Of (K_I² + K_II²)/E': a J below it is not that of the tip.
-constexpr double kLeastOfJ = 0.5;
-
-/// What a tip that goes on takes per length: G, at the load under which its equivalent reaches the toughness. It is J,
-/// but where J is far below (K_I² + K_II²)/E' (Irwin 1957) that: the error of J goes with the square of the stress
-/// along the crack, of which K has no part. In a disc pressed along its crack a mesh of six sides across found 0.37 of
-/// it, and less than none beside the rim, where new faces took nothing.
+/// What a tip that goes on takes per length: G, at the load under which its equivalent reaches the toughness. It is J
+/// as far as (K_I² + K_II²)/E' bears it out: the error of J goes with the square of the stress along the crack, of
+/// which K has no part. In a disc pressed along its crack a mesh of six sides across found 0.37 of it, and less than
+/// none beside the rim, where new faces took nothing.
 double energy_of(const Continuum& continuum, const TipState& tip) {
   const PlaneElasticity rock = rock_at(continuum, tip_of(continuum.manifold, tip));
-  if (!tip.has_room || !(tip.equivalent > 0)) return energy_of_fracture(rock, tip.toughness);
-  const double mode_1 = std::max(0.0, tip.mode_1);  // closed faces have none
-  const double by_k = (mode_1 * mode_1 + tip.mode_2 * tip.mode_2) / rock.effective_modulus();
+  if (!tip.has_room || !(tip.equivalent > 0)) return energy_release(rock, {tip.toughness, 0});
+  const double by_k = energy_release(rock, {std::max(0.0, tip.mode_1), tip.mode_2});  // closed faces have no K_I
   const double over = tip.toughness / tip.equivalent;
-  return (tip.energy_release < kLeastOfJ * by_k ? by_k : tip.energy_release) * over * over;
+  return over * over * std::clamp(tip.energy_release, (1 - kMostDifferenceOfJ) * by_k, by_k / (1 - kMostDifferenceOfJ));
 }
 
 [[noreturn]] void refuse(const PartingFaces& faces, const Place& place) {
@@ -320,7 +302,7 @@ std::optional<std::variant<StepReport, StepFailure>> GrowthUnderLoads::correct()
   try {
     std::variant<StepReport, StepFailure> trial = now_->advance();
     if (std::holds_alternative<StepFailure>(trial)) return trial;
-    more = corrections(front, tips_of(solution(), front_.cracks, first_.growth->plan.criterion));
+    more = kink_corrections(front, tips_of(solution(), front_.cracks, first_.growth->plan.criterion));
     if (std::ranges::all_of(more, [](double turn) { return turn == 0; })) return trial;
   } catch (...) {  // a stop in the trial leaves the step unmade
     go_back();
@@ -366,7 +348,7 @@ void GrowthUnderLoads::look_at_tips() {
   if (pieces_.empty() && front_.starts.empty()) return;
   for (const CrackStart& start : front_.starts) {
     const PlaneElasticity rock = rock_at(continuum, {start.at, start.along});
-    pieces_.push_back({start.at - start.half_length * start.along, energy_of_fracture(rock, start.toughness)});
+    pieces_.push_back({start.at - start.half_length * start.along, energy_release(rock, {start.toughness, 0})});
   }
   put_next(std::vector<double>(front_.tips.size(), 0));
 }

@@ -56,7 +56,8 @@ class Relaxation {
     if (kinetic_ > of_relaxation::kAtRest * std::max(work_, greatest_kinetic_)) return false;
     const Balance balance = balance_of(scene_, result_.motion, time_, driving_);
     result_.residual = balance.share;
-    tell_headway("dynamic relaxation", share_of_fall(1, balance.share, of_relaxation::kBalancedAsARule));
+    way_ = std::max(way_, share_of_fall(1, balance.share, of_relaxation::kBalancedAsARule));  // it swings
+    tell_headway("dynamic relaxation", way_);
     if (balance.holds()) stop();
     return balance.holds();
   }
@@ -129,6 +130,7 @@ class Relaxation {
   double time_;
   double driving_;  ///< force
   int steps_ = 0;
+  double way_ = 0;  ///< share of the way to balance, as told
   double work_ = 0;
   double kinetic_ = 0;
   double greatest_kinetic_ = 0;

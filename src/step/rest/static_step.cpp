@@ -51,7 +51,8 @@ class StaticSolve {
       if (!iterate()) continue;
       const Balance balance = balance_of(scene_, now_, time_, load_);
       bound_by(balance.share);
-      tell_headway("search for the equilibrium", share_of_fall(1, balance.share, of_statics::kBalancedToBegin));
+      way_ = std::max(way_, share_of_fall(1, balance.share, of_statics::kBalancedToBegin));  // forces rise now and then
+      tell_headway("search for the equilibrium", way_);
       result_.residual = balance.share;
       if (balance.holds() || settles_for_less()) return finished();
       result_.moving = far_out_of_balance(balance);
@@ -229,6 +230,7 @@ class StaticSolve {
   int since_look_ = 0;                                          ///< iterations
   double last_look_ = std::numeric_limits<double>::infinity();  ///< share out of balance then
   int iterations_ = 0;
+  double way_ = 0;  ///< share of the way to balance, as told
   int solves_ = 0;  ///< iterations, those thrown away included
   int cuts_ = 0;
   int cuts_in_row_ = 0;

@@ -62,12 +62,22 @@ bool is_hidden(const fs::path& path) {
   return path.filename().string().starts_with('.');
 }
 
+bool begins_with(const fs::path& file, std::string_view words) {
+  std::ifstream text(file, std::ios::binary);
+  std::string head(words.size(), ' ');
+  return text.read(head.data(), static_cast<std::streamsize>(head.size())) && head == words;
+}
+
 // As `batch -o` makes it: its journal begins so.
 bool is_of_a_batch(const fs::path& folder) {
-  constexpr std::string_view kHead = "{\"batch\":";
-  std::ifstream journal(folder / "journal.jsonl", std::ios::binary);
-  std::string head(kHead.size(), ' ');
-  return journal.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kHead;
+  return begins_with(folder / "journal.jsonl", "{\"batch\":");
+}
+
+// As `run -o` and `fos -o` make it: its record begins so.
+bool is_of_a_run(const fs::path& folder) {
+  constexpr std::string_view kHead = "{\n \"program\": \"keyblock\"";
+  return std::ranges::any_of(std::array{"run.json", "fos.json"},
+                             [&](const char* record) { return begins_with(folder / record, kHead); });
 }
 
 // Why an entry of a folder is no file of the archive; empty for files, and for folders to walk into.
@@ -77,6 +87,7 @@ std::string_view why_not(const fs::directory_entry& entry) {
   if (is_hidden(entry.path())) return "hidden";
   if (is_link && !entry.exists(ignored)) return "dead link";
   if (is_link && entry.is_directory(ignored)) return "link to a folder";
+  if (entry.is_directory(ignored) && is_of_a_run(entry.path())) return "results of a run";
   if (entry.is_directory(ignored)) return is_of_a_batch(entry.path()) ? "results of another batch" : "";
   return entry.is_regular_file(ignored) ? "" : "device or pipe";
 }

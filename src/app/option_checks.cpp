@@ -1,10 +1,14 @@
 // The library's own checks print the bounds of a double.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/above_zero.hpp"
+#include "app/option_checks.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "base/nearest.hpp"
 
 namespace keyblock {
 namespace {
@@ -27,6 +31,15 @@ CLI::Validator above_zero() {
 
 CLI::Validator zero_or_above() {
   return check("0 or a number above it", true);
+}
+
+CLI::Validator one_word_of(const std::vector<std::string>& words) {
+  return {[words](std::string& text) {
+            if (std::ranges::find(words, text) != words.end()) return std::string();
+            return fmt::format("expected one of {}, found \"{}\"{}", fmt::join(words, ", "), text,
+                               nearest_words(text, words));
+          },
+          fmt::format("{{{}}}", fmt::join(words, ","))};
 }
 
 }  // namespace keyblock
