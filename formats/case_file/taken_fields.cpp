@@ -41,7 +41,10 @@ void TakenFields::finish() const {
 bool TakenFields::take(std::string_view name) {
   known_.push_back(name);
   if (in_row_) {
-    if (*in_row_ == from_.end()) from_.fail(fmt::format("{} of {}", name, noun_));
+    if (*in_row_ == from_.end())
+      throw InputError(from_.place(),
+                       fmt::format("expected {} of {} as value {} of the row ({}), found a row of {}", name, noun_,
+                                   known_.size(), fmt::join(known_, ", "), known_.size() - 1));
     value_ = **in_row_;
     ++*in_row_;
     return true;

@@ -142,15 +142,25 @@ class JsonReader {
     const bool is_number = error.id == 406;
     const std::string found = at == text_.size() ? "the end of the file" : "\"" + clipped(text_.substr(at)) + "\"";
     const bool is_hash = last.ends_with('#');
+    const bool is_after_comma = is_behind_comma(at);
     throw InputError(
         into_.map_.place(at),
         fmt::format(
             "expected {}, found {}{}", is_number ? "a number of double precision" : "sound JSON",
             is_number || last.empty() || at == text_.size() ? found : "\"" + clipped(without_line_ends(last)) + "\"",
-            is_hash ? "; comments begin with // in JSON, with # in YAML" : ""));
+            is_hash          ? "; comments begin with // in JSON, with # in YAML"
+            : is_after_comma ? "; numbers have a decimal point, a comma parts values"
+                             : ""));
   }
 
  private:
+  // A digit, a comma and another digit before the place, as in 0,001.
+  bool is_behind_comma(std::size_t at) const {
+    const auto is_digit = [&](std::size_t i) { return i < text_.size() && text_[i] >= '0' && text_[i] <= '9'; };
+    while (at > 0 && is_digit(at - 1)) --at;
+    return is_digit(at) && at > 1 && text_[at - 1] == ',' && is_digit(at - 2);
+  }
+
   // The parser shows control characters as <U+000A>, but line ends within a value as they are.
   static std::string without_line_ends(std::string text) {
     std::erase_if(text, [](unsigned char c) { return c < ' '; });

@@ -44,6 +44,8 @@ TEST(JsonText, values_are_what_was_written) {
 
 TEST(JsonText, faults_are_errors_at_their_place) {
   EXPECT_EQ(error_in("{\"a\": 1,\n \"b\" 2}"), "f:2:6: error: expected sound JSON, found \"2\"");
+  EXPECT_EQ(error_in("{\"a\": 0,001, \"b\": 2}"),
+            "f:1:9: error: expected sound JSON, found \"0\"; numbers have a decimal point, a comma parts values");
   EXPECT_EQ(error_in("[1, # one\n 2]"),
             "f:1:5: error: expected sound JSON, found \"1, #\"; comments begin with // in JSON, with # in YAML");
   EXPECT_EQ(error_in("[1, 2"), "f:1:6: error: expected sound JSON, found the end of the file");

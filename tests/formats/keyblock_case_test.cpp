@@ -61,7 +61,9 @@ TEST(KeyblockCase, faults_are_named_where_they_stand) {
             "\"phi\"");
   EXPECT_EQ(error_of(with("30", "\"30\"")),
             "f:11:46: error: expected friction_angle_deg: a number, or an angle, such as \"30 deg\", found \"30\"");
-  EXPECT_EQ(error_of(with("[1, 0, 2]", "[1, 0]")), "f:5:51: error: expected joint_material of outer, found an array");
+  EXPECT_EQ(
+      error_of(with("[1, 0, 2]", "[1, 0]")),
+      "f:5:51: error: expected joint_material of outer as value 3 of the row (x, y, joint_material), found a row of 2");
   EXPECT_EQ(error_of(with("[1, 0, 2]", "[1, 0, 2, 3]")),
             "f:5:61: error: expected the end of outer: x, y, joint_material, found 3");
   EXPECT_EQ(error_of(with("0.125, 1]", "0.125, 2]")), "f:6:20: error: expected the number of a block, 1 to 1, found 2");
