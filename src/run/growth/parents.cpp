@@ -1,4 +1,4 @@
-// By triangles of the mesh where it is the same, else by boxes; then by polygons; see parents.hpp.
+// By triangles that both meshes have, in others by boxes; then by polygons; see parents.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/parents.hpp"
 
@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cut/mesh/same_triangles.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
@@ -53,16 +54,10 @@ Point inner_point(const Manifold& manifold, std::size_t e) {
   return inside ? *inside : centroid(loops.front());
 }
 
-bool are_alike(const Manifold& was, const ManifoldElement& old, const Manifold& is, const ManifoldElement& element) {
-  if (old.holes.size != 0 || element.holes.size != 0 || old.outer.size != element.outer.size) return false;
-  return std::ranges::equal(was.loop(old.outer), is.loop(element.outer), {}, &ElementCorner::position,
-                            &ElementCorner::position);
-}
-
 /// Of elements in a triangle that was there before; -1 for the others.
 std::vector<int> parents_in_triangles(const Manifold& was, const Manifold& is) {
   std::vector<int> parent(is.elements.size(), -1);
-  if (was.mesh.nodes != is.mesh.nodes || was.mesh.triangles != is.mesh.triangles) return parent;
+  const std::vector<int> triangles = same_triangles(was.mesh, is.mesh);
   std::vector<int> first(was.mesh.triangles.size(), -1);  // of the elements of each triangle
   std::vector<int> next(was.elements.size(), -1);
   for (std::size_t e = was.elements.size(); e-- > 0;) {
@@ -71,9 +66,11 @@ std::vector<int> parents_in_triangles(const Manifold& was, const Manifold& is) {
   }
   for (std::size_t e = 0; e < is.elements.size(); ++e) {
     const ManifoldElement& element = is.elements[e];
-    const int head = first[static_cast<std::size_t>(element.triangle)];
+    const int triangle = triangles[static_cast<std::size_t>(element.triangle)];
+    if (triangle < 0) continue;
+    const int head = first[static_cast<std::size_t>(triangle)];
     for (int old = head; old >= 0 && parent[e] < 0; old = next[static_cast<std::size_t>(old)])
-      if (are_alike(was, was.elements[static_cast<std::size_t>(old)], is, element)) parent[e] = old;
+      if (have_same_polygon(was, was.elements[static_cast<std::size_t>(old)], is, element)) parent[e] = old;
     if (head < 0 || parent[e] >= 0) continue;
     const Point inner = inner_point(is, e);
     for (int old = head; old >= 0 && parent[e] < 0; old = next[static_cast<std::size_t>(old)])

@@ -15,21 +15,25 @@ namespace keyblock {
 struct CarriedCovers {
   Eigen::VectorXd d;
   Eigen::VectorXd v;
-  YieldStates points = {};  ///< of rock that may yield, where they are carried by points
 };
 
-/// The fields of the bodies before, projected by mass onto the functions of the bodies after: M d = ∫ ρ Tᵀ u. The
-/// projection leaves a field that the functions hold as it is, and of any field it keeps the momentum, for a uniform
-/// field is among them; the angular momentum of every body, about which the projection of the displacement says
-/// nothing, is kept by a turning of the body. `parents`: of every element after, the element before that it is a part
-/// of, in the same triangle of the same mesh.
-CarriedCovers carried_covers(const CoverScene& before, const Eigen::VectorXd& d, const Eigen::VectorXd& v,
-                             std::span<const int> parents, const CoverScene& after);
+/// Where displacements may differ from those before: the elements that are not kept, and some rings about them.
+struct ChangedPart {
+  std::vector<int> elements;  ///< those with functions that may change, ascending
+  std::vector<char> changed;  ///< of each of these, whether it is not kept
+  std::vector<int> place;     ///< of each function of the bodies among those that may change; -1: it stays
+  int function_count = 0;     ///< of those that may change
+};
+ChangedPart changed_part(const CoverScene& after, const std::vector<char>& kept);
 
-/// The same from points of the fields before over each element after: of other meshes, and of blocks that are given
-/// covers. Momentum and angular momentum of each body are those of its points; displacements are nearest in the energy
-/// of elastic rock.
-CarriedCovers carried_covers(std::span<const std::vector<FieldPoint>> fields, const CoverScene& after);
+/// `start` with what it lacks of the fields of the bodies before, which `fields` tell by points over each element of
+/// the part. The velocity is projected by mass, M v = ∫ ρ Tᵀ v: that leaves a field that the functions hold as it is,
+/// and of any field it keeps the momentum, for a uniform field is among them. The angular momentum of every body, about
+/// which the projection of the displacement says nothing, is kept by a turning of the body. Displacements are nearest
+/// in the energy of elastic rock; those of functions outside the part stay as they are to the bit. Over elements that
+/// are kept `start` is the field before, over others it is a guess.
+CarriedCovers carried_covers(CarriedCovers start, const ChangedPart& part,
+                             std::span<const std::vector<FieldPoint>> fields, const CoverScene& after);
 
 /// An element of a body with the box about it.
 struct BoxedElement {
@@ -37,15 +41,27 @@ struct BoxedElement {
   int element = 0;
 };
 
+/// The elements of a body, those near a region found quickly.
+class BoxedElements {
+ public:
+  BoxedElements() = default;
+  explicit BoxedElements(std::vector<BoxedElement> elements);
+
+  /// Those whose boxes overlap this one, by their numbers.
+  std::vector<int> overlapping(const Box& box) const;
+
+ private:
+  std::vector<BoxedElement> from_left_;  ///< by the left sides of their boxes
+  double widest_ = 0;                    ///< of the boxes
+};
+
 /// Of every body.
-std::vector<std::vector<BoxedElement>> boxed_elements(const CoverScene& bodies);
+std::vector<BoxedElements> boxed_elements(const CoverScene& bodies);
 
 /// The fields of a body, which has these elements, over a region of the start: exact to the product of the fields with
 /// each other, and with a polynomial of `degree`.
-std::vector<FieldPoint> field_over(const CoverScene& bodies, std::span<const BoxedElement> elements,
+std::vector<FieldPoint> field_over(const CoverScene& bodies, const BoxedElements& elements,
                                    std::span<const std::vector<Point>> region, int degree, const Eigen::VectorXd& d,
                                    const Eigen::VectorXd& v);
-
-bool is_same_mesh(const Manifold& a, const Manifold& b);
 
 }  // namespace keyblock

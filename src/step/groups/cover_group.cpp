@@ -7,6 +7,7 @@
 
 #include "base/worse.hpp"
 #include "step/bodies/cover_flexibility.hpp"
+#include "step/groups/kept_covers.hpp"
 #include "system/sparse_lu.hpp"
 
 namespace keyblock {
@@ -47,44 +48,48 @@ class CoverStep final : public EstimatedStep {
   CoverEquations& equations_;
 };
 
-CarriedCovers carried_by_products(const CoverScene& bodies, const CoverScene& same,
-                                  const std::vector<ElementIndex>& own, const BodiesBefore& before) {
+/// Of every element of bodies on covers that which it is a part of in `same`, -1 where that is in no such body.
+std::vector<int> parents_in(const CoverScene& same, const std::vector<ElementIndex>& own, const BodiesBefore& before) {
   std::vector<int> parents;
-  for (const ElementIndex e : own) parents.push_back(same.kinematics()->manifold_element(before.parents[e]));
-  return carried_covers(same, before.motion.q.shared, before.motion.v.shared, parents, bodies);
-}
-
-YieldStates memories_by_elements(const CoverScene& bodies, const CoverScene& same, const std::vector<ElementIndex>& own,
-                                 const BodiesBefore& before) {
-  YieldStates states = bodies.yield().start();
-  for (const ElementIndex e : own)
-    bodies.yield().carry(bodies.kinematics()->manifold_element(e), same.yield(),
-                         same.kinematics()->manifold_element(before.parents[e]), before.motion.points.covers, states);
-  return states;
-}
-
-CarriedCovers carried_by_points(const CoverScene& bodies, const std::vector<ElementIndex>& own,
-                                const BodiesBefore& before) {
-  const Manifold& manifold = bodies.continuum().manifold;
-  const int degree = bodies.basis().degree();
-  std::vector<std::vector<FieldPoint>> fields;
   for (const ElementIndex e : own) {
     const ElementIndex parent = before.parents[e];
-    const auto region =
-        manifold.polygon(manifold.elements[static_cast<std::size_t>(bodies.kinematics()->manifold_element(e))]);
-    fields.push_back(before.groups.of(parent).field_over(before.scene, parent, region, degree, before.motion));
+    parents.push_back(same.kinematics()->carries(parent) ? same.kinematics()->manifold_element(parent) : -1);
   }
-  CarriedCovers carried = carried_covers(fields, bodies);
-  if (bodies.yield().is_empty()) return carried;
-  std::vector<std::vector<CoverYield::Remembered>> remembered(fields.size());
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const ElementIndex parent = before.parents[own[i]];
+  return parents;
+}
+
+std::vector<std::vector<FieldPoint>> fields_over(const ChangedPart& part, const CoverScene& bodies,
+                                                 const std::vector<ElementIndex>& own, const BodiesBefore& before) {
+  const Manifold& manifold = bodies.continuum().manifold;
+  std::vector<std::vector<FieldPoint>> fields;
+  for (const int e : part.elements) {
+    const ElementIndex parent = before.parents[own[static_cast<std::size_t>(e)]];
+    const auto region = manifold.polygon(manifold.elements[static_cast<std::size_t>(e)]);
+    fields.push_back(
+        before.groups.of(parent).field_over(before.scene, parent, region, bodies.basis().degree(), before.motion));
+  }
+  return fields;
+}
+
+/// Of elements in new triangles what rock remembers at points; of others what they remembered.
+YieldStates carried_memories(const CoverScene& bodies, const CoverScene* same, const KeptCovers& kept,
+                             const ChangedPart& part, std::span<const std::vector<FieldPoint>> fields,
+                             const std::vector<ElementIndex>& own, const BodiesBefore& before) {
+  std::vector<std::vector<CoverYield::Remembered>> remembered(own.size());
+  for (std::size_t i = 0; i < part.elements.size(); ++i) {
+    const auto e = static_cast<std::size_t>(part.elements[i]);
+    const ElementIndex parent = before.parents[own[e]];
+    if (kept.in_triangle[e] >= 0) continue;
     for (const FieldPoint& point : fields[i])
-      remembered[i].push_back(
+      remembered[e].push_back(
           {point.start, point.area, before.groups.of(parent).memory_at(parent, before.motion, point.start)});
   }
-  carried.points = bodies.yield().gathered(remembered);
-  return carried;
+  YieldStates states = bodies.yield().gathered(remembered);
+  for (std::size_t e = 0; e < own.size(); ++e)
+    if (kept.in_triangle[e] >= 0)
+      bodies.yield().carry(static_cast<int>(e), same->yield(), kept.in_triangle[e], before.motion.points.covers,
+                           states);
+  return states;
 }
 
 }  // namespace
@@ -247,24 +252,23 @@ std::vector<FieldPoint> CoverGroup::field_over(const SceneParts&, ElementIndex e
                               motion.q.shared, motion.v.shared);
 }
 
-// Where the mesh is that of before, products of polynomials tell what is carried; a body that was a block, or that has
-// another mesh now, takes it from points.
+// What is in the same triangles as before is copied; the rest, and a body that was a block, takes it from points.
 void CoverGroup::carry(const SceneParts&, const BodiesBefore& before, BodiesMotion& carried) const {
-  const CoverGroup* same = nullptr;
+  const CoverScene* same = nullptr;
   for (const BodyGroups::Group& group : before.groups)
-    if (const auto* one = dynamic_cast<const CoverGroup*>(group.get())) same = one;
+    if (const auto* one = dynamic_cast<const CoverGroup*>(group.get())) same = one->bodies_.get();
   std::vector<ElementIndex> own;
   for (ElementIndex e : indices(before.parents))
     if (has(e)) own.push_back(e);
-  const bool keeps_mesh = same &&
-                          std::ranges::all_of(own, [&](ElementIndex e) { return same->has(before.parents[e]); }) &&
-                          is_same_mesh(same->bodies_->continuum().manifold, bodies_->continuum().manifold);
-  const CarriedCovers covers = keeps_mesh ? carried_by_products(*bodies_, *same->bodies_, own, before)
-                                          : carried_by_points(*bodies_, own, before);
-  if (may_yield() && keeps_mesh) carried.points.covers = memories_by_elements(*bodies_, *same->bodies_, own, before);
-  if (may_yield() && !keeps_mesh) carried.points.covers = covers.points;
-  carried.q.shared = covers.d;
-  carried.v.shared = covers.v;
+  const KeptCovers kept = same ? kept_covers(*same, parents_in(*same, own, before), *bodies_) : nothing_kept(*bodies_);
+  const ChangedPart part = changed_part(*bodies_, kept.elements);
+  const std::vector<std::vector<FieldPoint>> fields = fields_over(part, *bodies_, own, before);
+  const BodiesMotion& motion = before.motion;
+  CarriedCovers covers =
+      carried_covers({copied(kept, motion.q.shared), copied(kept, motion.v.shared)}, part, fields, *bodies_);
+  if (may_yield()) carried.points.covers = carried_memories(*bodies_, same, kept, part, fields, own, before);
+  carried.q.shared = std::move(covers.d);
+  carried.v.shared = std::move(covers.v);
 }
 
 }  // namespace keyblock

@@ -78,7 +78,7 @@ class CoverGroup final : public BodyGroup {
 
  private:
   std::shared_ptr<const CoverScene> bodies_;
-  std::vector<std::vector<BoxedElement>> elements_;  ///< of every body
+  std::vector<BoxedElements> elements_;  ///< of every body
   mutable std::unique_ptr<CoverEquations> equations_;
 };
 
