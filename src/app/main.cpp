@@ -121,24 +121,8 @@ std::string with_examples(const char* examples) {
   return text + "\n";
 }
 
-// Messages would be added to what the command reads.
-void require_log_apart(const std::vector<std::string>& arguments) {
-  constexpr std::string_view kLog = "--log";
-  std::error_code is_no_file;
-  const auto require_apart = [&](const std::string& log, std::size_t own) {
-    for (std::size_t i = 0; i < arguments.size(); ++i)
-      if (i != own && std::filesystem::equivalent(arguments[i], log, is_no_file))
-        throw UsageError(fmt::format("{}: expected a file of its own for the log, found one of the command's", log));
-  };
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i].starts_with(fmt::format("{}=", kLog))) require_apart(arguments[i].substr(kLog.size() + 1), i);
-    if (arguments[i] == kLog && i + 1 < arguments.size()) require_apart(arguments[i + 1], i + 1);
-  }
-}
-
 int run_program(int argc, char** argv) {
   if (argc > 1) require_known(argv[1]);
-  require_log_apart({argv + 1, argv + argc});
   CLI::App program{
       "Keyblock: reruns the files of discontinuous deformation analysis and the numerical manifold method"};
   program.name("keyblock");

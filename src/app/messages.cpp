@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/messages.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -9,9 +10,11 @@
 
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
@@ -43,9 +46,16 @@ std::unique_ptr<spdlog::formatter> plain_lines() {
   return formatter;
 }
 
-bool is_quiet = false;
+spdlog::sink_ptr terminal() {
+  return spdlog::default_logger()->sinks().front();
+}
 
+// Messages are added to what is there: to a log, and to nothing else that a user may have.
 void log_into(const std::string& file) {
+  std::error_code is_not_there;
+  const bool is_new = !std::filesystem::exists(file, is_not_there) || std::filesystem::is_empty(file, is_not_there);
+  if (!is_new && std::filesystem::path(file).extension() != ".log")
+    throw UsageError(fmt::format("--log {}: expected a new file, or one whose name ends in .log, found another", file));
   try {
     auto sink = std::make_shared<spdlog::sinks::basic_file_sink_st>(file);
     sink->set_formatter(plain_lines());
@@ -70,12 +80,7 @@ void print_messages_plainly() {
 void add_message_options(CLI::App& program) {
   CLI::Option* quiet = program.add_flag_callback(
       "--quiet",
-      [] {
-        for (const spdlog::sink_ptr& sink : spdlog::default_logger()->sinks())
-          if (dynamic_cast<spdlog::sinks::stderr_color_sink_st*>(sink.get()) != nullptr)
-            sink->set_level(spdlog::level::err);
-        is_quiet = true;
-      },
+      [] { terminal()->set_level(spdlog::level::err); },
       "errors alone on the terminal, no warnings and no progress");
   CLI::Option* verbose = program.add_flag_callback(
       "--verbose", [] { spdlog::set_level(spdlog::level::debug); },
@@ -86,7 +91,7 @@ void add_message_options(CLI::App& program) {
 }
 
 bool shows_progress() {
-  return !is_quiet;
+  return terminal()->should_log(spdlog::level::info);
 }
 
 }  // namespace keyblock

@@ -61,7 +61,7 @@ std::string points_outside(const Blocks& blocks, const std::vector<std::vector<P
   look("a measured point", blocks.measured_points);
   if (found.empty()) return {};
   return fmt::format(
-      "{} outside the block that the file says, the first is {} of block {} at {}, {} from it: it moves with the "
+      "{} outside the block that the file names, the first is {} of block {} at {}, {} from it: it moves with the "
       "block as "
       "if it were a part of it",
       found.size() == 1 ? "1 point lies" : fmt::format("{} points lie", found.size()), found.front().noun,

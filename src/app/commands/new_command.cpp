@@ -87,7 +87,9 @@ ExitCode write_template(const NewOptions& options) {
   const auto found = std::ranges::find(case_templates(), options.name, &CaseTemplate::name);
   const std::string file = options.file.empty() ? options.name + ".json" : options.file;
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  if (!folder.empty()) std::filesystem::create_directories(folder);
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  if (error) throw UsageError(fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
   require_writable({file}, {}, overwrite_if(options.force));
   const bool is_yaml = file.ends_with(".yaml") || file.ends_with(".yml");
   write_output(file, is_yaml ? YamlOfTemplate(found->text).text() : std::string(found->text),

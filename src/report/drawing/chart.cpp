@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kStretches = 1000;  // more than a picture has columns
 constexpr std::size_t kMostMarkers = 40;
-constexpr double kStill = 1e-6;  // of the value: what varies less is drawn over 0, or the axis shows its round-off
+constexpr double kStill = 1e-9;  // of the value: what varies less is drawn over 0, or the axis shows its round-off
 
 bool is_drawable(double value) {
   return std::abs(value) <= kGreatestDrawn;  // no NaN either

@@ -15,6 +15,7 @@
 #include "cut/covers/cut_cover.hpp"
 #include "cut/covers/from_cover.hpp"
 #include "cut/covers/to_cover.hpp"
+#include "geometry/segment.hpp"
 #include "model/continuum.hpp"
 #include "model/setup/from_blocks.hpp"
 #include "model/setup/from_manifold.hpp"
@@ -92,28 +93,34 @@ BodyCut bodies_of(const Problem& problem, const Settings& settings) {
 }
 
 // Of the scale of cutting. Vertices of a block that are left out as straight lie up to 1e-6 off its edges, and so does
-// a joint that began there.
+// a joint that began there: it goes beyond by ten times as much.
+constexpr double kOnOutline = 1e-6;
 constexpr double kBeyondOutline = 1e-5;
 
-std::vector<char> nodes_on_outlines(const BodyGraph& graph) {
-  std::vector<char> are(graph.nodes.size(), 0);
-  for (const BodyPiece& piece : graph.pieces)
-    if (!piece.is_slit)
-      for (const int node : {piece.from, piece.to}) are[static_cast<std::size_t>(node)] = 1;
-  return are;
+bool is_on_outline(const BodyGraph& body, Point p, double near) {
+  return std::ranges::any_of(body.pieces, [&](const BodyPiece& piece) {
+    const Segment side{body.nodes[static_cast<std::size_t>(piece.from)], body.nodes[static_cast<std::size_t>(piece.to)]};
+    return distance(side, p) <= near;
+  });
+}
+
+Warnings joints_removed(std::size_t pieces, const Place& place) {
+  if (pieces == 0) return {};
+  return {{"dangling_lines_removed", place,
+           fmt::format("{} of joints that end inside blocks {} removed; in blocks on covers they are kept as cracks",
+                       counted(pieces, "piece"), pieces == 1 ? "is" : "are")}};
 }
 
 /// Joints that end inside are cracks of a block on covers, and nothing to one that stays a block. Ends on an edge of
 /// the block go a little beyond it.
 std::vector<CrackPlan> joints_inside(const BodyCut& cut, const std::vector<BodyGraph>& meshed, Warnings& warnings) {
   const BodyGraph& graph = cut.graph;
-  const std::vector<char> is_on_outline = nodes_on_outlines(graph);
-  const double beyond = kBeyondOutline * cut.blocks.report.tolerances.scale;
-  const auto end = [&](int node, Point other, const BodyGraph& body) {
-    const Point at = graph.nodes[static_cast<std::size_t>(node)];
+  const Blocks& blocks = cut.blocks.blocks;
+  const double scale = cut.blocks.report.tolerances.scale;
+  const auto end = [&](Point at, Point other, const BodyGraph& body) {
     const bool is_corner = std::ranges::find(body.nodes, at) != body.nodes.end();
-    const bool goes_beyond = is_on_outline[static_cast<std::size_t>(node)] != 0 && !is_corner;
-    return goes_beyond ? at + (beyond / distance(other, at)) * (at - other) : at;
+    if (is_corner || !is_on_outline(body, at, kOnOutline * scale)) return at;
+    return at + (kBeyondOutline * scale / distance(other, at)) * (at - other);
   };
   std::vector<CrackPlan> joints;
   std::size_t lost = 0;
@@ -121,18 +128,14 @@ std::vector<CrackPlan> joints_inside(const BodyCut& cut, const std::vector<BodyG
     if (!piece.is_slit) continue;
     const Point from = graph.nodes[static_cast<std::size_t>(piece.from)];
     const Point to = graph.nodes[static_cast<std::size_t>(piece.to)];
-    const auto holder =
-        std::ranges::find_if(meshed, [&](const BodyGraph& body) { return is_in_a_body(body, 0.5 * (from + to)); });
-    if (holder == meshed.end())
+    const Point middle = 0.5 * (from + to);
+    const auto holder = std::ranges::find_if(meshed, [&](const BodyGraph& body) { return is_in_a_body(body, middle); });
+    if (holder != meshed.end())
+      joints.push_back({{end(from, to, *holder), end(to, from, *holder)}, blocks.place, piece.joint_material});
+    else if (std::ranges::any_of(blocks.blocks, [&](const auto& block) { return is_in_a_body(graph_of(block), middle); }))
       ++lost;
-    else
-      joints.push_back({{end(piece.from, to, *holder), end(piece.to, from, *holder)}, {}, piece.joint_material});
   }
-  if (lost > 0)
-    warnings.push_back({"dangling_lines_removed", cut.blocks.blocks.place,
-                        fmt::format("{} of joints that end inside blocks are removed; those of blocks on covers are "
-                                    "kept as cracks",
-                                    counted(lost, "piece"))});
+  warnings = joined(std::move(warnings), joints_removed(lost, blocks.place));
   return joints;
 }
 

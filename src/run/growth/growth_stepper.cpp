@@ -157,12 +157,21 @@ void GrowthStepper::put_next() {
 std::string GrowthStepper::why_done() const {
   if (!is_done_) return {};
   std::vector<std::string> ends;
-  for (std::size_t c = 0; c < front_.cracks.size(); ++c) {
-    const std::vector<Point>&was = front_.cracks[c].along, &is = cracks_[c].along;
-    for (const auto& [before, after] : {std::pair{was.front(), is.front()}, std::pair{was.back(), is.back()}})
-      if (before != after) ends.push_back(fmt::format("crack {} to ({:.6g}, {:.6g})", c + 1, after.x, after.y));
+  const auto add = [&](std::size_t c, Point end) {
+    ends.push_back(fmt::format("crack {} to ({:.6g}, {:.6g})", c + 1, end.x, end.y));
+  };
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    const std::vector<Point>& is = cracks_[c].along;
+    if (c >= front_.cracks.size()) {  // from the tip of a joint, or in intact rock
+      add(c, is.back());
+      continue;
+    }
+    const std::vector<Point>& was = front_.cracks[c].along;
+    if (was.front() != is.front()) add(c, is.front());
+    if (was.back() != is.back()) add(c, is.back());
   }
-  return fmt::format("the next increment, {}, leaves no tip or cuts a piece free", fmt::join(ends, " and "));
+  return fmt::format("after the next increment, {}, no tip is left, or a piece is cut free that nothing holds",
+                     fmt::join(ends, " and "));
 }
 
 // Proportional loads of elastic rock need one division, contact with gaps or large rotation some more.

@@ -119,8 +119,8 @@ void describe_names(Archive& archive, std::vector<Identity>& names) {
 
 /// What a tip that goes on takes per length: G, at the load under which its equivalent reaches the toughness. It is J
 /// as far as (K_I² + K_II²)/E' bears it out: the error of J goes with the square of the stress along the crack, of
-/// which K has no part. In a disc pressed along its crack a mesh of six sides across found 0.37 of it, and less than
-/// none beside the rim, where new faces took nothing.
+/// which K has no part, and of faces that rub J has what friction takes. In a disc pressed along its crack a mesh of
+/// six sides across found 0.37 of it, and less than none beside the rim, where new faces took nothing.
 double energy_of(const Continuum& continuum, const TipState& tip) {
   const PlaneElasticity rock = rock_at(continuum, tip_of(continuum.manifold, tip));
   if (!tip.has_room || !(tip.equivalent > 0)) return energy_release(rock, {tip.toughness, 0});
