@@ -137,7 +137,18 @@ TEST(SifCommand, near_tip_functions_are_of_linear_statics_alone) {
     changed.replace(changed.find(from), from.size(), to);
     return changed;
   };
-  refused("felt", with(R"("contact": "ignored")", R"("contact": "felt")"), {}, "found contact that is felt");
+  const std::string felt = with(R"("contact": "ignored")", R"("contact": "felt")");
+  const auto felt_with = [&](const std::string& from, const std::string& to) {
+    std::string changed = felt;
+    changed.replace(changed.find(from), from.size(), to);
+    return changed;
+  };
+  refused("felt_by_two", felt_with(R"("blocks": [{)", R"("blocks": [{"outer": [[2, 0, 1], [3, 0, 1], [3, 1, 1]]}, {)"),
+          {}, "found contact that is felt by several bodies");
+  refused("felt_beside_points", felt_with(R"("blocks": [{)", R"("fixed_points": [[0.5, -0.5, 1]], "blocks": [{)"), {},
+          "or beside fixed or loading points or bolts");
+  refused("cohesion", felt_with(R"("joint_materials": [{}])", R"("joint_materials": [{"cohesion": 1}])"), {},
+          "found cohesion or tensile strength of joints whose faces touch");
   refused("time", text, {"--set", "motion=dynamic"}, "found motion in time");
   refused("growth", with(R"("tractions")", R"("growth": {"increment": 0.1}, "tractions")"), {},
           "found growth of cracks");
