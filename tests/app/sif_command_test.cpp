@@ -106,6 +106,18 @@ TEST(SifCommand, both_treatments_of_a_tip_agree) {
   }
 }
 
+// fra-19 at friction 0.3, to 0.005 of s √(π c) by each treatment of the tips.
+TEST(SifCommand, a_closed_crack_slips_as_far_by_both_treatments) {
+  const double root = std::sqrt(std::numbers::pi);
+  const Json tips = tips_of(kCases + "closed_crack_03_functions");
+  ASSERT_EQ(tips.size(), 2U);
+  for (const Json& tip : tips)
+    for (const Json& treatment : {tip, tip.at("other_treatment")}) {
+      EXPECT_EQ(treatment.at("K_I").get<double>(), 0);
+      EXPECT_NEAR(treatment.at("K_II").get<double>(), -0.35 * root, 0.005 * root);
+    }
+}
+
 TEST(SifCommand, near_tip_functions_bear_loads_on_the_faces) {
   const std::string mesh = R"("mesh": {"side": 0.1, "angle": 10, "tip_side": 0.05, "tip_functions": "williams"},
        "cracks": [{"along": [[0, 0], [0.5, 0]]}], )";
