@@ -26,24 +26,25 @@ SOURCE = {'01': 'Tada, Paris & Irwin 1973; value of an independent finite-elemen
 
 def write(name, corners, cracks, side, covers, values, about, source, young=YOUNG, poisson=POISSON, tip=None, tolerance=0.007, reason=ASKED, absolute=None, joint=None, side_with_functions=None, functions=True, initial=None, error=None):
     """`values`: quantity, tip, value; each is to be met within `tolerance` of the greatest of them. The same with near-tip functions on longer sides
-    in the case `name`_functions, each within its own share, or that of the greatest where it is 0; not where faces touch, or without `functions`."""
+    in the case `name`_functions, each within its own share, or that of the greatest where it is 0, or within `absolute`; not without `functions`."""
+    def text():
+        made = case_text(corners, parts, young, poisson, [], plane_strain=True).replace(',\n  "measured_points": []', '')
+        if initial:
+            made = made.replace('"poissons_ratio": %s' % poisson, '"poissons_ratio": %s, "initial_stress": %s' % (poisson, json.dumps(initial)))
+        return made.replace('   {}\n', '   %s\n' % json.dumps(joint)) if joint else made
+
     length = max(math.dist(a[0], a[-1]) for a in cracks)
     mesh = dict(free_mesh(side), error=error) if error else dict(free_mesh(side), tip_side=tip or length / FINEST)
     parts = {'contact': 'ignored', 'mesh': mesh, 'cracks': [{'along': a} for a in cracks]}
     parts.update(covers)
     size = max(abs(v[2]) for v in values)
-    text = case_text(corners, parts, young, poisson, [], plane_strain=True).replace(',\n  "measured_points": []', '')
-    if initial:
-        text = text.replace('"poissons_ratio": %s' % poisson, '"poissons_ratio": %s, "initial_stress": %s' % (poisson, json.dumps(initial)))
-    if joint:
-        text = text.replace('   {}\n', '   %s\n' % json.dumps(joint))
-    write_case(os.path.join(HERE, name), text, [(q, t, v, absolute or tolerance * size, reason, source) for q, t, v in values], about)
-    if parts['contact'] == 'felt' or not functions:
+    write_case(os.path.join(HERE, name), text(), [(q, t, v, absolute or tolerance * size, reason, source) for q, t, v in values], about)
+    if not functions:
         return
     parts['mesh'] = dict(free_mesh(side_with_functions or side), tip_side=(tip or length / FINEST) * FINEST / COARSE, tip_functions='williams')
-    text = case_text(corners, parts, young, poisson, [], plane_strain=True).replace(',\n  "measured_points": []', '')
-    write_case(os.path.join(HERE, name + '_functions'), text,
-               [(q, t, v, OF_FUNCTIONS[q] * (abs(v) or size), ASKED_OF_FUNCTIONS, source) for q, t, v in values], about + ', near-tip functions')
+    write_case(os.path.join(HERE, name + '_functions'), text(),
+               [(q, t, v, absolute or OF_FUNCTIONS[q] * (abs(v) or size), reason if absolute else ASKED_OF_FUNCTIONS, source) for q, t, v in values],
+               about + ', near-tip functions')
 
 
 def pulled(corners, low, high, stress=1):
@@ -156,7 +157,7 @@ def closed_crack(friction, name=None, initial=None):
     covers['contact'] = 'felt'
     write(name or 'closed_crack_%02d' % round(10 * friction), rectangle(-20, -20, 20, 20), [[[-c, -c], [c, c]]], 4, covers,
           [(q, t, v) for t in (1, 2) for q, v in (('K_I', 0), ('K_II', -0.5 * (1 - friction) * root))], 'closed crack at 45 degrees in compression, friction %g (fra-19)%s' % (friction, ', initial stress' if initial else ''),
-          'K_II = (tau - mu sn) sqrt(pi c), Horii & Nemat-Nasser 1985', tip=1 / FINEST, absolute=0.005 * root,
+          'K_II = (tau - mu sn) sqrt(pi c), Horii & Nemat-Nasser 1985', tip=1 / FINEST, absolute=0.005 * root, side_with_functions=2.8,
           reason='asked for: 0.005 of s sqrt(pi c)', joint={'friction_angle_deg': math.degrees(math.atan(friction))}, initial=initial)
 
 

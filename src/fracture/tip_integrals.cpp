@@ -152,7 +152,8 @@ class TipSums {
     if (tip_element_ < 0 || solution_.face_forces.empty()) return found;
     const double side = solution_.basis.shape(tip_element_).frame.size;
     const FacePressure pressure = face_pressure(side);
-    if (!pressure.is_at_tip || !(pressure.force.y() > 0)) return found;
+    const bool overlaps = found.k.mode_1 < 0;
+    if (!(pressure.is_at_tip || overlaps) || !(pressure.force.y() > 0)) return found;
     const double explained = kExplained * pressure.force.y() / pressure.reach * std::sqrt(side);
     if (found.k.mode_1 > explained) return found;
     found.k.mode_2 -= pressure.force.x() / pressure.force.y() * found.k.mode_1;

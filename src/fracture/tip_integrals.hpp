@@ -43,7 +43,8 @@ struct TipFactors {
 /// σ is the change of stress since the start, so that b has the divergence of the initial stress in it, and t, on the
 /// faces of the crack, less what that stress has there. The turning of the rock at the tip is taken out of u.
 ///
-/// Where contact presses the faces together within two sides of the tip they do not open, and K_I is 0. What the
+/// Where contact presses the faces together within two sides of the tip they do not open, and K_I is 0; nor do they
+/// where it does so within six sides and the integral gives a K_I below 0, by which they would overlap. What the
 /// integral says of it is the error of the faces' term: elements near the tip answer forces on its faces otherwise than
 /// the rock does, by the root of their sides. It is taken for that up to three times the pressure times this root. On a
 /// face at θ = ±π the near-tip gradients of both modes are one function of r, ∂uᵃ_2/∂x_1 of mode I and ∂uᵃ_1/∂x_1 of

@@ -60,6 +60,7 @@ struct Continuum {
   std::vector<PrescribedDisplacement> prescribed;
   std::vector<PointForce> point_forces;
   std::vector<PointSpring> point_springs;
+  bool faces_touch = false;            ///< those of cracks press and rub in linear statics; else they pass each other
   std::vector<CrackPlan> cracks = {};  ///< of the case file: a run then reports the stress intensity of all tips
 
   const BlockMaterial& material(int element) const;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "model/continuum.hpp"
 #include "settings/settings_table.hpp"
 
 namespace keyblock {
@@ -77,7 +78,9 @@ std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
 
 std::string why_unread(const Problem& problem, const Scene& first, const std::string& name) {
   const bool is_of_load_steps = is_loaded_in_steps(first) && (name == "load_control" || name == "path_step");
-  if (first.is_untouched && !is_of_load_steps &&
+  const bool is_of_faces =
+      first.model.continuum && first.model.continuum->faces_touch && name == "joint_strength_factor";
+  if (first.is_untouched && !is_of_load_steps && !is_of_faces &&
       std::ranges::find(kReadByLinearStatics, name) == kReadByLinearStatics.end())
     return "is not read by linear static solutions";
   for (const Reason& reason : reasons(problem, first))

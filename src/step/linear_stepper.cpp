@@ -2,11 +2,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/linear_stepper.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "model/continuum.hpp"
 
 namespace keyblock {
+namespace {
+
+// Of the largest shear force by friction; forces are settled to less than this.
+constexpr double kOfSliding = 1e-6;
+
+ContactCondition condition_of(const FaceContact& contact, const JointMaterial& joint) {
+  if (contact.normal_force == 0) return ContactCondition::open;
+  const double limit = joint.friction_tangent() * contact.normal_force;
+  return std::abs(contact.shear_force) < (1 - kOfSliding) * limit ? ContactCondition::stick : ContactCondition::slide;
+}
+
+}  // namespace
 
 LinearStepper::LinearStepper(Scene scene) : StaticStepper(std::move(scene)) {
   begin_unloaded();
@@ -36,7 +49,9 @@ std::variant<StepReport, StepFailure> LinearStepper::advance() {
   if (solves) {
     if (std::optional<StepFailure> unheld = unheld_pieces()) return *unheld;
     try {
-      solution_ = solve_static(continuum());
+      ContinuumSolution found = solve_static(continuum(), model().joint_materials);
+      if (!found.faces_settled) return failure("the forces between the faces of cracks do not settle");
+      solution_ = std::move(found);
     } catch (const NotPositiveDefinite& error) {
       return failure(error.what());
     }
@@ -47,6 +62,28 @@ std::variant<StepReport, StepFailure> LinearStepper::advance() {
 
 std::optional<ForceBalance> LinearStepper::forces() const {
   return solution_ ? std::optional(balance_of(continuum(), *solution_)) : std::nullopt;
+}
+
+ContactFrames LinearStepper::contacts() const {
+  ContactFrames frames;
+  if (!solution_) return frames;
+  const int first = static_cast<int>(model().elements.size()) - solution_->basis.element_count();
+  for (const FaceContact& contact : solution_->faces) {
+    const FacePoint& point = contact.point;
+    ContactFrame& frame = frames.emplace_back();
+    frame.element = model().identities.of_element(first + point.element).number;
+    frame.other = model().identities.of_element(first + point.other).number;
+    frame.joint_material = point.joint_material;
+    frame.condition = condition_of(contact, model().joint_material(point.joint_material));
+    frame.position = point.at + solution_->displacement(point.element, point.at);
+    frame.normal = point.normal;
+    frame.gap = contact.gap;
+    frame.slip = contact.slip;
+    frame.normal_force = contact.normal_force;
+    frame.shear_force = contact.shear_force;
+    frame.edge = point.edge;
+  }
+  return frames;
 }
 
 // The state is that of the solution, but for its step and times.
@@ -64,6 +101,18 @@ void LinearStepper::describe_solution(Archive& archive) {
   if (archive.is_restoring()) found.x.setZero(2 * solution_->basis.function_count());
   archive.values("unknowns", {found.x.data(), static_cast<std::size_t>(found.x.size())});
   archive.value("residual", found.residual);
+  if (continuum().faces_touch) describe_faces(archive);
+}
+
+void LinearStepper::describe_faces(Archive& archive) {
+  const std::vector<FacePoint> points = face_points(continuum(), solution_->basis);
+  const ContactRows rows = face_rows(solution_->basis, points);
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < solution_->faces.size(); ++i)
+    forces.segment<2>(static_cast<Eigen::Index>(2 * i)) << solution_->faces[i].normal_force,
+        solution_->faces[i].shear_force;
+  archive.values("face_forces", {forces.data(), static_cast<std::size_t>(forces.size())});
+  if (archive.is_restoring()) solution_->faces = face_contacts(points, rows, forces, solution_->solution.x);
 }
 
 }  // namespace keyblock

@@ -1,4 +1,5 @@
-// Load steps of bodies on covers that nothing touches: each is one linear static solution of the unloaded bodies.
+// Load steps of bodies on covers that nothing touches but faces of cracks each other: each is one static solution of the
+// unloaded bodies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,9 +20,12 @@ class LinearStepper : public StaticStepper {
 
   Stress stress_at(ElementIndex e, Point start) const override;
   /// Solves where the scene has not been solved yet: its loads stay the same. Fails where a body can still move, with
-  /// the motion. Throws InputError where a load has no finite value.
+  /// the motion, and where the forces between faces of cracks do not settle. Throws InputError where a load has no
+  /// finite value.
   std::variant<StepReport, StepFailure> advance() override;
   std::optional<ForceBalance> forces() const override;
+  /// Of faces of cracks.
+  ContactFrames contacts() const override;
   std::optional<CoverDisplacement> on_covers() const override {
     if (!solution_) return std::nullopt;
     return CoverDisplacement{solution_->basis, solution_->solution.x, false};
@@ -33,6 +37,7 @@ class LinearStepper : public StaticStepper {
   Point place_of(ElementIndex e, Point start) const override;
   void describe(Archive& archive) override;
   void describe_solution(Archive& archive);
+  void describe_faces(Archive& archive);
 
   std::optional<ContinuumSolution> solution_;  ///< none before the first step
 };

@@ -1,4 +1,4 @@
-// A factor used once; see sparse_solve.hpp.
+// A factor used once or for several loads; see sparse_solve.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/sparse_solve.hpp"
 
@@ -15,6 +15,10 @@ constexpr double kCarried = 1e-6;
 SparseSolution solve(const SparseSystem& system, Definiteness definiteness) {
   SparseFactor factor(system.lower(), definiteness);
   factor.factorise(system.lower());
+  return solve(system, factor);
+}
+
+SparseSolution solve(const SparseSystem& system, const SparseFactor& factor) {
   SparseFactor::Refined refined = factor.solve_refined(system.load());
   SparseSolution solution;
   solution.x = std::move(refined.x);

@@ -13,7 +13,11 @@ struct SparseSolution : Solution {
   double factor_entries = 0;
 };
 
-/// By `SparseFactor`, refined until the residual no longer falls. Throws NotPositiveDefinite.
+/// By the factor of its matrix, refined until the residual no longer falls. Throws NotPositiveDefinite for a load that
+/// the matrix cannot carry.
+SparseSolution solve(const SparseSystem& system, const SparseFactor& factor);
+
+/// The same by a factor made for it. Throws NotPositiveDefinite.
 SparseSolution solve(const SparseSystem& system, Definiteness definiteness);
 
 }  // namespace keyblock

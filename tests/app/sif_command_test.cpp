@@ -106,6 +106,18 @@ TEST(SifCommand, both_treatments_of_a_tip_agree) {
   }
 }
 
+// fra-19 at friction 0.3, to 0.005 of s √(π c) by each treatment of the tips.
+TEST(SifCommand, a_closed_crack_slips_as_far_by_both_treatments) {
+  const double root = std::sqrt(std::numbers::pi);
+  const Json tips = tips_of(kCases + "closed_crack_03_functions");
+  ASSERT_EQ(tips.size(), 2U);
+  for (const Json& tip : tips)
+    for (const Json& treatment : {tip, tip.at("other_treatment")}) {
+      EXPECT_EQ(treatment.at("K_I").get<double>(), 0);
+      EXPECT_NEAR(treatment.at("K_II").get<double>(), -0.35 * root, 0.005 * root);
+    }
+}
+
 TEST(SifCommand, near_tip_functions_bear_loads_on_the_faces) {
   const std::string mesh = R"("mesh": {"side": 0.1, "angle": 10, "tip_side": 0.05, "tip_functions": "williams"},
        "cracks": [{"along": [[0, 0], [0.5, 0]]}], )";
@@ -137,7 +149,18 @@ TEST(SifCommand, near_tip_functions_are_of_linear_statics_alone) {
     changed.replace(changed.find(from), from.size(), to);
     return changed;
   };
-  refused("felt", with(R"("contact": "ignored")", R"("contact": "felt")"), {}, "found contact that is felt");
+  const std::string felt = with(R"("contact": "ignored")", R"("contact": "felt")");
+  const auto felt_with = [&](const std::string& from, const std::string& to) {
+    std::string changed = felt;
+    changed.replace(changed.find(from), from.size(), to);
+    return changed;
+  };
+  refused("felt_by_two", felt_with(R"("blocks": [{)", R"("blocks": [{"outer": [[2, 0, 1], [3, 0, 1], [3, 1, 1]]}, {)"),
+          {}, "found contact that is felt by several bodies");
+  refused("felt_beside_points", felt_with(R"("blocks": [{)", R"("fixed_points": [[0.5, -0.5, 1]], "blocks": [{)"), {},
+          "or beside fixed or loading points or bolts");
+  refused("cohesion", felt_with(R"("joint_materials": [{}])", R"("joint_materials": [{"cohesion": 1}])"), {},
+          "found cohesion or tensile strength of joints whose faces touch");
   refused("time", text, {"--set", "motion=dynamic"}, "found motion in time");
   refused("growth", with(R"("tractions")", R"("growth": {"increment": 0.1}, "tractions")"), {},
           "found growth of cracks");

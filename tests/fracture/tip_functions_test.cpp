@@ -176,4 +176,30 @@ TEST(ClosedTip, is_one_whose_own_faces_press_as_hard_as_k_says) {
   EXPECT_FALSE(factors(share, {0, -10}, true).is_closed) << "faces that pull each other";
 }
 
+// Faces that are pressed a little behind the tip alone are closed where K_I is one by which they would overlap, and
+// open where it is not.
+TEST(ClosedTip, does_not_overlap_where_faces_press_behind_it) {
+  const Continuum continuum = edge_cracked(0.1, 0);
+  const ContinuumSolution solution = solve_static(continuum);
+  const CrackTip& tip = continuum.manifold.tips.front();
+  const double side = solution.basis.shape(element_of(continuum.manifold, tip)).frame.size;
+  const CrackDomain domain(continuum.manifold, tip, {DomainKind::circle, 0.2, 0.4, 0});
+  const Point at{0.5 - 3 * side, 0};
+  const auto element_at = [&](double y) { return element_of(continuum.manifold, {{at.x, y}, {}, 0, ""}); };
+  const int left = element_at(1e-6), right = element_at(-1e-6);
+  const auto factors = [&](double share, double pressure) {
+    const Eigen::VectorXd d = share * solution.solution.x;
+    CoverSolution view{continuum, solution.basis, d};
+    view.face_forces = {{left, at, {0, pressure}, right}, {right, at, {0, -pressure}, left}};
+    return factors_at(view, tip, domain);
+  };
+  const double of_forces = factors(0, 1).k.mode_1;
+  const TipFactors overlapping = factors((-0.1 - of_forces) / kEdgeCrack, 1);
+  EXPECT_TRUE(overlapping.is_closed);
+  EXPECT_EQ(overlapping.k.mode_1, 0);
+  const TipFactors opening = factors((0.1 - of_forces) / kEdgeCrack, 1);
+  EXPECT_FALSE(opening.is_closed);
+  EXPECT_NEAR(opening.k.mode_1, 0.1, 0.01);
+}
+
 }  // namespace keyblock::tip_functions_test

@@ -349,11 +349,12 @@ Requirements linear_requirements(const Model& model, const Settings& settings) {
   const auto bodies = model.continuum->manifold.body_materials.size();
   const std::string whose = bodies == 1 ? "1 body" : fmt::format("{} bodies", bodies);
   const bool yields = plastic(model, settings).has_value();
+  const bool faces = model.continuum->faces_touch;
   needs.terms.push_back(
       {TermKind::statics,
        yields ? fmt::format("load steps of {}, each from the one before: nothing touches", whose)
-              : fmt::format("load steps are linear static solutions of {}: nothing touches, displacements are small",
-                            whose)});
+              : fmt::format("load steps are linear static solutions of {}: {} touch{}, displacements are small", whose,
+                            faces ? "only faces of cracks" : "nothing", faces ? "" : "es")});
   for (const auto& [term, name, reason_for] : kRows)
     if (term == TermKind::elastic || term == TermKind::plastic || term == TermKind::initial_stress ||
         term == TermKind::body_force)

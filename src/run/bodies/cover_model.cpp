@@ -20,6 +20,7 @@
 #include "model/setup/from_blocks.hpp"
 #include "model/setup/from_manifold.hpp"
 #include "run/bodies/cover_plan_parts.hpp"
+#include "run/bodies/linear_case.hpp"
 #include "run/bodies/mixed_model.hpp"
 #include "run/bodies/planned_bodies.hpp"
 
@@ -42,6 +43,7 @@ Continuum planned(Manifold manifold, const Problem& problem, const Settings& set
   put_points(continuum, *problem.covers);
   continuum.cracks = problem.covers->cracks;
   continuum.tip_functions = problem.covers->mesh.tip_functions;
+  continuum.faces_touch = faces_touch(problem);
   return continuum;
 }
 

@@ -84,7 +84,14 @@ bool is_untouched(const Problem& problem, const Settings& settings) {
   }
   if (!is_statics(settings) || !problem.covers->mesh.materials.empty()) return false;
   if (problem.covers->contact == CoverContact::ignored) return true;
-  return !has_fixed_or_loading_points(problem) && !has_bolts(problem) && !bodies_touch(problem);
+  if (has_fixed_or_loading_points(problem) || has_bolts(problem)) return false;
+  return !bodies_touch(problem) || (problem.covers->mesh.tip_functions.are_asked() && only_faces_touch(problem));
+}
+
+bool faces_touch(const Problem& problem) {
+  const CoverPlan& covers = *problem.covers;
+  return covers.mesh.tip_functions.are_asked() && covers.contact == CoverContact::felt && covers.excavations.empty() &&
+         problem.stages.empty();
 }
 
 void require_linear_tips(const Problem& problem, const Settings& settings) {
@@ -93,13 +100,18 @@ void require_linear_tips(const Problem& problem, const Settings& settings) {
     const Place& mesh = problem.covers->mesh.place;
     throw InputError(mesh.line > 0 ? mesh : problem.covers->place,
                      "expected linear statics of elastic rock beside tip_functions (velocity_carry_over 0, contact "
-                     "ignored or nothing that touches, functions derived or linear), found " +
+                     "ignored or only of the faces of cracks of one body, functions derived or linear), found " +
                          found);
   };
   if (!is_statics(settings)) refuse("motion in time");
   if (problem.covers->growth) refuse("growth of cracks");
   if (!problem.stages.empty()) refuse("stages");
-  if (!is_untouched(problem, settings)) refuse("contact that is felt, or blocks beside the bodies on covers");
+  if (!problem.covers->mesh.materials.empty()) refuse("blocks beside the bodies on covers");
+  if (!is_untouched(problem, settings))
+    refuse("contact that is felt by several bodies, or beside fixed or loading points or bolts");
+  const auto holds = [](const JointMaterial& joint) { return joint.cohesion != 0 || joint.tensile_strength != 0; };
+  if (faces_touch(problem) && std::ranges::any_of(problem.analysis->joint_materials, holds))
+    refuse("cohesion or tensile strength of joints whose faces touch");
   const std::vector<BlockMaterial>& materials = problem.analysis->block_materials;
   if (std::ranges::any_of(materials, &BlockMaterial::is_nonlinear)) refuse("a strength or crack_closure");
   const CoverFunctions functions = functions_of(*problem.covers, materials);

@@ -10,12 +10,17 @@
 namespace keyblock {
 
 /// Whether a case has bodies on covers of which each load step is one linear solution: statics in which nothing
-/// touches, no point is held or loaded and no bolt ties bodies, or contact is ignored, or `covers` dig something out.
+/// touches, or only faces of cracks do whose tips have functions, no point is held or loaded and no bolt ties bodies,
+/// or contact is ignored, or `covers` dig something out.
 /// Throws InputError where something is dug out and the case is no statics of `standard`.
 bool is_untouched(const Problem& problem, const Settings& settings);
 
+/// Whether faces of cracks touch in a case that is linear: their tips have functions, and contact is felt.
+bool faces_touch(const Problem& problem);
+
 /// Throws InputError for a case with functions at the tips of cracks whose steps are not linear static solutions in
-/// elastic rock with derived or linear functions and cracks as they are.
+/// elastic rock with derived or linear functions and cracks as they are, and where joints hold the faces of cracks
+/// together that touch.
 void require_linear_tips(const Problem& problem, const Settings& settings);
 
 struct LinearCase {

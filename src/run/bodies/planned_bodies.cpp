@@ -57,6 +57,13 @@ Blocks points_by_bodies(const Cover& cover, const Manifold& manifold) {
 // The last kink is one increment behind a tip, and its domain has to lie between them.
 constexpr double kSidesOfIncrement = 16;
 
+BodyGraph drawn_graph(const Problem& problem) {
+  if (const auto* cover = std::get_if<Cover>(&problem.geometry)) return body_graph_of(manifold_of(*cover));
+  const auto* drawing = std::get_if<Drawing>(&problem.geometry);
+  if (drawing == nullptr) throw InputError(problem.covers->place, kNoBodies);
+  return cut_bodies(*drawing).graph;
+}
+
 }  // namespace
 
 double tip_side_of(const CoverPlan& plan) {
@@ -67,14 +74,13 @@ double tip_side_of(const CoverPlan& plan) {
 bool bodies_touch(const Problem& problem) {
   if (!problem.covers->cracks.empty()) return true;
   if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) return blocks->blocks.size() > 1;
-  if (const auto* cover = std::get_if<Cover>(&problem.geometry)) {
-    const BodyGraph graph = body_graph_of(manifold_of(*cover));
-    return graph.materials.size() > 1 || std::ranges::any_of(graph.pieces, &BodyPiece::is_slit);
-  }
-  const auto* drawing = std::get_if<Drawing>(&problem.geometry);
-  if (drawing == nullptr) throw InputError(problem.covers->place, kNoBodies);
-  const BodyGraph graph = cut_bodies(*drawing).graph;
+  const BodyGraph graph = drawn_graph(problem);
   return graph.materials.size() > 1 || std::ranges::any_of(graph.pieces, &BodyPiece::is_slit);
+}
+
+bool only_faces_touch(const Problem& problem) {
+  if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) return blocks->blocks.size() == 1;
+  return drawn_graph(problem).materials.size() == 1;
 }
 
 PlannedBodies::PlannedBodies(const Problem& problem) : problem_(problem) {

@@ -44,4 +44,7 @@ double tip_side_of(const CoverPlan& plan);
 /// Whether there is more than one body, or a joint that ends inside one. Throws as the constructor.
 bool bodies_touch(const Problem& problem);
 
+/// Whether there is one body, of which nothing but the faces of its cracks lie on each other. Throws likewise.
+bool only_faces_touch(const Problem& problem);
+
 }  // namespace keyblock

@@ -66,9 +66,8 @@ Point displacement_at(const CoverDisplacement& moved, int element, Point start) 
 std::optional<CoverSolution> solution_of(const Stepper& stepper) {
   const std::optional<CoverDisplacement> moved = stepper.on_covers();
   if (!moved) return std::nullopt;
-  CoverSolution solution{*stepper.model().continuum, moved->basis, moved->d, moved->is_large, moved->acceleration, {}};
-  if (moved->is_large) solution.face_forces = face_forces(stepper, *moved);
-  return solution;
+  return CoverSolution{*stepper.model().continuum,  moved->basis, moved->d, moved->is_large, moved->acceleration,
+                       face_forces(stepper, *moved)};
 }
 
 }  // namespace keyblock

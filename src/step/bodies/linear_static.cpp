@@ -18,6 +18,12 @@ Eigen::VectorXd unknowns_of(const ContinuumSolution& solution, const ElementShap
   return d;
 }
 
+void add_face_forces(const ContactRows& rows, const Eigen::VectorXd& forces, SparseSystem& system) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const SharedEntry& entry : rows[i].shared)
+      system.add_load({&entry.function, 1}, forces[static_cast<Eigen::Index>(i)] * Eigen::Vector2d(entry.x, entry.y));
+}
+
 }  // namespace
 
 FunctionGroups coupled_functions(const CoverBasis& basis, const std::vector<GhostPair>& pairs) {
@@ -61,13 +67,26 @@ SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis
   return system;
 }
 
-ContinuumSolution solve_static(const Continuum& continuum) {
+ContinuumSolution solve_static(const Continuum& continuum, const std::vector<JointMaterial>& joints) {
   CoverBasis basis = basis_of(continuum);
   // Near-tip functions far from the tip are nearly polynomials.
   const Definiteness definiteness =
       basis.has_tip_functions() ? Definiteness::semidefinite : definiteness_of(continuum.functions);
-  SparseSolution solution = solve(assemble_static(continuum, basis), definiteness);
-  return {std::move(basis), std::move(solution)};
+  SparseSystem system = assemble_static(continuum, basis);
+  const auto factor = std::make_shared<SparseFactor>(system.lower(), definiteness);
+  factor->factorise(system.lower());
+  ContinuumSolution found{std::move(basis), solve(system, *factor)};
+  if (!continuum.faces_touch) return found;
+  const std::vector<FacePoint> points = face_points(continuum, found.basis);
+  const ContactRows rows = face_rows(found.basis, points);
+  const FaceForces pressed = face_forces(points, rows, joints, factor, found.solution.x);
+  if (!pressed.forces.isZero(0)) {
+    add_face_forces(rows, pressed.forces, system);
+    found.solution = solve(system, *factor);
+  }
+  found.faces = face_contacts(points, rows, pressed.forces, found.solution.x);
+  found.faces_settled = pressed.converged;
+  return found;
 }
 
 ForceBalance balance_of(const Continuum& continuum, const ContinuumSolution& solution) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/continuum.hpp"
+#include "step/bodies/closed_faces.hpp"
 #include "system/sparse_solve.hpp"
 #include "terms/ghost_penalty.hpp"
 
@@ -10,7 +11,9 @@ namespace keyblock {
 
 struct ContinuumSolution {
   CoverBasis basis;
-  SparseSolution solution;  ///< its x: the unknowns (dx, dy) of all functions
+  SparseSolution solution;              ///< its x: the unknowns (dx, dy) of all functions
+  std::vector<FaceContact> faces = {};  ///< where those of cracks touch
+  bool faces_settled = true;            ///< forces were found that all faces agree with
 
   int unknown_count() const { return static_cast<int>(solution.x.size()); }
   Point displacement(int element, Point x) const;
@@ -30,8 +33,9 @@ void add_supports_and_loads(const Continuum& continuum, const CoverBasis& basis,
 /// All terms.
 SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis);
 
-/// All terms assembled, then one solve. Throws NotPositiveDefinite where a body can still move.
-ContinuumSolution solve_static(const Continuum& continuum);
+/// All terms assembled, then one solve, and one more with the forces between faces of cracks where these touch; `joints`
+/// are the joint materials of the faces. Throws NotPositiveDefinite where a body can still move.
+ContinuumSolution solve_static(const Continuum& continuum, const std::vector<JointMaterial>& joints = {});
 
 ForceBalance balance_of(const Continuum& continuum, const ContinuumSolution& solution);
 
