@@ -58,7 +58,7 @@ class Fit {
     }
     // The part of the quadratic terms that linear ones cannot say: where it is small, they are not determined.
     const Eigen::MatrixX3d beyond = quadratic - linear_ * linear_.householderQr().solve(quadratic).eval();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(beyond, Eigen::ComputeThinU | Eigen::ComputeFullV);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(beyond, Eigen::ComputeFullV);
     const Eigen::VectorXd& values = svd.singularValues();
     const double threshold = linear_.norm() / kWorstCondition;
     while (rank_ < values.size() && values(rank_) > threshold) ++rank_;

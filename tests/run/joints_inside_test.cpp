@@ -16,7 +16,7 @@ namespace keyblock::joints_inside_test {
 namespace {
 
 /// Two blocks beside each other, the right one of material 2 and on covers; `joints` more than their outlines.
-Prepared two_blocks(const std::string& joints) {
+Prepared two_blocks(const std::string& joints, const std::vector<Override>& overrides = {}) {
   const std::string file = support::fresh_folder("joints_inside") + "/in.json";
   support::write_text(file, R"({"keyblock": 2, "drawing": {"edge_node_ratio": 0.001, "boundary_count": 4, "joints": [
       [0, 0, 4, 0, 1], [4, 0, 4, 2, 1], [4, 2, 0, 2, 1], [0, 2, 0, 0, 1], [2, 0, 2.02, 2, 1])" +
@@ -26,7 +26,7 @@ Prepared two_blocks(const std::string& joints) {
     "analysis": {"step_count": 2, "time_step": 1e-3, "joint_materials": [{"friction_angle_deg": 30}],
       "block_materials": [{"density": 2000, "youngs_modulus": 1e9, "poissons_ratio": 0.2},
         {"density": 2000, "youngs_modulus": 1e9, "poissons_ratio": 0.2}]}})");
-  return prepare(formats::load_case({file}).problem, "standard", {});
+  return prepare(formats::load_case({file}).problem, "standard", overrides);
 }
 
 std::size_t tips(const Prepared& prepared) {
@@ -63,6 +63,17 @@ TEST(JointsInside, of_a_block_that_stays_one_are_removed_and_told) {
   const Prepared through = two_blocks(", [1, 1, 3, 1.3, 1]");
   EXPECT_EQ(tips(through), 1u) << "a part in either";
   EXPECT_TRUE(warns(through));
+}
+
+TEST(JointsInside, what_goes_beyond_the_outline_is_no_joint_inside) {
+  const Prepared made = two_blocks(", [-0.1, 1, 4.1, 1.2, 1]");
+  EXPECT_EQ(tips(made), 0u);
+  EXPECT_FALSE(warns(made));
+}
+
+// The outline between a sliver and its neighbour is gone: the joint that crosses it goes on as one.
+TEST(JointsInside, cross_an_outline_that_a_glued_sliver_had) {
+  EXPECT_EQ(tips(two_blocks(", [3.984375, 0, 3.984375, 2, 1], [3.9921875, 1, 3, 1, 1]", {{"slivers", "glue"}})), 2u);
 }
 
 }  // namespace keyblock::joints_inside_test

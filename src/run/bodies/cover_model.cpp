@@ -101,7 +101,8 @@ constexpr double kBeyondOutline = 1e-5;
 
 bool is_on_outline(const BodyGraph& body, Point p, double near) {
   return std::ranges::any_of(body.pieces, [&](const BodyPiece& piece) {
-    const Segment side{body.nodes[static_cast<std::size_t>(piece.from)], body.nodes[static_cast<std::size_t>(piece.to)]};
+    const Segment side{body.nodes[static_cast<std::size_t>(piece.from)],
+                       body.nodes[static_cast<std::size_t>(piece.to)]};
     return distance(side, p) <= near;
   });
 }
@@ -134,7 +135,8 @@ std::vector<CrackPlan> joints_inside(const BodyCut& cut, const std::vector<BodyG
     const auto holder = std::ranges::find_if(meshed, [&](const BodyGraph& body) { return is_in_a_body(body, middle); });
     if (holder != meshed.end())
       joints.push_back({{end(from, to, *holder), end(to, from, *holder)}, blocks.place, piece.joint_material});
-    else if (std::ranges::any_of(blocks.blocks, [&](const auto& block) { return is_in_a_body(graph_of(block), middle); }))
+    else if (std::ranges::any_of(blocks.blocks,
+                                 [&](const auto& block) { return is_in_a_body(graph_of(block), middle); }))
       ++lost;
   }
   warnings = joined(std::move(warnings), joints_removed(lost, blocks.place));
