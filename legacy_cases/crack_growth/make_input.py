@@ -228,7 +228,7 @@ def three_holes():
     write_case(os.path.join(HERE, 'three_holes'), text,
                [('tip_x', 1, 6, radius + increment, near, source, last), ('tip_y', 1, 4.75, radius + increment, near, source, last),
                 ('K_II', 1, 0, 50, 'asked for: K_II/K_I <= 0.05 behind each step', 'Cotterell & Rice 1980', last)],
-               'crack of a beam with three holes, which ends in the middle one (fra-16)')
+               'crack of a beam with three holes, which ends in the middle one (fra-16)', slow=True)
 
 
 def roof_with_bridge():

@@ -1,5 +1,5 @@
-// Load steps of bodies on covers that nothing touches but faces of cracks each other: each is one static solution of the
-// unloaded bodies.
+// Load steps of bodies on covers that nothing touches but faces of cracks each other: each is one static solution of
+// the unloaded bodies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

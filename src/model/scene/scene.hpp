@@ -36,7 +36,8 @@ struct Scene {
   SceneEnd end = {};
   std::shared_ptr<const SceneChange> next = {};  ///< none of the last
   /// Bodies on covers at rest that do not feel each other, nor do the sides of their joints, but for faces of cracks
-  /// whose tips have functions: each step is one linear solution, or, where rock may yield, goes on from the one before.
+  /// whose tips have functions: each step is one linear solution, or, where rock may yield, goes on from the one
+  /// before.
   bool is_untouched = false;
   /// Of a load step of such rock that may yield: how often it is halved before no equilibrium is said to be there.
   int load_cuts = 6;

@@ -33,8 +33,8 @@ void add_supports_and_loads(const Continuum& continuum, const CoverBasis& basis,
 /// All terms.
 SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis);
 
-/// All terms assembled, then one solve, and one more with the forces between faces of cracks where these touch; `joints`
-/// are the joint materials of the faces. Throws NotPositiveDefinite where a body can still move.
+/// All terms assembled, then one solve, and one more with the forces between faces of cracks where these touch;
+/// `joints` are the joint materials of the faces. Throws NotPositiveDefinite where a body can still move.
 ContinuumSolution solve_static(const Continuum& continuum, const std::vector<JointMaterial>& joints = {});
 
 ForceBalance balance_of(const Continuum& continuum, const ContinuumSolution& solution);
