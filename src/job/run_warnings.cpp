@@ -285,10 +285,10 @@ Warnings broken_bolts(const Frame& first, const Frame& last, const Place& place)
     if (!before.contains(number)) broken.push_back(fmt::format("{}{}", number + 1, quoted_name(name)));
   if (broken.empty()) return {};
   constexpr std::size_t kNamed = 10;
-  const std::size_t more = broken.size() - std::min(kNamed, broken.size());
+  const std::size_t all = broken.size(), more = all - std::min(kNamed, all);
   broken.resize(broken.size() - more);
   return {{"bolts_broke", place,
-           fmt::format("of {} broke: {}{}; bolts.csv says by which frame", counted(last.bolts.size(), "bolt"),
+           fmt::format("{} of {} broke: {}{}; bolts.csv says by which frame", all, counted(last.bolts.size(), "bolt"),
                        fmt::join(broken, ", "), more > 0 ? fmt::format(" and {} more", more) : "")}};
 }
 

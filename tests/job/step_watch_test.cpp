@@ -81,7 +81,7 @@ TEST(StepWatch, bolts_that_break_on_the_way_are_named) {
   last.bolts = {broken, other};
   EXPECT_TRUE(broken_bolts(first, first, {}).empty());
   ASSERT_EQ(broken_bolts(first, last, {}).size(), 1u);
-  EXPECT_EQ(broken_bolts(first, last, {})[0].sentence, "of 2 bolts broke: 1 \"B1\"; bolts.csv says by which frame");
+  EXPECT_EQ(broken_bolts(first, last, {})[0].sentence, "1 of 2 bolts broke: 1 \"B1\"; bolts.csv says by which frame");
   first.bolts = {broken};
   EXPECT_TRUE(broken_bolts(first, last, {}).empty()) << "broken from the start, which is told before the run";
   last.bolts = {broken, also};
