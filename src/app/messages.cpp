@@ -54,7 +54,8 @@ spdlog::sink_ptr terminal() {
 void log_into(const std::string& file) {
   std::error_code is_not_there;
   const bool is_new = !std::filesystem::exists(file, is_not_there) || std::filesystem::is_empty(file, is_not_there);
-  if (!is_new && std::filesystem::path(file).extension() != ".log")
+  const bool has_other_names = std::filesystem::hard_link_count(file, is_not_there) > 1;
+  if (!is_new && (has_other_names || std::filesystem::canonical(file, is_not_there).extension() != ".log"))
     throw UsageError(fmt::format("--log {}: expected a new file, or one whose name ends in .log, found another", file));
   try {
     auto sink = std::make_shared<spdlog::sinks::basic_file_sink_st>(file);

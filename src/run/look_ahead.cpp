@@ -97,7 +97,8 @@ class Blocky {
     };
     put("slivers", slivers());
     if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) put("block_outside_outline", outside(*drawing));
-    put("point_outside_its_block", points_outside(blocks_, loops_, kStray * std::sqrt(mean_)));
+    if (std::holds_alternative<Blocks>(problem.geometry))  // in others the program says whose a point is
+      put("point_outside_its_block", points_outside(blocks_, loops_, kStray * std::sqrt(mean_)));
     put("unheld_blocks", unheld());
     put("unsupported_blocks", unsupported());
     put("block_cannot_bend", cannot_bend());

@@ -135,6 +135,15 @@ TEST(LookAhead, points_outside_their_block_are_told) {
   EXPECT_EQ(said(sound, "point_outside_its_block"), "") << "corners and edges are not outside";
 }
 
+// Fixed points that cutting puts inside an edge may lie beyond the other side of a wedge; the file names none of them.
+TEST(LookAhead, points_that_cutting_places_are_not_told_of) {
+  const auto report = check_of(case_text(R"("drawing": {"edge_node_ratio": 0.001, "boundary_count": 4, "joints": [
+      [0, 0, 6, 0, 1], [6, 0, 6, 2, 1], [6, 2, 0, 2, 1], [0, 2, 0, 0, 1], [0.02, 0, 0, 0.02, 1], [3, 0, 3, 2, 1]],
+      "fixed_lines": [[-0.1, 0.005, 6.1, 0.005]]})"));
+  EXPECT_EQ(report["warnings"].size(), 1u) << report["warnings"];
+  EXPECT_NE(said(report, "slivers"), "");
+}
+
 // A base line drawn a little inside the outline holds the end blocks where it leaves them, and nowhere else.
 TEST(LookAhead, a_fixed_line_that_ends_in_blocks_is_told) {
   const auto with = [&](const std::string& line) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -229,6 +230,15 @@ TEST(Shell, no_log_is_written_into_what_the_command_reads) {
     const ProgramRun run = run_keyblock(words);
     EXPECT_EQ(run.exit_code, 2);
     EXPECT_TRUE(contains(run.messages, "expected a new file, or one whose name ends in .log")) << run.messages;
+  }
+  const std::string link = file + ".log";
+  for (const bool is_hard : {false, true}) {
+    std::filesystem::remove(link);
+    if (is_hard)
+      std::filesystem::create_hard_link(file, link);
+    else
+      std::filesystem::create_symlink(file, link);
+    EXPECT_EQ(run_keyblock({"check", file, "--log", link}).exit_code, 2) << is_hard;
   }
   EXPECT_EQ(read_text(file), before);
 }

@@ -45,7 +45,7 @@ constexpr const char* kSlopeCase = R"case({
    [1.738, 0, 0.888, 4, "cross joint"],
   ],
   // Base and sides are held.
-  "fixed_lines": [[0.01, 0.01, 29.99, 0.01], [29.99, 0.01, 29.99, 13.99], [0.01, 0.01, 0.01, 3.99]],
+  "fixed_lines": [[-1, 0.01, 31, 0.01], [29.99, -1, 29.99, 15], [0.01, -1, 0.01, 5]],  // hold where they cross edges
   "measured_points": [[18.5, 13.5]],  // the crest: its way is in history.csv
  },
  "analysis": {
@@ -169,7 +169,7 @@ constexpr const char* kTunnelCase = R"case({
    [-10, 13.164, 6.087, 16, "joint"],
    [-10, 15.397, -6.583, 16, "joint"],
   ],
-  "fixed_lines": [[-9.99, 0.01, 9.99, 0.01], [-9.99, 0.01, -9.99, 15.99], [9.99, 0.01, 9.99, 15.99]],
+  "fixed_lines": [[-11, 0.01, 11, 0.01], [-9.99, -1, -9.99, 17], [9.99, -1, 9.99, 17]],  // hold where they cross edges
   "measured_points": [[0, 10.5]],  // above the crown
  },
  "analysis": {
