@@ -11,6 +11,7 @@
 
 #include "base/counted.hpp"
 #include "cut/bodies/cracks.hpp"
+#include "cut/bodies/place_points.hpp"
 #include "cut/bodies/treat_slivers.hpp"
 #include "cut/covers/cut_cover.hpp"
 #include "cut/covers/from_cover.hpp"
@@ -135,8 +136,7 @@ std::vector<CrackPlan> joints_inside(const BodyCut& cut, const std::vector<BodyG
     const auto holder = std::ranges::find_if(meshed, [&](const BodyGraph& body) { return is_in_a_body(body, middle); });
     if (holder != meshed.end())
       joints.push_back({{end(from, to, *holder), end(to, from, *holder)}, blocks.place, piece.joint_material});
-    else if (std::ranges::any_of(blocks.blocks,
-                                 [&](const auto& block) { return is_in_a_body(graph_of(block), middle); }))
+    else if (block_at(blocks.blocks, middle, 0))
       ++lost;
   }
   warnings = joined(std::move(warnings), joints_removed(lost, blocks.place));
