@@ -20,6 +20,7 @@
 #include "legacy/contact/detect.hpp"
 #include "legacy/contact/judge.hpp"
 #include "legacy/contact/springs.hpp"
+#include "legacy/step/advance.hpp"
 #include "legacy/step/update.hpp"
 #include "legacy/terms/assemble.hpp"
 #include "run/steppers.hpp"
@@ -96,7 +97,7 @@ double bound_of_pass(double blocks) {
 }
 
 // Parts of a step of the old rules, each made again from where the run stands; seconds.
-Json parts_of_legacy(const Scene& scene, const Stepping& at) {
+Json parts_of_legacy(const ShiScene& scene, const Stepping& at) {
   const State& state = at.state;
   Json parts;
   const double dt = scene.settings.time_step;
@@ -216,7 +217,7 @@ Json measured(const Layout& layout, int side, const std::string& profile, double
 }
 
 Json legacy_parts(const Layout& layout, int side, double ratio) {
-  const Scene scene = scene_for(layout.draw(side), "legacy", ratio);
+  const ShiScene scene = shi_scene(scene_for(layout.draw(side), "legacy", ratio));
   Stepping stepping = start(scene);
   for (int i = 0; i < kWarmSteps; ++i) support::step_once(scene, stepping);
   return parts_of_legacy(scene, stepping);
@@ -262,7 +263,7 @@ void search_alone(double most, Json& kept) {
     double ns[2] = {0, 0};
     for (const int which : {0, 1}) {
       const Layout& layout = layouts()[which == 0 ? 2 : 0];
-      const Scene scene = scene_for(layout.draw(side_of(layout, blocks)), "legacy");
+      const ShiScene scene = shi_scene(scene_for(layout.draw(side_of(layout, blocks)), "legacy"));
       const State state = start(scene).state;
       ns[which] =
           1e9 * best([&] { close_pairs(scene.model, state, 0.05); }) / static_cast<double>(scene.model.elements.size());
