@@ -16,7 +16,8 @@ std::vector<Exponents> exponents(int degree) {
 
 namespace {
 
-void put_monomials(int degree, Point p, Eigen::VectorXd& values) {
+template <typename Values>
+void put_monomials(int degree, Point p, Values& values) {
   values(0) = 1;
   for (int n = 1; n <= degree; ++n) {
     for (int j = 0; j < n; ++j) values(monomial(n - j, j)) = p.x * values(monomial(n - 1 - j, j));
@@ -26,16 +27,16 @@ void put_monomials(int degree, Point p, Eigen::VectorXd& values) {
 
 }  // namespace
 
-Eigen::VectorXd monomials(int degree, Point p) {
-  Eigen::VectorXd values(monomial_count(degree));
+OfMonomials<1> monomials(int degree, Point p) {
+  OfMonomials<1> values(monomial_count(degree));
   put_monomials(degree, p, values);
   return values;
 }
 
-Eigen::MatrixX2d monomial_gradients(int degree, Point p) {
-  Eigen::MatrixX2d gradients = Eigen::MatrixX2d::Zero(monomial_count(degree), 2);
+OfMonomials<2> monomial_gradients(int degree, Point p) {
+  OfMonomials<2> gradients = OfMonomials<2>::Zero(monomial_count(degree), 2);
   if (degree == 0) return gradients;
-  const Eigen::VectorXd lower = monomials(degree - 1, p);
+  const OfMonomials<1> lower = monomials(degree - 1, p);
   for (int n = 1; n <= degree; ++n) {
     for (int j = 0; j <= n; ++j) {
       const int i = n - j;

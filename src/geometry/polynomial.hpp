@@ -37,11 +37,16 @@ struct LocalFrame {
   Point local(Point p) const { return (1 / size) * (p - origin); }
 };
 
+/// Degree of the monomials at a point, at most: they are wanted at very many, and kept without memory of their own.
+inline constexpr int kHighestDegree = 6;
+template <int kColumns>
+using OfMonomials = Eigen::Matrix<double, Eigen::Dynamic, kColumns, 0, monomial_count(kHighestDegree), kColumns>;
+
 /// All monomials up to `degree` at `p`.
-Eigen::VectorXd monomials(int degree, Point p);
+OfMonomials<1> monomials(int degree, Point p);
 
 /// Their derivatives by x and y, one column each.
-Eigen::MatrixX2d monomial_gradients(int degree, Point p);
+OfMonomials<2> monomial_gradients(int degree, Point p);
 
 /// The product of polynomials of degree `degree_a` and `degree_b`.
 Eigen::VectorXd product(const Eigen::VectorXd& a, int degree_a, const Eigen::VectorXd& b, int degree_b);

@@ -112,14 +112,15 @@ const char* name_of(CoverFunctions functions) {
   return "";
 }
 
+// Products as small as these cost more as general ones, which rearrange their factors first.
 Eigen::RowVectorXd ElementShape::values(Point x) const {
-  Eigen::RowVectorXd n = monomials(degree, frame.local(x)).transpose() * monomial;
+  Eigen::RowVectorXd n = monomials(degree, frame.local(x)).transpose().lazyProduct(monomial);
   if (tip != nullptr) tip->add_values(x, n);
   return n;
 }
 
 Eigen::Matrix2Xd ElementShape::gradients(Point x) const {
-  Eigen::Matrix2Xd g = monomial_gradients(degree, frame.local(x)).transpose() * monomial / frame.size;
+  Eigen::Matrix2Xd g = (monomial_gradients(degree, frame.local(x)) / frame.size).transpose().lazyProduct(monomial);
   if (tip != nullptr) tip->add_gradients(x, g);
   return g;
 }

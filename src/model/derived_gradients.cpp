@@ -47,40 +47,57 @@ class Fit {
  public:
   Fit(const std::vector<Point>& offsets, double h) : h_(h) {
     const auto n = static_cast<Eigen::Index>(offsets.size());
-    linear_.resize(n, 2);
-    Eigen::MatrixX3d quadratic(n, 3);
+    columns_.resize(n, kLinear + kQuadratic);
     root_weights_.resize(n);
     for (Eigen::Index j = 0; j < n; ++j) {
       const Point p = (1 / h) * offsets[static_cast<std::size_t>(j)];
       root_weights_(j) = 1 / std::max(length(p), 0.5);
-      linear_.row(j) = root_weights_(j) * Eigen::RowVector2d(p.x, p.y);
-      quadratic.row(j) = root_weights_(j) * Eigen::RowVector3d(p.x * p.x, p.x * p.y, p.y * p.y);
+      columns_.row(j) = root_weights_(j) * Eigen::RowVector<double, 5>(p.x, p.y, p.x * p.x, p.x * p.y, p.y * p.y);
     }
-    // The part of the quadratic terms that linear ones cannot say: where it is small, they are not determined.
-    const Eigen::MatrixX3d beyond = quadratic - linear_ * linear_.householderQr().solve(quadratic).eval();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(beyond, Eigen::ComputeFullV);
-    const Eigen::VectorXd& values = svd.singularValues();
-    const double threshold = linear_.norm() / kWorstCondition;
-    while (rank_ < values.size() && values(rank_) > threshold) ++rank_;
-    quadratic_ = quadratic * svd.matrixV().leftCols(rank_);
+    qr_.compute(columns_);
+    // The part of the quadratic terms that linear ones cannot say: where it is small, they are not determined. It is
+    // what the triangle of QR has below its first rows.
+    Eigen::Matrix3d beyond = Eigen::Matrix3d::Zero();
+    const Eigen::Index rows = std::min<Eigen::Index>(n - kLinear, kQuadratic);
+    if (rows > 0)
+      beyond.topRows(rows) = qr_.matrixQR().block(kLinear, kLinear, rows, kQuadratic).triangularView<Eigen::Upper>();
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(beyond, Eigen::ComputeFullV);
+    const double threshold = columns_.leftCols<kLinear>().norm() / kWorstCondition;
+    while (rank_ < kQuadratic && svd.singularValues()(rank_) > threshold) ++rank_;
+    determined_ = svd.matrixV();
   }
 
-  bool is_complete() const { return rank_ == 3; }
+  bool is_complete() const { return rank_ == kQuadratic; }
 
   /// 2 × n: the gradient from the differences d_j - d_0.
   Eigen::Matrix2Xd gradient() const {
-    Eigen::MatrixXd columns(linear_.rows(), 2 + rank_);
-    columns << linear_, quadratic_;
-    const Eigen::MatrixXd weights = root_weights_.asDiagonal();
-    return columns.householderQr().solve(weights).topRows(2) / h_;
+    if (is_complete()) return first_rows_of_inverse(qr_);
+    Eigen::MatrixXd columns(columns_.rows(), kLinear + rank_);
+    columns << columns_.leftCols<kLinear>(), columns_.rightCols<kQuadratic>() * determined_.leftCols(rank_);
+    return first_rows_of_inverse(columns.householderQr());
   }
 
  private:
+  static constexpr Eigen::Index kLinear = 2;
+  static constexpr Eigen::Index kQuadratic = 3;
+
+  // Those of R⁻¹ Qᵀ that give x and y, weights put on.
+  template <typename Qr>
+  Eigen::Matrix2Xd first_rows_of_inverse(const Qr& qr) const {
+    const Eigen::Index count = qr.cols();
+    Eigen::MatrixX2d rows = Eigen::MatrixX2d::Identity(qr.rows(), kLinear);
+    const auto triangle = qr.matrixQR().topLeftCorner(count, count).template triangularView<Eigen::Upper>();
+    triangle.transpose().solveInPlace(rows.topRows(count));
+    rows.applyOnTheLeft(qr.householderQ());
+    return (root_weights_.asDiagonal() * rows).transpose() / h_;
+  }
+
   double h_;
-  int rank_ = 0;
+  Eigen::Index rank_ = 0;
   Eigen::VectorXd root_weights_;
-  Eigen::MatrixX2d linear_;
-  Eigen::MatrixXd quadratic_;
+  Eigen::Matrix<double, Eigen::Dynamic, 5> columns_;
+  Eigen::HouseholderQR<Eigen::Matrix<double, Eigen::Dynamic, 5>> qr_;
+  Eigen::Matrix3d determined_;  ///< combinations of the quadratic terms, the best determined first
 };
 
 }  // namespace
