@@ -7,15 +7,19 @@
 
 #include "geometry/quadrature.hpp"
 #include "material/material_stress.hpp"
+#include "terms/cover_inertia.hpp"
 #include "terms/green_strain.hpp"
 
 namespace keyblock {
 namespace {
 
 /// Points exact for the energy: E is of degree 2 (degree - 1). First-order functions need one, at the centroid, where a
-/// stress that changes with y has its mean.
-std::vector<AreaPoint> points_of(const std::vector<std::vector<Point>>& loops, const ElementShape& shape) {
+/// stress that changes with y has its mean; where a piece is small its centroid is lost in the round-off of moments
+/// about the middle of the triangle, and a sum over points has that mean, too.
+std::vector<AreaPoint> points_of(const Manifold& manifold, int element, const ElementShape& shape) {
+  const auto loops = manifold.polygon(manifold.elements[static_cast<std::size_t>(element)]);
   if (shape.degree > 1) return polygon_rule(loops, 4 * (shape.degree - 1));
+  if (is_small_piece(manifold, element)) return polygon_rule(loops, 1);
   const Eigen::VectorXd moments = polygon_moments(loops, shape.frame, 1);
   const double size = shape.frame.size / moments(0);
   return {{shape.frame.origin + Point{size * moments(1), size * moments(2)}, moments(0)}};
@@ -76,9 +80,8 @@ CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis)
     gradient_.back().zz = start_stress(material, material.stress_gradient, 1, continuum.plane).zz - initial_.back().zz;
     share_across_.push_back(share_across(material, continuum.plane));
     const ElementShape shape = basis_.shape(e);
-    const auto loops = continuum.manifold.polygon(continuum.manifold.elements[static_cast<std::size_t>(e)]);
     const bool yields = material.is_nonlinear();  // CoverYield's
-    const std::vector<AreaPoint> points = yields ? std::vector<AreaPoint>() : points_of(loops, shape);
+    const std::vector<AreaPoint> points = yields ? std::vector<AreaPoint>() : points_of(continuum.manifold, e, shape);
     const auto count = static_cast<Eigen::Index>(points.size());
     Element& element = elements_.emplace_back();
     element.modulus = continuum.modulus(e);

@@ -78,6 +78,17 @@ TEST(FrictionalProblem, an_open_contact_has_no_force_at_all) {
   EXPECT_EQ(forces[3], 0);
 }
 
+// No system may be made: the start is acceptable, and presses a contact that opens with more than counts as none.
+TEST(FrictionalProblem, an_open_contact_keeps_what_is_more_than_none) {
+  FrictionalProblem problem = one_contact(-1, 0, 0.5);
+  problem.acceptable = 5;
+  problem.most_systems = 0;
+  const Eigen::Vector2d start(0.5, 0.1);
+  EXPECT_EQ(solve(problem, start).forces, zeros(problem));
+  problem.no_force = 0.2;
+  EXPECT_EQ(solve(problem, start).forces, Eigen::VectorXd(Eigen::Vector2d(0.5, 0)));
+}
+
 // The bond is torn off the ground and pushed aside: its shear holds on until it is taken away.
 TEST(FrictionalProblem, what_cannot_slip_keeps_its_shear_when_it_opens) {
   const double never = std::numeric_limits<double>::infinity();

@@ -146,8 +146,11 @@ FrictionalSolution solve(const FrictionalProblem& problem, Tried first, KeptSyst
   const NaturalMap map = natural_map(problem, last);
   for (std::size_t i = 0; i < problem.count(); ++i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
-    if (is_open(map.grips[i])) solution.forces[n] = problem.laws[i].least;
-    if (map.grips[i] == Grip::open) solution.forces[n + 1] = 0;
+    const auto end_at = [&](Eigen::Index k, double none) {
+      if (std::abs(solution.forces[k] - none) <= problem.no_force) solution.forces[k] = none;
+    };
+    if (is_open(map.grips[i])) end_at(n, problem.laws[i].least);
+    if (map.grips[i] == Grip::open) end_at(n + 1, 0);
   }
   solution.converged = solution.converged && (solution.forces == last.forces ? is_acceptable(problem, last)
                                                                              : is_acceptable(problem, solution.forces));

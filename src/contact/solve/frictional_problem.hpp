@@ -47,6 +47,8 @@ struct FrictionalProblem {
   /// |y| that counts as zero: redundant forces may be asked to close gaps that round-off made unequal, and then no
   /// forces do.
   double gap_tolerance = 0;
+  /// Force on an open touch that counts as none; more than that stays in the solution.
+  double no_force = std::numeric_limits<double>::infinity();
   Eigen::VectorXd scale{};  ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
   int most_systems = 400;   ///< linear systems after which the best forces so far are kept
   int enough_systems =
@@ -124,8 +126,8 @@ struct KeptSystem;
 
 /// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel and
 /// Newton in turn from the best forces seen. Many pairs whose start is far off are swept a little first. The forces of
-/// open touches are exactly zero. `kept` is used where its system is that of an active set, and holds the last one
-/// after.
+/// open touches are exactly zero, but for those above `no_force`. `kept` is used where its system is that of an active
+/// set, and holds the last one after.
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start, KeptSystem* kept = nullptr);
 FrictionalSolution solve(const FrictionalProblem& problem, Tried start, KeptSystem* kept = nullptr);
 

@@ -26,6 +26,7 @@ constexpr double kSameAngle = 1e-6;   // rad; where θ is torn it differs by a t
 constexpr double kDependent = 1e-12;  // of the greatest eigenvalue: such a combination says nothing
 constexpr double kRound = 1 + 1e-9;   // of R: nodes on its circle belong to it
 constexpr int kPlainDegree = 8;       // of quadrature, far from the tip
+constexpr double kSmall = 0.01;       // of the triangles of a cover: what it has of them counts as little
 
 double size_of(const std::array<Point, 3>& t) {
   return std::sqrt(2 / std::sqrt(3.0) * cross(t[1] - t[0], t[2] - t[0]));
@@ -202,8 +203,11 @@ std::vector<char> TipEnrichment::torn(const Middles& middles, const TipAxes& axe
   return is_torn;
 }
 
+// On a cover that has little of its triangles orthonormal functions would be the greater in the rest of them, where the
+// ghost penalty takes them: its residual would be round-off of that. They are as great as if they had all of it.
 Eigen::Matrix4Xd TipEnrichment::orthonormal(int cover, const TipAxes& axes, const Middles& middles) const {
   Eigen::Matrix4d products = Eigen::Matrix4d::Zero();
+  double covered = 0, whole = 0;
   const std::array<Point, 1> tips{axes.at};
   for (const int e : manifold_.elements_of(manifold_.covers[static_cast<std::size_t>(cover)])) {
     const ManifoldElement& element = manifold_.elements[static_cast<std::size_t>(e)];
@@ -218,15 +222,18 @@ Eigen::Matrix4Xd TipEnrichment::orthonormal(int cover, const TipAxes& axes, cons
       g.row(0) += weight.gradient.x * v.values;
       g.row(1) += weight.gradient.y * v.values;
       products += p.weight * g.transpose() * g;
+      covered += p.weight;
     }
+    whole += area(triangle);
   }
+  const double share = covered > 0 && covered < kSmall * whole ? covered / whole : 1;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(products);
   const Eigen::Vector4d& values = solver.eigenvalues();
   Eigen::Matrix4Xd mix(4, 0);
   for (Eigen::Index i = 0; i < 4; ++i) {
     if (!(values(i) > kDependent * values(3))) continue;
     mix.conservativeResize(4, mix.cols() + 1);
-    mix.col(mix.cols() - 1) = solver.eigenvectors().col(i) / std::sqrt(values(i));
+    mix.col(mix.cols() - 1) = solver.eigenvectors().col(i) / std::sqrt(values(i) / share);
   }
   return mix;
 }

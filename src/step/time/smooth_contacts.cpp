@@ -143,10 +143,15 @@ void SmoothContacts::set_right_side(const UnknownsTable& estimate) {
 void SmoothContacts::put_goal() {
   problem_.goal = tolerance_.goal;
   problem_.acceptable = tolerance_.acceptable;
-  if (tolerance_.acceptable > 0 || problem_.b.size() == 0) return;
-  const double asked = problem_.b.cwiseQuotient(problem_.compliance()).cwiseAbs().maxCoeff();
-  problem_.goal = of_gaps::kRoundOff * asked;
-  problem_.acceptable = of_gaps::kFewRoundOffs * asked;
+  if (tolerance_.acceptable <= 0 && problem_.b.size() > 0) {
+    const double asked = problem_.b.cwiseQuotient(problem_.compliance()).cwiseAbs().maxCoeff();
+    problem_.goal = of_gaps::kRoundOff * asked;
+    problem_.acceptable = of_gaps::kFewRoundOffs * asked;
+  }
+  // Rounds of bodies that are not linear settle by what they change. Where acceptable forces are far from their goal,
+  // what open touches are left with is no round-off: cut off anew in each round, on other touches, it would move a
+  // light piece each time.
+  if (!free_.is_linear()) problem_.no_force = problem_.goal;
 }
 
 void SmoothContacts::follow_lines(const Eigen::VectorXd& compliance) {
