@@ -78,6 +78,19 @@ double spread(const std::vector<DomainResult>& domains, double StressIntensity::
   return greatest < least ? 0 : greatest - least;
 }
 
+// Empty, or why sides at a tip are too long for its factors.
+std::string coarse(double side, double room, bool has_functions) {
+  if (has_functions && side > kLargestSideOfFunctions * room)
+    return fmt::format("sides of {:.3g} at the tip are more than a third of the {:.3g} about it (tip_side refines)",
+                       side, room);
+  if (!has_functions && side > kLargestSide * room)
+    return fmt::format(
+        "sides of {:.3g} at the tip are more than a fortieth of the {:.3g} about it: K is low by 3 % or "
+        "more (tip_side refines)",
+        side, room);
+  return {};
+}
+
 }  // namespace
 
 std::string doubt_of(const TipReport& report) {
@@ -89,15 +102,12 @@ std::string doubt_of(const TipReport& report) {
   const double by_factors = energy_release(report.rock, k);
   if (std::abs(report.factors->j - by_factors) > kMostDifferenceOfJ * std::max(by_factors, report.factors->j))
     return fmt::format("J {:.4g} and (K_I² + K_II²)/E' {:.4g} differ", report.factors->j, by_factors);
-  if (report.has_functions && report.side > kLargestSideOfFunctions * report.tip.room)
-    return fmt::format("sides of {:.3g} at the tip are more than a third of the {:.3g} about it (tip_side refines)",
-                       report.side, report.tip.room);
-  if (!report.has_functions && report.side > kLargestSide * report.tip.room)
-    return fmt::format(
-        "sides of {:.3g} at the tip are more than a fortieth of the {:.3g} about it: K is low by 3 % or "
-        "more (tip_side refines)",
-        report.side, report.tip.room);
-  return {};
+  return coarse(report.side, report.tip.room, report.has_functions);
+}
+
+std::string coarse_mesh_at(const Continuum& continuum, const CrackTip& alone) {
+  const CrackTip tip = with_loads_in_the_way(continuum, alone);
+  return coarse(side_at(continuum.manifold, tip), tip.room, continuum.tip_functions.are_asked());
 }
 
 std::vector<DomainChoice> domain_choices(const CrackTip& tip) {

@@ -42,6 +42,9 @@ TipReport tip_report(const CoverSolution& solution, const CrackTip& tip);
 /// Why the factors of a tip cannot be trusted, in words; empty where nothing speaks against them.
 std::string doubt_of(const TipReport& report);
 
+/// Why the mesh at a tip is too coarse for its factors, in words; empty where it is not.
+std::string coarse_mesh_at(const Continuum& continuum, const CrackTip& tip);
+
 /// By the largest circle alone; none where not even that has room.
 std::optional<TipFactors> tip_factors(const CoverSolution& solution, const CrackTip& tip);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/words/plain_number.hpp"
+#include "fracture/tip_report.hpp"
 #include "geometry/shared_area.hpp"
 #include "material/elastic.hpp"
 
@@ -177,6 +178,30 @@ void add_tips(Judgement& judgement, const Prepared& prepared, const Frame& last,
   }
 }
 
+// Factors that stand in the tables as if they were right. Without growth nothing hangs on a tip that has none.
+void add_factors(Warnings& remarks, const Prepared& prepared, const Frame& last, const Place& place) {
+  const auto& continuum = prepared.scene.model.continuum;
+  if (last.tips.empty() || !continuum) return;
+  for (const CrackTip& tip : continuum->manifold.tips) {
+    const std::string why = coarse_mesh_at(*continuum, tip);
+    if (why.empty()) continue;
+    remarks.push_back({"coarse_tip", place,
+                       fmt::format("at the tip {}, {} the mesh is coarse for the factors of tips.csv: {}",
+                                   plain(tip.at.x), plain(tip.at.y), why)});
+    break;
+  }
+  if (prepared.scene.growth) return;
+  for (const TipState& tip : last.tips) {
+    if (tip.has_room) continue;
+    remarks.push_back(
+        {"tip_without_factors", place,
+         fmt::format("tip {} at {}, {} has no K and no J: no domain of elements about it is free of other "
+                     "lines, loads and edges; a smaller tip_side gives it room",
+                     &tip - last.tips.data() + 1, plain(tip.at.x), plain(tip.at.y))});
+    break;
+  }
+}
+
 }  // namespace
 
 Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
@@ -190,6 +215,7 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
   add_stages(found, record.outcome, place);
   add_plastic_work(judgement.remarks, record, place);
   add_tips(judgement, prepared, last, place);
+  add_factors(judgement.remarks, prepared, last, place);
   return judgement;
 }
 

@@ -8,7 +8,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <optional>
+#include <ranges>
 #include <set>
 
 #include "base/counted.hpp"
@@ -339,6 +342,22 @@ std::string implausible(const Plausible& bounds, double value, const Units& unit
       units.time.empty() ? "" : ", " + units.time, bounds.least, bounds.most);
 }
 
+/// Empty, or why a gravity is that of the earth in another unit than the declared ones.
+std::string gravity_of_another_unit(double gravity, const Units& units) {
+  constexpr std::array<std::pair<double, const char*>, 4> kEarth{
+      {{9.81, "m/s2"}, {32.17, "ft/s2"}, {386.1, "in/s2"}, {981, "cm/s2"}}};
+  constexpr double kSame = 0.01;  // share: 9.8 to 9.9, 32 to 32.2
+  const std::optional<double> factor = si_factor(units, kAcceleration);
+  if (!factor || std::abs(gravity * *factor - kEarth[0].first) <= kSame * kEarth[0].first) return {};
+  for (const auto& [value, unit] : kEarth)
+    if (std::abs(gravity - value) <= kSame * value)
+      return fmt::format(
+          "gravity {:.4g} is that of the earth in {}, but {:.3g} m/s2 in the declared units ({}{}): it is {:.4g} there",
+          gravity, unit, gravity * *factor, units.length, units.time.empty() ? "" : ", " + units.time,
+          kEarth[0].first / *factor);
+  return {};
+}
+
 /// Empty, or why an angle of friction cannot be meant in degrees.
 std::string in_radians(double degrees) {
   if (!(degrees > 0 && degrees < std::numbers::pi / 2)) return {};
@@ -390,7 +409,9 @@ Warnings contradictions(const Problem& problem, const Settings& settings) {
   const auto put = [&](const std::string& sentence, const Place& place) {
     if (!sentence.empty()) found.push_back({"units_contradict", place, sentence});
   };
-  put(implausible(kGravity, length(settings.gravity), problem.units), problem.analysis->place);
+  const double gravity = length(settings.gravity);
+  const std::string unlikely = implausible(kGravity, gravity, problem.units);
+  put(unlikely.empty() ? gravity_of_another_unit(gravity, problem.units) : unlikely, problem.analysis->place);
   for (const BlockMaterial& material : problem.analysis->block_materials)
     found = joined(std::move(found), contradictions_of(material, problem.units));
   if (settings.gravity.y > 0)
@@ -400,6 +421,37 @@ Warnings contradictions(const Problem& problem, const Settings& settings) {
   for (const JointMaterial& joint : problem.analysis->joint_materials)
     put(in_radians(joint.friction_angle_deg), joint.place);
   return found;
+}
+
+// Of two bodies, at least one of them on covers: elements that share covers are of one.
+bool touch_on_covers(const Model& model) {
+  UnionFind bodies(model.elements.size());
+  std::map<int, int> first_on;  // an element of each cover
+  for (ElementIndex e : indices(model.elements))
+    for (const int cover : model.elements[e].covers)
+      bodies.unite(e.value, first_on.try_emplace(cover, e.value).first->second);
+  return std::ranges::any_of(touching_pairs(model), [&](const ElementPair& pair) {
+    return (model.elements[pair.lower].is_on_covers() || model.elements[pair.upper].is_on_covers()) &&
+           bodies.find(pair.lower.value) != bodies.find(pair.upper.value);
+  });
+}
+
+// Their contact forces go from none to twice the weight and back: where they are none, a body hops.
+Warnings sudden_starts(const Problem& problem, const Prepared& prepared) {
+  const Settings& settings = prepared.scene.settings;
+  const Model& model = prepared.scene.model;
+  const auto damps = [](const std::optional<double>& stiffness) { return stiffness.value_or(0) > 0; };
+  const bool is_damped = damps(settings.stiffness_damping.common) ||
+                         std::ranges::any_of(settings.stiffness_damping.own | std::views::values, damps);
+  const bool is_in_time = settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::dynamic &&
+                          !is_static(settings, model);
+  if (!model.continuum || prepared.scene.is_untouched || !is_in_time || is_damped || !problem.stages.empty() ||
+      length(settings.gravity) == 0 || !touch_on_covers(model))
+    return {};
+  return {{"sudden_start_undamped", problem.analysis->place,
+           "bodies on covers that touch meet their weight at once, and nothing damps them: they swing by as much as "
+           "they settle, may part, and walk down a joint on which they would rest; `stiffness_damping` of their "
+           "material, or motion=static, shows what rests"}};
 }
 
 bool is_of_blocks(const Prepared& prepared) {
@@ -424,7 +476,7 @@ Warnings contradictions_of(const BlockMaterial& material, const Units& units) {
 }
 
 Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
-  Warnings found = contradictions(problem, prepared.scene.settings);
+  Warnings found = joined(contradictions(problem, prepared.scene.settings), sudden_starts(problem, prepared));
   if (!is_of_blocks(prepared)) return found;
   return joined(std::move(found), Blocky(prepared).warnings(problem));
 }

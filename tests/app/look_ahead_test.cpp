@@ -177,6 +177,35 @@ TEST(LookAhead, units_that_contradict_are_told) {
   EXPECT_EQ(said(check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}))), "units_contradict"), "");
 }
 
+// Two blocks of one column, parted by a joint, and the same as one.
+TEST(LookAhead, bodies_on_covers_that_start_suddenly_without_damping_are_told) {
+  const auto told = [](const std::string& geometry, std::vector<std::string> more) {
+    more.insert(more.end(), {"--trial", "0"});
+    const std::string covers = R"(, "covers": {"mesh": {"side": 0.5}, "displacements": [{"along": [[0, 0], [1, 0]]}]})";
+    return said(check_of(case_text(geometry + covers), more), "sudden_start_undamped");
+  };
+  const std::string one = R"("blocks": {"blocks": [)" + rectangle(0, 0, 1, 2) + "]}";
+  const std::string two = R"("blocks": {"blocks": [)" + rectangle(0, 0, 1, 1) + ", " + rectangle(0, 1, 1, 2) + "]}";
+  EXPECT_NE(told(two, {}), "");
+  EXPECT_EQ(told(two, {"--set", "stiffness_damping=0.004"}), "");
+  EXPECT_EQ(told(two, {"--set", "motion=static"}), "");
+  EXPECT_EQ(told(one, {}), "");
+}
+
+// Each plausible by itself.
+TEST(LookAhead, gravity_of_another_unit_is_told) {
+  const auto told = [](const char* length, const char* mass, const char* gravity) {
+    const std::string units = fmt::format(R"("units": {{"length": "{}", "mass": "{}", "time": "s"}},)", length, mass);
+    const std::string text =
+        case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}), units, fmt::format(R"("gravity": {},)", gravity));
+    return said(check_of(text, {"--trial", "0"}), "units_contradict");
+  };
+  EXPECT_TRUE(contains(told("ft", "slug", "9.81"), "gravity 9.81 is that of the earth in m/s2, but 2.99 m/s2"));
+  EXPECT_TRUE(contains(told("m", "kg", "32.2"), "that of the earth in ft/s2"));
+  EXPECT_FALSE(contains(told("ft", "slug", "32.174"), "that of the earth"));
+  EXPECT_FALSE(contains(told("m", "kg", "1.62"), "that of the earth")) << "the moon's";
+}
+
 TEST(LookAhead, gravity_upward_and_friction_in_radians_are_told) {
   const std::string geometry = blocks({kFloor, rectangle(4, 1, 6, 3)});
   std::string text = case_text(geometry, kUnits, R"("gravity": -9.81,)");

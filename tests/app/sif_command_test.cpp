@@ -227,6 +227,23 @@ TEST(SifCommand, bad_cracks_are_refused_and_nothing_is_written) {
   }
 }
 
+// K of a run stands in a table without the doubts of `sif`.
+TEST(RunsWithCracks, tell_of_coarse_tips_and_of_tips_without_factors) {
+  const auto said = [](const std::string& covers) {
+    return run_keyblock(
+        {"run", file_of("told", plate(covers + ", " + kPulled)), "-o", fresh_folder("sif_told_out") + "/out"});
+  };
+  const ProgramRun coarse = said(R"("mesh": {"side": 0.2}, "cracks": [{"along": [[0, 0], [0.5, 0]]}])");
+  EXPECT_EQ(coarse.exit_code, 0) << coarse.messages;
+  EXPECT_NE(coarse.messages.find("[coarse_tip]"), std::string::npos) << coarse.messages;
+  const ProgramRun fine =
+      said(R"("mesh": {"side": 0.2, "tip_side": 0.005}, "cracks": [{"along": [[0, 0], [0.5, 0]]}])");
+  EXPECT_EQ(fine.messages.find("[coarse_tip]"), std::string::npos) << fine.messages;
+  EXPECT_EQ(fine.messages.find("[tip_without_factors]"), std::string::npos) << fine.messages;
+  const ProgramRun tiny = said(R"("mesh": {"side": 0.2}, "cracks": [{"along": [[0.5, 0], [0.5000001, 0]]}])");
+  EXPECT_NE(tiny.messages.find("[tip_without_factors]"), std::string::npos) << tiny.messages;
+}
+
 // G of a beam driven by a displacement: half of the reaction times the displacement is its energy, and what that
 // loses is the sum of J over the way of the tip, both at one displacement.
 TEST(CrackGrowth, releases_the_energy_that_j_says) {

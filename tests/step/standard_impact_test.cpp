@@ -314,6 +314,22 @@ TEST(StandardImpact, springs_that_stop_blocks_make_no_energy_at_any_step) {
     }
 }
 
+// The change of a spring's energy over that of its gap was 0/0 where it begins to part from no force at all.
+TEST(StandardImpact, springs_that_stop_blocks_let_go_of_one_that_rises_from_its_floor) {
+  Blocks blocks;
+  blocks.blocks = {rectangle({-5, -1}, {5, 0}), rectangle({-1, 0}, {0, 1})};
+  blocks.fixed_points = {{{-4, -0.5}, 0, {}}, {{4, -0.5}, 0, {}}};
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.block_materials[0].initial_velocity = {0, 1, 0};
+  Settings settings = standard_settings(analysis);
+  settings.standard.impact = ImpactLaw::springs;
+  settings.standard.enforcement = Enforcement::penalty;
+  StandardStepper stepper(standard_scene_of(blocks, analysis, settings));
+  const State start = stepper.state();
+  run_to(stepper, 0.1);
+  EXPECT_NEAR(support::travel(stepper, start, 1).y, 0.1 - 9.81 * 0.01 / 2, 1e-4);
+}
+
 // Five blocks on a smooth floor, the first of which strikes the rest: momentum is kept.
 TEST(StandardImpact, springs_that_stop_a_row_of_blocks_keep_its_momentum) {
   Blocks blocks;

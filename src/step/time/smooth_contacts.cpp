@@ -30,9 +30,10 @@ struct SpringLine {
 SpringLine spring_line(double before, double after, double compliance) {
   if (before <= 0 && after <= 0) return {-before, 2 * compliance};
   const double way = std::abs(after - before);
-  if (before > 0 && after >= 0) return {-way, 2 * compliance};  // no force unless the estimate turns out to be far off
   const double pressed = std::min(before, after);
-  const double force = pressed * pressed / (2 * compliance * way);
+  const double squared = pressed < 0 ? pressed * pressed : 0;
+  if (squared == 0) return {-way, 2 * compliance};  // no force unless the estimate turns out to be far off
+  const double force = squared / (2 * compliance * way);
   const double slope = after < before ? -pressed / (compliance * way) * (1 + pressed / (2 * way)) : force / way;
   return {after + force / slope, 1 / slope};
 }
