@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/polynomial.hpp"
 
+#include <cassert>
+
 #include "geometry/quadrature.hpp"
 
 namespace keyblock {
@@ -28,12 +30,14 @@ void put_monomials(int degree, Point p, Values& values) {
 }  // namespace
 
 OfMonomials<1> monomials(int degree, Point p) {
+  assert(degree <= kHighestDegree);
   OfMonomials<1> values(monomial_count(degree));
   put_monomials(degree, p, values);
   return values;
 }
 
 OfMonomials<2> monomial_gradients(int degree, Point p) {
+  assert(degree <= kHighestDegree);
   OfMonomials<2> gradients = OfMonomials<2>::Zero(monomial_count(degree), 2);
   if (degree == 0) return gradients;
   const OfMonomials<1> lower = monomials(degree - 1, p);

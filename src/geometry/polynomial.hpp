@@ -37,12 +37,13 @@ struct LocalFrame {
   Point local(Point p) const { return (1 / size) * (p - origin); }
 };
 
-/// Degree of the monomials at a point, at most: they are wanted at very many, and kept without memory of their own.
+/// Highest degree of `monomials`, twice that of any cover function: they are evaluated at very many points, so that
+/// they have a greatest size and no allocation.
 inline constexpr int kHighestDegree = 6;
 template <int kColumns>
 using OfMonomials = Eigen::Matrix<double, Eigen::Dynamic, kColumns, 0, monomial_count(kHighestDegree), kColumns>;
 
-/// All monomials up to `degree` at `p`.
+/// All monomials up to `degree`, at most kHighestDegree, at `p`.
 OfMonomials<1> monomials(int degree, Point p);
 
 /// Their derivatives by x and y, one column each.

@@ -178,27 +178,28 @@ void add_tips(Judgement& judgement, const Prepared& prepared, const Frame& last,
   }
 }
 
-// Factors that stand in the tables as if they were right. Without growth nothing hangs on a tip that has none.
+// Factors stand in the tables as if they were right, of the tips that the run began with. In rock that may yield there
+// are none, and where a tip is to go on `add_tips` tells of one without room.
 void add_factors(Warnings& remarks, const Prepared& prepared, const Frame& last, const Place& place) {
   const auto& continuum = prepared.scene.model.continuum;
   if (last.tips.empty() || !continuum) return;
+  const auto put = [&](const char* name, const std::string& sentence) {
+    if (std::ranges::count(remarks, name, &Warning::name) == 0) remarks.push_back({name, place, sentence});
+  };
   for (const CrackTip& tip : continuum->manifold.tips) {
-    const std::string why = coarse_mesh_at(*continuum, tip);
-    if (why.empty()) continue;
-    remarks.push_back({"coarse_tip", place,
-                       fmt::format("at the tip {}, {} the mesh is coarse for the factors of tips.csv: {}",
-                                   plain(tip.at.x), plain(tip.at.y), why)});
-    break;
-  }
-  if (prepared.scene.growth) return;
-  for (const TipState& tip : last.tips) {
-    if (tip.has_room) continue;
-    remarks.push_back(
-        {"tip_without_factors", place,
-         fmt::format("tip {} at {}, {} has no K and no J: no domain of elements about it is free of other "
-                     "lines, loads and edges; a smaller tip_side gives it room",
-                     &tip - last.tips.data() + 1, plain(tip.at.x), plain(tip.at.y))});
-    break;
+    const int element = element_of(continuum->manifold, tip);
+    if (element < 0 || continuum->material(element).is_nonlinear()) continue;
+    const auto state = std::ranges::find(last.tips, tip.at, &TipState::at);
+    if (state != last.tips.end() && !state->has_room) {
+      if (!prepared.scene.growth)
+        put("tip_without_factors", fmt::format("tip {} at {}, {} has no K and no J: no domain of elements about it is "
+                                               "free of other lines, loads and edges; a smaller tip_side gives it room",
+                                               state - last.tips.begin() + 1, plain(tip.at.x), plain(tip.at.y)));
+      continue;
+    }
+    if (const std::string why = coarse_mesh_at(*continuum, tip); !why.empty())
+      put("coarse_tip", fmt::format("at the tip {}, {} the mesh is coarse for the factors of tips.csv: {}",
+                                    plain(tip.at.x), plain(tip.at.y), why));
   }
 }
 

@@ -112,7 +112,7 @@ const char* name_of(CoverFunctions functions) {
   return "";
 }
 
-// Products as small as these cost more as general ones, which rearrange their factors first.
+// Eigen's general product packs its factors first, which costs more than products as small as these.
 Eigen::RowVectorXd ElementShape::values(Point x) const {
   Eigen::RowVectorXd n = monomials(degree, frame.local(x)).transpose().lazyProduct(monomial);
   if (tip != nullptr) tip->add_values(x, n);
@@ -120,7 +120,7 @@ Eigen::RowVectorXd ElementShape::values(Point x) const {
 }
 
 Eigen::Matrix2Xd ElementShape::gradients(Point x) const {
-  Eigen::Matrix2Xd g = (monomial_gradients(degree, frame.local(x)) / frame.size).transpose().lazyProduct(monomial);
+  Eigen::Matrix2Xd g = monomial_gradients(degree, frame.local(x)).transpose().lazyProduct(monomial) / frame.size;
   if (tip != nullptr) tip->add_gradients(x, g);
   return g;
 }

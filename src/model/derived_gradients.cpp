@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace keyblock {
@@ -47,6 +48,7 @@ class Fit {
  public:
   Fit(const std::vector<Point>& offsets, double h) : h_(h) {
     const auto n = static_cast<Eigen::Index>(offsets.size());
+    assert(n >= kLinear);  // the other corners of an element
     columns_.resize(n, kLinear + kQuadratic);
     root_weights_.resize(n);
     for (Eigen::Index j = 0; j < n; ++j) {
@@ -56,7 +58,7 @@ class Fit {
     }
     qr_.compute(columns_);
     // The part of the quadratic terms that linear ones cannot say: where it is small, they are not determined. It is
-    // what the triangle of QR has below its first rows.
+    // what the triangle of QR has below its first two rows.
     Eigen::Matrix3d beyond = Eigen::Matrix3d::Zero();
     const Eigen::Index rows = std::min<Eigen::Index>(n - kLinear, kQuadratic);
     if (rows > 0)
@@ -120,7 +122,7 @@ std::vector<CoverGradient> derived_gradients(const Manifold& manifold) {
     const Fit near(offsets_of(star), h);
     const bool is_enough = star.size() >= kFewestNeighbours && near.is_complete();
     if (!is_enough) star = with_second_ring(neighbours, c);
-    const Eigen::Matrix2Xd weights = (is_enough ? near : Fit(offsets_of(star), h)).gradient();
+    const Eigen::Matrix2Xd weights = is_enough ? near.gradient() : Fit(offsets_of(star), h).gradient();
     std::vector<CoverGradient::Share>& shares = gradients[static_cast<std::size_t>(c)].shares;
     Point sum;
     for (std::size_t j = 0; j < star.size(); ++j) {

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <ranges>
@@ -22,6 +21,8 @@
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
 #include "material/strength.hpp"
+#include "model/material_choices.hpp"
+#include "model/shared_covers.hpp"
 #include "problem/units/unit_conversion.hpp"
 #include "step/scene/enforcement.hpp"
 
@@ -344,17 +345,17 @@ std::string implausible(const Plausible& bounds, double value, const Units& unit
 
 /// Empty, or why a gravity is that of the earth in another unit than the declared ones.
 std::string gravity_of_another_unit(double gravity, const Units& units) {
-  constexpr std::array<std::pair<double, const char*>, 4> kEarth{
-      {{9.81, "m/s2"}, {32.17, "ft/s2"}, {386.1, "in/s2"}, {981, "cm/s2"}}};
+  // Not 981 cm/s2, which in metres is a centrifuge of 100 g.
+  constexpr std::array<std::pair<double, const char*>, 3> kEarth{{{9.81, "m/s2"}, {32.17, "ft/s2"}, {386.1, "in/s2"}}};
   constexpr double kSame = 0.01;  // share: 9.8 to 9.9, 32 to 32.2
   const std::optional<double> factor = si_factor(units, kAcceleration);
-  if (!factor || std::abs(gravity * *factor - kEarth[0].first) <= kSame * kEarth[0].first) return {};
+  if (!factor || std::abs(gravity * *factor - kEarth[0].first) <= 2 * kSame * kEarth[0].first) return {};
   for (const auto& [value, unit] : kEarth)
     if (std::abs(gravity - value) <= kSame * value)
       return fmt::format(
-          "gravity {:.4g} is that of the earth in {}, but {:.3g} m/s2 in the declared units ({}{}): it is {:.4g} there",
-          gravity, unit, gravity * *factor, units.length, units.time.empty() ? "" : ", " + units.time,
-          kEarth[0].first / *factor);
+          "gravity {:.4g} is that of the earth in {}, but {:.3g} m/s2 in the declared units ({}, {}): it is {:.4g} "
+          "there",
+          gravity, unit, gravity * *factor, units.length, units.time, kEarth[0].first / *factor);
   return {};
 }
 
@@ -423,35 +424,35 @@ Warnings contradictions(const Problem& problem, const Settings& settings) {
   return found;
 }
 
-// Of two bodies, at least one of them on covers: elements that share covers are of one.
-bool touch_on_covers(const Model& model) {
-  UnionFind bodies(model.elements.size());
-  std::map<int, int> first_on;  // an element of each cover
-  for (ElementIndex e : indices(model.elements))
-    for (const int cover : model.elements[e].covers)
-      bodies.unite(e.value, first_on.try_emplace(cover, e.value).first->second);
+// Of two bodies, at least one of them on covers and not damped.
+bool touch_undamped(const Model& model, const Settings& settings) {
+  const std::vector<int> bodies = body_numbers(model);
+  if (std::ranges::all_of(bodies, [](int body) { return body == 0; })) return false;
+  const auto is_undamped = [&](const Element& element) {
+    const int material = element.material;
+    return element.is_on_covers() && settings.stiffness_damping.of(material).value_or(0) == 0 &&
+           settings.mass_damping.of(material) == 0 && settings.velocity_carry_over.of(material) == 1;
+  };
   return std::ranges::any_of(touching_pairs(model), [&](const ElementPair& pair) {
-    return (model.elements[pair.lower].is_on_covers() || model.elements[pair.upper].is_on_covers()) &&
-           bodies.find(pair.lower.value) != bodies.find(pair.upper.value);
+    return (is_undamped(model.elements[pair.lower]) || is_undamped(model.elements[pair.upper])) &&
+           bodies[static_cast<std::size_t>(pair.lower.value)] != bodies[static_cast<std::size_t>(pair.upper.value)];
   });
 }
 
-// Their contact forces go from none to twice the weight and back: where they are none, a body hops.
+// Bodies on covers start without contact forces, which then swing between none and twice the weight; at none a body may
+// lift off. The first of several stages is there to bring them to rest.
 Warnings sudden_starts(const Problem& problem, const Prepared& prepared) {
   const Settings& settings = prepared.scene.settings;
   const Model& model = prepared.scene.model;
-  const auto damps = [](const std::optional<double>& stiffness) { return stiffness.value_or(0) > 0; };
-  const bool is_damped = damps(settings.stiffness_damping.common) ||
-                         std::ranges::any_of(settings.stiffness_damping.own | std::views::values, damps);
   const bool is_in_time = settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::dynamic &&
                           !is_static(settings, model);
-  if (!model.continuum || prepared.scene.is_untouched || !is_in_time || is_damped || !problem.stages.empty() ||
-      length(settings.gravity) == 0 || !touch_on_covers(model))
+  if (!model.continuum || prepared.scene.is_untouched || !is_in_time || !problem.stages.empty() ||
+      length(settings.gravity) == 0 || !touch_undamped(model, settings))
     return {};
   return {{"sudden_start_undamped", problem.analysis->place,
-           "bodies on covers that touch meet their weight at once, and nothing damps them: they swing by as much as "
-           "they settle, may part, and walk down a joint on which they would rest; `stiffness_damping` of their "
-           "material, or motion=static, shows what rests"}};
+           "bodies on covers that touch take their full weight suddenly, and neither stiffness_damping nor "
+           "mass_damping calms them: they swing by as much as they settle, may part, and walk down a joint on which "
+           "they would rest; `stiffness_damping`, or motion=static, shows whether they rest"}};
 }
 
 bool is_of_blocks(const Prepared& prepared) {

@@ -1,5 +1,5 @@
 // What a case shows before its first step of what will hurt in it: slivers, blocks that nothing holds, springs too
-// stiff for the step, units that contradict each other.
+// stiff for the step, units that contradict each other, bodies on covers that start suddenly.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@ namespace keyblock {
 
 /// Named warnings with numbers and places, in the units of the input. Names: `slivers`, `block_outside_outline`,
 /// `point_outside_its_block`, `unheld_blocks`, `unsupported_blocks`, `block_cannot_bend`, `springs_stiff_for_step`,
-/// `units_contradict`. Bodies on covers are looked at for units alone.
+/// `units_contradict`, `sudden_start_undamped`. Of bodies on covers, only units and how they start are looked at.
 Warnings look_ahead(const Problem& problem, const Prepared& prepared);
 
 /// `units_contradict` of a block material.

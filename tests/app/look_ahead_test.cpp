@@ -188,6 +188,7 @@ TEST(LookAhead, bodies_on_covers_that_start_suddenly_without_damping_are_told) {
   const std::string two = R"("blocks": {"blocks": [)" + rectangle(0, 0, 1, 1) + ", " + rectangle(0, 1, 1, 2) + "]}";
   EXPECT_NE(told(two, {}), "");
   EXPECT_EQ(told(two, {"--set", "stiffness_damping=0.004"}), "");
+  EXPECT_EQ(told(two, {"--set", "mass_damping=3"}), "");
   EXPECT_EQ(told(two, {"--set", "motion=static"}), "");
   EXPECT_EQ(told(one, {}), "");
 }
@@ -204,6 +205,8 @@ TEST(LookAhead, gravity_of_another_unit_is_told) {
   EXPECT_TRUE(contains(told("m", "kg", "32.2"), "that of the earth in ft/s2"));
   EXPECT_FALSE(contains(told("ft", "slug", "32.174"), "that of the earth"));
   EXPECT_FALSE(contains(told("m", "kg", "1.62"), "that of the earth")) << "the moon's";
+  EXPECT_FALSE(contains(told("m", "kg", "981"), "that of the earth")) << "100 g";
+  EXPECT_FALSE(contains(told("m", "kg", "0"), "that of the earth"));
 }
 
 TEST(LookAhead, gravity_upward_and_friction_in_radians_are_told) {

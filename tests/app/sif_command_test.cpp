@@ -233,7 +233,7 @@ TEST(RunsWithCracks, tell_of_coarse_tips_and_of_tips_without_factors) {
     return run_keyblock(
         {"run", file_of("told", plate(covers + ", " + kPulled)), "-o", fresh_folder("sif_told_out") + "/out"});
   };
-  const ProgramRun coarse = said(R"("mesh": {"side": 0.2}, "cracks": [{"along": [[0, 0], [0.5, 0]]}])");
+  const ProgramRun coarse = said(R"("mesh": {"side": 0.05}, "cracks": [{"along": [[0, 0], [0.5, 0]]}])");
   EXPECT_EQ(coarse.exit_code, 0) << coarse.messages;
   EXPECT_NE(coarse.messages.find("[coarse_tip]"), std::string::npos) << coarse.messages;
   const ProgramRun fine =
@@ -242,6 +242,7 @@ TEST(RunsWithCracks, tell_of_coarse_tips_and_of_tips_without_factors) {
   EXPECT_EQ(fine.messages.find("[tip_without_factors]"), std::string::npos) << fine.messages;
   const ProgramRun tiny = said(R"("mesh": {"side": 0.2}, "cracks": [{"along": [[0.5, 0], [0.5000001, 0]]}])");
   EXPECT_NE(tiny.messages.find("[tip_without_factors]"), std::string::npos) << tiny.messages;
+  EXPECT_EQ(tiny.messages.find("[coarse_tip]"), std::string::npos) << tiny.messages;
 }
 
 // G of a beam driven by a displacement: half of the reaction times the displacement is its energy, and what that

@@ -47,7 +47,8 @@ struct FrictionalProblem {
   /// |y| that counts as zero: redundant forces may be asked to close gaps that round-off made unequal, and then no
   /// forces do.
   double gap_tolerance = 0;
-  /// Force on an open touch that counts as none; more than that stays in the solution.
+  /// Force on an open touch, off its least, that counts as none; more than that, of either sign and at most acceptable,
+  /// stays in the solution.
   double no_force = std::numeric_limits<double>::infinity();
   Eigen::VectorXd scale{};  ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
   int most_systems = 400;   ///< linear systems after which the best forces so far are kept

@@ -203,8 +203,8 @@ std::vector<char> TipEnrichment::torn(const Middles& middles, const TipAxes& axe
   return is_torn;
 }
 
-// On a cover that has little of its triangles orthonormal functions would be the greater in the rest of them, where the
-// ghost penalty takes them: its residual would be round-off of that. They are as great as if they had all of it.
+// Orthonormal functions of a cover that has little of its triangles grow large in the rest of them, where the ghost
+// penalty integrates them, and its residual would be their round-off. They are scaled as if the cover had all of it.
 Eigen::Matrix4Xd TipEnrichment::orthonormal(int cover, const TipAxes& axes, const Middles& middles) const {
   Eigen::Matrix4d products = Eigen::Matrix4d::Zero();
   double covered = 0, whole = 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/rows/gap.hpp"
+#include "contact/solve/friction_newton.hpp"
 #include "step/newton/tolerances.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/step_constraints.hpp"
@@ -61,7 +62,8 @@ UnknownsTable with_held_at_ease(const StandardScene& scene, const Motion& motion
     problem.laws.push_back(std::abs(memory.tangential) < (1 - of_accelerations::kAtLimit) * limit ? kHeld : kBilateral);
   }
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
-  const Eigen::VectorXd forces = solve(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
+  // Nothing opens: sweeps would change nothing that Newton leaves.
+  const Eigen::VectorXd forces = newton(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
   return plus(motion.a, 1, answer(rows, blocks, forces));
 }
 

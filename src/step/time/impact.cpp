@@ -331,7 +331,7 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
   double first_change = 0;
   double change = 0;
   for (int round = 0; round < of_impacts::kMostFrictionRounds; ++round) {
-    pushes = solve(problem, pushes).forces;
+    pushes = newton(problem, pushes).forces;  // nothing opens: sweeps would change nothing that Newton leaves
     if (round == 0) smooth = pushes;
     change = 0;
     for (std::size_t i = 0; i < closed.size(); ++i) {

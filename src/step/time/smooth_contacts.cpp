@@ -23,6 +23,10 @@ struct SpringLine {
   double compliance = 0;
 };
 
+// Pressed by so little of the way, the force that is left out is below 1e-12 of what would close the way; its line
+// would be so soft that the other digits of the matrix were lost in it.
+constexpr double kNotPressed = 1e-6;
+
 // Springs that stop an impact give back what they took, whatever the step: their force is the change of their energy
 // U = p min(g, 0)²/2 over that of the gap, λ = −(U(g1) − U(g0)) / (g1 − g0) (Gonzalez 2000): the mean of both ends
 // while they are pressed. Where they meet or part within the step it is not linear in g1, and each round takes its
@@ -31,9 +35,8 @@ SpringLine spring_line(double before, double after, double compliance) {
   if (before <= 0 && after <= 0) return {-before, 2 * compliance};
   const double way = std::abs(after - before);
   const double pressed = std::min(before, after);
-  const double squared = pressed < 0 ? pressed * pressed : 0;
-  if (squared == 0) return {-way, 2 * compliance};  // no force unless the estimate turns out to be far off
-  const double force = squared / (2 * compliance * way);
+  if (-pressed <= kNotPressed * way) return {-way, 2 * compliance};  // no force unless the estimate is far off
+  const double force = pressed * pressed / (2 * compliance * way);
   const double slope = after < before ? -pressed / (compliance * way) * (1 + pressed / (2 * way)) : force / way;
   return {after + force / slope, 1 / slope};
 }
