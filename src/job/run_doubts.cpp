@@ -141,6 +141,26 @@ void add_plastic_work(Warnings& remarks, const RunRecord& record, const Place& p
                    flow.algorithmic, -100 * flow.algorithmic / flow.plastic, flow.plastic)});
 }
 
+// Of the largest energy: what contacts of bodies on covers may take as they close. These bodies rebound by their own
+// elasticity, and what goes beyond it goes with the step and the mesh.
+constexpr double kTakenByClosing = 0.1;
+
+void add_closing(Warnings& remarks, const Prepared& prepared, const RunRecord& record, const Place& place) {
+  const auto is_on_covers = [](const Element& element) { return element.is_on_covers(); };
+  if (!keeps_energy(record) || !record.outcome.ledger_scope.has_flows || record.ledger.rows().empty()) return;
+  if (std::ranges::none_of(prepared.scene.model.elements, is_on_covers)) return;
+  const EnergyFlow& flow = record.ledger.rows().back().flow;
+  const double taken = flow.closing + flow.clean_up;
+  const double largest = record.ledger_sums.largest_energy();
+  if (!(taken > kTakenByClosing * largest)) return;
+  remarks.push_back(
+      {"energy_lost_in_closing", place,
+       fmt::format("contacts took {:.2g} of the largest energy as they closed (closing and clean_up of ledger.csv): "
+                   "where bodies on covers strike, that is of the step, and motions after the blow are too small; a "
+                   "smaller time_step, or impact = springs, shows by how much",
+                   taken / largest)});
+}
+
 // What a stage was to come to before the next began.
 void add_stages(Warnings& found, const RunOutcome& outcome, const Place& place) {
   for (std::size_t i = 0; i < outcome.scenes.size(); ++i) {
@@ -215,6 +235,7 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
   add_energy(found, prepared, record, place);
   add_stages(found, record.outcome, place);
   add_plastic_work(judgement.remarks, record, place);
+  add_closing(judgement.remarks, prepared, record, place);
   add_tips(judgement, prepared, last, place);
   add_factors(judgement.remarks, prepared, last, place);
   return judgement;

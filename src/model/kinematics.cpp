@@ -13,7 +13,18 @@ namespace keyblock {
 namespace {
 
 Eigen::Matrix2d rotation_matrix(double angle) {
-  return Eigen::Matrix2d{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return Eigen::Matrix2d{{c, -s}, {s, c}};
+}
+
+// Of a size that the compiler knows, as most are.
+using OfWholeBlock = Eigen::Matrix<double, 2, kMostUnknowns>;
+
+Eigen::Vector2d product(const DisplacementOperator& rows, const Unknowns& q) {
+  if (q.size() != kMostUnknowns) return rows * q;
+  return Eigen::Map<const OfWholeBlock>(rows.data()) *
+         Eigen::Map<const Eigen::Matrix<double, kMostUnknowns, 1>>(q.data());
 }
 
 Unknowns without_rotation(const Basis& basis, Unknowns q) {
@@ -55,15 +66,15 @@ double angle_of(const Basis& basis, const Unknowns& q) {
 }
 
 Point translation(const Basis& basis, const Unknowns& q) {
-  return point_of(basis.constant * q);
+  return point_of(product(basis.constant, q));
 }
 
 BlockMap::BlockMap(const Basis& basis, const Unknowns& q, Point centroid_at_start)
     : centroid_(centroid_at_start + translation(basis, q)), rotation_(rotation_matrix(angle_of(basis, q))) {
   const Unknowns strain = without_rotation(basis, q);
   Eigen::Matrix2d stretch = Eigen::Matrix2d::Identity();
-  stretch.col(0) += basis.per_x * strain;
-  stretch.col(1) += basis.per_y * strain;
+  stretch.col(0) += product(basis.per_x, strain);
+  stretch.col(1) += product(basis.per_y, strain);
   a_ = rotation_ * stretch;
 }
 
@@ -79,6 +90,12 @@ BlockJacobian::BlockJacobian(const Basis& basis, const Unknowns& q, const BlockM
   const Eigen::Matrix2d& a = map.gradient();
   per_x_.col(basis.rotation_unknown) = Eigen::Vector2d(-a(1, 0), a(0, 0));
   per_y_.col(basis.rotation_unknown) = Eigen::Vector2d(-a(1, 1), a(0, 1));
+}
+
+DisplacementOperator BlockJacobian::at(Point offset) const {
+  if (constant_.cols() != kMostUnknowns) return constant_ + offset.x * per_x_ + offset.y * per_y_;
+  const auto whole = [](const DisplacementOperator& part) { return Eigen::Map<const OfWholeBlock>(part.data()); };
+  return whole(constant_) + offset.x * whole(per_x_) + offset.y * whole(per_y_);
 }
 
 DisplacementOperator jacobian(const Basis& basis, const Unknowns& q, Point offset) {

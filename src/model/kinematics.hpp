@@ -75,7 +75,7 @@ class BlockMap {
 class BlockJacobian {
  public:
   BlockJacobian(const Basis& basis, const Unknowns& q, const BlockMap& map);
-  DisplacementOperator at(Point offset) const { return constant_ + offset.x * per_x_ + offset.y * per_y_; }
+  DisplacementOperator at(Point offset) const;
 
  private:
   DisplacementOperator constant_;

@@ -15,9 +15,9 @@ namespace keyblock {
 class BlockFactor::Kernel {
  public:
   virtual ~Kernel() = default;
-  virtual void clear() = 0;
+  virtual void clear(MatrixShape shape) = 0;
   virtual void add(int i, int j, const Block& block) = 0;
-  virtual bool factorise(bool is_symmetric) = 0;
+  virtual bool factorise() = 0;
   virtual void solve(std::span<double> b) const = 0;
 };
 
@@ -57,13 +57,14 @@ class KernelOf : public BlockFactor::Kernel {
   using Square = Eigen::Matrix<double, N, N>;
   using Column = Eigen::Matrix<double, N, 1>;
 
-  KernelOf(std::shared_ptr<const BlockPattern> pattern, std::vector<int> sizes)
+  KernelOf(std::shared_ptr<const BlockPattern> pattern, std::vector<int> sizes, MatrixShape shape)
       : pattern_(std::move(pattern)),
         sizes_(std::move(sizes)),
+        shape_(shape),
         diagonal_(sizes_.size()),
         pivots_(sizes_.size()),
         lower_(at(pattern_->entry_count())),
-        upper_(lower_.size()) {
+        upper_(is_symmetric() ? 0 : lower_.size()) {
     int row = 0;
     for (const int size : sizes_) {
       first_rows_.push_back(row);
@@ -72,10 +73,11 @@ class KernelOf : public BlockFactor::Kernel {
     fill_up();
   }
 
-  void clear() override {
+  void clear(MatrixShape shape) override {
+    shape_ = shape;
     std::ranges::fill(diagonal_, Padded<N>{});
     std::ranges::fill(lower_, Padded<N>{});
-    std::ranges::fill(upper_, Padded<N>{});
+    upper_.assign(is_symmetric() ? 0 : lower_.size(), Padded<N>{});
     fill_up();
   }
 
@@ -93,12 +95,12 @@ class KernelOf : public BlockFactor::Kernel {
     else if (a > b)
       add(block, lower_[at(pattern_->entry(a, b))].square());
     else
-      add(block.transpose(), upper_[at(pattern_->entry(b, a))].square());
+      add(block.transpose(), (is_symmetric() ? lower_ : upper_)[at(pattern_->entry(b, a))].square());
   }
 
   // A pivot is split in two: of column j, `lower_` becomes L (rows below) and `upper_` the transposed rows of U to the
   // right.
-  bool factorise(bool is_symmetric) override {
+  bool factorise() override {
     Reaching reaching(*pattern_);
     std::vector<int> places(diagonal_.size());  // entry of each row in the column at hand
     for (int j = 0; j < pattern_->block_count(); ++j) {
@@ -109,15 +111,15 @@ class KernelOf : public BlockFactor::Kernel {
       for (int k = reaching.first(j); k >= 0;) {
         const int after = reaching.next(k);
         const int reached = reaching.entry(k);
-        subtract(j, k, reached, places, is_symmetric);
+        subtract(j, k, reached, places);
         reaching.file(k, reached + 1);
         k = after;
       }
       Pivot& pivot = pivots_[at(j)];
-      if (!pivot.factorise(diagonal_[at(j)].square(), is_symmetric)) return false;
+      if (!pivot.factorise(diagonal_[at(j)].square(), is_symmetric())) return false;
       for (int entry = begin; entry < end; ++entry) {
         lower_[at(entry)] = product(lower_[at(entry)], pivot.minus_upper_inverse);
-        upper_[at(entry)] = is_symmetric ? lower_[at(entry)] : product(upper_[at(entry)], pivot.minus_lower_inverse);
+        if (!is_symmetric()) upper_[at(entry)] = product(upper_[at(entry)], pivot.minus_lower_inverse);
       }
       reaching.file(j, begin);
     }
@@ -137,7 +139,7 @@ class KernelOf : public BlockFactor::Kernel {
     for (int j = pattern_->block_count() - 1; j >= 0; --j) {
       Column sum = x[at(j)];
       for (int entry = pattern_->begin(j); entry < pattern_->begin(j + 1); ++entry)
-        sum.noalias() -= upper_[at(entry)].square().transpose() * x[at(pattern_->row(entry))];
+        sum.noalias() -= right(entry).square().transpose() * x[at(pattern_->row(entry))];
       x[at(j)].noalias() = pivots_[at(j)].minus_upper_inverse.square() * -sum;
     }
     for (std::size_t i = 0; i < sizes_.size(); ++i)
@@ -189,54 +191,77 @@ class KernelOf : public BlockFactor::Kernel {
   }
 
   // What column k, which reaches row j by `reached`, takes from column j.
-  void subtract(int j, int k, int reached, const std::vector<int>& places, bool is_symmetric) {
-    const Padded<N> left = lower_[at(reached)];
-    const Padded<N> right = upper_[at(reached)];
-    subtract_product<true>(diagonal_[at(j)], left, right);
+  void subtract(int j, int k, int reached, const std::vector<int>& places) {
+    const Padded<N> of_lower = lower_[at(reached)];
+    const Padded<N> of_upper = right(reached);
+    subtract_product<true>(diagonal_[at(j)], of_lower, of_upper);
     for (int entry = reached + 1; entry < pattern_->begin(k + 1); ++entry) {
       const int place = places[at(pattern_->row(entry))];
-      subtract_product<true>(lower_[at(place)], lower_[at(entry)], right);
-      if (!is_symmetric) subtract_product<true>(upper_[at(place)], upper_[at(entry)], left);
+      subtract_product<true>(lower_[at(place)], lower_[at(entry)], of_upper);
+      if (!is_symmetric()) subtract_product<true>(upper_[at(place)], upper_[at(entry)], of_lower);
     }
   }
 
+  bool is_symmetric() const { return shape_ == MatrixShape::symmetric; }
+  // An entry of U, transposed.
+  const Padded<N>& right(int entry) const { return (is_symmetric() ? lower_ : upper_)[at(entry)]; }
+
   std::shared_ptr<const BlockPattern> pattern_;
   std::vector<int> sizes_;
+  MatrixShape shape_;
   std::vector<int> first_rows_;
   std::vector<Padded<N>> diagonal_;  ///< by place
   std::vector<Pivot> pivots_;        ///< by place, once factorised
   std::vector<Padded<N>> lower_;     ///< by entry
-  std::vector<Padded<N>> upper_;     ///< by entry, transposed
+  std::vector<Padded<N>> upper_;     ///< by entry, transposed; none of a symmetric matrix
 };
 
 }  // namespace
 
-BlockFactor::BlockFactor(std::shared_ptr<const BlockPattern> pattern, std::vector<int> sizes) {
+BlockFactor::BlockFactor(std::shared_ptr<const BlockPattern> pattern, std::vector<int> sizes, MatrixShape shape)
+    : pattern_(std::move(pattern)) {
   const int largest = sizes.empty() ? 0 : *std::ranges::max_element(sizes);
   if (largest <= 3)
-    kernel_ = std::make_unique<KernelOf<3>>(std::move(pattern), std::move(sizes));
+    kernel_ = std::make_unique<KernelOf<3>>(pattern_, std::move(sizes), shape);
   else
-    kernel_ = std::make_unique<KernelOf<kMostBlockRows>>(std::move(pattern), std::move(sizes));
+    kernel_ = std::make_unique<KernelOf<kMostBlockRows>>(pattern_, std::move(sizes), shape);
 }
 
 BlockFactor::BlockFactor(BlockFactor&&) noexcept = default;
 BlockFactor& BlockFactor::operator=(BlockFactor&&) noexcept = default;
 BlockFactor::~BlockFactor() = default;
 
-void BlockFactor::clear() {
-  kernel_->clear();
+void BlockFactor::clear(MatrixShape shape) {
+  kernel_->clear(shape);
 }
 
 void BlockFactor::add(int i, int j, const Block& block) {
   kernel_->add(i, j, block);
 }
 
-bool BlockFactor::factorise(bool is_symmetric) {
-  return kernel_->factorise(is_symmetric);
+bool BlockFactor::factorise() {
+  return kernel_->factorise();
 }
 
 void BlockFactor::solve(std::span<double> b) const {
   kernel_->solve(b);
+}
+
+std::unique_ptr<BlockFactor> FactorStore::take(const std::vector<int>& sizes, const BlockPattern::Pairs& coupled,
+                                               MatrixShape shape) {
+  if (!pattern_ || sizes != sizes_ || coupled != coupled_) {
+    sizes_ = sizes;
+    coupled_ = coupled;
+    pattern_ = std::make_shared<BlockPattern>(static_cast<int>(sizes.size()), coupled);
+    spare_.reset();
+  }
+  if (!spare_) return std::make_unique<BlockFactor>(pattern_, sizes, shape);
+  spare_->clear(shape);
+  return std::move(spare_);
+}
+
+void FactorStore::give_back(std::unique_ptr<BlockFactor> factor) {
+  if (factor->has(pattern_)) spare_ = std::move(factor);
 }
 
 // Blocks of the greatest size, as most are, have one that the compiler knows.

@@ -36,19 +36,6 @@ BlockPattern::Pairs coupled_in(const BlockMatrix& matrix) {
   return pairs;
 }
 
-BlockFactor factor_of(const BlockMatrix& matrix, std::shared_ptr<const BlockPattern> pattern) {
-  std::vector<int> sizes;
-  for (int i = 0; i < matrix.block_count(); ++i) sizes.push_back(matrix.size(i));
-  BlockFactor factor(std::move(pattern), std::move(sizes));
-  for (int i = 0; i < matrix.block_count(); ++i) {
-    for (const auto& [column, block] : matrix.row(i)) {
-      factor.add(i, column, block);
-      if (column != i) factor.add(column, i, block.transpose());
-    }
-  }
-  return factor;
-}
-
 double relative_residual(const System& system, const Eigen::VectorXd& residual) {
   const double load = system.load.norm();
   if (!std::isfinite(load)) return load;  // its square overflows: nothing is small against it
@@ -66,25 +53,34 @@ bool Solver::iterates(int block_count, double stiffness_over_inertia) const {
   return !gave_up_iterations && block_count >= kFewBlocks && stiffness_over_inertia <= kGreatestRatio;
 }
 
+// With its values; none where a pivot breaks down.
+std::unique_ptr<BlockFactor> Solver::factor_of(const BlockMatrix& matrix, MatrixShape shape) {
+  std::vector<int> sizes;
+  for (int i = 0; i < matrix.block_count(); ++i) sizes.push_back(matrix.size(i));
+  std::unique_ptr<BlockFactor> factor = factors_.take(sizes, coupled_in(matrix), shape);
+  for (int i = 0; i < matrix.block_count(); ++i) {
+    for (const auto& [column, block] : matrix.row(i)) {
+      factor->add(i, column, block);
+      if (column != i && shape == MatrixShape::general) factor->add(column, i, block.transpose());
+    }
+  }
+  if (factor->factorise()) return factor;
+  factors_.give_back(std::move(factor));
+  return nullptr;
+}
+
 std::optional<Eigen::VectorXd> Solver::by_factor(const System& system) {
-  BlockPattern::Pairs coupled = coupled_in(system.matrix);
-  if (!pattern_ || block_count_ != system.matrix.block_count() || coupled != coupled_) {
-    block_count_ = system.matrix.block_count();
-    coupled_ = std::move(coupled);
-    pattern_ = std::make_shared<BlockPattern>(block_count_, coupled_);
-  }
-  BlockFactor factor = factor_of(system.matrix, pattern_);
-  if (!factor.factorise(true)) {
-    factor = factor_of(system.matrix, pattern_);  // not positive: as any other matrix
-    if (!factor.factorise(false)) return std::nullopt;
-  }
+  std::unique_ptr<BlockFactor> factor = factor_of(system.matrix, MatrixShape::symmetric);
+  if (!factor) factor = factor_of(system.matrix, MatrixShape::general);  // not positive: as any other matrix
+  if (!factor) return std::nullopt;
   Eigen::VectorXd x = system.load;
-  factor.solve(entries(x));
+  factor->solve(entries(x));
   // Refined once, whatever the residual: it finds the small entries that the norm does not see, and impacts multiply
   // errors by ten.
   Eigen::VectorXd correction = system.load - system.matrix * x;
-  factor.solve(entries(correction));
+  factor->solve(entries(correction));
   x += correction;
+  factors_.give_back(std::move(factor));
   return x;
 }
 

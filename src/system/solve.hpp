@@ -25,10 +25,10 @@ struct SystemKind {
   Eigen::VectorXd guess{};  ///< of the solution; empty: zero
 };
 
-/// Keeps the symbolic factor while the pattern stays the same. The factor is always the block factor: CHOLMOD gained
-/// nothing beside it. `automatic`: conjugate gradients for 300 blocks and more where R ≤ 400, until they once fail to
-/// converge in what costs as much as a factor (100 iterations; from 4,000 blocks 250); then the factor from there on.
-/// Systems of covers go by the same rule.
+/// Keeps the symbolic factor, and the room of the last one, while the pattern stays the same. The factor is always the
+/// block factor: CHOLMOD gained nothing beside it. `automatic`: conjugate gradients for 300 blocks and more where
+/// R ≤ 400, until they once fail to converge in what costs as much as a factor (100 iterations; from 4,000 blocks 250);
+/// then the factor from there on. Systems of covers go by the same rule.
 class Solver {
  public:
   /// Nothing if the factorisation breaks down or the result is not finite. Gradients are to reach 1e-11, or 1e-10 where
@@ -42,12 +42,11 @@ class Solver {
 
  private:
   bool iterates(int block_count, double stiffness_over_inertia) const;
+  std::unique_ptr<BlockFactor> factor_of(const BlockMatrix& matrix, MatrixShape shape);
   std::optional<Eigen::VectorXd> by_factor(const System& system);
   std::optional<Solution> by_iterations(const System& system, const Eigen::VectorXd& guess) const;
 
-  int block_count_ = 0;
-  BlockPattern::Pairs coupled_;
-  std::shared_ptr<const BlockPattern> pattern_;
+  FactorStore factors_;
 };
 
 }  // namespace keyblock

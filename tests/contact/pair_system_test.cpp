@@ -100,6 +100,21 @@ TEST(PairSystem, iterations_meet_the_dense_solution_with_slip_and_open_pairs) {
   EXPECT_LE((system.answer(f) - g * scene.stiffness(blocks).inverse() * g.transpose() * f).norm(), 1e-9 * f.norm());
 }
 
+// Where nothing slips the matrix is symmetric, and another iteration takes its place.
+TEST(PairSystem, iterations_meet_the_dense_solution_where_all_pairs_stick) {
+  RandomPairs scene(120, 9);
+  for (PairStiffness& of : scene.h) of.tn = 0;
+  const BlockNumbers blocks(scene.rows, {scene.flexibility});
+  const PairSystem system(scene.rows, blocks, scene.flexibility);
+  const Eigen::MatrixXd g = scene.g(blocks);
+  const Eigen::VectorXd f = scene.random(static_cast<int>(scene.rows.size()), 1);
+  const Eigen::MatrixXd all = scene.stiffness(blocks) + g.transpose() * scene.springs() * g;
+  const auto result = system.solve(scene.h, f, Eigen::VectorXd::Zero(f.size()), 1e-10, 1000);
+  EXPECT_TRUE(result.converged);
+  const Eigen::VectorXd exact = g * all.partialPivLu().solve(g.transpose() * f);
+  EXPECT_LE((result.rates - exact).norm(), 1e-8 * exact.norm());
+}
+
 TEST(PairSystem, single_precision_bears_any_unit_and_blocks_of_three_unknowns) {
   for (const int most : {3, 6})
     for (const double unit : {1e-25, 1e-13, 1e13, 1e25}) {

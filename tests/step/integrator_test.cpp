@@ -60,7 +60,8 @@ Eigen::Matrix3d amplification(const StandardChoices& choices, double omega_dt) {
     const Unknowns q = one(i == 0 ? 1 : 0);
     const Unknowns v = one(i == 1 ? 1 / kStep : 0);
     const Unknowns a = one(i == 2 ? 1 / (kStep * kStep) : 0);
-    const StepEquations step = step_equations(body, {q, v, a}, one(0), rule);
+    KeptInverse kept;
+    const StepEquations step = step_equations(body, {q, v, a}, one(0), rule, kept);
     const double by = step.free[0];
     matrix.col(i) << q[0] + by, kStep * (step.known_velocity[0] + rule.end_velocity.increment * by),
         kStep * kStep * (step.known_acceleration[0] + rule.end_acceleration.increment * by);

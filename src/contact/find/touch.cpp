@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <span>
 
 #include "base/loop.hpp"
 
@@ -38,14 +39,63 @@ struct Edge {
   VertexIndex start;
   VertexIndex end;
   bool is_inner = false;
+  Point from;       ///< where it starts
+  Point direction;  ///< of length 1
+  double length = 0;
+
+  Edge(VertexIndex first, VertexIndex last, bool inner, const Table<VertexIndex, Point>& vertices)
+      : start(first), end(last), is_inner(inner), from(vertices[first]) {
+    const Point along = vertices[last] - from;
+    length = keyblock::length(along);
+    direction = (1 / length) * along;
+  }
+};
+
+/// The edges of a convex piece, which start at its corners.
+using EdgesOfPiece = std::span<const Edge>;
+
+/// The edges of all elements of some pairs: a block is in half a dozen of them.
+class EdgesOfPieces {
+ public:
+  EdgesOfPieces(const std::vector<ElementPair>& pairs, const Table<ElementIndex, ConvexPieces>& pieces,
+                const Table<VertexIndex, Point>& vertices)
+      : pieces_(pieces), first_(pieces.size(), kNone) {
+    const auto add = [&](ElementIndex e) {
+      if (first_[e] != kNone) return;
+      first_[e] = edges_.size();
+      for (const ConvexPiece& piece : pieces[e])
+        for (std::size_t i = 0; i < piece.corners.size(); ++i)
+          edges_.emplace_back(piece.corners[i], piece.corners[i + 1 == piece.corners.size() ? 0 : i + 1],
+                              piece.is_inner[i], vertices);
+    };
+    for (const ElementPair& pair : pairs) {
+      add(pair.lower);
+      add(pair.upper);
+    }
+  }
+
+  template <class Visit>
+  void for_each_piece(ElementIndex e, const Visit& visit) const {
+    std::size_t first = first_[e];
+    for (const ConvexPiece& piece : pieces_[e]) {
+      visit(EdgesOfPiece(edges_).subspan(first, piece.corners.size()));
+      first += piece.corners.size();
+    }
+  }
+
+ private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  const Table<ElementIndex, ConvexPieces>& pieces_;
+  Table<ElementIndex, std::size_t> first_;  ///< in `edges_`
+  std::vector<Edge> edges_;
 };
 
 struct Leading {
-  Edge edge;
+  const Edge* edge = nullptr;
   double separation = -std::numeric_limits<double>::infinity();
 };
 
-Touch against(Edge e, VertexIndex vertex, VertexIndex met) {
+Touch against(const Edge& e, VertexIndex vertex, VertexIndex met) {
   Touch touch{vertex, e.start, e.end};
   touch.other = met;
   return touch;
@@ -61,15 +111,15 @@ Touch bisector(const Touch& first, const Touch& second, bool of_two_elements) {
 }
 
 // The two edges run against each other: low on one is high on the other.
-Facing facing_of(Edge reference, Edge facing, int place) {
+Facing facing_of(const Edge& reference, const Edge& facing, int place) {
   if (reference.start < facing.start) return {reference.start, facing.start, place};
   return {facing.start, reference.start, 2 - place};
 }
 
 class PairTouches {
  public:
-  PairTouches(const ConvexPiece& a, const ConvexPiece& b, const Table<VertexIndex, Point>& vertices,
-              const TouchSearch& search, double slack)
+  PairTouches(EdgesOfPiece a, EdgesOfPiece b, const Table<VertexIndex, Point>& vertices, const TouchSearch& search,
+              double slack)
       : vertices_(vertices),
         search_(search),
         slack_(slack),
@@ -77,19 +127,20 @@ class PairTouches {
         b_(b),
         of_a_(best_edge(a, b)),
         of_b_(best_edge(b, a)) {
-    a_leads_ = of_a_.separation >= of_b_.separation - kTie * length(along(of_b_.edge));
+    a_leads_ = of_a_.separation >= of_b_.separation - kTie * of_b_.edge->length;
   }
 
-  void add_to(FoundTouches& found, double rounding) const {
+  void add_to(FoundTouches& found, double rounding) {
     const Leading& reference = a_leads_ ? of_a_ : of_b_;
-    if (reference.separation > search_.reach || reference.edge.is_inner) return;
-    const Edge facing = most_opposed(reference.edge, a_leads_ ? b_ : a_);
+    if (reference.separation > search_.reach || reference.edge->is_inner) return;
+    nearest_ = nearest_corners(a_, b_);
+    const Edge& facing = most_opposed(*reference.edge, a_leads_ ? b_ : a_);
     CornerTie tie = tie_between(reference, facing);
     if (!tie.candidates.empty()) {
       found.ties.push_back(std::move(tie));
       return;
     }
-    Touches touches = along_stretch(reference.edge, facing);
+    Touches touches = along_stretch(*reference.edge, facing);
     if (rounding > 0) tie = rounded_by(rounding).tie_between(reference, facing);
     if (!tie.candidates.empty()) {
       tie.rounding = slack_ + rounding;
@@ -108,61 +159,53 @@ class PairTouches {
   }
 
   // Without candidates where an edge leads.
-  CornerTie tie_between(const Leading& reference, Edge facing) const {
+  CornerTie tie_between(const Leading& reference, const Edge& facing) const {
     if (!corners_meet(reference) || is_wedge(reference, facing)) return {};
     CornerTie tie = tie_of(leading(a_, b_, reference.separation), leading(b_, a_, reference.separation));
     if (tie.candidates.empty() && only_ends_meet(reference, facing)) tie = tie_at_corners();
     return tie;
   }
 
-  Point at(VertexIndex v) const { return vertices_[v]; }
-  Point along(Edge e) const { return at(e.end) - at(e.start); }
-  Point direction(Edge e) const { return (1 / length(along(e))) * along(e); }
-  static Edge edge_of(const ConvexPiece& piece, std::size_t i) {
-    return {piece.corners[i], piece.corners[i + 1 == piece.corners.size() ? 0 : i + 1], piece.is_inner[i]};
-  }
-
-  double separation(Edge edge, const ConvexPiece& from) const {
-    const Point d = direction(edge);
+  static double separation(const Edge& edge, EdgesOfPiece from) {
     double least = std::numeric_limits<double>::infinity();
-    for (VertexIndex v : from.corners) least = std::min(least, -cross(d, at(v) - at(edge.start)));
+    for (const Edge& other : from) least = std::min(least, -cross(edge.direction, other.from - edge.from));
     return least;
   }
 
   // Whether the other piece lies over the edge, at least in part, and not over its line alone.
-  bool is_over(Edge edge, const ConvexPiece& other) const {
+  static bool is_over(const Edge& edge, EdgesOfPiece other) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
-    for (VertexIndex v : other.corners) {
-      low = std::min(low, station(edge, v));
-      high = std::max(high, station(edge, v));
+    for (const Edge& of_other : other) {
+      low = std::min(low, station(edge, of_other.from));
+      high = std::max(high, station(edge, of_other.from));
     }
-    return low <= length(along(edge)) && high >= 0;
+    return low <= edge.length && high >= 0;
   }
 
   // An inner edge leads only if it leads clearly: it may lie on one line with an edge of the boundary. Of two edges of
   // the boundary on one line that leads over which the other piece lies.
-  Leading best_edge(const ConvexPiece& of, const ConvexPiece& from) const {
+  static Leading best_edge(EdgesOfPiece of, EdgesOfPiece from) {
     Leading best;
-    for (std::size_t i = 0; i < of.corners.size(); ++i) {
-      const Edge edge = edge_of(of, i);
+    for (const Edge& edge : of) {
       const double value = separation(edge, from);
-      const double tie = kTie * length(along(edge));
+      const double tie = kTie * edge.length;
       const bool leads = value > best.separation + tie;
-      const bool ties = i > 0 && !edge.is_inner && value >= best.separation - tie;
-      const bool replaces = ties && (best.edge.is_inner || (!is_over(best.edge, from) && is_over(edge, from)));
-      if (i == 0 || leads || replaces) best = {edge, value};
+      const bool ties = best.edge && !edge.is_inner && value >= best.separation - tie;
+      const bool replaces = ties && (best.edge->is_inner || (!is_over(*best.edge, from) && is_over(edge, from)));
+      if (!best.edge || leads || replaces) best = {&edge, value};
     }
     return best;
   }
 
   // Edges of either piece that lead as well as the best, if two of them are not parallel.
-  CornerTie tie_of(const std::vector<Edge>& of_a, const std::vector<Edge>& of_b) const {
+  CornerTie tie_of(const std::vector<const Edge*>& of_a, const std::vector<const Edge*>& of_b) const {
     if (of_a.size() + of_b.size() < 2) return {};
-    const auto [p, q] = nearest_corners();
+    const VertexIndex p = nearest_.of_a->start;
+    const VertexIndex q = nearest_.of_b->start;
     CornerTie tie;
-    for (const Edge& e : of_a) tie.candidates.push_back(against(e, q, p));
-    for (const Edge& e : of_b) tie.candidates.push_back(against(e, p, q));
+    for (const Edge* e : of_a) tie.candidates.push_back(against(*e, q, p));
+    for (const Edge* e : of_b) tie.candidates.push_back(against(*e, p, q));
     Touches bisectors;
     for (std::size_t i = 0; i < tie.candidates.size(); ++i)
       for (std::size_t j = i + 1; j < tie.candidates.size(); ++j)
@@ -176,101 +219,96 @@ class PairTouches {
   // Faces whose ends are in line may pass each other: a block that slides along the tops of a row of blocks comes up to
   // the end face of each, which it will not hit.
   CornerTie tie_at_corners() const {
-    const auto [p, q] = nearest_corners();
-    return tie_of(edges_at(p, a_), edges_at(q, b_));
+    return tie_of(edges_at(nearest_.of_a->start, a_), edges_at(nearest_.of_b->start, b_));
   }
 
-  static std::vector<Edge> edges_at(VertexIndex corner, const ConvexPiece& of) {
-    std::vector<Edge> edges;
-    for (std::size_t i = 0; i < of.corners.size(); ++i) {
-      const Edge edge = edge_of(of, i);
-      if (!edge.is_inner && (edge.start == corner || edge.end == corner)) edges.push_back(edge);
-    }
+  static std::vector<const Edge*> edges_at(VertexIndex corner, EdgesOfPiece of) {
+    std::vector<const Edge*> edges;
+    for (const Edge& edge : of)
+      if (!edge.is_inner && (edge.start == corner || edge.end == corner)) edges.push_back(&edge);
     return edges;
   }
 
   // Edges that lead as well as the best within round-off and slack; pieces that touch or overlap within the slack count
   // as just touching.
-  std::vector<Edge> leading(const ConvexPiece& of, const ConvexPiece& from, double best) const {
-    std::vector<Edge> edges;
-    for (std::size_t i = 0; i < of.corners.size(); ++i) {
-      const Edge edge = edge_of(of, i);
-      const double tie = kTie * length(along(edge));
+  std::vector<const Edge*> leading(EdgesOfPiece of, EdgesOfPiece from, double best) const {
+    std::vector<const Edge*> edges;
+    for (const Edge& edge : of) {
+      const double tie = kTie * edge.length;
       const double least = best > tie ? best - tie : std::min(best, 0.0) - tie - slack_;
-      if (!edge.is_inner && separation(edge, from) >= least) edges.push_back(edge);
+      if (!edge.is_inner && separation(edge, from) >= least) edges.push_back(&edge);
     }
     return edges;
   }
 
   bool corners_meet(const Leading& reference) const {
-    const auto [p, q] = nearest_corners();
-    const double doubt = kTie * length(along(reference.edge)) + slack_ + std::abs(reference.separation);
-    return distance(at(p), at(q)) <= kNearCorner * doubt;
+    const double doubt = kTie * reference.edge->length + slack_ + std::abs(reference.separation);
+    return nearest_.distance <= kNearCorner * doubt;
   }
 
-  std::pair<VertexIndex, VertexIndex> nearest_corners() const {
-    std::pair<VertexIndex, VertexIndex> nearest{a_.corners.front(), b_.corners.front()};
-    double least = std::numeric_limits<double>::infinity();
-    for (VertexIndex p : a_.corners) {
-      for (VertexIndex q : b_.corners) {
-        const double d = distance(at(p), at(q));
-        if (d < least) nearest = {p, q};
-        least = std::min(least, d);
-      }
-    }
+  /// Corners by the edges that start at them.
+  struct NearestCorners {
+    const Edge* of_a = nullptr;
+    const Edge* of_b = nullptr;
+    double distance = std::numeric_limits<double>::infinity();
+  };
+  static NearestCorners nearest_corners(EdgesOfPiece a, EdgesOfPiece b) {
+    NearestCorners nearest{&a.front(), &b.front()};
+    for (const Edge& p : a)
+      for (const Edge& q : b)
+        if (const double d = distance(p.from, q.from); d < nearest.distance) nearest = {&p, &q, d};
     return nearest;
   }
 
   // A face that rests on springs leans by their slack over its length; that makes no corner of it.
   bool parallel(const Touch& a, const Touch& b) const {
-    const Edge first{a.start, a.end}, second{b.start, b.end};
-    const double shorter = std::min(length(along(first)), length(along(second)));
-    return std::abs(cross(direction(first), direction(second))) < kParallel + slack_ / shorter;
+    const Edge first(a.start, a.end, false, vertices_);
+    const Edge second(b.start, b.end, false, vertices_);
+    const double shorter = std::min(first.length, second.length);
+    return std::abs(cross(first.direction, second.direction)) < kParallel + slack_ / shorter;
   }
 
-  Edge most_opposed(Edge reference, const ConvexPiece& other) const {
-    const Point line = direction(reference);
-    Edge best = edge_of(other, 0);
+  static const Edge& most_opposed(const Edge& reference, EdgesOfPiece other) {
+    const Edge* best = &other.front();
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < other.corners.size(); ++i) {
-      const Edge edge = edge_of(other, i);
-      const double cosine = dot(direction(edge), line);
+    for (const Edge& edge : other) {
+      const double cosine = dot(edge.direction, reference.direction);
       if (cosine < least - kTie) {
         least = cosine;
-        best = edge;
+        best = &edge;
       }
     }
-    return best;
+    return *best;
   }
 
-  bool is_wedge(const Leading& reference, Edge facing) const {
-    return std::abs(cross(direction(reference.edge), direction(facing))) < kWedge &&
-           dot(direction(reference.edge), direction(facing)) < 0 &&
+  bool is_wedge(const Leading& reference, const Edge& facing) const {
+    return std::abs(cross(reference.edge->direction, facing.direction)) < kWedge &&
+           dot(reference.edge->direction, facing.direction) < 0 &&
            shared(reference, facing) > doubt(reference) + kNearCorner * std::abs(reference.separation);
   }
 
-  bool only_ends_meet(const Leading& reference, Edge facing) const {
+  bool only_ends_meet(const Leading& reference, const Edge& facing) const {
     return std::abs(shared(reference, facing)) <= doubt(reference);
   }
 
   // Length of the stretch that two edges share, negative where they share none.
-  double shared(const Leading& reference, Edge facing) const {
-    const double low = std::max(0.0, station(reference.edge, facing.end));
-    return std::min(length(along(reference.edge)), station(reference.edge, facing.start)) - low;
+  double shared(const Leading& reference, const Edge& facing) const {
+    const double low = std::max(0.0, station(*reference.edge, vertices_[facing.end]));
+    return std::min(reference.edge->length, station(*reference.edge, facing.from)) - low;
   }
 
   // Of a stretch: round-off, slack, and what an angle that is none to the eye makes of it over the distance of the
   // edges.
   double doubt(const Leading& reference) const {
-    return kTie * length(along(reference.edge)) + slack_ + kParallel * std::max(0.0, reference.separation);
+    return kTie * reference.edge->length + slack_ + kParallel * std::max(0.0, reference.separation);
   }
 
   // Stretch along the line of reference: that of the line itself, and the facing edge, which runs against it.
-  Touches along_stretch(Edge reference, Edge facing) const {
+  Touches along_stretch(const Edge& reference, const Edge& facing) const {
     if (facing.is_inner) return {};
-    const double own_high = length(along(reference));
-    const double facing_low = station(reference, facing.end);
-    const double facing_high = station(reference, facing.start);
+    const double own_high = reference.length;
+    const double facing_low = station(reference, vertices_[facing.end]);
+    const double facing_high = station(reference, facing.from);
     const double low = std::max(0.0, facing_low);
     const double high = std::min(own_high, facing_high);
     if (high < low - kTie * own_high) return {};
@@ -297,15 +335,16 @@ class PairTouches {
     return touches;
   }
 
-  double station(Edge reference, VertexIndex v) const { return dot(at(v) - at(reference.start), direction(reference)); }
+  static double station(const Edge& reference, Point p) { return dot(p - reference.from, reference.direction); }
 
   const Table<VertexIndex, Point>& vertices_;
   const TouchSearch& search_;
   double slack_;
-  const ConvexPiece& a_;
-  const ConvexPiece& b_;
+  EdgesOfPiece a_;
+  EdgesOfPiece b_;
   Leading of_a_;
   Leading of_b_;
+  NearestCorners nearest_;
   bool a_leads_ = true;
 };
 
@@ -320,15 +359,18 @@ void drop_repeated(Touches& touches, std::size_t first) {
 
 FoundTouches find_touches(const std::vector<ElementPair>& pairs, const Table<ElementIndex, ConvexPieces>& pieces,
                           const Table<VertexIndex, Point>& vertices, const TouchSearch& search) {
+  const EdgesOfPieces edges(pairs, pieces, vertices);
   std::vector<FoundTouches> parts(range_count(pairs.size()));
   for_ranges(pairs.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
     FoundTouches& found = parts[range];
     for (std::size_t i = begin; i < end; ++i) {
       const auto& [a, b] = pairs[i];
       const std::size_t first = found.touches.size();
-      for (const ConvexPiece& of_a : pieces[a])
-        for (const ConvexPiece& of_b : pieces[b])
+      edges.for_each_piece(a, [&, a = a, b = b](EdgesOfPiece of_a) {
+        edges.for_each_piece(b, [&](EdgesOfPiece of_b) {
           PairTouches(of_a, of_b, vertices, search, search.slack_of(a, b)).add_to(found, search.rounding_of(a, b));
+        });
+      });
       drop_repeated(found.touches, first);
     }
   });

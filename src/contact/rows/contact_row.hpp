@@ -87,6 +87,7 @@ struct Flexibility {
   Table<ElementIndex, UnknownBlock> blocks;
   std::shared_ptr<const SharedFlexibility> shared{};
   bool has_symmetric_blocks = true;  ///< false: that of a block that flows not normal to its surface is not
+  Table<ElementIndex, UnknownBlock> inverses{};  ///< of `blocks`, where they are known; else empty
 };
 
 /// B Gᵀ f of the blocks alone; shared unknowns are left out.

@@ -31,12 +31,12 @@ class Joined {
       const int b = numbers_[rows_[i].edge_element];
       if (a >= 0 && b >= 0 && a != b) coupled.emplace_back(std::min(a, b), std::max(a, b));
     }
-    factor_ =
-        std::make_unique<BlockFactor>(std::make_shared<BlockPattern>(static_cast<int>(sizes_.size()), coupled), sizes_);
+    factor_ = std::make_unique<BlockFactor>(std::make_shared<BlockPattern>(static_cast<int>(sizes_.size()), coupled),
+                                            sizes_, MatrixShape::symmetric);
     for (ElementIndex e : indices(stiffness_))
       if (numbers_[e] >= 0) factor_->add(numbers_[e], numbers_[e], stiffness_[e]);
     for (std::size_t i = 0; i < rows_.size(); ++i) add_spring(i);
-    return factor_->factorise(true);
+    return factor_->factorise();
   }
 
   Eigen::VectorXd solve(Eigen::VectorXd right) const {
@@ -89,9 +89,11 @@ class Joined {
   }
   void add_spring(std::size_t i) {
     const double stiffness = 1 / compliance_[static_cast<Eigen::Index>(i)];
-    for (const Side& a : sides(rows_[i]))
-      for (const Side& b : sides(rows_[i]))
-        factor_->add(numbers_[a.element], numbers_[b.element], stiffness * a.row->transpose() * *b.row);
+    const std::vector<Side> both = sides(rows_[i]);
+    for (std::size_t a = 0; a < both.size(); ++a)
+      for (std::size_t b = a; b < both.size(); ++b)
+        factor_->add(numbers_[both[a].element], numbers_[both[b].element],
+                     stiffness * both[a].row->transpose() * *both[b].row);
   }
   std::size_t at(ElementIndex e) const { return static_cast<std::size_t>(numbers_[e]); }
   Eigen::VectorBlock<Eigen::VectorXd> segment(Eigen::VectorXd& all, ElementIndex e) const {

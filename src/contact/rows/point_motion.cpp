@@ -16,8 +16,30 @@ void add(const PointMotion& motion, Point direction, std::vector<SharedEntry>& e
 
 }  // namespace
 
+namespace {
+
+// Of a size that the compiler knows, as most are.
+using OfWholeBlock = Eigen::Matrix<double, 2, kMostUnknowns>;
+
+bool is_whole(const DisplacementOperator& of_block) {
+  return of_block.cols() == kMostUnknowns;
+}
+Eigen::Map<const OfWholeBlock> whole(const DisplacementOperator& of_block) {
+  return Eigen::Map<const OfWholeBlock>(of_block.data());
+}
+
+ContactRow::Row along(const Eigen::RowVector2d& direction, const DisplacementOperator& of_block) {
+  if (is_whole(of_block)) return direction * whole(of_block);
+  return direction * of_block;
+}
+
+}  // namespace
+
 PointMotion between(PointMotion a, const PointMotion& b, double s) {
-  a.of_block = (1 - s) * a.of_block + s * b.of_block;
+  if (is_whole(a.of_block) && is_whole(b.of_block))
+    Eigen::Map<OfWholeBlock>(a.of_block.data()) = (1 - s) * whole(a.of_block) + s * whole(b.of_block);
+  else
+    a.of_block = (1 - s) * a.of_block + s * b.of_block;
   for (CoverShare& share : a.of_shared) share.value *= 1 - s;
   for (const CoverShare& share : b.of_shared) a.of_shared.push_back({share.function, s * share.value});
   return a;
@@ -82,7 +104,7 @@ void add_force(const PointMotion& motion, ElementIndex e, Point force, UnknownsT
 ContactRow row_between(ElementIndex a, const PointMotion& of_a, ElementIndex b, const PointMotion& of_b,
                        Point direction) {
   const Eigen::RowVector2d d(direction.x, direction.y);
-  ContactRow row{a, b, d * of_a.of_block, -d * of_b.of_block};
+  ContactRow row{a, b, along(d, of_a.of_block), along(-d, of_b.of_block)};
   add(of_a, direction, row.shared);
   add(of_b, -1 * direction, row.shared);
   return row;

@@ -19,7 +19,8 @@ int answering(const UnknownBlock& flexibility) {
 
 }  // namespace
 
-BlockNumbers::BlockNumbers(const ContactRows& rows, const Flexibility& flexibility) {
+BlockNumbers::BlockNumbers(const ContactRows& rows, const Flexibility& flexibility, std::shared_ptr<FactorStore> store)
+    : store_(store ? std::move(store) : std::make_shared<FactorStore>()) {
   int row = 0;
   for (const UnknownBlock& block : flexibility.blocks) {
     const int size = answering(block);
@@ -33,23 +34,20 @@ BlockNumbers::BlockNumbers(const ContactRows& rows, const Flexibility& flexibili
   stiffness_.resize(sizes_.size());
   for_each_entry(numbers_.size(), [&](std::size_t i) {
     const ElementIndex e{static_cast<int>(i)};
-    if (of(e) >= 0)
-      stiffness_[static_cast<std::size_t>(of(e))] =
-          inverse_of(flexibility.blocks[e].topLeftCorner(size(of(e)), size(of(e))), flexibility.has_symmetric_blocks)
-              .inverse;
+    if (of(e) < 0) return;
+    UnknownBlock& stiffness = stiffness_[static_cast<std::size_t>(of(e))];
+    const int unknowns = size(of(e));
+    if (!flexibility.inverses.empty() && unknowns == flexibility.inverses[e].rows())
+      stiffness = flexibility.inverses[e];
+    else
+      stiffness =
+          inverse_of(flexibility.blocks[e].topLeftCorner(unknowns, unknowns), flexibility.has_symmetric_blocks).inverse;
   });
   for (std::size_t i = 0; i < rows.size(); i += 2) {
     const int a = numbers_[rows[i].vertex_element];
     const int b = numbers_[rows[i].edge_element];
     if (a >= 0 && b >= 0 && a != b) coupled_.emplace_back(std::min(a, b), std::max(a, b));
   }
-}
-
-std::unique_ptr<BlockFactor> BlockNumbers::take_factor() const {
-  if (!pattern_) pattern_ = std::make_shared<BlockPattern>(count(), coupled_);
-  if (!spare_) return std::make_unique<BlockFactor>(pattern_, sizes_);
-  spare_->clear();
-  return std::move(spare_);
 }
 
 }  // namespace keyblock

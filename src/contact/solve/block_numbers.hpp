@@ -13,7 +13,8 @@ namespace keyblock {
 /// Unknowns that answer to forces, block by block, and which blocks share a contact.
 class BlockNumbers {
  public:
-  BlockNumbers(const ContactRows& rows, const Flexibility& flexibility);
+  /// `store`: what factors of other numbers left; none: these begin their own.
+  BlockNumbers(const ContactRows& rows, const Flexibility& flexibility, std::shared_ptr<FactorStore> store = {});
 
   /// −1 where nothing can move.
   int of(ElementIndex e) const { return numbers_[e]; }
@@ -26,8 +27,8 @@ class BlockNumbers {
   const UnknownBlock& stiffness(int block) const { return stiffness_[static_cast<std::size_t>(block)]; }
 
   /// A factor whose values are zero; what was given back serves again.
-  std::unique_ptr<BlockFactor> take_factor() const;
-  void give_back(std::unique_ptr<BlockFactor> factor) const { spare_ = std::move(factor); }
+  std::unique_ptr<BlockFactor> take_factor(MatrixShape shape) const { return store_->take(sizes_, coupled_, shape); }
+  void give_back(std::unique_ptr<BlockFactor> factor) const { store_->give_back(std::move(factor)); }
 
  private:
   Table<ElementIndex, int> numbers_;
@@ -35,8 +36,7 @@ class BlockNumbers {
   std::vector<int> first_rows_;
   std::vector<UnknownBlock> stiffness_;
   BlockPattern::Pairs coupled_;
-  mutable std::shared_ptr<const BlockPattern> pattern_;  ///< made for the first factor
-  mutable std::unique_ptr<BlockFactor> spare_;
+  std::shared_ptr<FactorStore> store_;
 };
 
 }  // namespace keyblock

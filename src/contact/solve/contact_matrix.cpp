@@ -130,12 +130,14 @@ Eigen::VectorXd SharedCoupling::times(const Eigen::VectorXd& forces) const {
 ContactMatrix::ContactMatrix(ContactRows rows, Flexibility flexibility)
     : ContactMatrix(std::make_shared<const ContactRows>(std::move(rows)), std::move(flexibility)) {}
 
-ContactMatrix::ContactMatrix(std::shared_ptr<const ContactRows> rows, Flexibility flexibility)
+ContactMatrix::ContactMatrix(std::shared_ptr<const ContactRows> rows, Flexibility flexibility,
+                             std::shared_ptr<FactorStore> store)
     : rows_(std::move(rows)),
       flexibility_(std::move(flexibility)),
       shared_(*rows_, flexibility_),
       diagonal_(diagonal_of(*rows_, flexibility_, shared_)),
-      added_(Eigen::VectorXd::Zero(diagonal_.size())) {
+      added_(Eigen::VectorXd::Zero(diagonal_.size())),
+      store_(std::move(store)) {
   has_many_pairs_ = shared_.is_none() && flexibility_.blocks.size() >= kManyBlocks && rows_->size() >= 2 * kManyBlocks;
 }
 
@@ -145,7 +147,7 @@ void ContactMatrix::add_to_diagonal(Eigen::Index row, double value) {
 }
 
 const BlockNumbers& ContactMatrix::blocks() const {
-  if (!blocks_) blocks_ = std::make_shared<BlockNumbers>(*rows_, flexibility_);
+  if (!blocks_) blocks_ = std::make_shared<BlockNumbers>(*rows_, flexibility_, store_);
   return *blocks_;
 }
 

@@ -67,8 +67,9 @@ class ContactMatrix {
  public:
   ContactMatrix() = default;
   ContactMatrix(ContactRows rows, Flexibility flexibility);
-  /// The same rows as others have.
-  ContactMatrix(std::shared_ptr<const ContactRows> rows, Flexibility flexibility);
+  /// The same rows as others have; `store`: of BlockNumbers.
+  ContactMatrix(std::shared_ptr<const ContactRows> rows, Flexibility flexibility,
+                std::shared_ptr<FactorStore> store = {});
 
   Eigen::Index rows() const { return diagonal_.size(); }
   const Eigen::VectorXd& diagonal() const { return diagonal_; }
@@ -95,6 +96,7 @@ class ContactMatrix {
   SharedCoupling shared_;
   Eigen::VectorXd diagonal_;
   Eigen::VectorXd added_;
+  std::shared_ptr<FactorStore> store_;
   mutable std::shared_ptr<const BlockNumbers> blocks_;
   mutable std::shared_ptr<const CoupledRows> coupled_;
   bool has_many_pairs_ = false;

@@ -15,67 +15,71 @@ constexpr int kMostRefinements = 4;
 
 using Row = ContactRow::Row;
 
-// Adds factor columnᵀ across.
-void add_outer(double factor, const Row& column, const Row& across, BlockFactor::Block& sum) {
-  if (sum.rows() == kMostUnknowns && sum.cols() == kMostUnknowns)
-    Eigen::Map<AllOfBlock>(sum.data()).noalias() += (factor * Eigen::Map<const AllUnknowns>(column.data())) *
-                                                    Eigen::Map<const AllUnknowns>(across.data()).transpose();
-  else
-    sum.noalias() += (factor * column.head(sum.rows())).transpose() * across.head(sum.cols());
-}
-
 }  // namespace
 
 ForcesOfBlocks::ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added)
     : w_(w), set_(set), added_(added), compliance_(set.kept(w.added() + added)), blocks_(w.blocks()) {
   if (!(compliance_.minCoeff() > 0)) return;
-  factor_ = blocks_.take_factor();
-  assemble();
   const bool is_symmetric = !set.slips && w.flexibility().has_symmetric_blocks;
-  is_regular_ = factor_->factorise(is_symmetric);
-  if (is_regular_ || !is_symmetric) return;
-  factor_->clear();  // round-off took what is positive of a pivot
-  assemble();
-  is_regular_ = factor_->factorise(false);
+  // Round-off may take what is positive of a pivot.
+  is_regular_ = (is_symmetric && factorise(MatrixShape::symmetric)) || factorise(MatrixShape::general);
 }
 
-void ForcesOfBlocks::assemble() {
+bool ForcesOfBlocks::factorise(MatrixShape shape) {
+  if (factor_) blocks_.give_back(std::move(factor_));
+  factor_ = blocks_.take_factor(shape);
   for (int block = 0; block < blocks_.count(); ++block) factor_->add(block, block, blocks_.stiffness(block));
   for (std::size_t first = 0; first < set_.rows.size();) {
     const Eigen::Index pair = set_.rows[first] - set_.rows[first] % 2;
     const bool is_two = first + 1 < set_.rows.size() && set_.rows[first + 1] == pair + 1;
-    add_pair(pair, first, is_two ? 2 : 1);
+    add_pair(pair, first, is_two ? 2 : 1, shape);
     first += is_two ? 2 : 1;
   }
+  return factor_->factorise();
+}
+
+void ForcesOfBlocks::add_pair(Eigen::Index pair, std::size_t first_unknown, int count, MatrixShape shape) {
+  const ContactRow& any = w_.row(pair);
+  const auto is_whole = [&](ElementIndex e) { return blocks_.size(blocks_.of(e)) == kMostUnknowns; };
+  if (is_whole(any.vertex_element) && is_whole(any.edge_element))
+    add_pair_of<kMostUnknowns>(pair, first_unknown, count, shape);
+  else
+    add_pair_of<Eigen::Dynamic>(pair, first_unknown, count, shape);
 }
 
 // Both forces of a pair act between the same two elements: four blocks in all, each the sum over its unknowns.
-void ForcesOfBlocks::add_pair(Eigen::Index pair, std::size_t first_unknown, int count) {
+template <int N>
+void ForcesOfBlocks::add_pair_of(Eigen::Index pair, std::size_t first_unknown, int count, MatrixShape shape) {
+  using Side = Eigen::Matrix<double, N, 1, Eigen::ColMajor, kMostUnknowns, 1>;
+  using Sum = Eigen::Matrix<double, N, N, Eigen::ColMajor, kMostUnknowns, kMostUnknowns>;
   const ContactRow& any = w_.row(pair);
   const int blocks[2] = {blocks_.of(any.vertex_element), blocks_.of(any.edge_element)};
-  BlockFactor::Block sums[2][2];
+  const auto side = [&](Eigen::Index force, int i) {
+    const Row& row = i == 0 ? w_.row(force).of_vertex : w_.row(force).of_edge;
+    return Eigen::Map<const Side>(row.data(), blocks_.size(blocks[i]));
+  };
+  const auto is_wanted = [&](int i, int j) {
+    return blocks[i] >= 0 && blocks[j] >= 0 && (i <= j || shape == MatrixShape::general);
+  };
+  Sum sums[2][2];
   for (int i : {0, 1})
     for (int j : {0, 1}) sums[i][j].setZero(blocks_.size(blocks[i]), blocks_.size(blocks[j]));
   for (int k = 0; k < count; ++k) {
     const std::size_t unknown = first_unknown + static_cast<std::size_t>(k);
-    const ContactRow& row = w_.row(set_.rows[unknown]);
-    Row of_vertex = Row::Zero(any.of_vertex.size());
-    Row of_edge = Row::Zero(any.of_edge.size());
-    for (const Eigen::Index force : {pair, pair + 1}) {
-      const ActiveSet::Column& column = set_.columns[static_cast<std::size_t>(force)];
-      if (column.unknown != static_cast<Eigen::Index>(unknown)) continue;
-      of_vertex += column.factor * w_.row(force).of_vertex;
-      of_edge += column.factor * w_.row(force).of_edge;
-    }
     const double stiffness = 1 / compliance_[static_cast<Eigen::Index>(unknown)];
-    const Row* columns[2] = {&of_vertex, &of_edge};
-    const Row* across[2] = {&row.of_vertex, &row.of_edge};
-    for (int i : {0, 1})
-      for (int j : {0, 1}) add_outer(stiffness, *columns[i], *across[j], sums[i][j]);
+    for (int i : {0, 1}) {
+      Side column = Side::Zero(blocks_.size(blocks[i]));
+      for (const Eigen::Index force : {pair, pair + 1}) {
+        const ActiveSet::Column& of = set_.columns[static_cast<std::size_t>(force)];
+        if (of.unknown == static_cast<Eigen::Index>(unknown)) column += stiffness * of.factor * side(force, i);
+      }
+      for (int j : {0, 1})
+        if (is_wanted(i, j)) sums[i][j].noalias() += column * side(set_.rows[unknown], j).transpose();
+    }
   }
   for (int i : {0, 1})
     for (int j : {0, 1})
-      if (blocks[i] >= 0 && blocks[j] >= 0) factor_->add(blocks[i], blocks[j], sums[i][j]);
+      if (is_wanted(i, j)) factor_->add(blocks[i], blocks[j], sums[i][j]);
 }
 
 // Gᵀ f on the unknowns that answer.

@@ -29,8 +29,11 @@ class ForcesOfBlocks {
   Eigen::VectorXd rates_under(Eigen::Index force, const std::vector<Eigen::Index>& rows) const;
 
  private:
-  void assemble();
-  void add_pair(Eigen::Index pair, std::size_t first_unknown, int count);
+  bool factorise(MatrixShape shape);
+  void add_pair(Eigen::Index pair, std::size_t first_unknown, int count, MatrixShape shape);
+  /// Of blocks that all have N unknowns, or any number.
+  template <int N>
+  void add_pair_of(Eigen::Index pair, std::size_t first_unknown, int count, MatrixShape shape);
   Eigen::VectorXd on_blocks(const Eigen::VectorXd& forces) const;
   double rate(Eigen::Index row, const Eigen::VectorXd& x) const;
   Eigen::VectorXd once(const Eigen::VectorXd& right) const;

@@ -50,13 +50,9 @@ NaturalMap natural_map(const std::vector<ForceLaw>& laws, const Eigen::VectorXd&
   return map;
 }
 
-namespace {
-
 NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried) {
   return natural_map(problem.laws, tried.forces, tried.y, problem.compliance());
 }
-
-}  // namespace
 
 Tried tried(const FrictionalProblem& problem, Eigen::VectorXd forces) {
   Tried made{std::move(forces), {}};

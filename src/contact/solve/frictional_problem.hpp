@@ -108,6 +108,7 @@ struct Tried {
   Eigen::VectorXd y;  ///< W λ + b
 };
 Tried tried(const FrictionalProblem& problem, Eigen::VectorXd forces);
+NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried);
 NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried, const Proximal& proximal);
 
 /// Largest change of λ by the natural map: zero at the solution and only there.

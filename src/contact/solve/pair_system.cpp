@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/pair_system.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -43,9 +44,17 @@ class Corrections {
   using Blocks = typename Coarse::Blocks;
 
   Corrections(const Coarse& of, const std::vector<PairStiffness>& h)
-      : of_(of), h_(h), forces_(of.rows.size()), inverse_(of.block_count()) {
-    for_each_entry(of.block_count(),
-                   [&](std::size_t e) { inverse_[e].square() = diagonal(e).partialPivLu().inverse(); });
+      : of_(of),
+        h_(h),
+        is_symmetric_(std::ranges::all_of(h, &PairStiffness::is_symmetric)),
+        forces_(of.rows.size()),
+        inverse_(of.block_count()) {
+    using Square = typename Padded<N, float>::Square;
+    for_each_entry(of.block_count(), [&](std::size_t e) {
+      const Square block = diagonal(e);
+      inverse_[e].square() =
+          is_symmetric_ ? Square(block.llt().solve(Square::Identity())) : Square(block.partialPivLu().inverse());
+    });
   }
 
   struct Result {
@@ -55,6 +64,42 @@ class Corrections {
 
   // From zero, until the residual is down to `goal` or no longer falls.
   Result of(Blocks r, double goal, int most_products) {
+    return is_symmetric_ ? of_symmetric(std::move(r), goal, most_products) : of_any(std::move(r), goal, most_products);
+  }
+
+ private:
+  Result of_symmetric(Blocks r, double goal, int most_products) {
+    const std::size_t count = of_.block_count();
+    Result result{Blocks(count + 1), 0};
+    Blocks p(count + 1);
+    Blocks q(count);
+    double rho = 0;
+    while (result.products < most_products) {
+      leave_if_stopped();
+      const double before = rho;
+      rho = sums_over<1>(count, [&](std::size_t e) { return std::array{double{dot(r[e], inverse_[e] * r[e])}}; })[0];
+      const double beta = before > 0 ? rho / before : 0;
+      if (!std::isfinite(beta)) break;
+      for_each_entry(count, [&](std::size_t e) {
+        Block next = inverse_[e] * r[e];
+        next.add(static_cast<float>(beta), p[e]);
+        p[e] = next;
+      });
+      of_.multiply(h_, p, forces_, [&](std::size_t e, const Block& y) { q[e] = y; });
+      ++result.products;
+      const double alpha =
+          rho / sums_over<1>(count, [&](std::size_t e) { return std::array{double{dot(p[e], q[e])}}; })[0];
+      if (!std::isfinite(alpha)) break;
+      for_each_entry(count, [&](std::size_t e) {
+        result.x[e].add(static_cast<float>(alpha), p[e]);
+        r[e].add(-static_cast<float>(alpha), q[e]);
+      });
+      if (!(of_.greatest(r) > goal)) break;
+    }
+    return result;
+  }
+
+  Result of_any(Blocks r, double goal, int most_products) {
     const std::size_t count = of_.block_count();
     Result result{Blocks(count + 1), 0};
     const Blocks shadow = r;
@@ -105,7 +150,6 @@ class Corrections {
     return result;
   }
 
- private:
   typename Padded<N, float>::Square diagonal(std::size_t e) const {
     Padded<N, float> all = of_.stiffness[e];
     of_.sides.for_each(e, [&](std::size_t i, std::size_t s) {
@@ -127,6 +171,7 @@ class Corrections {
 
   const Coarse& of_;
   const std::vector<PairStiffness>& h_;
+  bool is_symmetric_;
   std::vector<typename Coarse::Forces> forces_;
   std::vector<Padded<N, float>> inverse_;  ///< of the diagonal blocks
 };

@@ -18,11 +18,12 @@ struct PairStiffness {
   double tt = 0;
 
   bool is_none() const { return nn == 0 && tn == 0 && tt == 0; }
+  bool is_symmetric() const { return tn == 0; }
 };
 
-/// (A + Gᵀ H G) x = Gᵀ f with a block of A a block of the scene and two rows of G a pair. Stabilised biconjugate
-/// gradients (van der Vorst 1992), for slip makes the matrix nonsymmetric, preconditioned by the diagonal blocks of all
-/// of it.
+/// (A + Gᵀ H G) x = Gᵀ f with a block of A a block of the scene and two rows of G a pair. Conjugate gradients (Hestenes
+/// & Stiefel 1952) or, where slip makes the matrix nonsymmetric, stabilised biconjugate ones (van der Vorst 1992),
+/// preconditioned by the diagonal blocks of all of it.
 class PairSystem {
  public:
   /// Rows 2i and 2i + 1 belong to pair i and the same two elements; none of them may be on covers.

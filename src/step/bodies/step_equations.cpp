@@ -13,7 +13,8 @@ Unknowns known(const StepSum& sum, const BlockMotion& start) {
 
 }  // namespace
 
-StepEquations step_equations(const Body& body, const BlockMotion& start, const Unknowns& load, const StepRule& rule) {
+StepEquations step_equations(const Body& body, const BlockMotion& start, const Unknowns& load, const StepRule& rule,
+                             KeptInverse& kept) {
   const double inertia = rule.inertia.increment + rule.damping.increment * body.mass_damping;
   const double stiffness = rule.strain.increment + rule.strain_rate.increment * body.stiffness_damping;
   const UnknownBlock a = body.sum_of(inertia, stiffness);
@@ -23,7 +24,9 @@ StepEquations step_equations(const Body& body, const BlockMotion& start, const U
                      body.mass * (known(rule.inertia, start) + body.mass_damping * known(rule.damping, start));
   StepEquations equations{a, {}, {}, {}, known(rule.end_velocity, start), known(rule.end_acceleration, start)};
   if (a.rows() > 0) {
-    equations.inverse = inverse_of(a, true).inverse;
+    if (kept.inertia != inertia || kept.stiffness != stiffness)
+      kept = {inertia, stiffness, inverse_of(a, true).inverse};
+    equations.inverse = kept.inverse;
     const double missing =
         rule.judging_inertia * body.slowest_frequency * body.slowest_frequency - rule.inertia.increment;
     if (rule.judging_inertia > 0)

@@ -24,7 +24,15 @@ struct StepEquations {
   Unknowns known_acceleration;
 };
 
-/// `load`: force on the unknowns besides elastic, damping and contact forces.
-StepEquations step_equations(const Body& body, const BlockMotion& start, const Unknowns& load, const StepRule& rule);
+/// The inverse of a body, from step to step: it changes with the rule alone.
+struct KeptInverse {
+  double inertia = 0;    ///< factor of the mass; 0: none is kept
+  double stiffness = 0;  ///< factor of the stiffness
+  UnknownBlock inverse{};
+};
+
+/// `load`: force on the unknowns besides elastic, damping and contact forces. `kept`: of this body.
+StepEquations step_equations(const Body& body, const BlockMotion& start, const Unknowns& load, const StepRule& rule,
+                             KeptInverse& kept);
 
 }  // namespace keyblock

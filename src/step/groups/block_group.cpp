@@ -131,14 +131,17 @@ std::unique_ptr<EstimatedStep> BlockGroup::begin(const BodiesMotion& start, cons
                                                  const StepRule& rule, double dt, FreeStep& step) const {
   const std::size_t count = bodies_.size();
   step.flexibility.blocks.resize(count);
+  if (yields_.empty()) step.flexibility.inverses.resize(count);
   if (rule.judging_inertia > 0) step.judging.blocks.resize(count);
   for (UnknownsTable* table : {&step.increments, &step.known_velocity, &step.known_acceleration}) table->resize(count);
   auto yielding = yields_.empty() ? nullptr : std::make_unique<YieldingBlocks>(bodies_, yields_, start, rule, dt);
   for_each_entry(count, [&](std::size_t i) {
     const ElementIndex e{static_cast<int>(i)};
-    StepEquations equations = step_equations(bodies_[e], {start.q[e], start.v[e], start.a[e]}, loads[e], rule);
+    StepEquations equations =
+        step_equations(bodies_[e], {start.q[e], start.v[e], start.a[e]}, loads[e], rule, kept_[i]);
     if (yielding) yielding->put_elastic(e, equations);
     step.flexibility.blocks[e] = std::move(equations.inverse);
+    if (!yielding) step.flexibility.inverses[e] = std::move(equations.matrix);
     if (!step.judging.blocks.empty()) step.judging.blocks[e] = std::move(equations.judging);
     step.increments[e] = std::move(equations.free);
     step.known_velocity[e] = std::move(equations.known_velocity);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "step/bodies/block_yield.hpp"
+#include "step/bodies/step_equations.hpp"
 #include "step/groups/block_bodies.hpp"
 
 namespace keyblock {
@@ -12,7 +13,7 @@ class BlockGroup final : public BlockBodies {
   /// One body an element; those of other groups have no unknowns and are `of_others`. `yields`: one an element, or
   /// none of any.
   BlockGroup(Bodies bodies, std::vector<bool> of_others, std::vector<std::optional<BlockYield>> yields)
-      : BlockBodies(std::move(bodies), std::move(of_others)), yields_(std::move(yields)) {}
+      : BlockBodies(std::move(bodies), std::move(of_others)), yields_(std::move(yields)), kept_(bodies_.size()) {}
 
   bool is_linear() const override { return yields_.empty(); }
   bool may_yield() const override { return !yields_.empty(); }
@@ -52,6 +53,7 @@ class BlockGroup final : public BlockBodies {
   void add_yield_flow(const BodiesStep& step, ElementIndex e, EnergyFlow& flow) const;
 
   std::vector<std::optional<BlockYield>> yields_;
+  mutable std::vector<KeptInverse> kept_;  ///< one a body, for one step at a time
 };
 
 }  // namespace keyblock

@@ -30,6 +30,7 @@ void YieldingBlocks::put_elastic(ElementIndex e, const StepEquations& equations)
 }
 
 bool YieldingBlocks::linearise(const UnknownsTable& estimate, FreeStep& step) {
+  step.flexibility.inverses.clear();
   std::vector<char> has_factor(blocks_.size(), 1);
   for_each_block([&](ElementIndex e, const Block& block) {
     const Response response = block.yield->respond(end(e, estimate), before(e));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace keyblock {
@@ -19,6 +20,17 @@ void keep_last(std::vector<Entry>& entries, const Equal& equal) {
     ++kept;
   }
   entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(kept), entries.end());
+}
+
+// By touch, those of one in the order in which they came. They are large, so that places are sorted first.
+std::vector<ClosedContact> sorted(const std::vector<ClosedContact>& contacts) {
+  std::vector<std::uint32_t> places(contacts.size());
+  std::iota(places.begin(), places.end(), 0U);
+  std::ranges::stable_sort(places, {}, [&](std::uint32_t i) { return contacts[i].touch.name(); });
+  std::vector<ClosedContact> all;
+  all.reserve(contacts.size());
+  for (const std::uint32_t i : places) all.push_back(contacts[i]);
+  return all;
 }
 
 // Where the entries of each vertex begin in a sorted list, and after the last one its end.
@@ -44,8 +56,8 @@ CornerPair corners_of(const Touch& touch) {
   return {std::min(touch.vertex, touch.other), std::max(touch.vertex, touch.other)};
 }
 
-ClosedContacts::ClosedContacts(std::vector<ClosedContact> contacts) : by_touch_(std::move(contacts)) {
-  std::ranges::stable_sort(by_touch_, {}, &ClosedContact::touch);
+ClosedContacts::ClosedContacts(std::vector<ClosedContact> contacts) {
+  by_touch_ = sorted(contacts);
   keep_last(by_touch_, [](const ClosedContact& a, const ClosedContact& b) { return a.touch == b.touch; });
   by_touch_.shrink_to_fit();
   for (std::uint32_t i = 0; i < by_touch_.size(); ++i)

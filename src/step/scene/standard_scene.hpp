@@ -10,6 +10,7 @@
 #include "model/state.hpp"
 #include "step/groups/block_group.hpp"
 #include "step/scene/contact_memory.hpp"
+#include "system/block_factor.hpp"
 
 namespace keyblock {
 
@@ -34,6 +35,8 @@ struct StandardScene {
   Point mass_centre;                     ///< of the blocks that can move, at the start
   double load_share = 1;                 ///< of all loads, while they are put on
   std::vector<FacePull> pulls = {};      ///< not of the loads, and not put on with them
+  /// Pattern and room of the factors of contact forces, from step to step: one step at a time.
+  std::shared_ptr<FactorStore> factors = std::make_shared<FactorStore>();
 
   const Bodies& bodies() const { return blocks->bodies(); }
   SceneParts parts() const { return {model, reference, settings}; }

@@ -53,11 +53,15 @@ SmoothContacts::SmoothContacts(const StandardScene& scene, const Motion& start, 
       tolerance_(tolerance),
       dt_(dt),
       may_follow_rates_(!rule.carries_acceleration() && rule.judging_inertia == 0),
-      start_vertices_(vertices_at(scene.model, scene.reference, start.q)),
       bonds_(start.bonds),
       constraints_(scene, start, time, dt, rule.stiffness) {
+  const Table<VertexIndex, Point> vertices = vertices_at(scene.model, scene.reference, start.q);
   memories_.resize(touches_.size());
-  for_each_entry(touches_.size(), [&](std::size_t i) { memories_[i] = start_.closed.of(touches_[i]); });
+  start_gaps_.resize(touches_.size());
+  for_each_entry(touches_.size(), [&](std::size_t i) {
+    memories_[i] = start_.closed.of(touches_[i]);
+    start_gaps_[i] = gap_of(touches_[i], vertices);
+  });
   for (const Touch& touch : touches_)
     follows_way_.push_back(may_follow_rates_ && !springs_stop() && resolves_impact(scene, touch));
 }
@@ -74,7 +78,7 @@ void SmoothContacts::linearise(const UnknownsTable& estimate) {
   rows_ = std::make_shared<ContactRows>(contact_rows(scene_.model, scene_.reference, middle, touches_));
   const ContactRows of_constraints = constraints_.rows(middle);
   rows_->insert(rows_->end(), of_constraints.begin(), of_constraints.end());
-  problem_.w = ContactMatrix(rows_, free_.flexibility());
+  problem_.w = ContactMatrix(rows_, free_.flexibility(), scene_.factors);
   const bool all_sprung = std::ranges::all_of(laws_, [](const ContactLaw& law) { return law.normal_compliance > 0; });
   problem_.gap_tolerance = all_sprung ? 0 : of_gaps::kGapTolerance * free_.size();
   if (free_.has_judging()) problem_.scale = diagonal_of(*rows_, free_.judging(), problem_.w.shared());
@@ -123,7 +127,7 @@ void SmoothContacts::set_right_side(const UnknownsTable& estimate) {
   const Eigen::VectorXd way = rates(*rows_, free_.increments());
   for_each_entry(touches_.size(), [&](std::size_t i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
-    const double before = gap_of(touches_[i], start_vertices_) - laws_[i].rest_gap;
+    const double before = start_gaps_[i] - laws_[i].rest_gap;
     const double after = gap_of(touches_[i], end) - laws_[i].rest_gap;
     if (follows_rate(i))
       problem_.b[n] += of_stretch() * before;
@@ -177,12 +181,13 @@ bool SmoothContacts::follows_rate(std::size_t i) const {
 }
 
 bool SmoothContacts::break_bonds(const Eigen::VectorXd& forces) {
+  if (bonds_.empty()) return false;
   const std::size_t before = bonds_.size();
-  const NaturalMap map = natural_map(problem_, forces);
-  const Eigen::VectorXd y = problem_.w * forces + problem_.b;
+  const Tried now = tried(problem_, forces);
+  const NaturalMap map = natural_map(problem_, now);
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     if (!laws_[i].is_bonded || !is_open(map.grips[i])) continue;
-    if (y[static_cast<Eigen::Index>(2 * i)] > of_gaps::kBroken * free_.size()) bonds_.erase(touches_[i].facing);
+    if (now.y[static_cast<Eigen::Index>(2 * i)] > of_gaps::kBroken * free_.size()) bonds_.erase(touches_[i].facing);
   }
   if (bonds_.size() == before)
     for (const Facing& facing : sheared_bonds(touches_, laws_, forces, problem_.acceptable)) bonds_.erase(facing);

@@ -67,8 +67,8 @@ class SmoothContacts {
   ForceTolerance tolerance_;
   double dt_;
   bool may_follow_rates_;
-  std::vector<bool> follows_way_;  ///< of each touch: friction is against the slip of the step
-  Table<VertexIndex, Point> start_vertices_;
+  std::vector<bool> follows_way_;   ///< of each touch: friction is against the slip of the step
+  std::vector<double> start_gaps_;  ///< of each touch
   Bonds bonds_;
   StepConstraints constraints_;
   std::vector<ContactLaw> laws_;

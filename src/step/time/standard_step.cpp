@@ -33,18 +33,26 @@ struct Split {
 // motion of the step, and nothing else is struck. Their rebound is that of their own elasticity: Newton's law with a
 // restitution is one of whole blocks.
 Split split(const StandardScene& scene, const Motion& start, const Touches& touches, double slow) {
-  const ContactRows rows = contact_rows(scene.model, scene.reference, start.q, touches);
-  const Eigen::VectorXd speeds = rates(rows, rigid_part(start.v));
   const bool springs_stop = scene.settings.standard.impact == ImpactLaw::springs;
+  std::vector<bool> may_strike;
+  Touches meeting;
+  for (const Touch& touch : touches) {
+    may_strike.push_back(!springs_stop && !start.closed.of(touch) && !is_within_one_body(scene, touch) &&
+                         !resolves_impact(scene, touch));
+    if (may_strike.back()) meeting.push_back(touch);
+  }
+  const ContactRows rows = contact_rows(scene.model, scene.reference, start.q, meeting);
+  const Eigen::VectorXd speeds = rates(rows, rigid_part(start.v));
   Split parts;
+  Eigen::Index row = 0;
   for (std::size_t i = 0; i < touches.size(); ++i) {
-    const double speed = speeds[static_cast<Eigen::Index>(2 * i)];
-    if (springs_stop || speed >= -slow || start.closed.of(touches[i]) || is_within_one_body(scene, touches[i]) ||
-        resolves_impact(scene, touches[i])) {
+    const Eigen::Index own = row;
+    if (may_strike[i]) row += 2;
+    if (!may_strike[i] || speeds[own] >= -slow) {
       parts.smooth.push_back(touches[i]);
     } else {
       parts.impacts.push_back(touches[i]);
-      parts.impact_speeds.push_back(speed);
+      parts.impact_speeds.push_back(speeds[own]);
     }
   }
   return parts;
@@ -177,6 +185,7 @@ class Attempt {
 
   // What contacts took as they closed, beyond what their springs keep.
   double energy_of_closing(const std::vector<std::size_t>& held) const {
+    if (held.empty()) return 0;
     const auto before = vertices_at(scene_.model, scene_.reference, start_.q);
     const auto after = vertices_at(scene_.model, scene_.reference, smooth_.q);
     double taken = 0;
