@@ -242,11 +242,14 @@ inline constexpr double kHeldByNothing = 1e10;
 inline constexpr double kRigid = 1e-4;
 // Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue: a free block moves
 // by half that times its weight over the contact stiffness in each. It grows from step to step while nothing moves
-// farther than a share of block size: what the glue bore across many blocks finds its way in long steps only.
+// farther than a share of block size, or than a greater one where the forces of the step took few systems: what the
+// glue bore across many blocks finds its way in long steps only, of which those that are hard would become harder.
 inline constexpr double kShortest = 16;
-inline constexpr double kLongest = 4096;
+inline constexpr double kLongest = 16384;
 inline constexpr double kGrowth = 4;
 inline constexpr double kFarthest = 1e-5;
+inline constexpr double kFarthestOfEasy = 1e-3;
+inline constexpr int kFewSystems = 6;
 inline constexpr int kMostSteps = 40;
 inline constexpr int kMostSearches = 4;
 // At rest is what moves by less than this share of what a free block does.
