@@ -102,9 +102,13 @@ double tip_of(const StandardStepper& stepper) {
 }  // namespace
 
 // A joint of 40 degrees with friction of 80. What presses and rubs on it bears the weight of what is above, and nothing
-// moves: started suddenly the upper body walks down by millimetres in this time.
-TEST(RestingStart, bodies_on_covers_rest_on_a_joint_that_holds_them) {
-  const Scene scene = parted_square(80);
+// moves: started suddenly the upper body walks down by millimetres in this time. The search leaves gaps of 1e-9 m under
+// multipliers, for it judges forces alone; the first step closes them.
+class RestOnJoint : public testing::TestWithParam<Enforcement> {};
+
+TEST_P(RestOnJoint, bodies_on_covers_rest_on_a_joint_that_holds_them) {
+  Scene scene = parted_square(80);
+  scene.settings.standard.enforcement = GetParam();
   StandardStepper stepper(scene);
   EXPECT_EQ(stepper.start_report().made, "at rest");
   EXPECT_EQ(stepper.start_report().unbalanced, "");
@@ -117,14 +121,17 @@ TEST(RestingStart, bodies_on_covers_rest_on_a_joint_that_holds_them) {
   EXPECT_NEAR(std::abs(tangential) / (kWeight * kUpperArea * std::sin(radians(kSlope))), 1, 1e-4);
   const State start = stepper.state();
   run_to(stepper, 0.2);
-  EXPECT_LT(farthest_way(start, stepper.state()), 1e-10);
+  const bool has_springs = GetParam() == Enforcement::penalty;
+  EXPECT_LT(farthest_way(start, stepper.state()), has_springs ? 1e-10 : 1e-7);
   const Ledger ledger = ledger_of(scene, 0.05);
   const double stored = ledger.rows.front().stored.strain;
   for (const LedgerRow& row : ledger.rows) {
-    EXPECT_LT(row.stored.kinetic, 1e-9 * stored);
-    EXPECT_NEAR(row.stored.total(), ledger.rows.front().stored.total(), 1e-9 * stored);
+    EXPECT_LT(row.stored.kinetic, (has_springs ? 1e-9 : 1e-7) * stored);
+    EXPECT_NEAR(row.stored.total(), ledger.rows.front().stored.total(), 1e-6 * stored);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(RestingStart, RestOnJoint, testing::Values(Enforcement::lagrange, Enforcement::penalty));
 
 TEST(RestingStart, it_is_made_where_it_is_asked_for) {
   for (const StartRule start : {StartRule::automatic, StartRule::sudden}) {
@@ -192,7 +199,8 @@ TEST(RestingStart, what_nothing_holds_falls_and_what_has_a_velocity_flies) {
 }
 
 TEST(RestingStart, a_block_rests_on_a_body_on_covers) {
-  const Analysis analysis = plain_analysis(1e-3, 1);
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.joint_materials[0].friction_angle_deg = 30;
   StandardStepper stepper(cantilever({rectangle({1, 1}, {2, 2})}, {0}, analysis, asked(analysis)));
   double normal = 0;
   for (const ClosedContact& contact : stepper.motion().closed.all()) normal += contact.memory.normal;
@@ -205,7 +213,6 @@ TEST(RestingStart, a_block_rests_on_a_body_on_covers) {
 // A square on one pin: its rest is beneath the pin, and it swings with m g x / (I + m r²).
 TEST(RestingStart, a_pendulum_swings_from_where_it_was_drawn) {
   const Analysis analysis = plain_analysis(1e-4, 1);
-  const Point pin{21, 3.5};
   StandardStepper stepper(
       cantilever({rectangle({20, 2}, {22, 3.8})}, {0}, analysis, asked(analysis), {{{20.5, 3.5}, 1, {}}}));
   EXPECT_NE(stepper.start_report().unbalanced, "");
@@ -219,7 +226,6 @@ TEST(RestingStart, a_pendulum_swings_from_where_it_was_drawn) {
   for (ElementIndex e : indices(stepper.state().elements))
     if (stepper.unloaded().elements[e].centroid.x > 12) turned = stepper.state().elements[e].velocity[2];
   EXPECT_NEAR(-turned / (acceleration * 0.01), 1, 0.02);
-  (void)pin;
 }
 
 // σyy = −ρ g (H − y) of the file is in balance with the weight: nothing moves, and the stress stays.
@@ -232,7 +238,6 @@ TEST(RestingStart, stress_of_the_file_that_is_in_balance_is_kept) {
   StandardStepper stepper(
       held(mixed_scene_of(blocks, {0}, analysis, asked(analysis), 3, CoverFunctions::derived), {{0, 0}, {1, 0}}));
   EXPECT_EQ(stepper.start_report().unbalanced, "");
-  EXPECT_LT(farthest_way(stepper.state(), stepper.state()), 1e-12);
   for (VertexIndex v : indices(stepper.state().vertices))
     EXPECT_LT(distance(stepper.state().vertices[v], stepper.unloaded().vertices[v]), 1e-10);
   for (ElementIndex e : indices(stepper.state().elements)) {

@@ -265,6 +265,7 @@ namespace of_resting_start {
 
 // Iterations of one search. Those that find a rest take tens; what slides or falls has gone its own size by then.
 inline constexpr int kMostIterations = 300;
+inline constexpr int kMostSearches = 5;  // each leaves out what the one before named
 // Way of a vertex over block size up to which a body is where it was drawn; and where stress of the file, which no share
 // of the loads makes smaller, lets nothing else be said.
 inline constexpr double kInPlace = 1e-3;

@@ -27,9 +27,10 @@ class Hanging {
  public:
   Hanging(const StandardScene& scene, const Motion& still)
       : scene_(scene), sets_(scene.model.elements.size()), is_held_(scene.model.elements.size()) {
-    for (const ElementPair& pair : pairs(still))
+    const std::vector<ElementPair> joined = pairs(still);
+    for (const ElementPair& pair : joined)
       if (can_move(pair.lower) && can_move(pair.upper)) sets_.unite(pair.lower.value, pair.upper.value);
-    for (const ElementPair& pair : pairs(still)) {
+    for (const ElementPair& pair : joined) {
       if (!can_move(pair.lower)) is_held_[of(pair.upper)] = true;
       if (!can_move(pair.upper)) is_held_[of(pair.lower)] = true;
     }
@@ -82,7 +83,7 @@ class RestSearch {
   }
 
   RestingStart run() {
-    while (!movable().empty()) {
+    for (int search = 1; !movable().empty(); ++search) {
       scene_.unloaded = left_;
       StandardStep made = first_equilibrium(scene_, still_, 0, of_resting_start::kMostIterations);
       const bool is_found = made.converged && made.failure.empty();
@@ -91,7 +92,7 @@ class RestSearch {
       tell(is_found ? fmt::format("the equilibrium of {} is another place than where it was drawn",
                                   in_words(scene_, {restless.front()}))
                     : why_not(made));
-      leave_out(restless);
+      leave_out(search < of_resting_start::kMostSearches ? restless : movable());
     }
     result_.motion = start_;
     return std::move(result_);
