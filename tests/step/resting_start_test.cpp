@@ -46,8 +46,10 @@ BlockPolygon polygon(const std::vector<Point>& corners) {
 }
 
 /// A square on its lower side, parted by a joint through its middle that falls to the right.
-Scene parted_square(double friction_deg, StartRule start = StartRule::compatible) {
+Scene parted_square(double friction_deg, StartRule start = StartRule::compatible,
+                    std::shared_ptr<const Strength> strength = {}) {
   Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.block_materials[0].strength = std::move(strength);
   analysis.joint_materials[0].friction_angle_deg = friction_deg;
   const double drop = kSide / 2 * std::tan(radians(kSlope));
   const Point left{0, kSide / 2 + drop}, right{kSide, kSide / 2 - drop};
@@ -132,6 +134,17 @@ TEST_P(RestOnJoint, bodies_on_covers_rest_on_a_joint_that_holds_them) {
 }
 
 INSTANTIATE_TEST_SUITE_P(RestingStart, RestOnJoint, testing::Values(Enforcement::lagrange, Enforcement::penalty));
+
+// Of rock that may yield, whose steps have a tangent of their own, and does not.
+TEST(RestingStart, rock_that_may_yield_rests) {
+  Strength strength;
+  strength.values = {.cohesion = 1e6, .friction_deg = 30, .dilation_deg = 5};
+  StandardStepper stepper(parted_square(80, StartRule::compatible, std::make_shared<const Strength>(strength)));
+  EXPECT_EQ(stepper.start_report().made, "at rest");
+  const State start = stepper.state();
+  run_to(stepper, 0.05);
+  EXPECT_LT(farthest_way(start, stepper.state()), 1e-7);
+}
 
 TEST(RestingStart, it_is_made_where_it_is_asked_for) {
   for (const StartRule start : {StartRule::automatic, StartRule::sudden}) {

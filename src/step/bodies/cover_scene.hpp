@@ -46,10 +46,6 @@ class CoverScene : public Groundwork {
   /// Whether supports of the problem itself, not fixed points, hold a body.
   bool has_supports() const;
   bool is_supported(int body) const { return supported_[static_cast<std::size_t>(body)]; }  ///< by them
-  /// The functions of a body, numbered as in all vectors: 2f and 2f + 1 are its unknowns.
-  const std::vector<int>& functions_of(int body) const {
-    return bodies_.rigid.functions()[static_cast<std::size_t>(body)];
-  }
   /// M times a uniform field.
   Eigen::VectorXd inertia_of(Point acceleration) const;
 

@@ -79,8 +79,6 @@ class CoverGroup final : public BodyGroup {
   void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const override;
 
  private:
-  std::vector<int> functions_of(const ChosenElements& bodies) const;
-
   std::shared_ptr<const CoverScene> bodies_;
   std::vector<BoxedElements> elements_;  ///< of every body
   mutable std::unique_ptr<CoverEquations> equations_;

@@ -266,8 +266,8 @@ namespace of_resting_start {
 // Iterations of one search. Those that find a rest take tens; what slides or falls has gone its own size by then.
 inline constexpr int kMostIterations = 300;
 inline constexpr int kMostSearches = 5;  // each leaves out what the one before named
-// Way of a vertex over block size up to which a body is where it was drawn; and where stress of the file, which no share
-// of the loads makes smaller, lets nothing else be said.
+// Way of a vertex over block size up to which a body is where it was drawn; and where stress of the file, which no
+// share of the loads makes smaller, lets nothing else be said.
 inline constexpr double kInPlace = 1e-3;
 inline constexpr double kInPlaceStressed = 1e-2;
 // Beyond it a body that deforms goes a share of the way under that share of the loads, one that swings or slides to
