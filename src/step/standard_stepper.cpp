@@ -83,7 +83,15 @@ First resting_first(const StandardScene& scene, Motion motion) {
   RestingStart start = resting_start(scene, motion);
   StartReport report;
   report.unbalanced = start.unbalanced;
-  if (!start.is_found) return {std::move(motion), {}, report};
+  if (!start.is_found) {
+    report.made = "sudden, for want of an equilibrium";
+    if (start.unbalanced.empty())
+      report.unbalanced =
+          "no equilibrium was sought: bodies have a velocity, are held by nothing, or hang together with one that has "
+          "a "
+          "velocity; they start suddenly";
+    return {std::move(motion), {}, report};
+  }
   report.made = "at rest";
   if (largest_load(scene, loads_at(scene, start.motion.q, 0)) > 0)
     report.balanced =

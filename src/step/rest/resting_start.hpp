@@ -18,9 +18,9 @@ struct RestingStart {
 /// The static equilibrium (`first_equilibrium`) of bodies under the loads of t = 0: displacements, stresses, and
 /// contact forces with their memories. It is sought of bodies that hang together, by touching or by bolts, with
 /// something that is held, where none of them has a velocity; the others, as a body in flight, bear no load meanwhile
-/// and stay as they are in `start`. So do those that hang together with a body that falls, slides or finds no rest, and
-/// those whose equilibrium is another place than where they were drawn, as that of a pendulum, or of a block that slides
-/// against a wall.
+/// and stay as they are in `start`. So do those that hang together with a body that falls, slides or finds no rest,
+/// and those whose equilibrium is another place than where they were drawn, as that of a pendulum, or of a block that
+/// slides against a wall.
 RestingStart resting_start(StandardScene scene, const Motion& start);
 
 }  // namespace keyblock
