@@ -87,9 +87,8 @@ First resting_first(const StandardScene& scene, Motion motion) {
     report.made = "sudden, for want of an equilibrium";
     if (start.unbalanced.empty())
       report.unbalanced =
-          "no equilibrium was sought: bodies have a velocity, are held by nothing, or hang together with one that has "
-          "a "
-          "velocity; they start suddenly";
+          "no equilibrium was sought: bodies move, hang together with one that moves, or are held by nothing; they "
+          "start suddenly";
     return {std::move(motion), {}, report};
   }
   report.made = "at rest";
