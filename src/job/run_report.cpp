@@ -109,7 +109,8 @@ Json start_json(const StartReport& start) {
           {"balanced", start.balanced},
           {"why", start.why},
           {"misfit", start.misfit},
-          {"unsolved_steps", start.unsolved_steps}};
+          {"unsolved_steps", start.unsolved_steps},
+          {"unbalanced", start.unbalanced}};
 }
 
 Json outcome_json(const RunRecord& record, const Prepared& prepared) {

@@ -256,6 +256,7 @@ Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, c
   Warnings warnings;
   for (const std::string& sentence : start_complaints(outcome.start))
     warnings.push_back({"start_settled", place, sentence});
+  if (!outcome.start.unbalanced.empty()) warnings.push_back({"start_without_rest", place, outcome.start.unbalanced});
   const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
     if (curve.times.empty() || curve.times.back() >= outcome.time || curve.values.back() == Point{}) return;
     warnings.push_back({name, curve.place,

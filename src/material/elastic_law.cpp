@@ -9,8 +9,9 @@ namespace {
 
 // Principal stretches nearer to each other than this share of their mean are one but for the first terms of a series.
 constexpr double kNearlyEqual = 1e-4;
-// Of ΔE · ΔE, below which a step has no direction to correct along (plasticity notes, section 6).
-constexpr double kNoStep = 1e-28;
+// Of ΔE · ΔE, below which a step has no direction to correct along (plasticity notes, section 6): the correction is of
+// second order in ΔE and there less than round-off of the stress, but round-off of it is taken over ΔE · ΔE.
+constexpr double kNoStep = 1e-16;
 
 /// Principal values c1 = m + r ≥ c2 = m - r of C, and f = ½ ln of them by divided differences.
 struct Principal {

@@ -12,6 +12,8 @@ struct StartReport {
   std::string why;         ///< it was not the start asked for; empty if it was
   double misfit = 0;       ///< compatible start: what is left of the gaps that shifts were to close, as a share of them
   int unsolved_steps = 0;  ///< settling: steps that found no forces and changed nothing
+  /// What starts suddenly though a balance of it was sought, and why; empty where nothing does.
+  std::string unbalanced = {};
 };
 
 }  // namespace keyblock

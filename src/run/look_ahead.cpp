@@ -446,13 +446,14 @@ Warnings sudden_starts(const Problem& problem, const Prepared& prepared) {
   const Model& model = prepared.scene.model;
   const bool is_in_time = settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::dynamic &&
                           !is_static(settings, model);
+  if (settings.standard.start == StartRule::compatible) return {};  // the run says of what it found no equilibrium
   if (!model.continuum || prepared.scene.is_untouched || !is_in_time || !problem.stages.empty() ||
       length(settings.gravity) == 0 || !touch_undamped(model, settings))
     return {};
   return {{"sudden_start_undamped", problem.analysis->place,
            "bodies on covers that touch take their full weight suddenly, and neither stiffness_damping nor "
            "mass_damping calms them: they swing by as much as they settle, may part, and walk down a joint on which "
-           "they would rest; `stiffness_damping`, or motion=static, shows whether they rest"}};
+           "they would rest; start=compatible begins at rest, and says what finds none"}};
 }
 
 bool is_of_blocks(const Prepared& prepared) {

@@ -46,7 +46,6 @@ std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
   };
   const bool has_blocks = any_element([](const Element& element) { return !element.is_on_covers(); });
   const bool has_covers = any_element([](const Element& element) { return element.is_on_covers(); });
-  const bool starts_on_covers = std::ranges::any_of(first.model.elements, &Element::is_on_covers);
   return {
       {{"node_merging", "near_pieces"},
        !std::holds_alternative<Drawing>(problem.geometry),
@@ -70,7 +69,6 @@ std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
        "is read by steps in time (motion = dynamic)"},
       {{"velocity_carry_over"}, is_standard && is_static && !has_blocks, "is read by steps in time (motion = dynamic)"},
       {{"basis", "strain_damping", "restitution"}, is_standard && !has_blocks, "is read of blocks, and there are none"},
-      {{"start"}, is_standard && starts_on_covers, "is read of scenes without bodies on covers, which start as drawn"},
   };
 }
 

@@ -262,8 +262,14 @@ std::vector<SettingRow> rows_of_solution() {
                 "elastic rock",
                 at(&C::path_step), real(kAboveZero))),
       under({"motion = dynamic", [](const Settings& s) { return s.standard.motion == MotionRule::dynamic; }},
-            row("start", "strains and contact forces at the start", at(&C::start),
-                one_of<StartRule>({{StartRule::compatible, "compatible"}, {StartRule::sudden, "sudden"}}))),
+            row("start",
+                "strains and contact forces at the start: in balance with the loads, or none; automatic: in balance "
+                "where no "
+                "body is on covers",
+                at(&C::start),
+                one_of<StartRule>({{StartRule::compatible, "compatible"},
+                                   {StartRule::sudden, "sudden"},
+                                   {StartRule::automatic, "automatic"}}))),
       row("cover_functions", "functions of the physical covers of a cover file (a case file has its own)",
           at(&C::cover_functions),
           one_of<CoverFunctions>({{CoverFunctions::constant, "constant"},

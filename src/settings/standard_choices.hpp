@@ -22,9 +22,10 @@ enum class SpringPoints { ends, lobatto };
 /// soft against the step (a twentieth of the contact time at most).
 enum class ImpactLaw { jump, springs };
 
-/// compatible: contact forces and strains in equilibrium with the first accelerations; sudden: loads on unstressed
-/// blocks.
-enum class StartRule { compatible, sudden };
+/// compatible: of blocks, contact forces and strains in equilibrium with the first accelerations; in scenes with bodies
+/// on covers, the static equilibrium under the loads of t = 0 of what something bears. sudden: loads on unstressed
+/// bodies. automatic: sudden in scenes with bodies on covers, compatible elsewhere.
+enum class StartRule { compatible, sudden, automatic };
 
 /// Which sums of increment, velocity and acceleration make a step: the two weights, or those of the named methods.
 enum class Integrator { weighted, newmark, generalized_alpha };
@@ -53,7 +54,7 @@ struct StandardChoices {
   PerMaterial<Enforcement> enforcement = Enforcement::automatic;          ///< by joint material
   CoverFunctions cover_functions = CoverFunctions::derived;               ///< of the elements of a cover file
   PerMaterial<ElasticLaw> elastic_law = ElasticLaw::st_venant_kirchhoff;  ///< by block material
-  StartRule start = StartRule::compatible;
+  StartRule start = StartRule::automatic;
   StrainDamping strain_damping = StrainDamping::critical;
   Integrator integrator = Integrator::weighted;
   double velocity_weight = 0.5;  ///< of the velocity at the end of the step in its displacement; 1/2 is second order

@@ -15,6 +15,7 @@
 #include "result/describe.hpp"
 #include "step/describe_memory.hpp"
 #include "step/rest/compatible_start.hpp"
+#include "step/rest/resting_start.hpp"
 #include "step/rest/settled_start.hpp"
 #include "step/rest/static_shares.hpp"
 #include "step/scene/acceleration.hpp"
@@ -78,15 +79,40 @@ First settled_first(const StandardScene& scene, Motion motion, const std::string
            why, 0, made.unsolved_steps}};
 }
 
+First resting_first(const StandardScene& scene, Motion motion) {
+  RestingStart start = resting_start(scene, motion);
+  StartReport report;
+  report.unbalanced = start.unbalanced;
+  if (!start.is_found) {
+    report.made = "sudden, for want of an equilibrium";
+    if (start.unbalanced.empty())
+      report.unbalanced =
+          "no equilibrium was sought: bodies move, hang together with one that moves, or are held by nothing; they "
+          "start suddenly";
+    return {std::move(motion), {}, report};
+  }
+  report.made = "at rest";
+  if (largest_load(scene, loads_at(scene, start.motion.q, 0)) > 0)
+    report.balanced =
+        fmt::format("at t = 0 stresses and contact forces balance the loads{}; start = sudden begins without them",
+                    start.free > 0 ? fmt::format(" but of {}, which nothing holds or which {} a velocity",
+                                                 counted(static_cast<std::size_t>(start.free), "body"),
+                                                 start.free == 1 ? "has" : "have")
+                                   : "");
+  return {std::move(start.motion), {}, report};
+}
+
 First asked_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
   const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.q, motion.v);
   motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
   const StandardChoices& choices = scene.settings.standard;
   const bool as_drawn = choices.start == StartRule::sudden || choices.motion != MotionRule::dynamic;
-  const bool is_balanced =
+  const bool slides_in_balance =
       std::ranges::all_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_compatible_start(); });
-  if (as_drawn || !is_balanced || has_initial_stress(scene)) return {std::move(motion), {}, {}};
+  if (!as_drawn && !slides_in_balance && choices.start == StartRule::compatible)
+    return resting_first(scene, std::move(motion));
+  if (as_drawn || !slides_in_balance || has_initial_stress(scene)) return {std::move(motion), {}, {}};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);
   if (is_jointed && touching.size() > kMostExact)
@@ -232,6 +258,7 @@ void StandardStepper::describe(Archive& archive) {
     archive.value("why", start_report_.why);
     archive.value("misfit", start_report_.misfit);
     archive.value("unsolved_steps", start_report_.unsolved_steps);
+    archive.value("unbalanced", start_report_.unbalanced);
   });
   archive.group("ledger", [&] { keyblock::describe(archive, ledger_); });
   archive.value("plastic_work", plastic_work_);

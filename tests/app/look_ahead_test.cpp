@@ -190,6 +190,8 @@ TEST(LookAhead, bodies_on_covers_that_start_suddenly_without_damping_are_told) {
   EXPECT_EQ(told(two, {"--set", "stiffness_damping=0.004"}), "");
   EXPECT_EQ(told(two, {"--set", "mass_damping=3"}), "");
   EXPECT_EQ(told(two, {"--set", "motion=static"}), "");
+  EXPECT_TRUE(contains(told(two, {"--set", "start=sudden"}), "start=compatible"));
+  EXPECT_EQ(told(two, {"--set", "start=compatible"}), "");
   EXPECT_EQ(told(one, {}), "");
 }
 

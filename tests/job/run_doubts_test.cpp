@@ -110,6 +110,33 @@ TEST(RunDoubts, a_start_that_moves_a_block_by_a_tenth_of_its_size_is_doubted) {
   expect_doubted(run_of("doubt_moved", block_over_floor("0", "1", "5e4"), "standard"), "the start moves block");
 }
 
+// A cantilever of 10 m bends by w L⁴/(8 E I) = 7 cm, a sixth of the side of its elements, and begins so; a square on a
+// frictionless slope of 45 degrees slides, which is told and no fault.
+TEST(RunDoubts, a_start_at_rest_may_bend_bodies_on_covers) {
+  const auto case_of = [](const std::string& blocks, const std::string& held) {
+    return R"({"keyblock": 1, "blocks": {"blocks": [)" + blocks +
+           R"(]}, "covers": {"mesh": {"side": 0.5}, "displacements": [{"along": )" + held +
+           R"(}]}, "analysis": {"velocity_carry_over": 1, "step_count": 5, "time_step": 0.001,
+    "allowed_displacement_ratio": 0.05, "gravity": 9.81, "joint_materials": [{}], "block_materials": [
+    {"density": 2500, "unit_weight": 24525, "youngs_modulus": 5e9, "poissons_ratio": 0.2}]},
+    "run": {"set": {"start": "compatible"}}})";
+  };
+  const support::ProgramRun beam =
+      run_of("doubt_bent", case_of(R"({"outer": [[0, 0, 1], [10, 0, 1], [10, 1, 1], [0, 1, 1]]})", "[[0, 1], [0, 0]]"),
+             "standard");
+  expect_trusted(beam);
+  EXPECT_NE(beam.messages.find("start: at t = 0 stresses and contact forces balance the loads"), std::string::npos)
+      << beam.messages;
+  EXPECT_EQ(beam.messages.find("start_without_rest"), std::string::npos) << beam.messages;
+  const support::ProgramRun slope = run_of("doubt_slope",
+                                           case_of(R"({"outer": [[0, 0, 1], [4, 0, 1], [0, 4, 1]]},
+    {"outer": [[2, 2, 1], [2, 3, 1], [1, 3, 1]]})",
+                                                   "[[0, 0], [4, 0]]"),
+                                           "standard");
+  expect_trusted(slope);
+  EXPECT_NE(slope.messages.find("[start_without_rest]"), std::string::npos) << slope.messages;
+}
+
 // 1000 N for 0.1 s on 2500 kg: a = 0.4, v = 0.04, ½ m v² = 2 J, and F times its way of ½ a t² = 2 mm is as much.
 TEST(RunDoubts, the_work_of_loads_is_in_the_books_of_the_old_rules) {
   EXPECT_NEAR(energy_of_work("doubt_load", R"("loading_points": [[0.5, 0.5, 1]])",

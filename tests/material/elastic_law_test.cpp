@@ -154,6 +154,18 @@ TEST(ElasticLaw, the_stiffness_of_a_step_is_its_derivative_but_for_what_falls_wi
   }
 }
 
+// What corrects the stress of a step vanishes with the square of the step, but its round-off is taken over that square.
+TEST(ElasticLaw, steps_of_next_to_nothing_are_those_of_rest) {
+  const Eigen::Vector3d from(-2e-4, -7e-4, 3e-4);
+  const Eigen::Vector3d at_rest = log_step_stress(from, from, kInitial);
+  const Eigen::Matrix3d stiffness = log_step_stiffness(from, from, kInitial, kModulus);
+  for (double size = 1e-7; size > 1e-18; size /= 3) {
+    const Eigen::Vector3d to = from + size * Eigen::Vector3d(1, -2, 0.5);
+    EXPECT_LT((log_step_stress(from, to, kInitial) - at_rest).norm(), 1e-5 * kInitial.norm()) << size;
+    EXPECT_LT((log_step_stiffness(from, to, kInitial, kModulus) - stiffness).norm(), 1e-5 * stiffness.norm()) << size;
+  }
+}
+
 // A bar under plane strain with free sides, E* = E / (1 - ν²): F/A = E* λ (λ² - 1)/2, or E* ln λ / λ.
 TEST(ElasticLaw, a_bar_under_pressure_softens_or_does_not) {
   const double plane = 1000 / (1 - 0.09);

@@ -260,7 +260,10 @@ Reason impact(const Model& model, const Settings& settings) {
 Reason start(const Model& model, const Settings& settings) {
   if (!is_standard(settings) || !is_in_time(settings)) return std::nullopt;
   if (settings.standard.start == StartRule::sudden) return "sudden: loads meet unstressed blocks";
-  if (model.continuum) return "sudden: no other start is known for bodies on covers";
+  if (model.continuum && settings.standard.start == StartRule::automatic)
+    return "sudden: loads meet unstressed bodies on covers (start = compatible finds those at rest that something "
+           "bears)";
+  if (model.continuum) return "compatible: what something bears is at rest under the loads of t = 0";
   if (initial_stress(model, settings)) return "by the stress of the file";
   return "compatible: contact forces and strains fit the first accelerations";
 }

@@ -33,6 +33,18 @@ std::vector<double> carry_over_of(const std::vector<int>& body_materials, const 
   return shares;
 }
 
+std::vector<bool> supported_bodies(const Continuum& continuum) {
+  const Manifold& manifold = continuum.manifold;
+  std::vector<bool> supported(manifold.body_materials.size());
+  const auto put = [&](int element) {
+    supported[static_cast<std::size_t>(manifold.elements[static_cast<std::size_t>(element)].body)] = true;
+  };
+  for (const PrescribedDisplacement& held : continuum.prescribed)
+    for (const ElementSide& side : sides_along(manifold, held.along)) put(side.element);
+  for (const PointSpring& spring : continuum.point_springs) put(spring.element);
+  return supported;
+}
+
 ElementIndex first_on_covers(const Model& model) {
   for (ElementIndex e : indices(model.elements))
     if (model.elements[e].is_on_covers()) return e;
@@ -72,6 +84,7 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
       first_(first_on_covers(model)),
       kinematics_(std::make_shared<CoverKinematics>(model, first_, bodies_.basis())),
       carry_(carry_over_of(made_of_->manifold.body_materials, settings)),
+      supported_(supported_bodies(*made_of_)),
       mass_inverse_(mass_flexibility_of(bodies_)) {
   if (definiteness_of(bodies_.continuum.functions) == Definiteness::semidefinite)
     at_corners_ = values_at_corners(bodies_.continuum, bodies_.basis());

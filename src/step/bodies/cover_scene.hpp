@@ -45,6 +45,7 @@ class CoverScene : public Groundwork {
   const Eigen::VectorXd& initial_force() const { return initial_force_; }
   /// Whether supports of the problem itself, not fixed points, hold a body.
   bool has_supports() const;
+  bool is_supported(int body) const { return supported_[static_cast<std::size_t>(body)]; }  ///< by them
   /// M times a uniform field.
   Eigen::VectorXd inertia_of(Point acceleration) const;
 
@@ -99,7 +100,8 @@ class CoverScene : public Groundwork {
   ElasticBodies bodies_;
   ElementIndex first_;
   std::shared_ptr<const CoverKinematics> kinematics_;
-  std::vector<double> carry_;  ///< of each body
+  std::vector<double> carry_;    ///< of each body
+  std::vector<bool> supported_;  ///< bodies that supports of the problem hold
   std::vector<WholeBody> at_start_;
   double size_ = 0;
   double slow_frequency_ = 0;

@@ -59,6 +59,20 @@ void BlockGroup::put_start(const SceneParts& scene, BodiesMotion& motion) const 
       motion.points.blocks[static_cast<std::size_t>(e.value)].elastic = yield->rock.initial;
 }
 
+void BlockGroup::unload(const ChosenElements& bodies, UnknownsTable& loads) const {
+  for (ElementIndex e : indices(loads))
+    if (has(e) && bodies[static_cast<std::size_t>(e.value)]) loads[e].setZero();
+}
+
+void BlockGroup::put_back(const ChosenElements& bodies, const BodiesMotion& as, BodiesMotion& motion) const {
+  for (ElementIndex e : indices(bodies_)) {
+    const auto i = static_cast<std::size_t>(e.value);
+    if (!has(e) || !bodies[i]) continue;
+    motion.q[e] = as.q[e];
+    if (!yields_.empty()) motion.points.blocks[i] = as.points.blocks[i];
+  }
+}
+
 void BlockGroup::add_stored(const BodiesMotion& motion, StoredEnergy& stored) const {
   const UnknownsTable& q = motion.q;
   for (ElementIndex e : indices(q)) {

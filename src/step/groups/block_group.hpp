@@ -19,6 +19,8 @@ class BlockGroup final : public BlockBodies {
   bool may_yield() const override { return !yields_.empty(); }
 
   void put_start(const SceneParts& scene, BodiesMotion& motion) const override;
+  void unload(const ChosenElements& bodies, UnknownsTable& loads) const override;
+  void put_back(const ChosenElements& bodies, const BodiesMotion& as, BodiesMotion& motion) const override;
 
   void add_stored(const BodiesMotion& motion, StoredEnergy& stored) const override;
   void add_flow(const BodiesStep& step, EnergyFlow& flow) const override;

@@ -70,6 +70,9 @@ struct FieldPoint {
 
 class BodyGroups;
 
+/// Of every element whether it is meant: bodies as wholes.
+using ChosenElements = std::vector<bool>;
+
 /// Bodies of an earlier scene. `parents`: of every element of the later one, that which it is or was cut from.
 struct BodiesBefore {
   SceneParts scene;
@@ -138,7 +141,8 @@ class BodyGroup {
   virtual bool resolves_impacts() const = 0;
   /// Whether elements may have holes.
   virtual bool takes_holes() const = 0;
-  /// Whether the first forces and strains can be balanced before the first step.
+  /// Whether the first forces and strains can be balanced with accelerations, so that what slides or falls starts in
+  /// balance too; others start suddenly or at rest.
   virtual bool has_compatible_start() const = 0;
   /// The law of stress under large strain; none where strain stays small.
   virtual std::optional<ElasticLaw> law_of_large_strain(const SceneParts& scene, ElementIndex e) const = 0;
@@ -160,6 +164,10 @@ class BodyGroup {
   virtual void add_inertia(Point acceleration, UnknownsTable& loads) const = 0;
   virtual void add_to(Scales& scales, const UnknownsTable& loads, const UnknownsTable& q,
                       const UnknownsTable& v) const = 0;
+  /// Takes the loads off these bodies.
+  virtual void unload(const ChosenElements& bodies, UnknownsTable& loads) const = 0;
+  /// Puts unknowns and memories of points of these bodies as another motion has them.
+  virtual void put_back(const ChosenElements& bodies, const BodiesMotion& as, BodiesMotion& motion) const = 0;
 
   // Mechanics.
 

@@ -92,6 +92,20 @@ YieldStates carried_memories(const CoverScene& bodies, const CoverScene* same, c
   return states;
 }
 
+/// Of the bodies that an element was chosen of.
+std::vector<int> functions_of(const CoverScene& scene, const ChosenElements& chosen) {
+  std::vector<bool> is_chosen(scene.at_start().size());
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    if (const ElementIndex e{static_cast<int>(i)}; chosen[i] && scene.kinematics()->carries(e))
+      is_chosen[static_cast<std::size_t>(scene.body_of(e))] = true;
+  std::vector<int> functions;
+  for (std::size_t b = 0; b < is_chosen.size(); ++b) {
+    const std::vector<int>& own = scene.bodies().rigid.functions()[b];
+    if (is_chosen[b]) functions.insert(functions.end(), own.begin(), own.end());
+  }
+  return functions;
+}
+
 }  // namespace
 
 CoverEquations& CoverGroup::equations() const {
@@ -206,6 +220,21 @@ double CoverGroup::step_error(const BodiesMotion& before, const BodiesMotion& af
       dt * dt * (rule.error_of_change * bodies_->felt(change) + rule.error_of_acceleration * bodies_->felt(mean)) +
       dt * bodies_->felt(after.v.shared - before.v.shared - dt * mean);
   return error.maxCoeff<Eigen::PropagateNaN>() / bodies_->size();
+}
+
+void CoverGroup::unload(const ChosenElements& bodies, UnknownsTable& loads) const {
+  for (const int f : functions_of(*bodies_, bodies)) loads.shared.segment<2>(2 * f).setZero();
+}
+
+void CoverGroup::put_back(const ChosenElements& bodies, const BodiesMotion& as, BodiesMotion& motion) const {
+  for (const int f : functions_of(*bodies_, bodies)) motion.q.shared.segment<2>(2 * f) = as.q.shared.segment<2>(2 * f);
+  if (!may_yield()) return;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const ElementIndex e{static_cast<int>(i)};
+    if (!bodies[i] || !has(e)) continue;
+    const int element = bodies_->kinematics()->manifold_element(e);
+    bodies_->yield().carry(element, bodies_->yield(), element, as.points.covers, motion.points.covers);
+  }
 }
 
 std::unique_ptr<EstimatedStep> CoverGroup::begin(const BodiesMotion& start, const UnknownsTable& loads,

@@ -263,6 +263,23 @@ inline constexpr int kMostSystems = 40;
 
 }  // namespace of_settled_start
 
+/// Of a start at rest, found as any state at rest is.
+namespace of_resting_start {
+
+// Iterations of one search. Those that find a rest take tens; what slides or falls has gone its own size by then.
+inline constexpr int kMostIterations = 300;
+inline constexpr int kMostSearches = 5;  // each leaves out what the one before named
+// Way of a vertex over block size up to which a body is where it was drawn; and where stress of the file, which no
+// share of the loads makes smaller, lets nothing else be said.
+inline constexpr double kInPlace = 1e-3;
+inline constexpr double kInPlaceStressed = 1e-2;
+// Beyond it a body that deforms goes a share of the way under that share of the loads, one that swings or slides to
+// another place all of it.
+inline constexpr double kSmallShare = 0.1;
+inline constexpr double kSameWay = 0.5;
+
+}  // namespace of_resting_start
+
 /// Of dynamic relaxation.
 namespace of_relaxation {
 

@@ -15,6 +15,7 @@ namespace {
 
 // Parts of the load in which a first equilibrium of bodies on covers is searched that was not found at once.
 constexpr std::array kFinerShares{5, 20};
+constexpr int kMost = tolerances::of_statics::kMostIterations;
 
 StandardStep unchanged(const StandardScene& scene, const Motion& motion, double time) {
   StandardStep step;
@@ -33,13 +34,14 @@ StandardStep joined(const StandardStep& earlier, StandardStep later) {
   return later;
 }
 
-StandardStep equilibrium_from(const StandardScene& scene, const Motion& motion, double time) {
-  return scene.settings.standard.motion == MotionRule::equilibrium ? static_step(scene, motion, time)
-                                                                   : relaxation_step(scene, motion, time);
+StandardStep equilibrium_from(const StandardScene& scene, const Motion& motion, double time, int most_iterations) {
+  return scene.settings.standard.motion == MotionRule::relaxation ? relaxation_step(scene, motion, time)
+                                                                  : static_step(scene, motion, time, most_iterations);
 }
 
 // The first equilibrium of soft bodies may be lost on the way to it, where parts of the load find it.
-StandardStep in_finer_shares(StandardScene& scene, const Motion& motion, StandardStep made, double time) {
+StandardStep in_finer_shares(StandardScene& scene, const Motion& motion, StandardStep made, double time,
+                             int most_iterations) {
   for (const int count : kFinerShares) {
     if (made.converged && made.failure.empty()) return made;
     StandardStep parts;
@@ -47,7 +49,7 @@ StandardStep in_finer_shares(StandardScene& scene, const Motion& motion, Standar
     parts.converged = true;
     for (int share = 1; share <= count && parts.converged && parts.failure.empty(); ++share) {
       scene.load_share = static_cast<double>(share) / count;
-      parts = joined(parts, equilibrium_from(scene, parts.motion, time));
+      parts = joined(parts, equilibrium_from(scene, parts.motion, time, most_iterations));
     }
     scene.load_share = 1;
     if (parts.converged && parts.failure.empty()) made = std::move(parts);
@@ -56,6 +58,11 @@ StandardStep in_finer_shares(StandardScene& scene, const Motion& motion, Standar
 }
 
 }  // namespace
+
+StandardStep first_equilibrium(StandardScene& scene, const Motion& motion, double time, int most_iterations) {
+  StandardStep made = equilibrium_from(scene, motion, time, most_iterations);
+  return scene.is_linear() ? made : in_finer_shares(scene, motion, std::move(made), time, most_iterations);
+}
 
 StandardStep static_equilibrium(StandardScene& scene, const Motion& motion, const LoadStep& step) {
   const UnknownsTable last = loads_at(scene, motion.q, step.from);
@@ -71,12 +78,12 @@ StandardStep static_equilibrium(StandardScene& scene, const Motion& motion, cons
   if (step.made > 0 && !step.is_new && last == loads_at(scene, motion.q, step.to) &&
       std::ranges::all_of(scene.held, stays))
     return unchanged(scene, motion, step.to);
-  StandardStep made = equilibrium_from(scene, motion, step.to);
-  if (step.made == 0 && wanted == 1 && !scene.is_linear())
-    made = in_finer_shares(scene, motion, std::move(made), step.to);
+  const bool is_whole = step.made == 0 && wanted == 1;
+  StandardStep made =
+      is_whole ? first_equilibrium(scene, motion, step.to, kMost) : equilibrium_from(scene, motion, step.to, kMost);
   while (++share <= end && made.converged && made.failure.empty()) {
     scene.load_share = static_cast<double>(share) / wanted;
-    made = joined(made, equilibrium_from(scene, made.motion, step.to));
+    made = joined(made, equilibrium_from(scene, made.motion, step.to, kMost));
   }
   return made;
 }

@@ -14,6 +14,10 @@ struct LoadStep {
   bool is_new = false;  ///< no step was made yet on a scene that is not the first
 };
 
+/// The equilibrium under all loads at `time`; of soft bodies that is sought in parts of the loads where it is not found
+/// at once. `most_iterations`: of each search.
+StandardStep first_equilibrium(StandardScene& scene, const Motion& motion, double time, int most_iterations);
+
 /// Loads grow in equal shares over the first steps; the scene is left at the share that was reached. Where neither they
 /// nor held points changed since the last step, its equilibrium holds. `motion`: at the end of that.
 StandardStep static_equilibrium(StandardScene& scene, const Motion& motion, const LoadStep& step);

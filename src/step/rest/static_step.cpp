@@ -24,10 +24,11 @@ using namespace tolerances;
 
 class StaticSolve {
  public:
-  StaticSolve(const StandardScene& scene, const Motion& start, double time)
+  StaticSolve(const StandardScene& scene, const Motion& start, double time, int most_iterations)
       : scene_(scene),
         start_(start),
         time_(time),
+        most_iterations_(most_iterations),
         slip_start_(start),
         points_(start.points),
         closed_(start.closed),
@@ -47,7 +48,7 @@ class StaticSolve {
     result_.residual = at_start.share;
     if (at_start.holds()) return finished();
     result_.residual = 1;  // all is out of balance
-    for (; iterations_ < of_statics::kMostIterations && result_.failure.empty() && result_.converged; ++iterations_) {
+    for (; iterations_ < most_iterations_ && result_.failure.empty() && result_.converged; ++iterations_) {
       if (!iterate()) continue;
       const Balance balance = balance_of(scene_, now_, time_, load_);
       bound_by(balance.share);
@@ -212,6 +213,7 @@ class StaticSolve {
   const StandardScene& scene_;
   const Motion& start_;
   double time_;
+  int most_iterations_;
   Motion slip_start_;  ///< slip and the stretch of springs are counted from here
   Motion now_;         ///< v is the way since `slip_start_`, a velocity over unit time; springs are stretched as there
   PointMemories points_;   ///< at the last iteration; each begins with those of the start
@@ -239,8 +241,8 @@ class StaticSolve {
 
 }  // namespace
 
-StandardStep static_step(const StandardScene& scene, const Motion& start, double time) {
-  return StaticSolve(scene, start, time).run();
+StandardStep static_step(const StandardScene& scene, const Motion& start, double time, int most_iterations) {
+  return StaticSolve(scene, start, time, most_iterations).run();
 }
 
 }  // namespace keyblock

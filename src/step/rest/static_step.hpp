@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "step/newton/tolerances.hpp"
 #include "step/time/standard_step.hpp"
 
 namespace keyblock {
@@ -13,6 +14,7 @@ namespace keyblock {
 /// which is an implicit step of τ from rest, so that blocks held by contact alone are held. τ grows until the first
 /// term alone counts. Friction opposes the slip since `start`, or since the last touch closed that was open there. A
 /// block that comes further than its own size is named as one that accelerates.
-StandardStep static_step(const StandardScene& scene, const Motion& start, double time);
+StandardStep static_step(const StandardScene& scene, const Motion& start, double time,
+                         int most_iterations = tolerances::of_statics::kMostIterations);
 
 }  // namespace keyblock

@@ -141,6 +141,8 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
   loads *= scene.load_share;
   for (const FacePull& pull : scene.pulls)
     add_force(points.of_point(pull.element, pull.start), pull.element, pull.force, loads);
+  if (!scene.unloaded.empty())
+    for (const auto& group : scene.groups) group->unload(scene.unloaded, loads);
   return loads;
 }
 

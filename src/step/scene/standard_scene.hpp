@@ -34,6 +34,7 @@ struct StandardScene {
   std::vector<CarriedPoint> held;        ///< fixed points of elements that have unknowns
   Point mass_centre;                     ///< of the blocks that can move, at the start
   double load_share = 1;                 ///< of all loads, while they are put on
+  ChosenElements unloaded = {};          ///< that no load reaches while a start is sought; empty: none
   std::vector<FacePull> pulls = {};      ///< not of the loads, and not put on with them
   /// Pattern and room of the factors of contact forces, from step to step: one step at a time.
   std::shared_ptr<FactorStore> factors = std::make_shared<FactorStore>();

@@ -1,0 +1,243 @@
+// Search, leave out what has no rest, search again; see resting_start.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step/rest/resting_start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/union_find.hpp"
+#include "model/shared_covers.hpp"
+#include "step/newton/tolerances.hpp"
+#include "step/rest/static_shares.hpp"
+#include "step/rest/static_step.hpp"
+#include "step/scene/equilibrium.hpp"
+#include "step/scene/touch_search.hpp"
+
+namespace keyblock {
+namespace {
+
+using namespace tolerances;
+
+/// Which bodies hang together: they touch, or a bolt joins them. Over what cannot move nothing hangs together.
+class Hanging {
+ public:
+  Hanging(const StandardScene& scene, const Motion& still)
+      : scene_(scene), sets_(scene.model.elements.size()), is_held_(scene.model.elements.size()) {
+    const std::vector<ElementPair> joined = pairs(still);
+    for (const ElementPair& pair : joined)
+      if (can_move(pair.lower) && can_move(pair.upper)) sets_.unite(pair.lower.value, pair.upper.value);
+    for (const ElementPair& pair : joined) {
+      if (!can_move(pair.lower)) is_held_[of(pair.upper)] = true;
+      if (!can_move(pair.upper)) is_held_[of(pair.lower)] = true;
+    }
+    for (const CarriedPoint& point : scene.held) is_held_[of(point.element)] = true;
+    for (ElementIndex e : indices(scene.model.elements))
+      if (can_move(e) && scene.groups.of(e).is_supported(e)) is_held_[of(e)] = true;
+  }
+
+  /// The number of those that an element hangs together with.
+  std::size_t of(ElementIndex e) { return static_cast<std::size_t>(sets_.find(e.value)); }
+  bool is_held(ElementIndex e) { return is_held_[of(e)]; }
+
+ private:
+  bool can_move(ElementIndex e) const { return scene_.model.elements[e].can_move(); }
+
+  std::vector<ElementPair> pairs(const Motion& still) const {
+    std::vector<ElementPair> all;
+    const std::vector<int> bodies = body_numbers(scene_.model);
+    std::vector<ElementIndex> first(bodies.size());
+    for (ElementIndex e : indices(scene_.model.elements)) {
+      ElementIndex& of_body = first[static_cast<std::size_t>(bodies[static_cast<std::size_t>(e.value)])];
+      if (!of_body) of_body = e;
+      all.push_back({of_body, e});
+    }
+    const Scales scales = scales_of(scene_, loads_at(scene_, still.q, 0), still.q, still.v);
+    for (const Touch& touch : resting_touches(scene_, still, scales))
+      all.push_back({scene_.model.vertices[touch.vertex].element, scene_.model.vertices[touch.start].element});
+    for (const Bolt& bolt : scene_.model.bolts) all.push_back({bolt.first.element, bolt.second.element});
+    return all;
+  }
+
+  const StandardScene& scene_;
+  UnionFind sets_;
+  std::vector<bool> is_held_;  ///< by the number of a set
+};
+
+class RestSearch {
+ public:
+  RestSearch(StandardScene& scene, const Motion& start)
+      : scene_(scene),
+        start_(start),
+        still_(at_rest(start)),
+        hanging_(scene, still_),
+        left_(scene.model.elements.size(), false) {
+    std::vector<ElementIndex> free;
+    for (ElementIndex e : movable())
+      if (is_moving(e) || !hanging_.is_held(e)) free.push_back(e);
+    leave_out(free);
+    result_.free = bodies_left_out();
+  }
+
+  RestingStart run() {
+    for (int search = 1; !movable().empty(); ++search) {
+      scene_.unloaded = left_;
+      StandardStep made = first_equilibrium(scene_, still_, 0, of_resting_start::kMostIterations);
+      const bool is_found = made.converged && made.failure.empty();
+      const std::vector<ElementIndex> restless = is_found ? elsewhere(made.motion) : to_blame(made);
+      if (is_found && restless.empty()) return found(std::move(made.motion));
+      tell(is_found ? fmt::format("the equilibrium of {} is another place than where it was drawn",
+                                  in_words(scene_, {restless.front()}))
+                    : why_not(made));
+      leave_out(search < of_resting_start::kMostSearches ? restless : movable());
+    }
+    result_.motion = start_;
+    return std::move(result_);
+  }
+
+ private:
+  static Motion at_rest(Motion motion) {
+    motion.v.set_zero();
+    return motion;
+  }
+
+  bool is_moving(ElementIndex e) const {
+    return scene_.model.material_of(scene_.model.elements[e]).initial_velocity != Velocity{};
+  }
+
+  /// Elements that can move and are not left out.
+  std::vector<ElementIndex> movable() const {
+    std::vector<ElementIndex> all;
+    for (ElementIndex e : indices(scene_.model.elements))
+      if (scene_.model.elements[e].can_move() && !left_[static_cast<std::size_t>(e.value)]) all.push_back(e);
+    return all;
+  }
+
+  void leave_out(const std::vector<ElementIndex>& some) {
+    std::set<std::size_t> sets;
+    for (const ElementIndex e : some) sets.insert(hanging_.of(e));
+    for (const ElementIndex e : movable())
+      if (sets.contains(hanging_.of(e))) left_[static_cast<std::size_t>(e.value)] = true;
+  }
+
+  int bodies_left_out() const {
+    const std::vector<int> bodies = body_numbers(scene_.model);
+    std::set<int> out;
+    for (std::size_t i = 0; i < left_.size(); ++i)
+      if (left_[i]) out.insert(bodies[i]);
+    return static_cast<int>(out.size());
+  }
+
+  // Those that the search names; where that is none of those sought, all.
+  std::vector<ElementIndex> to_blame(const StandardStep& made) const {
+    std::vector<ElementIndex> named = made.moving;
+    named.insert(named.end(), made.restless.begin(), made.restless.end());
+    if (named.empty() && made.converged) named = balance_of(scene_, at_rest(made.motion), 0).blocks;
+    std::erase_if(named, [&](ElementIndex e) { return left_[static_cast<std::size_t>(e.value)]; });
+    return named.empty() ? movable() : named;
+  }
+
+  static std::string why_not(const StandardStep& made) {
+    return made.failure.empty() ? "no equilibrium: the contact forces of a search for it do not settle" : made.failure;
+  }
+
+  void tell(const std::string& why) {
+    result_.unbalanced += fmt::format("{}{}; this body and what it hangs together with start suddenly",
+                                      result_.unbalanced.empty() ? "" : "; ", why);
+  }
+
+  /// Greatest way of a vertex over the size of its body, of what each element hangs together with; by the number of
+  /// that, with the element that went so far.
+  struct Way {
+    double share = 0;
+    ElementIndex element;
+  };
+  std::vector<Way> ways_to(const Motion& motion) {
+    const auto before = vertices_at(scene_.model, scene_.reference, still_.q);
+    const auto after = vertices_at(scene_.model, scene_.reference, motion.q);
+    std::vector<Way> ways(scene_.model.elements.size());
+    for (const ElementIndex e : movable())
+      for (const VertexIndex v : scene_.model.elements[e].vertices()) {
+        const double share = distance(before[v], after[v]) / scene_.bodies()[e].size;
+        if (Way& way = ways[hanging_.of(e)]; share > way.share) way = {share, e};
+      }
+    return ways;
+  }
+
+  // One element of each set of bodies that did not only deform on its way.
+  std::vector<ElementIndex> elsewhere(const Motion& motion) {
+    std::vector<Way> ways = ways_to(motion);
+    std::erase_if(ways, [](const Way& way) { return !(way.share > of_resting_start::kInPlace); });
+    if (ways.empty()) return {};
+    std::vector<Way> small;
+    if (!is_stressed()) {
+      scene_.load_share = of_resting_start::kSmallShare;
+      const StandardStep made = static_step(scene_, still_, 0, of_resting_start::kMostIterations);
+      scene_.load_share = 1;
+      if (!made.converged || !made.failure.empty()) return {};
+      small = ways_to(made.motion);
+    }
+    std::vector<ElementIndex> away;
+    for (const Way& way : ways)
+      if (small.empty() ? way.share > of_resting_start::kInPlaceStressed
+                        : small[hanging_.of(way.element)].share > of_resting_start::kSameWay * way.share)
+        away.push_back(way.element);
+    return away;
+  }
+
+  // By the file.
+  bool is_stressed() const {
+    UnknownsTable none = still_.q;
+    none.set_zero();
+    return largest_load(scene_, none) > 0;
+  }
+
+  RestingStart found(Motion motion) {
+    result_.is_found = true;
+    for (const auto& group : scene_.groups) group->put_back(left_, start_, motion);
+    motion.v = start_.v;
+    const auto is_left = [&](ElementIndex e) { return left_[static_cast<std::size_t>(e.value)]; };
+    const auto is_of_left = [&](VertexIndex v) { return is_left(scene_.model.vertices[v].element); };
+    std::vector<ClosedContact> closed;
+    for (const ClosedContact& contact : motion.closed.all())
+      if (!is_of_left(contact.touch.vertex) && !is_of_left(contact.touch.start)) closed.push_back(contact);
+    motion.closed = ClosedContacts(std::move(closed));
+    const auto left_bond = [&](const auto& bond) {
+      return is_of_left(bond.first.lower) || is_of_left(bond.first.upper);
+    };
+    std::erase_if(motion.bonds, left_bond);
+    for (const auto& bond : start_.bonds)
+      if (left_bond(bond)) motion.bonds.insert(bond);
+    for (std::size_t i = 0; i < scene_.model.bolts.size(); ++i) {
+      const Bolt& bolt = scene_.model.bolts[i];
+      if (!is_left(bolt.first.element) && !is_left(bolt.second.element)) continue;
+      motion.constraints.bolt_forces[i] = start_.constraints.bolt_forces[i];
+      motion.constraints.broken[i] = start_.constraints.broken[i];
+    }
+    for (std::size_t i = 0; i < scene_.held.size(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      if (is_left(scene_.held[i].element))
+        motion.constraints.point_forces.segment<2>(n) = start_.constraints.point_forces.segment<2>(n);
+    }
+    result_.motion = std::move(motion);
+    return std::move(result_);
+  }
+
+  StandardScene& scene_;
+  const Motion& start_;
+  Motion still_;  ///< the start without velocities
+  Hanging hanging_;
+  ChosenElements left_;  ///< out of the search
+  RestingStart result_;
+};
+
+}  // namespace
+
+RestingStart resting_start(StandardScene scene, const Motion& start) {
+  return RestSearch(scene, start).run();
+}
+
+}  // namespace keyblock
