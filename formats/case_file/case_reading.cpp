@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/case_reading.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <stdexcept>
 
 #include "base/nearest.hpp"
 #include "formats/case_file/case_measures.hpp"
+#include "formats/case_file/case_values.hpp"
 #include "formats/text/numbers.hpp"
 #include "settings/settings_table.hpp"
 
@@ -23,6 +27,40 @@ std::optional<Measure> measure_of_choice(const std::string& name) {
   constexpr std::string_view kMesh = "mesh.";
   if (name.starts_with(kMesh)) return measure_of("mesh", name.substr(kMesh.size()));
   return measure_of_setting(name);
+}
+
+bool takes(const std::string& name, const std::string& value) {
+  try {
+    Settings settings;
+    set(settings, name, value);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+// Of a setting that is off or on; another is told what the file has. One that takes any text takes this too.
+std::string text_of_flag(const std::string& name, bool flag) {
+  const std::string text = flag ? "true" : "false";
+  const std::string word = flag ? "on" : "off";
+  return takes(name, word) && !takes(name, text) ? word : text;
+}
+
+// As it is written for a whole number, so that settings that count read it.
+std::string text_of_number(double value) {
+  constexpr double kMostWhole = 1e15;  // below it a double holds every whole number
+  const bool is_whole = std::abs(value) < kMostWhole && value == std::trunc(value);
+  return is_whole ? fmt::format("{:.0f}", value == 0 ? 0.0 : value) : format_real(value);
+}
+
+// A setting may be a word in quotes, a number or true and false; other pairs are words.
+std::string text_of_pair(const JsonValue& value, std::string_view list, const std::string& name) {
+  if (value.kind() == JsonKind::string) return std::string(value.string());
+  if (list != kSettings) value.fail(fmt::format("{} of {}: a word in quotes", name, list));
+  if (value.kind() == JsonKind::number) return text_of_number(value.number());
+  if (value.kind() == JsonKind::yes || value.kind() == JsonKind::no)
+    return text_of_flag(name, value.kind() == JsonKind::yes);
+  value.fail(fmt::format("{} of {}: a word in quotes, a number, true or false", name, list));
 }
 
 }  // namespace
@@ -120,9 +158,8 @@ void CaseReading::pairs(std::string_view name, std::vector<std::pair<std::string
   for (auto i = from.begin(); i != from.end(); ++i) {
     const JsonValue key = *i;
     ++i;
-    if ((*i).kind() != JsonKind::string) (*i).fail(fmt::format("{} of {}: a word in quotes", key.string(), name));
     const std::string setting(key.string());
-    std::string value((*i).string());
+    std::string value = text_of_pair(*i, name, setting);
     const Measure measure = measure_of_choice(setting).value_or(measures::kNumber);
     if (is_quantity(value) && measure != measures::kNumber)
       value = format_real(converted_at(*i, setting, measure, "a number"));

@@ -122,7 +122,8 @@ class CaseSchema {
   void optional_curve(std::string_view name, std::optional<TimeCurve>&) { add(name, list_of(curve_row(name))); }
   void curves(std::string_view name, std::vector<TimeCurve>&) { add(name, list_of(list_of(curve_row(name)))); }
   void pairs(std::string_view name, std::vector<std::pair<std::string, std::string>>&) {
-    add(name, {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}});
+    const Json value = name == kSettings ? Json::array({"string", "number", "boolean"}) : Json("string");
+    add(name, {{"type", "object"}, {"additionalProperties", {{"type", value}}}});
   }
 
   /// `parent`: the key whose value this is.

@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 2> kBlockRows{"material_lines", "material
 constexpr std::array<std::string_view, 6> kJointRows{"joints", "outer",         "holes",
                                                      "cuts",   "loop_vertices", "joint_materials"};
 
-constexpr std::array<std::string_view, 2> kTexts{"set", "layers"};  // whose values are texts, all of them
+constexpr std::array<std::string_view, 2> kTexts{kSettings, "layers"};  // whose texts are no names of materials
 
 template <std::size_t N>
 bool is_one_of(const std::array<std::string_view, N>& names, std::string_view name) {

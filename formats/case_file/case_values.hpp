@@ -6,6 +6,9 @@
 
 namespace keyblock::formats {
 
+/// The key of settings by name, in `run` and in stages.
+inline constexpr std::string_view kSettings = "set";
+
 /// Turns names of materials and bolts into the numbers that they stand for, counted from 1. Throws InputError for a
 /// name that none has, or two. Values with units are the reader's (CaseReading::real).
 void resolve_names(JsonText& text);

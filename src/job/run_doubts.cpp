@@ -12,6 +12,7 @@
 #include "fracture/tip_report.hpp"
 #include "geometry/shared_area.hpp"
 #include "material/elastic.hpp"
+#include "model/body_load.hpp"
 
 namespace keyblock {
 namespace {
@@ -112,14 +113,41 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
                      may_yield(prepared.scene) ? "" : law_of(prepared, number), limit)});
 }
 
-void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Place& place) {
+// Of the size of the mean block. Blocks that stand store next to nothing but the strain of their weight, the less the
+// stiffer they are, and a share of that says nothing of their motion: what came from nothing is held against no less
+// than the weight of all that moves does over this way, so that the limit of 0.01 is a lift of the whole by a millionth
+// of a block. Blocks that slid by more than this way, however slowly, are judged by the energy that they had.
+constexpr double kWayOfWeight = 1e-4;
+
+double work_of_weight(const Prepared& prepared, const Frame& first) {
+  const Model& model = prepared.scene.model;
+  double weight = 0;
+  for (const ElementIndex e : indices(model.elements)) {
+    const auto i = static_cast<std::size_t>(e.value);
+    if (i >= first.elements.size() || !model.elements[e].can_move()) continue;
+    weight +=
+        first.elements[i].area * weight_per_area(model.material_of(model.elements[e]), prepared.scene.settings).norm();
+  }
+  return weight * kWayOfWeight * std::sqrt(model.mean_area);
+}
+
+void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Frame& first,
+                const Place& place) {
   if (!keeps_energy(record)) return;
   const double limit = prepared.scene.settings.trust.energy;
-  if (const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope); !(made <= limit))
-    found.push_back({"energy_beyond_limit", place,
-                     fmt::format("energy came from nothing: {:.3g} of the largest there was; beyond {:.3g} "
-                                 "(energy_limit) the run is not trusted{}",
-                                 made, limit, undamped_covers(prepared))});
+  const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope);
+  if (made <= limit) return;
+  const double least = work_of_weight(prepared, first);
+  const double largest = record.ledger_sums.largest_stored;
+  const double share = largest < least ? made * largest / least : made;
+  if (share <= limit) return;
+  found.push_back(
+      {"energy_beyond_limit", place,
+       fmt::format(
+           "energy came from nothing: {:.3g} of {}; beyond {:.3g} (energy_limit) the run is not trusted{}", share,
+           largest < least ? fmt::format("what the weight of all does over {:g} of a block's size", kWayOfWeight)
+                           : "the largest there was",
+           limit, undamped_covers(prepared))});
 }
 
 // Of plastic work: what the forces of steps did less than is booked of it. In a step the force has the mean of the
@@ -233,7 +261,7 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
   if (!prepared.scene.is_untouched) add_penetration(judgement, prepared, record.totals.penetration_share, last, place);
   add_crushing(found, prepared, record.totals, place);
   add_start(found, prepared, first, place);
-  add_energy(found, prepared, record, place);
+  add_energy(found, prepared, record, first, place);
   add_stages(found, record.outcome, place);
   add_plastic_work(judgement.remarks, record, place);
   add_closing(judgement.remarks, prepared, record, place);

@@ -248,8 +248,10 @@ std::vector<std::string> what_to_try(const Prepared& prepared, const RunOutcome&
   if (yields && prepared.scene.is_untouched && outcome.failure == FailureKind::no_equilibrium)
     return what_to_try_under_loads(prepared.scene);
   std::vector<std::string> options{"--set motion=dynamic"};
-  if (motion == MotionRule::equilibrium) options.insert(options.begin(), "--set motion=relaxation");
-  if (!yields) options.emplace_back("--profile legacy");  // which knows no strength
+  const bool is_linear = prepared.scene.is_untouched && !yields;  // relaxation finds no support either
+  if (motion == MotionRule::equilibrium && !is_linear) options.insert(options.begin(), "--set motion=relaxation");
+  if (!yields && !prepared.scene.model.continuum)
+    options.emplace_back("--profile legacy");  // of blocks without strength
   return options;
 }
 

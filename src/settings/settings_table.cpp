@@ -203,8 +203,9 @@ std::vector<SettingRow> rows_of_trust() {
           "area of a block at the end over that at the start, below which a run is not trusted; 0: no limit",
           at(&TrustLimits::crushing), real(kShare)),
       row("energy_limit",
-          "kinetic, strain and gravity energy that no load gave, over the largest there was, beyond which a run is not "
-          "trusted; under dynamics shi looked at where weight alone acts",
+          "kinetic, strain and gravity energy that no load gave, over the largest there was or, where that is more, "
+          "what the weight of all does over 1e-4 of a block's size, beyond which a run is not trusted; under dynamics "
+          "shi looked at where weight alone acts",
           at(&TrustLimits::energy), real(kAboveZero)),
   };
 }

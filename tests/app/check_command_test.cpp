@@ -91,6 +91,10 @@ TEST(CheckCommand, a_profile_or_setting_of_a_case_file_that_is_none_is_named_whe
       {R"({"profile": "legcy"})",
        ":6:21: error: expected a profile, one of legacy, draft, standard, reference, found \"legcy\"\n"},
       {R"({"set": {"motion": "statik"}})", ":6:18: error: setting motion: expected "},
+      {R"({"set": {"motion": "static", "steps": 2.5}})",
+       ":6:38: error: setting steps: expected a whole number of at least 1, found \"2.5\"\n"},
+      {R"({"set": {"ledger": 7}})", ":6:18: error: setting ledger: expected one of off, on, found \"7\"\n"},
+      {R"({"set": {"time_step": true}})", ":6:18: error: setting time_step: expected "},
       {R"({"set": {"motion": "static", "motoin": "static"}})", ":6:38: error: there is no setting \"motoin\""}};
   for (const auto& [choices, message] : faults) {
     const std::string file = case_with(choices);

@@ -98,6 +98,37 @@ TEST_F(ConvertCommand, json_names_outputs_losses_and_warnings) {
   EXPECT_TRUE(json["warnings"].empty());
 }
 
+TEST_F(ConvertCommand, a_profile_that_changes_is_told) {
+  const ProgramRun own = convert({"-o", folder_ + "own.json"});
+  EXPECT_EQ(own.exit_code, 0);
+  EXPECT_TRUE(contains(own.messages,
+                       "where none is asked for, a run takes profile standard for what is written and "
+                       "legacy for what was read: --profile legacy keeps to that [profile_changes]"))
+      << own.messages;
+  const ProgramRun back = run_keyblock({"convert", folder_ + "own.json", "-o", folder_ + "back", "--to", "berkeley"});
+  EXPECT_EQ(back.exit_code, 0);
+  EXPECT_TRUE(contains(back.messages, "profile legacy for what is written and standard for what was read"))
+      << back.messages;
+  std::string named = read_text(folder_ + "own.json");
+  named.insert(named.find('{') + 1, R"("run": {"profile": "legacy"},)");
+  write_text(folder_ + "named.json", named);
+  for (const ProgramRun& same :
+       {run_keyblock({"convert", folder_ + "named.json", "-o", folder_ + "named", "--to", "berkeley"}),
+        convert({"-o", folder_ + "same", "--to", "berkeley"}), convert({"-o", folder_ + "lines.dxf"})})
+    EXPECT_FALSE(contains(same.messages, "_changes]")) << same.messages;
+}
+
+TEST_F(ConvertCommand, rules_of_legacy_that_change_with_the_dialect_are_told) {
+  const ProgramRun run = convert({"-o", folder_ + "shi", "--to", "shi", "--json"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(contains(run.messages, "profile legacy has other rules for what is written, by its dialect: "))
+      << run.messages;
+  EXPECT_TRUE(contains(run.messages, "quirk.weight_of_first_material = off, before on")) << run.messages;
+  const auto json = nlohmann::json::parse(run.output);
+  EXPECT_EQ(json["changed_rules"][0]["name"], "dialect_changes");
+  EXPECT_TRUE(json["warnings"].empty());
+}
+
 TEST_F(ConvertCommand, wrong_usage_and_bad_input_have_their_exit_codes) {
   EXPECT_EQ(convert({}).exit_code, 2) << "no output";
   EXPECT_EQ(convert({"-o", folder_ + "b.unknown"}).exit_code, 2) << "an ending of no target";

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "app/strength/trial_limit.hpp"
 #include "formats/registry.hpp"
 #include "formats/text/csv.hpp"
 #include "tests/support/program.hpp"
@@ -267,6 +268,22 @@ TEST(FosCommand, a_trial_beyond_its_limit_is_given_up_and_the_bracket_told_as_it
   const std::string note = found["notes"].back();
   EXPECT_EQ(note.substr(0, 28), "statics does not decide at 1") << note;
   EXPECT_TRUE(note.ends_with("nothing is known")) << note;
+}
+
+// A minute, longer where there are many unknowns or where trials are seen to take longer; 0 is none.
+TEST(FosCommand, a_trial_has_a_limit_unless_none_is_asked_for) {
+  EXPECT_EQ(trial_limit(std::nullopt, 300, 0), 60);
+  EXPECT_EQ(trial_limit(std::nullopt, 20000, 0), 200);
+  EXPECT_EQ(trial_limit(std::nullopt, 300, 25), 250);
+  EXPECT_EQ(trial_limit(5, 20000, 25), 5);
+  EXPECT_EQ(trial_limit(0, 300, 25), std::nullopt);
+}
+
+TEST(FosCommand, a_trial_without_limit_is_no_fault) {
+  const std::string folder = fresh_folder("fos_no_limit");
+  ASSERT_EQ(run_keyblock({"new", "slope", "-o", folder + "/slope.json"}).exit_code, 0);
+  const ProgramRun run = run_keyblock({"fos", folder + "/slope.json", "--trial-limit", "0", "--to-within", "0.2"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
 }
 
 }  // namespace keyblock::fos_command_test

@@ -94,6 +94,15 @@ TEST(Cracks, what_no_body_can_have_is_refused) {
             std::string::npos);
 }
 
+// An end on a boundary is moved a little beyond it; what is told is where the file has it.
+TEST(Cracks, one_that_is_drawn_twice_is_told_of_as_it_is_drawn) {
+  const CrackPlan from_edge = crack({{0, 0.5}, {0.5, 0.5}});
+  EXPECT_EQ(fault_of({from_edge, from_edge}),
+            ": error: expected a crack apart from other lines, found it along a joint or another crack from (0, 0.5) "
+            "to (0.5, "
+            "0.5)");
+}
+
 TEST(Cracks, a_crack_from_side_to_side_parts_all_covers) {
   BodyGraph graph = square();
   const std::vector<CrackPlan> cracks{crack({{0, 0.31}, {1, 0.67}})};

@@ -137,6 +137,27 @@ TEST(CaseValues, settings_are_left_alone) {
   EXPECT_EQ(read({"f", text}).content.choices->settings[1].second, "9.81");
 }
 
+TEST(CaseValues, settings_may_be_numbers_and_flags) {
+  std::string text = case_of(kMetre, kRock, kJoint, kRatio);
+  text.insert(
+      1,
+      R"("run": {"set": {"time_step": 0.001, "steps": 2000000, "ledger": false, "quirk.fixed_pass_bound": true}}, )");
+  using Settings = std::vector<std::pair<std::string, std::string>>;
+  const Settings expected{
+      {"time_step", "0.001"}, {"steps", "2000000"}, {"ledger", "off"}, {"quirk.fixed_pass_bound", "on"}};
+  EXPECT_EQ(read({"f", text}).content.choices->settings, expected);
+}
+
+TEST(CaseValues, settings_that_are_no_value_are_refused_where_they_stand) {
+  for (const auto& [value, found] : {std::pair{"null", "null"}, {"[1]", "an array"}, {"{}", "an object"}}) {
+    std::string text = case_of(kMetre, kRock, kJoint, kRatio);
+    text.insert(1, std::string(R"("run": {"set": {"time_step": )") + value + "}}, ");
+    EXPECT_EQ(error_of(text), std::string("f:1:31: error: expected time_step of set: a word in quotes, a number, true "
+                                          "or false, found ") +
+                                  found);
+  }
+}
+
 TEST(CaseValues, a_schema_is_passed_over_and_a_last_comma_too) {
   EXPECT_EQ(error_of(R"({"$schema": "x.json", "keyblock": 1, // a comment, with a comma
    "motion": [[0, 1, 2,], [1, 0, 0] , /* , */ ], })"),

@@ -6,6 +6,7 @@
 
 #include "formats/text/csv.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/scenes.hpp"
 #include "tests/support/text_files.hpp"
 
 namespace keyblock::run_doubts_test {
@@ -74,7 +75,51 @@ double energy_of_work(const std::string& folder, const std::string& points, cons
   return kinetic;
 }
 
+/// What is said of the energy of a free block of 1 m that weighs 10 kN/m where `gravity` says so, and made `made` where
+/// `largest` was stored.
+std::string energy_doubt(double made, double largest, const std::string& gravity = "9.81") {
+  Problem problem;
+  Blocks blocks;
+  blocks.blocks = {support::rectangle({0, 0}, {1, 1})};
+  problem.geometry = blocks;
+  problem.analysis = support::plain_analysis(0.01, 1);
+  problem.analysis->block_materials[0].density = 1e4 / 9.81;
+  problem.analysis->block_materials[0].unit_weight = 1e4;
+  const Prepared prepared = prepare(problem, "standard", {{"gravity", gravity}});
+  RunRecord record;
+  record.outcome.ledger_scope.has_flows = true;
+  record.totals.area_share = 1;
+  record.ledger_sums.is_begun = true;
+  record.ledger_sums.made = made;
+  record.ledger_sums.largest_stored = largest;
+  Frame frame;
+  frame.elements.resize(1);
+  frame.elements[0].area = 1;
+  const Warnings doubts = judged(prepared, record, frame, {}, {}).doubts;
+  return doubts.empty() ? "" : doubts.front().sentence;
+}
+
 }  // namespace
+
+// 10 kN/m over a ten-thousandth of 1 m is 1 J/m, of which 0.01 is allowed.
+TEST(RunDoubts, energy_is_held_against_what_weight_does_over_a_small_way_where_little_is_stored) {
+  EXPECT_EQ(energy_doubt(0.009, 0.1), "");
+  EXPECT_EQ(energy_doubt(0.011, 0.1),
+            "energy came from nothing: 0.011 of what the weight of all does over 0.0001 of a block's size; beyond 0.01 "
+            "(energy_limit) the run is not trusted");
+  EXPECT_EQ(
+      energy_doubt(0.009, 0.1, "0"),
+      "energy came from nothing: 0.09 of the largest there was; beyond 0.01 (energy_limit) the run is not trusted")
+      << "without weight";
+}
+
+// Slid by a millimetre, 10 J/m: one part in fifty is told of, however slow it was.
+TEST(RunDoubts, energy_of_what_slid_is_held_against_the_largest_there_was) {
+  EXPECT_EQ(
+      energy_doubt(0.2, 10),
+      "energy came from nothing: 0.02 of the largest there was; beyond 0.01 (energy_limit) the run is not trusted");
+  EXPECT_EQ(energy_doubt(0.09, 10), "");
+}
 
 TEST(RunDoubts, a_block_at_rest_on_a_floor_is_trusted) {
   for (const char* profile : {"standard", "legacy"})

@@ -218,6 +218,23 @@ TEST(LinearCase, a_body_that_can_move_is_named_with_its_motion) {
   EXPECT_EQ(solved(two).frames.size(), 1U) << "the start alone";
 }
 
+// Held along its lower side; a crack from side to side leaves the upper part on nothing. One that ends inside does not.
+TEST(LinearCase, a_crack_that_cuts_a_body_through_is_named_with_what_it_cuts_off) {
+  Problem problem = square();
+  problem.covers->contact = CoverContact::ignored;
+  problem.covers->displacements = {problem.covers->displacements.front()};
+  problem.covers->displacements.front().along = {{0, 0}, {2, 0}};
+  problem.covers->displacements.front().held = Held::both;
+  problem.covers->cracks = {{{{0, 1}, {2, 1.5}}, {}, 0}};
+  EXPECT_EQ(
+      fault_of(problem),
+      "load step 1: body 1, about (1, 1.5), can move along (1, 0): a crack or joint from (0, 1) to (2, 1.5) cuts it "
+      "off from the rest of its body, and nothing holds it there; hold this part too, let its faces touch "
+      "(contact = felt), or end the crack inside");
+  problem.covers->cracks.front().along = {{0, 1}, {1.5, 1.375}};
+  EXPECT_EQ(fault_of(problem), "");
+}
+
 TEST(LinearCase, what_cannot_be_is_named) {
   Problem problem = square();
   problem.covers->place = {"f", 2, 3};

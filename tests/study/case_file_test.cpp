@@ -57,6 +57,11 @@ TEST(CaseFile, settings_of_both_profiles_come_before_those_of_one_and_these_befo
   EXPECT_EQ(file.overrides(file.variants.front()), variant);
 }
 
+TEST(CaseFile, a_setting_that_is_off_or_on_may_be_a_flag) {
+  const CaseFile file = read_case_file(folder_with(R"({"set": {"both": {"ledger": false}}})"));
+  EXPECT_EQ(file.overrides("standard"), (std::vector<Override>{{"ledger", "off"}}));
+}
+
 TEST(CaseFile, variants_can_be_shared_by_naming_a_file_of_them) {
   const CaseFolder folder = folder_with(R"({"variants": [
       "shared.json", {"name": "own", "profile": "legacy", "set": {}}]})");

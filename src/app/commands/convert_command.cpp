@@ -86,7 +86,10 @@ Json json_of(const study::Conversion& conversion, const std::vector<std::string>
   Json losses = Json::array();
   for (const study::Loss& loss : conversion.losses)
     losses.push_back({{"item", loss.item}, {"times", loss.times}, {"change", loss.sentence}});
-  return {{"outputs", outputs}, {"losses", losses}, {"warnings", warning_list_json(conversion.warnings)}};
+  return {{"outputs", outputs},
+          {"losses", losses},
+          {"warnings", warning_list_json(conversion.warnings)},
+          {"changed_rules", warning_list_json(conversion.changed_rules)}};
 }
 
 ExitCode convert_files(const ConvertOptions& options) {
@@ -99,7 +102,7 @@ ExitCode convert_files(const ConvertOptions& options) {
   require_writable(files, {inputs.begin(), inputs.end()}, overwrite_if(options.may_overwrite));
   const study::Conversion conversion = study::convert(
       formats::read_files(inputs), target, options.takes_faults ? study::Faults::berkeley : study::Faults::none);
-  log_warnings(conversion.warnings);
+  log_warnings(joined(conversion.warnings, conversion.changed_rules));
   const bool is_refused = options.is_strict && !conversion.losses.empty();
   std::vector<std::string> outputs;
   for (const study::ConvertedFile& file : conversion.files) {

@@ -228,8 +228,9 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
       options
           .add_option("--trial-limit", chosen.trial_limit,
                       "seconds after which a trial is given up as undecided, which ends the search with the bracket "
-                      "that is known by then (default: none)")
-          ->check(above_zero())};
+                      "that is known by then; 0: none (default: 60, beyond 6,000 unknowns one for each 100; or 10 "
+                      "times the longest trial before, where that is more)")
+          ->check(zero_or_above())};
 }
 
 ExitCode reduce_strength(const ReducedCase& chosen, const ReductionOptions& options) {
@@ -240,11 +241,13 @@ ExitCode reduce_strength(const ReducedCase& chosen, const ReductionOptions& opti
   listen_for_stops();
   study::SearchOptions search{options.from, options.to, options.within.value_or(0.01)};
   search.wants_stop = [] { return stop_signal() != 0 || is_stop_requested(); };
-  TrialWatch watch(options.trial_limit);
+  TrialWatch watch(options.trial_limit, trials.prepared().requirements.unknowns);
   search.on_begin = [&](double factor) { watch.begin(factor); };
   search.why_given_up = [&]() -> std::string {
     if (stop_signal() != 0 || !watch.takes_back_stop()) return {};
-    return fmt::format("given up after {:g} s (--trial-limit)", *options.trial_limit);
+    if (options.trial_limit) return fmt::format("given up after {:g} s (--trial-limit)", *options.trial_limit);
+    return fmt::format("given up after {:.0f} s, the default of --trial-limit: --trial-limit 0 lets it go on",
+                       *watch.limit());
   };
   search.on_trial = [&](const StrengthTrial& trial) {
     watch.end();

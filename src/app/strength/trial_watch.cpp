@@ -12,6 +12,7 @@
 
 #include "app/messages.hpp"
 #include "app/progress.hpp"
+#include "app/strength/trial_limit.hpp"
 #include "base/counted.hpp"
 #include "base/progress/headway.hpp"
 #include "base/stop.hpp"
@@ -21,15 +22,15 @@ namespace {
 
 constexpr double kPatienceWithTrials = 2;
 constexpr double kBetweenLines = 5;  // in a log
-constexpr double kLongTrial = 60;    // after which the limit is told of
+constexpr double kLongTrial = 30;    // after which the limit is told of
 constexpr double kLeastShareOfTrial = 0.02;
 
 }  // namespace
 
-TrialWatch::TrialWatch(std::optional<double> limit_seconds)
-    : limit_(limit_seconds), on_terminal_(isatty(STDERR_FILENO) == 1) {
+TrialWatch::TrialWatch(std::optional<double> asked, int unknowns)
+    : asked_(asked), unknowns_(unknowns), on_terminal_(isatty(STDERR_FILENO) == 1) {
   forget_headway();
-  if (limit_ || shows_progress()) watching_ = std::thread([this] { watch(); });
+  if (!asked || *asked > 0 || shows_progress()) watching_ = std::thread([this] { watch(); });
 }
 
 TrialWatch::~TrialWatch() {
@@ -51,8 +52,9 @@ void TrialWatch::begin(double factor) {
   const std::lock_guard lock(mutex_);
   forget_headway();
   factor_ = factor;
+  limit_ = trial_limit(asked_, unknowns_, longest_);
   begun_ = told_ = Clock::now();
-  is_given_up_ = false;
+  is_given_up_ = was_given_up_ = false;
   wakes_.notify_one();
 }
 
@@ -61,7 +63,9 @@ void TrialWatch::end() {
   if (!factor_) return;
   factor_.reset();
   ++made_;
-  taken_ += seconds_so_far(Clock::now());
+  const double seconds = seconds_so_far(Clock::now());
+  taken_ += seconds;
+  if (!was_given_up_) longest_ = std::max(longest_, seconds);
   if (std::exchange(is_given_up_, false)) forget_stop_request();  // it came to its end in that very moment
   if (line_open_) std::fputs("\r\x1b[K", stderr);
   line_open_ = false;
@@ -71,6 +75,7 @@ bool TrialWatch::takes_back_stop() {
   const std::lock_guard lock(mutex_);
   if (!is_given_up_) return false;
   is_given_up_ = false;
+  was_given_up_ = true;
   forget_stop_request();
   return true;
 }
@@ -89,9 +94,9 @@ void TrialWatch::tell(Clock::time_point now) {
     words += fmt::format("; the {} before took {} in the mean", counted(static_cast<std::size_t>(made_), "trial"),
                          time_in_words(taken_ / made_));
   if (limit_) words += fmt::format("; given up at {}", time_in_words(*limit_));
-  if (!limit_ && !is_hint_told_ && so_far > kLongTrial) {
+  if (!asked_ && !is_hint_told_ && so_far > kLongTrial) {
     is_hint_told_ = true;
-    words += "; --trial-limit SECONDS gives such a trial up, and leaves the bracket as wide as it is known";
+    words += "; --trial-limit SECONDS gives it more or less, 0 no limit";
   }
   std::fputs((on_terminal_ ? "\r\x1b[K" + words : words + "\n").c_str(), stderr);
   std::fflush(stderr);

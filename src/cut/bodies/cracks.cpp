@@ -41,7 +41,9 @@ void require_length(const CrackPlan& crack) {
 
 class CrackedGraph {
  public:
-  explicit CrackedGraph(BodyGraph& graph) : graph_(graph), extent_(extent_of(graph)) {}
+  /// `before`: the cracks that the graph has already.
+  CrackedGraph(BodyGraph& graph, std::span<const CrackPlan> before)
+      : graph_(graph), before_(before), extent_(extent_of(graph)) {}
 
   /// Pieces may cross bodies from side to side: looked at between their crossings with outlines.
   bool holds_some_of(const CrackPlan& crack) const {
@@ -93,15 +95,24 @@ class CrackedGraph {
     }
   }
 
-  static void require_apart(const CrackPlan& crack, const Segment& piece, const Segment& there, const char* what) {
+  void require_apart(const CrackPlan& crack, const Segment& piece, const Segment& there, const char* what) const {
     if (meeting(piece, there) != Meeting::overlapping) return;
     // Ends that touch in one point are no overlap.
     const double a = foot(piece, there.start), b = foot(piece, there.end);
     if (std::min(std::max(a, b), 1.0) - std::max(std::min(a, b), 0.0) <= 0) return;
+    const Point from = as_drawn(there.start), to = as_drawn(there.end);
     throw InputError(crack.place,
                      fmt::format("expected a crack apart from other lines, found it along {} from ({:.9g}, "
                                  "{:.9g}) to ({:.9g}, {:.9g})",
-                                 what, there.start.x, there.start.y, there.end.x, there.end.y));
+                                 what, from.x, from.y, to.x, to.y));
+  }
+
+  // Where the file has an end that `prolonged` moved.
+  Point as_drawn(Point p) const {
+    for (const CrackPlan& crack : before_)
+      for (const Point end : {crack.along.front(), crack.along.back()})
+        if (distance(end, p) <= 2 * kBeyond * extent_) return end;
+    return p;
   }
 
   Point prolonged(Point from, Point end) const {
@@ -120,6 +131,7 @@ class CrackedGraph {
   }
 
   BodyGraph& graph_;
+  std::span<const CrackPlan> before_;
   double extent_;
 };
 
@@ -235,11 +247,12 @@ bool is_in_a_body(const BodyGraph& graph, Point p) {
 }
 
 void add_cracks(std::span<BodyGraph> graphs, std::span<const CrackPlan> cracks, CracksOutside outside) {
-  for (const CrackPlan& crack : cracks) {
+  for (std::size_t c = 0; c < cracks.size(); ++c) {
+    const CrackPlan& crack = cracks[c];
     require_length(crack);
     bool is_there = false;
     for (BodyGraph& graph : graphs) {
-      CrackedGraph cracked(graph);
+      CrackedGraph cracked(graph, cracks.first(c));
       if (!cracked.holds_some_of(crack)) continue;
       cracked.add(crack);
       is_there = true;

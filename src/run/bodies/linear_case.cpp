@@ -62,10 +62,12 @@ Warnings without_effect(const Problem& problem) {
     warnings.push_back({"points_without_effect", place,
                         "fixed and loading points have no effect where contact is ignored or regions are dug out: name "
                         "displacements and forces of `covers` instead"});
-  if (bodies_touch(problem))
+  // Who ignores contact knows.
+  if (problem.covers->contact == CoverContact::felt && bodies_touch(problem))
     warnings.push_back(
         {"contact_without_effect", place,
-         "bodies and the two sides of a joint do not feel each other: contact is ignored, or regions are dug out"});
+         "bodies and the two sides of a joint do not feel each other where regions are dug out by "
+         "`excavations`; `contact`: \"ignored\" says that this is meant, `stages` dig out with contact"});
   return warnings;
 }
 

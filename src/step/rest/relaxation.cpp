@@ -58,8 +58,13 @@ class Relaxation {
     result_.residual = balance.share;
     way_ = std::max(way_, share_of_fall(1, balance.share, of_relaxation::kBalancedAsARule));  // it swings
     tell_headway("dynamic relaxation", way_);
-    if (balance.holds()) stop();
-    return balance.holds();
+    const bool is_enough = balance.holds() || is_near_enough(balance);
+    if (is_enough) stop();
+    return is_enough;
+  }
+
+  bool is_near_enough(const Balance& balance) const {
+    return steps_ > of_relaxation::kPatience && balance.holds_points && balance.share <= of_statics::kBalanceAcceptable;
   }
 
   // What is not at rest where it is: a cycle of contacts, or a motion too slow to go anywhere.

@@ -63,9 +63,7 @@ class Settling {
         motion_.q = plus(motion_.q, -slid / stiffness, moved_);
         break;
       }
-      const double most =
-          systems_ <= of_settled_start::kFewSystems ? of_settled_start::kFarthestOfEasy : of_settled_start::kFarthest;
-      if (moved <= most * scales_.size)
+      if (moved <= of_settled_start::kFarthest * scales_.size)
         stiffness = std::min(of_settled_start::kGrowth * stiffness, of_settled_start::kLongest);
     }
   }
@@ -136,7 +134,6 @@ class Settling {
       found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
       made = smooth_solve(scene_, motion_, loads_, found_.touches, tolerance, -dt, dt, rule, &made);
     }
-    systems_ = made.solves;
     if (!made.converged) {
       ++unsolved_;
       return of_settled_start::kFarthest * scales_.size;
@@ -199,7 +196,6 @@ class Settling {
   Scales scales_;
   FoundTouches found_;
   UnknownsTable moved_;  ///< in the last step; empty where it was not solved
-  int systems_ = 0;      ///< of the last search of the last step
   int unsolved_ = 0;
 };
 

@@ -55,11 +55,29 @@ struct Node {
   }
 };
 
+bool takes(const std::string& name, const std::string& value) {
+  try {
+    require_setting(name, value);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+// A setting that is off or on may be false or true.
+std::string setting_text(const Node& object, const std::string& name) {
+  const Json& value = object.json.at(name);
+  if (value.is_number()) return value.dump();
+  if (value.is_boolean())
+    if (const std::string word = value.get<bool>() ? "on" : "off"; takes(name, word) && !takes(name, value.dump()))
+      return word;
+  return object.at(name).text();
+}
+
 std::vector<Override> overrides_of(const Node& object) {
   object.require_object();
   std::vector<Override> overrides;
-  for (const auto& [name, value] : object.json.items())
-    overrides.emplace_back(name, value.is_number() ? value.dump() : object.at(name).text());
+  for (const auto& [name, value] : object.json.items()) overrides.emplace_back(name, setting_text(object, name));
   return overrides;
 }
 

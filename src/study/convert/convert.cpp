@@ -22,6 +22,7 @@
 #include "formats/text/tokens.hpp"
 #include "formats/views/views.hpp"
 #include "study/convert/berkeley_faults.hpp"
+#include "study/convert/changed_rules.hpp"
 #include "study/convert/derived_geometry.hpp"
 #include "study/convert/dropped_comments.hpp"
 
@@ -55,6 +56,7 @@ void add_to(Content& all, const Content& content, const std::string& file) {
   put(all.motion, content.motion, file, "motion");
   formats::put_units(all.units, content.units, {file});
   put(all.choices, content.choices, file, "run");
+  all.is_own_case = all.is_own_case || content.is_own_case;
   put(all.outputs, content.outputs, file, "set of outputs");
   if (all.layers.rows.empty()) all.layers = content.layers;
   if (!all.stages.empty() && !content.stages.empty())
@@ -217,6 +219,7 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
   for (const formats::FileReading& file : files)
     if (std::optional<Warning> dropped = dropped_comments(file); dropped && !kept.contains(&file.source.text))
       conversion.warnings.push_back(std::move(*dropped));
+  conversion.changed_rules = changed_rules(content, back, {files.front().path});
   const auto left_out = target.parts.front().left_out;
   for (Loss& loss : left_out != nullptr ? losses(content, left_out(content)) : losses(content, back))
     conversion.losses.push_back(std::move(loss));

@@ -40,6 +40,7 @@ struct Conversion {
   formats::ReadHint hint;  ///< what a reader of one of the files alone must be told
   std::vector<Loss> losses;
   Warnings warnings;
+  Warnings changed_rules;  ///< by which a run of what is written goes, though it says the same
 };
 
 enum class Faults { none, berkeley };
