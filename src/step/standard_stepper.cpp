@@ -93,12 +93,11 @@ First resting_first(const StandardScene& scene, Motion motion) {
   }
   report.made = "at rest";
   if (largest_load(scene, loads_at(scene, start.motion.q, 0)) > 0)
-    report.balanced =
-        fmt::format("at t = 0 stresses and contact forces balance the loads{}; start = sudden begins without them",
-                    start.free > 0 ? fmt::format(" but of {}, which nothing holds or which {} a velocity",
-                                                 counted(static_cast<std::size_t>(start.free), "body"),
-                                                 start.free == 1 ? "has" : "have")
-                                   : "");
+    report.balanced = fmt::format(
+        "at t = 0 stresses and contact forces balance the loads{}; start = sudden begins without them",
+        start.sudden > 0
+            ? fmt::format(" but of {}, which start suddenly", counted(static_cast<std::size_t>(start.sudden), "body"))
+            : "");
   return {std::move(start.motion), {}, report};
 }
 

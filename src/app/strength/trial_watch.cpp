@@ -96,7 +96,7 @@ void TrialWatch::tell(Clock::time_point now) {
   if (limit_) words += fmt::format("; given up at {}", time_in_words(*limit_));
   if (!asked_ && !is_hint_told_ && so_far > kLongTrial) {
     is_hint_told_ = true;
-    words += "; --trial-limit SECONDS gives it more or less, 0 no limit";
+    words += "; --trial-limit SECONDS sets another limit, 0 none";
   }
   std::fputs((on_terminal_ ? "\r\x1b[K" + words : words + "\n").c_str(), stderr);
   std::fflush(stderr);

@@ -30,6 +30,8 @@ namespace {
 
 // A correction in single precision leaves this share of what it corrects at best.
 constexpr double kSingle = 1e-4;
+// Of the greatest entry of A: what round-off leaves between two entries that are one.
+constexpr double kSymmetric = 1e-10;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -43,10 +45,10 @@ class Corrections {
   using Block = typename Coarse::Block;
   using Blocks = typename Coarse::Blocks;
 
-  Corrections(const Coarse& of, const std::vector<PairStiffness>& h)
+  Corrections(const Coarse& of, const std::vector<PairStiffness>& h, bool has_symmetric_blocks)
       : of_(of),
         h_(h),
-        is_symmetric_(std::ranges::all_of(h, &PairStiffness::is_symmetric)),
+        is_symmetric_(has_symmetric_blocks && std::ranges::all_of(h, &PairStiffness::is_symmetric)),
         forces_(of.rows.size()),
         inverse_(of.block_count()) {
     using Square = typename Padded<N, float>::Square;
@@ -209,6 +211,9 @@ class KernelOf : public PairSystem::Kernel {
     fine_.sides = SidesOfBlocks(fine_.blocks, count);
     for (const Padded<N>& block : fine_.stiffness)
       stiffest_ = std::max(stiffest_, block.square().diagonal().cwiseAbs().maxCoeff());
+    has_symmetric_blocks_ = std::ranges::all_of(fine_.stiffness, [&](const Padded<N>& block) {
+      return (block.square() - block.square().transpose()).cwiseAbs().maxCoeff() <= kSymmetric * stiffest_;
+    });
   }
 
   Eigen::VectorXd answer(const Eigen::VectorXd& f) const override {
@@ -222,7 +227,7 @@ class KernelOf : public PairSystem::Kernel {
     const std::size_t count = fine_.block_count();
     if (!coarse_) coarse_ = single(fine_, stiffest_);
     const std::vector<PairStiffness> in_units = in_units_of_stiffness(h);
-    Corrections<N> corrections(*coarse_, in_units);
+    Corrections<N> corrections(*coarse_, in_units, has_symmetric_blocks_);
     std::vector<typename Fine::Forces> forces(fine_.rows.size());
     Blocks x = answers_to(start);
     Blocks r(count);
@@ -291,7 +296,8 @@ class KernelOf : public PairSystem::Kernel {
   }
 
   PairOperator<N, double> fine_;
-  double stiffest_ = 0;                                   ///< greatest entry of A
+  double stiffest_ = 0;               ///< greatest entry of A
+  bool has_symmetric_blocks_ = true;  ///< of A: those of rock that flows not normal to its surface are not
   mutable std::optional<PairOperator<N, float>> coarse_;  ///< made for the first solution
 };
 

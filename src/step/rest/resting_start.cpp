@@ -79,7 +79,6 @@ class RestSearch {
     for (ElementIndex e : movable())
       if (is_moving(e) || !hanging_.is_held(e)) free.push_back(e);
     leave_out(free);
-    result_.free = bodies_left_out();
   }
 
   RestingStart run() {
@@ -92,7 +91,9 @@ class RestSearch {
       tell(is_found ? fmt::format("the equilibrium of {} is another place than where it was drawn",
                                   in_words(scene_, {restless.front()}))
                     : why_not(made));
-      leave_out(search < of_resting_start::kMostSearches ? restless : movable());
+      const bool is_last = search == of_resting_start::kMostSearches;
+      tell_of_left_out(is_last ? movable() : restless);
+      leave_out(is_last ? movable() : restless);
     }
     result_.motion = start_;
     return std::move(result_);
@@ -144,9 +145,12 @@ class RestSearch {
     return made.failure.empty() ? "no equilibrium: the contact forces of a search for it do not settle" : made.failure;
   }
 
-  void tell(const std::string& why) {
-    result_.unbalanced += fmt::format("{}{}; this body and what it hangs together with start suddenly",
-                                      result_.unbalanced.empty() ? "" : "; ", why);
+  void tell(const std::string& why) { result_.unbalanced += (result_.unbalanced.empty() ? "" : "; ") + why; }
+  void tell_of_left_out(const std::vector<ElementIndex>& some) {
+    result_.unbalanced +=
+        some.size() == movable().size()
+            ? "; all that was sought starts suddenly"
+            : fmt::format("; {} and what hangs together with it start suddenly", in_words(scene_, some));
   }
 
   /// Greatest way of a vertex over the size of its body, of what each element hangs together with; by the number of
@@ -177,8 +181,7 @@ class RestSearch {
       scene_.load_share = of_resting_start::kSmallShare;
       const StandardStep made = static_step(scene_, still_, 0, of_resting_start::kMostIterations);
       scene_.load_share = 1;
-      if (!made.converged || !made.failure.empty()) return {};
-      small = ways_to(made.motion);
+      if (made.converged && made.failure.empty()) small = ways_to(made.motion);
     }
     std::vector<ElementIndex> away;
     for (const Way& way : ways)
@@ -197,6 +200,7 @@ class RestSearch {
 
   RestingStart found(Motion motion) {
     result_.is_found = true;
+    result_.sudden = bodies_left_out();
     for (const auto& group : scene_.groups) group->put_back(left_, start_, motion);
     motion.v = start_.v;
     const auto is_left = [&](ElementIndex e) { return left_[static_cast<std::size_t>(e.value)]; };

@@ -11,7 +11,7 @@ namespace keyblock {
 struct RestingStart {
   Motion motion;           ///< velocities as at the start
   bool is_found = false;   ///< of some bodies
-  int free = 0;            ///< bodies that no equilibrium was sought of, for they move or nothing holds them
+  int sudden = 0;          ///< bodies without: they move, nothing holds them, or they have no equilibrium
   std::string unbalanced;  ///< which bodies were sought an equilibrium of and have none, and why; empty where all have
 };
 
