@@ -45,6 +45,7 @@ Action configure_element(CLI::App& options);   ///< rock/element_command.cpp
 Action configure_fit(CLI::App& options);       ///< rock/fit_command.cpp
 Action configure_sif(CLI::App& options);       ///< sif_command.cpp
 Action configure_formats(CLI::App& options);   ///< formats_command.cpp
+Action configure_explain(CLI::App& options);   ///< explain_command.cpp
 Action configure_shell(CLI::App& options);     ///< shell/shell_command.cpp
 Action configure_version(CLI::App& options);   ///< version.cpp
 

@@ -32,7 +32,7 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 19> kCommands{{
+constexpr std::array<Command, 20> kCommands{{
     {"new", "writes a commented case to begin one's own from: slope, arch, beam, tunnel or block", configure_new,
      "keyblock new slope\nkeyblock new arch -o my_arch.json"},
     {"check", "says what files are, what they hold, what is odd about them, and what a run costs", configure_check,
@@ -68,6 +68,8 @@ constexpr std::array<Command, 19> kCommands{{
     {"formats", "lists the file formats and how well each is known (also: info)", configure_formats,
      "keyblock formats dxf\nkeyblock formats --schema > keyblock-case.schema.json\nkeyblock formats --materials"},
     {"info", "the same as formats", configure_formats, "keyblock info dxf"},
+    {"explain", "explains a warning or doubt by its code: what it means and what to do", configure_explain,
+     "keyblock explain energy_beyond_limit\nkeyblock explain --json"},
     {"shell", "prints the man page, or a script that completes commands in bash", configure_shell,
      "keyblock shell man > keyblock.1\nkeyblock shell bash > keyblock.bash"},
     {"version", "prints the version, the commit and the compiler of the program", configure_version,

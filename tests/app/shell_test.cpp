@@ -56,7 +56,7 @@ TEST(Shell, slips_are_told_the_nearest_name) {
 
 TEST(Shell, every_command_shows_examples) {
   for (const char* command : {"new", "check", "cut", "joints", "run", "plot", "fos", "compare", "tradeoff", "sweep",
-                              "batch", "convert", "element", "fit", "formats", "shell", "version"}) {
+                              "batch", "convert", "element", "fit", "formats", "explain", "shell", "version"}) {
     const ProgramRun help = run_keyblock({command, "--help"});
     EXPECT_TRUE(contains(help.output, std::string("Examples:\n  keyblock ") + command)) << help.output;
   }
@@ -318,7 +318,7 @@ TEST(Shell, every_list_is_printed_as_json_too) {
   const ProgramRun made = run_keyblock({"new", "block", "-o", folder + "/b.json", "--json"});
   EXPECT_EQ(nlohmann::json::parse(made.output).at("kind"), "block");
   for (const char* command : {"check", "cut", "joints", "run", "plot", "fos", "sif", "compare", "tradeoff", "sweep",
-                              "batch", "convert", "element", "fit", "formats", "new", "version"})
+                              "batch", "convert", "element", "fit", "formats", "explain", "new", "version"})
     EXPECT_TRUE(contains(run_keyblock({command, "--help"}).output, "--json")) << command;
 }
 

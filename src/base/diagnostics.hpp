@@ -1,0 +1,35 @@
+// One table of what the program warns of and doubts: code, level, summary, meaning and remedy.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace keyblock {
+
+enum class DiagnosticLevel {
+  error,    ///< the result is not to be trusted, or the input contradicts itself
+  warning,  ///< the user should act
+  note,     ///< a choice worth knowing
+};
+
+/// A row of the table. `code` is the name of a `Warning`; the other texts are for readers who know mechanics, not the
+/// program.
+struct Diagnostic {
+  std::string_view code;
+  DiagnosticLevel level;
+  std::string_view summary;  ///< one line
+  std::string_view meaning;  ///< what was found, by which measure and limit
+  std::string_view remedy;   ///< what to do
+};
+
+/// All rows, by the alphabet of their codes.
+std::span<const Diagnostic> diagnostics();
+
+/// The row of `code`; nullptr if the table has none.
+const Diagnostic* find_diagnostic(std::string_view code);
+
+/// "error", "warning" or "note".
+std::string_view word_of(DiagnosticLevel level);
+
+}  // namespace keyblock
