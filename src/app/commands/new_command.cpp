@@ -16,6 +16,7 @@
 #include "app/command.hpp"
 #include "app/option_checks.hpp"
 #include "app/templates/case_templates.hpp"
+#include "base/error.hpp"
 #include "job/files.hpp"
 
 namespace keyblock {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/polygon.hpp"
 #include "geometry/polynomial.hpp"
 
 namespace keyblock {
