@@ -10,7 +10,7 @@ PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3
            libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev \
            libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 libyaml-cpp-dev
 
-.PHONY: help build install debug run test cases index fronts validate bench sanitize fuzz format tidy clean packages
+.PHONY: help build install debug run test cases index fronts validate bench bare sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## use | | this list
@@ -85,6 +85,10 @@ debug: packages ## care | long | compiles with assertions and debug information 
 	cmake -S . -B build-debug -G Ninja -DCMAKE_BUILD_TYPE=Debug -DKEYBLOCK_BATCHES=OFF
 	cmake --build build-debug --parallel $(JOBS)
 
+# Root alone can; the first run makes the system with debootstrap, later ones copy it. Its last lines are the exit codes and times.
+bare: ## care | 50 min | runs the two commands of the README on a clone in a minimal Debian, in build-bare
+	tests/bare.sh 'apt-get update && apt-get install -y make && make run' 'apt-get update && apt-get install -y make && make test'
+
 # Debug keeps the assertions; -O1 because unoptimised Eigen is ten times slower.
 sanitize: packages ## care | long | compiles and runs all tests with address and undefined behaviour sanitizers, in build-sanitize
 	cmake -S . -B build-sanitize -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DKEYBLOCK_SANITIZE=ON
@@ -109,7 +113,7 @@ tidy: packages ## care | long | checks all sources with clang-tidy, by .clang-ti
 	clang-tidy --quiet -p build-tidy $(filter %.cpp,$(SOURCES))
 
 clean: ## care | 1 s | removes everything built, and out
-	rm -rf build build-debug build-sanitize build-fuzz build-tidy out
+	rm -rf build build-bare build-debug build-sanitize build-fuzz build-tidy out
 
 packages:
 	@$(call install_missing,$(PACKAGES))
