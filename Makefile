@@ -90,9 +90,10 @@ bare: ## care | 50 min | runs the two commands of the README on a clone in a min
 	tests/bare.sh 'apt-get update && apt-get install -y make && make run' 'apt-get update && apt-get install -y make && make test'
 
 # Debug keeps the assertions; -O1 because unoptimised Eigen is ten times slower.
-sanitize: packages ## care | long | compiles and runs all tests with address and undefined behaviour sanitizers, in build-sanitize
+sanitize: packages ## care | long | compiles with sanitizers in build-sanitize, runs three steps of every case and all tests
 	cmake -S . -B build-sanitize -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DKEYBLOCK_SANITIZE=ON
 	cmake --build build-sanitize --parallel $(JOBS)
+	tests/few_steps.sh build-sanitize/keyblock $(JOBS)
 	ctest --test-dir build-sanitize --output-on-failure -j $(JOBS)
 
 # What a reader has met so far stays in build-fuzz/fuzz, and is where its next run starts.

@@ -158,8 +158,9 @@ constexpr double kLittlePlasticWork = 1e-3;
 
 void add_plastic_work(Warnings& remarks, const RunRecord& record, const Place& place) {
   const LedgerScope& scope = record.outcome.ledger_scope;
-  if (!scope.has_flows || !scope.may_yield || record.ledger.rows().empty()) return;
-  const EnergyFlow& flow = record.ledger.rows().back().flow;
+  const LedgerRow* last = record.ledger.last();
+  if (!scope.has_flows || !scope.may_yield || last == nullptr) return;
+  const EnergyFlow& flow = last->flow;
   if (flow.plastic < kLittlePlasticWork * record.ledger_sums.largest_energy()) return;
   if (!(-flow.algorithmic > kMissedPlasticWork * flow.plastic)) return;
   remarks.push_back(
@@ -176,9 +177,10 @@ constexpr double kTakenByClosing = 0.1;
 
 void add_closing(Warnings& remarks, const Prepared& prepared, const RunRecord& record, const Place& place) {
   const auto is_on_covers = [](const Element& element) { return element.is_on_covers(); };
-  if (!keeps_energy(record) || !record.outcome.ledger_scope.has_flows || record.ledger.rows().empty()) return;
+  const LedgerRow* last = record.ledger.last();
+  if (!keeps_energy(record) || !record.outcome.ledger_scope.has_flows || last == nullptr) return;
   if (std::ranges::none_of(prepared.scene.model.elements, is_on_covers)) return;
-  const EnergyFlow& flow = record.ledger.rows().back().flow;
+  const EnergyFlow& flow = last->flow;
   const double taken = flow.closing + flow.clean_up;
   const double largest = record.ledger_sums.largest_energy();
   if (!(taken > kTakenByClosing * largest)) return;

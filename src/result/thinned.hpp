@@ -37,7 +37,10 @@ class Thinned {
       if (Extremes::values[i](row) > Extremes::values[i](extremes_[i])) extremes_[i] = row;
   }
 
-  /// Those kept, each once, in the order of steps.
+  /// The last row added; none before the first. Valid until the next one.
+  const Row* last() const { return last_.empty() ? nullptr : &last_.back(); }
+
+  /// Those kept, each once, in the order of steps. A new list: references into it end with it.
   std::vector<Row> rows() const {
     std::vector<Row> rows = even_;
     rows.insert(rows.end(), extremes_.begin(), extremes_.end());
