@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/segment.hpp"
 #include "tests/cut/arrangements.hpp"
@@ -51,6 +52,19 @@ TEST(Planarize, a_node_farther_than_the_tolerance_is_passed_by) {
   const Planarized p = planarize(passing(0.11), 0, a_tenth());
   EXPECT_TRUE(p.detours.empty());
   EXPECT_EQ(p.arrangement.edges.size(), 2U);
+}
+
+// Where nearly all nodes lie beside one another, a piece that was followed into every part by itself took 2^n parts.
+TEST(Planarize, a_piece_among_many_nodes_beside_one_another_comes_to_an_end) {
+  std::vector<Point> nodes{{0, 0}, {10, 0}};
+  std::vector<std::pair<int, int>> pieces{{0, 1}};
+  for (int i = 0; i < 60; ++i) {
+    nodes.push_back({5 + 0.05 * std::sin(7.0 * i), 0.09 * std::cos(11.0 * i)});
+    nodes.push_back({5 + 0.05 * std::sin(13.0 * i), 0.09 * std::cos(5.0 * i)});
+    pieces.push_back({2 * i + 2, 2 * i + 3});
+  }
+  const Planarized p = planarize(arrangement_of(nodes, pieces), 0, a_tenth());
+  EXPECT_LT(p.arrangement.edges.size(), 10 * nodes.size() * nodes.size());
 }
 
 TEST(Planarize, boundary_pieces_make_detours_within_round_off_only) {

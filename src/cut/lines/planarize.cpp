@@ -3,6 +3,8 @@
 #include "cut/lines/planarize.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -98,31 +100,39 @@ class Detours {
 
   void make() {
     const std::size_t before = p_.detours.size();
-    for (const Edge& edge : p_.arrangement.edges) settle(edge, {edge.from, edge.to});
+    for (const Edge& edge : p_.arrangement.edges) settle(edge);
     if (p_.detours.size() == before) return;
     drop_doubles(edges_);
     p_.arrangement.edges = std::move(edges_);
   }
 
  private:
-  /// `passed`: the nodes on the way of the piece that this one is part of; it does not turn back to them.
-  void settle(const Edge& edge, std::vector<int> passed) {
+  /// Round by round: all parts of the piece are led through the nodes beside them, and none turns back to a node that
+  /// any part passed in a round before. Parts with the same ends are one: there are no more than pairs of nodes.
+  void settle(const Edge& edge) {
     const double reach = edge.line < boundary_count_ ? tolerances_.round_off : tolerances_.near_pass;
-    std::vector<Via> vias = nodes_.beside(p_.arrangement, edge, reach);
-    std::erase_if(vias,
-                  [&](const Via& via) { return std::find(passed.begin(), passed.end(), via.node) != passed.end(); });
-    if (vias.empty()) {
-      edges_.push_back(edge);
-      return;
+    std::set<int> passed{edge.from, edge.to};
+    for (std::vector<Edge> parts{edge}; !parts.empty();) {
+      std::vector<Edge> next;
+      std::vector<int> met;
+      for (const Edge& part : parts) {
+        std::vector<Via> vias = nodes_.beside(p_.arrangement, part, reach);
+        std::erase_if(vias, [&](const Via& via) { return passed.contains(via.node); });
+        if (vias.empty()) {
+          edges_.push_back(part);
+          continue;
+        }
+        const Segment piece = segment_of(p_.arrangement, part);
+        for (const Via& via : vias) {
+          p_.detours.push_back({part.line, via.node, point_at(piece, via.t)});
+          met.push_back(via.node);
+        }
+        add_chain(next, part, std::move(vias));
+      }
+      passed.insert(met.begin(), met.end());
+      drop_doubles(next);
+      parts = std::move(next);
     }
-    const Segment piece = segment_of(p_.arrangement, edge);
-    for (const Via& via : vias) {
-      p_.detours.push_back({edge.line, via.node, point_at(piece, via.t)});
-      passed.push_back(via.node);
-    }
-    std::vector<Edge> chain;
-    add_chain(chain, edge, std::move(vias));
-    for (const Edge& part : chain) settle(part, passed);
   }
 
   Planarized& p_;
@@ -139,6 +149,13 @@ bool cross_each_other(const Arrangement& a, const Edge& e, const Edge& f) {
   return meeting(segment_of(a, e), segment_of(a, f)) == Meeting::crossing;
 }
 
+/// Where a piece crosses another, from 0 to 1. Of pieces almost along each other the quotient alone may be no number.
+double place_of_crossing(const Segment& piece, const Segment& other) {
+  Station place = station(piece, other);
+  if (!std::isfinite(place.value) || !std::isfinite(place.error)) place = exact_station(piece, other);
+  return std::clamp(place.value, 0.0, 1.0);
+}
+
 /// One round of crossings; says whether there were any.
 bool split_crossings(Planarized& p) {
   Arrangement& a = p.arrangement;
@@ -152,11 +169,11 @@ bool split_crossings(Planarized& p) {
     for (const int j : grid.near(pieces[i], static_cast<int>(pieces.size()))) {
       const bool is_second_look = j <= i && !a.edges[j].is_on_line;
       if (is_second_look || !cross_each_other(a, a.edges[i], a.edges[j])) continue;
-      const double t = station(pieces[i], pieces[j]).value;
+      const double t = place_of_crossing(pieces[i], pieces[j]);
       const int node = static_cast<int>(a.nodes.size());
       a.nodes.push_back({point_at(pieces[i], t), false});
       vias[i].push_back({t, node});
-      vias[j].push_back({station(pieces[j], pieces[i]).value, node});
+      vias[j].push_back({place_of_crossing(pieces[j], pieces[i]), node});
     }
   }
   if (a.nodes.size() == before) return false;
