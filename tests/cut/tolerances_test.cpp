@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include "base/error.hpp"
 #include "tests/cut/drawings.hpp"
 
 namespace keyblock::tolerances_test {
@@ -25,6 +28,42 @@ TEST(Tolerances, without_a_ratio_the_arrangement_is_exact) {
   EXPECT_EQ(exact.round_off, 0);
   EXPECT_GT(exact.inset, 0) << "fixed points stand inside the edge all the same";
   EXPECT_TRUE(cut_tolerances(Drawing{}).is_exact());
+}
+
+namespace {
+
+/// A square of 10 m cut by joints every metre, with the last line's start at `start`.
+Drawing jointed_square(Point start) {
+  std::vector<Segment> lines = rectangle_sides({0, 0}, {10, 10});
+  for (int i = 1; i < 10; ++i) lines.push_back({{1.0 * i, 0}, {1.0 * i, 10}});
+  lines.push_back({start, {10, 5}});
+  return drawing_of(lines, 0.001);
+}
+
+std::string refusal(const Drawing& drawing) {
+  try {
+    require_small_merging(drawing, cut_tolerances(drawing));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST(Tolerances, a_line_that_reaches_a_hundred_times_too_far_is_named) {
+  for (const Point p : {Point{0, 5000}, Point{-5000, 5}, Point{0, 5e5}, Point{5e7, -5e7}})
+    EXPECT_TRUE(refusal(jointed_square(p)).starts_with("drawing:14: error: ")) << p.x << ", " << p.y;
+  EXPECT_EQ(refusal(jointed_square({0, 5})), "");
+  EXPECT_EQ(refusal(jointed_square({0, 50})), "") << "the merging distance is 3 % of a line";
+}
+
+TEST(Tolerances, lines_shorter_than_the_merging_distance_are_refused_whatever_reaches_farthest) {
+  std::vector<Segment> lines = rectangle_sides({0, 0}, {1000, 1000});
+  for (int i = 0; i < 10; ++i) lines.push_back({{500.0 + i, 500}, {500.5 + i, 500}});
+  EXPECT_NE(refusal(drawing_of(lines, 0.001)), "");
+  EXPECT_EQ(refusal(drawing_of(lines, 0.0001)), "");
+  EXPECT_EQ(refusal(drawing_of(lines, 0)), "") << "nothing is merged";
 }
 
 TEST(Tolerances, far_from_the_origin_round_off_grows_with_the_coordinates) {

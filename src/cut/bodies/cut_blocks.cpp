@@ -45,6 +45,7 @@ class Cutting {
       : drawing_(drawing), merging_(merging), near_pieces_(near_pieces), loose_ends_(loose_ends) {
     lines_ = used_lines();
     result_.report.tolerances = cut_tolerances(drawing);
+    require_small_merging(drawing, tolerances());
     result_.report.lines = static_cast<int>(lines_.segments.size());
     result_.blocks.place = drawing.place;
     is_dangling_.assign(lines_.segments.size(), 0);

@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/tolerances.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
 
+#include "base/error.hpp"
 #include "geometry/box.hpp"
 
 namespace keyblock {
@@ -18,7 +24,47 @@ Box bounding_box(const std::vector<JointLine>& lines) {
   return box;
 }
 
+// A slip in one coordinate makes the drawing, and with it the merging distance, a hundred times as large.
+constexpr double kFarReach = 20;
+constexpr double kSmallShare = 1.0 / 20;
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 }  // namespace
+
+void require_small_merging(const Drawing& drawing, const CutTolerances& tolerances) {
+  std::vector<double> lengths, x, y, reaches;
+  std::vector<const JointLine*> lines;
+  for (const JointLine& line : drawing.joints) {
+    const Segment& s = line.segment;
+    if (s.start == s.end) continue;
+    lines.push_back(&line);
+    lengths.push_back(distance(s.start, s.end));
+    x.insert(x.end(), {s.start.x, s.end.x});
+    y.insert(y.end(), {s.start.y, s.end.y});
+  }
+  if (lines.empty() || tolerances.is_exact()) return;
+  const Point middle{median(x), median(y)};
+  for (const JointLine* line : lines)
+    reaches.push_back(std::max(distance(middle, line->segment.start), distance(middle, line->segment.end)));
+  const auto farthest = std::ranges::max_element(reaches);
+  const double length = median(lengths);
+  const bool is_alone = *farthest > kFarReach * median(reaches);
+  if (tolerances.merge < length * (is_alone ? kSmallShare : 1)) return;
+  const JointLine& line = *lines[static_cast<std::size_t>(farthest - reaches.begin())];
+  const auto& [start, end] = line.segment;
+  throw InputError(
+      line.place,
+      fmt::format(
+          "expected points nearer than {:.3g} to one another to be few, because they become one, found lines of "
+          "{:.3g} in the median. The line from ({:.9g}, {:.9g}) to ({:.9g}, {:.9g}) reaches farthest: correct "
+          "it, or give a smaller edge_node_ratio than {:g}",
+          tolerances.merge, length, start.x, start.y, end.x, end.y, drawing.edge_node_ratio));
+}
 
 CutTolerances cut_tolerances(const Drawing& drawing) {
   if (drawing.joints.empty()) return {};
