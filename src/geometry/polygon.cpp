@@ -3,14 +3,100 @@
 #include "geometry/polygon.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "geometry/box_tree.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/segment.hpp"
 
 namespace keyblock {
 namespace {
 
 bool is_between(double a, double b, double value) {
   return std::min(a, b) <= value && value <= std::max(a, b);
+}
+
+/// An edge with its neighbours in the chain, edges without length left out.
+struct ChainEdge {
+  LoopEdge name;
+  Segment line;
+  Point before;  ///< the corner before the start
+  std::size_t next = 0;
+};
+
+std::vector<ChainEdge> chain_edges(std::span<const std::vector<Point>> loops) {
+  std::vector<ChainEdge> edges;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    const std::vector<Point>& loop = loops[l];
+    const std::size_t first = edges.size();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Segment line{loop[i], loop[i + 1 == loop.size() ? 0 : i + 1]};
+      if (line.start != line.end) edges.push_back({{l, i}, line, {}, edges.size() + 1});
+    }
+    if (edges.size() == first) continue;
+    edges.back().next = first;
+    for (std::size_t k = first; k < edges.size(); ++k) edges[edges[k].next].before = edges[k].line.start;
+  }
+  return edges;
+}
+
+/// On which side of a chain p → at → n a point lies: 1 to the left, -1 to the right, 0 on it.
+int side_of_chain(Point p, Point at, Point n, Point q) {
+  const int first = orientation(p, at, q);
+  const int second = orientation(at, n, q);
+  const int bend = orientation(p, at, n);
+  if (bend == 0 && agreement(p, at, at, n) < 0) return 0;  // there and back
+  if (bend >= 0) return first > 0 && second > 0 ? 1 : first < 0 || second < 0 ? -1 : 0;
+  return first > 0 || second > 0 ? 1 : first < 0 && second < 0 ? -1 : 0;
+}
+
+/// Whether the chain through the start of `b` passes from one side of the chain through that point of `a` to the other.
+bool crosses_at_start(const ChainEdge& a, const ChainEdge& b) {
+  const Point at = b.line.start;
+  if (at == a.line.end || orientation(a.line.start, a.line.end, at) != 0) return false;
+  if (agreement(a.line.start, at, at, a.line.end) < 0) return false;  // beyond the edge
+  const Point before = at == a.line.start ? a.before : a.line.start;
+  return side_of_chain(before, at, a.line.end, b.before) * side_of_chain(before, at, a.line.end, b.line.end) < 0;
+}
+
+bool runs_along(const Segment& a, const Segment& b) {
+  if (orientation(a.start, a.end, b.start) != 0 || orientation(a.start, a.end, b.end) != 0) return false;
+  return agreement(a.start, a.end, b.start, b.end) > 0 && agreement(a.start, a.end, b.start, a.end) > 0 &&
+         agreement(a.start, a.end, a.start, b.end) > 0;
+}
+
+/// Where two edges that are no neighbours cross.
+std::optional<Point> crossing_of(const ChainEdge& a, const ChainEdge& b) {
+  if (crosses_at_start(a, b)) return b.line.start;
+  if (crosses_at_start(b, a)) return a.line.start;
+  if (runs_along(a.line, b.line))
+    return agreement(a.line.start, a.line.end, a.line.start, b.line.start) > 0 ? b.line.start : a.line.start;
+  const auto parts = [](const Segment& s, const Segment& t) {
+    return orientation(s.start, s.end, t.start) * orientation(s.start, s.end, t.end) < 0;
+  };
+  if (!parts(a.line, b.line) || !parts(b.line, a.line)) return std::nullopt;
+  return point_at(a.line, std::clamp(exact_station(a.line, b.line).value, 0.0, 1.0));
+}
+
+double mean_width(std::span<const Point> loop) {
+  double around = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) around += distance(loop[i], loop[i + 1 == loop.size() ? 0 : i + 1]);
+  return around > 0 ? 2 * std::fabs(area(loop)) / around : 0;
+}
+
+/// Whether a crossing is more than the rounding of coordinates.
+bool is_wide(const std::vector<ChainEdge>& edges, std::size_t one, std::size_t other, Point at, double least) {
+  const ChainEdge& a = edges[one];
+  const ChainEdge& b = edges[other];
+  if (a.name.loop != b.name.loop)
+    return std::min({distance(a.line, b.line.start), distance(a.line, b.line.end), distance(b.line, a.line.start),
+                     distance(b.line, a.line.end)}) > least;
+  const auto part = [&](std::size_t from, std::size_t to) {
+    std::vector<Point> loop{at};
+    for (std::size_t k = from; k != to; k = edges[k].next) loop.push_back(edges[k].line.end);
+    return mean_width(loop);
+  };
+  return std::min(part(one, other), part(other, one)) > least;
 }
 
 }  // namespace
@@ -72,6 +158,25 @@ std::optional<Point> point_inside(std::span<const std::vector<Point>> loops) {
   std::ranges::sort(crossings);
   if (crossings.size() < 2 || crossings[0] == crossings[1]) return std::nullopt;
   return Point{(crossings[0] + crossings[1]) / 2, y};
+}
+
+std::optional<EdgeCrossing> first_crossing(std::span<const std::vector<Point>> loops, double least) {
+  const std::vector<ChainEdge> edges = chain_edges(loops);
+  std::vector<Box> boxes(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    boxes[i].add(edges[i].line.start);
+    boxes[i].add(edges[i].line.end);
+  }
+  std::optional<EdgeCrossing> found;
+  visit_touching(boxes, 0, [&](int i, int j) {
+    const auto one = static_cast<std::size_t>(i);
+    const auto other = static_cast<std::size_t>(j);
+    if (edges[one].next == other || edges[other].next == one) return true;
+    const auto at = crossing_of(edges[one], edges[other]);
+    if (at && is_wide(edges, one, other, *at, least)) found = EdgeCrossing{edges[one].name, edges[other].name, *at};
+    return !found;
+  });
+  return found;
 }
 
 std::vector<Point> part_left_of(const std::vector<Point>& polygon, Point start, Point end) {

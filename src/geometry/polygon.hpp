@@ -26,6 +26,23 @@ Side side(std::span<const Point> loop, Point p);
 /// highest gap between their vertices. Nothing where they enclose nothing there.
 std::optional<Point> point_inside(std::span<const std::vector<Point>> loops);
 
+/// An edge of one of several closed chains: from its corner `edge` (from 0) to the next.
+struct LoopEdge {
+  std::size_t loop = 0;
+  std::size_t edge = 0;
+};
+
+struct EdgeCrossing {
+  LoopEdge one;
+  LoopEdge other;
+  Point at;
+};
+
+/// The first two edges in which closed chains cross themselves or one another, or run along each other in the same
+/// direction. Chains may touch. A loop that a crossing leaves with a mean width below `least`, or an edge that reaches
+/// less than that across, is taken as rounding and passed over.
+std::optional<EdgeCrossing> first_crossing(std::span<const std::vector<Point>> loops, double least);
+
 /// The part of a convex polygon that lies to the left of the line from `start` to `end` (Sutherland & Hodgman 1974).
 std::vector<Point> part_left_of(const std::vector<Point>& polygon, Point start, Point end);
 

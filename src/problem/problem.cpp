@@ -150,6 +150,8 @@ class Checker {
   Checked check() {
     fail(immeasurable(checked_.problem));
     if (!checked_.errors.empty()) return std::move(checked_);
+    fail(crossed_outlines(checked_.problem.stages));
+    if (checked_.problem.covers) fail(crossed_outlines(*checked_.problem.covers));
     std::visit([this](auto& geometry) { look_at(geometry); }, checked_.problem.geometry);
     if (checked_.problem.analysis && checked_.problem.motion) take_motion();
     return std::move(checked_);
@@ -185,6 +187,8 @@ class Checker {
     warn(zero_length_bolts(blocks));
     std::erase_if(blocks.bolts, [](const BlockBolt& bolt) { return is_point(bolt.segment); });
     if (!checked_.problem.covers) warn(no_fixed_points(blocks.fixed_points.size(), blocks.place));
+    fail(crossed_outlines(blocks));
+    if (!checked_.errors.empty()) return;
     fail(impossible_blocks(blocks));
     fail(misplaced_holes(blocks));
     if (checked_.errors.empty()) warn(shared_ground(blocks));
@@ -196,7 +200,8 @@ class Checker {
 
   void look_at(Cover& cover) {
     warn(no_fixed_points(cover.fixed_points.size(), cover.place));
-    for (InputError& error : impossible_elements(cover)) checked_.errors.push_back(std::move(error));
+    fail(crossed_outlines(cover));
+    if (checked_.errors.empty()) fail(impossible_elements(cover));
     if (!checked_.problem.analysis) return;
     clamp_materials(cover, *checked_.problem.analysis);
     warn(curves_and_points(*checked_.problem.analysis, cover.loading_points.size(), cover.place));

@@ -9,17 +9,53 @@
 #include <optional>
 
 #include "base/counted.hpp"
+#include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/shared_area.hpp"
 
 namespace keyblock {
 namespace {
 
-constexpr double kShared = 1e-2;  // of the smaller block
+constexpr double kShared = 1e-2;   // of the smaller block
+constexpr double kRounded = 1e-4;  // of the extent of an outline
+
 Loops loops_of(const BlockPolygon& block) {
   Loops loops = {points_of(block.outer)};
   for (const BlockLoop& hole : block.holes) loops.push_back(points_of(hole));
   return loops;
+}
+
+std::string edge_words(const Loops& loops, const LoopEdge& edge) {
+  const std::vector<Point>& loop = loops[edge.loop];
+  const Point from = loop[edge.edge];
+  const Point to = loop[edge.edge + 1 == loop.size() ? 0 : edge.edge + 1];
+  return fmt::format("edge {}{} from ({:.9g}, {:.9g}) to ({:.9g}, {:.9g})", edge.edge + 1,
+                     edge.loop == 0 ? "" : fmt::format(" of hole {}", edge.loop), from.x, from.y, to.x, to.y);
+}
+
+/// The number, from 1, of a hole that holds a point of hole `h`, or all of it, earlier ones if they are the same; 0 for
+/// none.
+std::size_t hole_around(const BlockPolygon& block, std::size_t h) {
+  const std::vector<Point> hole = points_of(block.holes[h]);
+  for (std::size_t k = 0; k < block.holes.size(); ++k) {
+    if (k == h) continue;
+    const std::vector<Point> other = points_of(block.holes[k]);
+    const auto is_inside = [&](Point p) { return side(other, p) == Side::inside; };
+    const auto is_on = [&](Point p) { return side(other, p) == Side::on_edge; };
+    if (std::ranges::any_of(hole, is_inside) || (k < h && std::ranges::all_of(hole, is_on))) return k + 1;
+  }
+  return 0;
+}
+
+void add_crossing(std::vector<InputError>& errors, const Loops& loops, const Place& place, const std::string& whose) {
+  Box box;
+  for (const std::vector<Point>& loop : loops)
+    for (const Point p : loop) box.add(p);
+  const auto found = first_crossing(loops, kRounded * std::max(box.size().x, box.size().y));
+  if (!found) return;
+  errors.emplace_back(
+      place, fmt::format("expected edges of {} that do not cross, found {} across {} at ({:.6g}, {:.6g})", whose,
+                         edge_words(loops, found->one), edge_words(loops, found->other), found->at.x, found->at.y));
 }
 
 }  // namespace
@@ -50,6 +86,43 @@ Warnings shared_ground(const Blocks& blocks) {
                        found.second + 1, found.first + 1, 100 * found.share, others)}};
 }
 
+std::vector<InputError> crossed_outlines(const Blocks& blocks) {
+  std::vector<InputError> errors;
+  for (std::size_t i = 0; i < blocks.blocks.size(); ++i)
+    add_crossing(errors, loops_of(blocks.blocks[i]), place_of(blocks.blocks[i], blocks),
+                 fmt::format("block {} of {}", i + 1, blocks.blocks.size()));
+  return errors;
+}
+
+std::vector<InputError> crossed_outlines(const Cover& cover) {
+  std::vector<InputError> errors;
+  for (std::size_t i = 0; i < cover.elements.size(); ++i) {
+    const CoverElement& element = cover.elements[i];
+    const std::span<const Point> corners = cover.polygon(element);
+    if (corners.size() < 4) continue;  // edges of a triangle do not cross
+    add_crossing(errors, {{corners.begin(), corners.end()}}, element.place.line > 0 ? element.place : cover.place,
+                 fmt::format("element {} of {}", i + 1, cover.elements.size()));
+  }
+  for (std::size_t i = 0; i < cover.loops.size(); ++i)
+    add_crossing(errors, {cover.corners(cover.loops[i])}, cover.place,
+                 fmt::format("loop {} of {}", i + 1, cover.loops.size()));
+  return errors;
+}
+
+std::vector<InputError> crossed_outlines(const std::vector<Stage>& stages) {
+  std::vector<InputError> errors;
+  for (const Stage& stage : stages)
+    for (const StageExcavation& dug : stage.excavations)
+      add_crossing(errors, {dug.outline}, dug.place, "the excavation");
+  return errors;
+}
+
+std::vector<InputError> crossed_outlines(const CoverPlan& plan) {
+  std::vector<InputError> errors;
+  for (const ExcavationPlan& dug : plan.excavations) add_crossing(errors, {dug.outline}, dug.place, "the excavation");
+  return errors;
+}
+
 std::vector<InputError> misplaced_holes(const Blocks& blocks) {
   std::vector<InputError> errors;
   for (std::size_t i = 0; i < blocks.blocks.size(); ++i) {
@@ -67,6 +140,10 @@ std::vector<InputError> misplaced_holes(const Blocks& blocks) {
         errors.emplace_back(place_of(block, blocks),
                             fmt::format("expected hole {} of block {} clockwise with an area, found area {:.9g}", h + 1,
                                         i + 1, area(hole)));
+      else if (const std::size_t k = hole_around(block, h); k > 0)
+        errors.emplace_back(place_of(block, blocks), fmt::format("expected holes of block {} beside one another, found "
+                                                                 "hole {} in hole {}",
+                                                                 i + 1, h + 1, k));
     }
   }
   return errors;

@@ -1,4 +1,4 @@
-// Blocks that a file puts where others are, and holes that it puts outside their blocks.
+// Blocks that a file puts where others are, outlines that cross themselves, and holes outside their blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,6 +6,9 @@
 
 #include "base/error.hpp"
 #include "problem/blocks.hpp"
+#include "problem/cover.hpp"
+#include "problem/cover_plan.hpp"
+#include "problem/stage.hpp"
 
 namespace keyblock {
 
@@ -14,7 +17,15 @@ namespace keyblock {
 /// less.
 Warnings shared_ground(const Blocks& blocks);
 
-/// Holes that do not lie within their outer loop, or turn as it does: areas and centroids would be wrong.
+/// Outlines that cross themselves or a hole, one error a block (an element, a loop, an excavation) that names the two
+/// edges: areas and centroids would be wrong. Crossings narrower than 1e-4 of the size are rounding.
+std::vector<InputError> crossed_outlines(const Blocks& blocks);
+std::vector<InputError> crossed_outlines(const Cover& cover);
+std::vector<InputError> crossed_outlines(const std::vector<Stage>& stages);
+std::vector<InputError> crossed_outlines(const CoverPlan& plan);
+
+/// Holes that do not lie within their outer loop, or lie in another hole, or turn as the outer loop does: areas and
+/// centroids would be wrong.
 std::vector<InputError> misplaced_holes(const Blocks& blocks);
 
 /// Where the file speaks of it, else the file.

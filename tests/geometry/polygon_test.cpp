@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
 #include <vector>
 
 namespace keyblock::polygon_test {
@@ -54,6 +56,53 @@ TEST(Polygon, edges_and_vertices_are_neither_inside_nor_outside) {
     EXPECT_EQ(side(kEll, p), Side::on_edge) << p.x << " " << p.y;
     EXPECT_EQ(side(std::vector<Point>(kEll.rbegin(), kEll.rend()), p), Side::on_edge);
   }
+}
+
+namespace {
+
+std::string crossing_words(const std::vector<std::vector<Point>>& loops, double least = 1e-4) {
+  const auto found = first_crossing(loops, least);
+  if (!found) return "";
+  return std::to_string(found->one.loop) + ":" + std::to_string(found->one.edge) + " " +
+         std::to_string(found->other.loop) + ":" + std::to_string(found->other.edge);
+}
+
+std::vector<Point> turned(std::vector<Point> loop, double angle, Point by) {
+  for (Point& p : loop)
+    p = by + Point{std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
+  return loop;
+}
+
+}  // namespace
+
+TEST(Polygon, chains_that_cross_themselves_are_found_however_they_are_turned) {
+  const std::vector<std::vector<Point>> crossed = {
+      {{1, 0}, {2, 1}, {2, 0}, {1, 1.5}},                                  // in the middle of two edges
+      {{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}},                    // a figure of eight through a corner
+      {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}},    // twice around
+      {{0, 0}, {4, 0}, {4, 2}, {1, 2}, {1, -1}, {3, -1}, {3, 4}, {0, 4}},  // over itself
+  };
+  for (std::size_t i = 0; i < crossed.size(); ++i)
+    for (const double angle : {0.0, 0.3, 1.0, 2.5})
+      for (const Point by : {Point{0, 0}, Point{1e5, -3e4}})
+        EXPECT_NE(crossing_words({turned(crossed[i], angle, by)}), "") << i << " turned by " << angle;
+}
+
+TEST(Polygon, chains_that_touch_themselves_or_are_rounded_do_not_cross) {
+  EXPECT_EQ(crossing_words({kEll}), "");
+  EXPECT_EQ(crossing_words({{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 0}, {1, 4}, {0, 4}}}), "") << "a corner on an edge";
+  EXPECT_EQ(crossing_words({{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}}), "0:0 0:3") << "it passes through";
+  EXPECT_EQ(crossing_words({{{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}}), "") << "it turns back at the corner";
+  EXPECT_EQ(crossing_words({{{0, 0}, {4, 0}, {4, 4}, {1, 3}, {1, 1}, {3, 2}, {1, 3}, {4, 4}, {0, 4}}}), "")
+      << "a hole on a line of no width";
+  EXPECT_EQ(crossing_words({{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, -1e-6}, {1, 4}, {0, 4}}}), "") << "round-off";
+}
+
+TEST(Polygon, edges_of_two_chains_that_cross_are_found) {
+  const std::vector<Point> square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  EXPECT_EQ(crossing_words({square, {{1, 1}, {1, 2}, {2, 2}, {2, 1}}}), "");
+  EXPECT_EQ(crossing_words({square, {{1, 1}, {1, 2}, {5, 2}, {2, 1}}}), "0:1 1:1");
+  EXPECT_EQ(crossing_words({square, {{1, 0}, {1, 2}, {2, 2}, {2, 0}}}), "") << "along an edge of the outer chain";
 }
 
 TEST(Polygon, an_inner_point_avoids_the_holes) {

@@ -48,6 +48,48 @@ TEST(SharedGround, of_very_many_pairs_a_thousand_are_counted) {
   EXPECT_NE(sentence.find("so do at least 999 other pairs"), std::string::npos) << sentence;
 }
 
+namespace {
+
+BlockPolygon polygon(const std::vector<Point>& corners) {
+  BlockPolygon block;
+  for (const Point p : corners) block.outer.push_back({p, 0});
+  return block;
+}
+
+}  // namespace
+
+TEST(SharedGround, an_outline_that_crosses_itself_is_refused_with_its_two_edges) {
+  BlockPolygon block = polygon({{1, 0}, {2, 1}, {2, 0}, {1, 1.5}});
+  block.place = {"b", 4, 3};
+  const auto errors = crossed_outlines(of({rectangle({0, -1}, {4, 0}), block}));
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_STREQ(errors.front().what(),
+               "b:4:3: error: expected edges of block 2 of 2 that do not cross, found edge 1 from (1, 0) to (2, 1) "
+               "across edge 3 from (2, 0) to (1, 1.5) at (1.6, 0.6)");
+  BlockPolygon with_hole = rectangle({0, 0}, {4, 4});
+  with_hole.holes = {polygon({{1, 1}, {2, 2}, {2, 1}, {1, 2}}).outer};
+  const auto of_hole = crossed_outlines(of({with_hole}));
+  ASSERT_EQ(of_hole.size(), 1U);
+  EXPECT_NE(std::string(of_hole.front().what()).find("edge 1 of hole 1 from (1, 1) to (2, 2) across edge 3 of hole 1"),
+            std::string::npos)
+      << of_hole.front().what();
+}
+
+TEST(SharedGround, of_holes_in_one_place_the_second_is_refused) {
+  BlockPolygon block = rectangle({0, 0}, {9, 9});
+  const auto hole = [](Point low, Point high) {
+    BlockLoop loop = rectangle(low, high).outer;
+    std::ranges::reverse(loop);
+    return loop;
+  };
+  block.holes = {hole({1, 1}, {3, 3}), hole({4, 4}, {6, 6})};
+  EXPECT_TRUE(misplaced_holes(of({block})).empty());
+  for (const BlockLoop& other : {hole({1, 1}, {3, 3}), hole({1.5, 1.5}, {2, 2}), hole({0.5, 0.5}, {3.5, 3.5})}) {
+    block.holes[1] = other;
+    EXPECT_EQ(misplaced_holes(of({block})).size(), 1U);
+  }
+}
+
 TEST(SharedGround, a_hole_lies_in_its_block_and_turns_the_other_way) {
   const auto with_hole = [](BlockLoop hole) {
     BlockPolygon block = rectangle({0, 0}, {4, 4});
