@@ -28,6 +28,9 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
     {"sunk_beyond_limit", error, "Blocks lie too deep in one another",
      "The depth or the common area of two blocks exceeds the setting penetration_limit.",
      "Use a smaller time_step or stiffer contacts."},
+    {"tables_large", warning, "Tables will be large",
+     "The tables of histories and measured points will take more than 100 MB, by the number of steps.",
+     "Follow fewer points, or make fewer steps."},
 });
 
 }  // namespace

@@ -120,6 +120,7 @@ void RunFolder::begin(const std::string& checkpoint) {
     files_.remove_earlier();
   else
     files_.require_free();
+  remove_drafts(folder_);  // those of a run that was killed: no other run writes here
   if (!checkpoint.empty()) write_durably(checkpoint_in(folder_), checkpoint, Overwrite::no);
   const bool made_frames = fs::create_directory(folder_ / kFrameFolder, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", (folder_ / kFrameFolder).string()));
@@ -136,14 +137,14 @@ void RunFolder::take_back() {
   if (made_folder_) fs::remove(folder_, error);
 }
 
-void RunFolder::drop_what_followed(int last_step) {
+void RunFolder::drop_what_followed() {
   std::error_code error;
   fs::remove(folder_ / kRecord, error);  // where it stands the run is over; the other results are written again
   FrameFiles::remove_others(folder_, frame_files_.paths());
   remove_drafts(folder_);
   fs::create_directory(folder_ / kFrameFolder, error);
-  frame_tables_.keep_steps(frame_files_.steps());
-  histories_.keep_until(last_step);
+  frame_tables_.drop_what_followed();
+  histories_.drop_what_followed();
 }
 
 void RunFolder::flush_frames() {
@@ -170,6 +171,8 @@ void RunFolder::describe(Archive& archive) {
   frame_files_.describe(archive);
   archive.list("frames", frames_, [&](Frame& frame) { keyblock::describe(archive, frame); });
   frame_tables_.describe(archive);
+  if (!archive.is_restoring()) flush_histories();
+  archive.group("histories", [&] { histories_.describe(archive); });
   if (!archive.is_restoring()) return;
   if (frames_.empty()) archive.refuse("frames", "expected the first frame, found none");
   frame_files_.require_unchanged(archive);

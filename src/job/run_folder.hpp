@@ -68,12 +68,11 @@ class RunFolder {
   /// What `begin` made and the frames since, for a run whose input turns out to be unusable.
   void take_back();
 
-  /// What is known of the frames. Throws InputError where one that was written is gone or is another.
+  /// What is known of frames and growing tables. Throws InputError if one that was written is gone or is another.
   void describe(Archive& archive);
 
-  /// Removes what an interrupted run left beyond its checkpoint, which was written after `last_step`, and nothing that
-  /// is not a run's.
-  void drop_what_followed(int last_step);
+  /// Removes what an interrupted run left beyond its checkpoint, and nothing that is not a run's.
+  void drop_what_followed();
 
   bool has_frames() const { return !frame_files_.is_empty(); }
 

@@ -77,7 +77,7 @@ RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, R
   record_.steps = StepRows(stride);
   record_.ledger = LedgerRows(stride);
   choose_outputs();
-  record_.warnings = joined(record_.warnings, followed_.of_distant_pairs());
+  record_.warnings = joined(joined(record_.warnings, followed_.of_distant_pairs()), large_tables());
 }
 
 void RunJob::choose_outputs() {
@@ -98,6 +98,24 @@ void RunJob::follow(const Stepper& stepper) {
   if (step % stride_of(last) == 0 || step == last) folder_.add_histories(followed_.rows(stepper, joints_));
 }
 
+// Tables that grow with each history and each measured point. They are told of before the run, which may be long.
+Warnings RunJob::large_tables() const {
+  constexpr double kMegabyte = 1e6;
+  constexpr double kLarge = 100;         // megabytes
+  constexpr double kBytesOfPoint = 170;  // of one instant, in history.csv and points.csv
+  const int steps = prepared_.scene.settings.step_count;
+  const double points = static_cast<double>(prepared_.scene.model.measured_points.size());
+  const double of_points = points * kBytesOfPoint * (1.0 + steps) / kMegabyte;
+  const double of_histories = followed_.bytes_of_row() * (1.0 + steps / stride_of(steps)) / kMegabyte;
+  if (of_points + of_histories < kLarge) return {};
+  return {{"tables_large", options_.place,
+           fmt::format("tables of histories and measured points will take about {:.2g} MB: histories.csv {:.2g} MB of "
+                       "{} histories, "
+                       "history.csv and points.csv {:.2g} MB of {}",
+                       of_points + of_histories, of_histories, options_.outputs.histories.size(), of_points,
+                       counted(prepared_.scene.model.measured_points.size(), "measured point"))}};
+}
+
 Warnings RunJob::remarks_on_outputs() const {
   if (folder_.frame_tables().thinned_every() < 2) return {};
   return {{"contacts_thinned", options_.place,
@@ -116,7 +134,7 @@ void RunJob::open() {
     stepping_ = stepper_.get();
     joints_of_edges_ = joints_of_edges(stepper_->model());
   }
-  folder_.drop_what_followed(stepper_ ? stepper_->state().step : -1);
+  folder_.drop_what_followed();
 }
 
 std::optional<int> RunJob::steps_before() const {

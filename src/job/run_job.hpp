@@ -63,6 +63,7 @@ class RunJob {
   void judge();
   void follow(const Stepper& stepper);
   void choose_outputs();
+  Warnings large_tables() const;
   Warnings remarks_on_outputs() const;
 
   const Prepared& prepared_;

@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int kLayout = 7;
+constexpr int kLayout = 8;
 constexpr std::size_t kHeaderBytes = 512;  // the least that HDF5 skips in search of its own first byte
 constexpr std::size_t kGrowth = 1 << 20;   // of the file in memory
 constexpr std::string_view kOpening = "keyblock checkpoint, layout ";

@@ -31,8 +31,11 @@ std::vector<std::string> stack_into(const std::string& out, const std::string& s
   return {"run", kStack + ".geo", kStack + ".ana", "--profile", "standard", "--set", "steps=" + steps, "-o", out};
 }
 
-void stop_after_frame_80(const std::string& out, const std::string& steps = "4000") {
-  const auto run = support::interrupt_keyblock(stack_into(out, steps), out + "/frames/00000080.vtu");
+void stop_after_frame_80(const std::string& out, const std::string& steps = "4000",
+                         const std::vector<std::string>& more = {}) {
+  auto words = stack_into(out, steps);
+  words.insert(words.end(), more.begin(), more.end());
+  const auto run = support::interrupt_keyblock(words, out + "/frames/00000080.vtu");
   ASSERT_EQ(run.exit_code, 130) << run.messages;
 }
 
@@ -97,6 +100,15 @@ TEST(ResultFolder, drafts_of_a_killed_run_go_and_the_user_s_drafts_stay) {
   EXPECT_EQ(read_text(out + "/checkpoint.h5.part"), kNotARuns);
 }
 
+// A run that is killed as it writes its first checkpoint leaves a draft and nothing else: the folder holds no results.
+TEST(ResultFolder, a_draft_of_a_run_killed_at_once_goes_with_the_next_run) {
+  const std::string out = fresh_folder("early_draft") + "/out";
+  fs::create_directory(out);
+  write_text(out + "/.keyblock_draft_1_0", "half a checkpoint");
+  EXPECT_EQ(run_keyblock(stack_into(out, "4")).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out + "/.keyblock_draft_1_0"));
+}
+
 TEST(ResultFolder, drafts_of_a_killed_batch_go_too) {
   const std::string folder = fresh_folder("batch_drafts");
   fs::create_directory(folder + "/in");
@@ -123,6 +135,30 @@ TEST(ResultFolder, a_frame_that_was_changed_or_cut_short_is_refused) {
   expect_refused_unchanged(out, "found one changed (folder: frames/00000040.vtu)");
   write_text(frame, bytes);
   EXPECT_EQ(run_keyblock({"run", "--resume", out}).exit_code, 0);
+}
+
+// The rows before the checkpoint are in no other place.
+TEST(ResultFolder, a_growing_table_that_was_removed_cut_or_changed_is_refused) {
+  const std::string out = fresh_folder("altered_tables") + "/out";
+  stop_after_frame_80(out, "4000", {"--history", "block:1"});
+  for (const char* name : {"contacts.csv", "joints.csv", "histories.csv"}) {
+    const std::string file = out + "/" + name;
+    const std::string whole = read_text(file);
+    std::string flipped = whole;
+    flipped[whole.size() / 3] ^= 1;
+    for (const std::string& altered : {whole.substr(0, whole.size() / 2), flipped, std::string()}) {
+      write_text(file, altered);
+      if (altered.empty()) fs::remove(file);
+      const auto before = support::contents(out);
+      const auto run = run_keyblock({"run", "--resume", out});
+      EXPECT_EQ(run.exit_code, 3) << name;
+      EXPECT_NE(run.messages.find(file + ": error: expected the first "), std::string::npos) << run.messages;
+      EXPECT_TRUE(support::contents(out) == before);
+    }
+    write_text(file, whole + "behind the checkpoint\n");
+  }
+  EXPECT_EQ(run_keyblock({"run", "--resume", out}).exit_code, 0);
+  EXPECT_EQ(read_text(out + "/contacts.csv").find("behind the checkpoint"), std::string::npos);
 }
 
 TEST(ResultFolder, the_checkpoint_of_another_run_is_refused) {

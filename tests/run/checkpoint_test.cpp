@@ -226,8 +226,8 @@ TEST(Checkpoint, cut_off_changed_foreign_and_later_files_are_refused) {
   }
   EXPECT_NE(refusal("").find("expected a checkpoint of keyblock, found something else"), std::string::npos);
   std::string later = whole;
-  later.replace(later.find("layout 7"), 8, "layout 8");
-  EXPECT_EQ(refusal(later), "a.h5: error: expected a checkpoint of layout 7, found layout 8");
+  later.replace(later.find("layout 8"), 8, "layout 9");
+  EXPECT_EQ(refusal(later), "a.h5: error: expected a checkpoint of layout 8, found layout 9");
 }
 
 TEST(Checkpoint, a_state_of_another_model_is_refused_before_room_is_made_for_it) {

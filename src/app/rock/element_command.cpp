@@ -120,8 +120,24 @@ study::ElementPath path_of(const ElementOptions& options) {
   return study::read_path(formats::read_csv(formats::load(options.path)));
 }
 
+/// Some 300 bytes each in memory, and as many in the table.
+constexpr double kMostPoints = 1e7;
+constexpr double kManyPoints = 1e6;
+
+/// Before any work is done: a curve of so many points that it would not fit into memory is refused.
+void require_few_points(const ElementOptions& options, const study::ElementPath& path) {
+  const double points = static_cast<double>(path.legs.size()) * options.steps;
+  if (points > kMostPoints)
+    throw UsageError(fmt::format("--steps: expected at most {:g} points of a curve, found {:g} of {} legs of {} steps",
+                                 kMostPoints, points, path.legs.size(), options.steps));
+  if (points > kManyPoints)
+    spdlog::info("{:g} points, {} legs of {} steps: this takes minutes and gigabytes; fewer --steps take less", points,
+                 path.legs.size(), options.steps);
+}
+
 ExitCode run_element(const ElementOptions& options) {
   const study::ElementPath path = path_of(options);
+  require_few_points(options, path);
   require_picture_name("--svg", options.picture);
   require_no_picture_name("-o", options.output, "--svg");
   require_writable({options.output, options.picture}, {options.input}, overwrite_if(options.may_overwrite));

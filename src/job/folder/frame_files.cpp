@@ -85,13 +85,6 @@ std::set<fs::path> FrameFiles::paths() const {
   return paths;
 }
 
-std::set<int> FrameFiles::steps() const {
-  std::set<int> steps;
-  for (const File& file : files_)
-    if (is_of(kParts.front(), file.name)) steps.insert(std::stoi(fs::path(file.name).stem().string()));
-  return steps;
-}
-
 std::string FrameFiles::list() const {
   std::vector<formats::PvdEntry> files;
   for (const File& file : files_) files.push_back({file.time, part_number(file.name), file.name});

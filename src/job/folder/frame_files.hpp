@@ -29,7 +29,6 @@ class FrameFiles {
 
   bool is_empty() const { return files_.empty(); }
   std::set<std::filesystem::path> paths() const;
-  std::set<int> steps() const;
 
   /// The bodies with `field` where that has elements, and files of contacts, bolts and cracks where there are any.
   void write(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts, const Units& units);

@@ -43,17 +43,17 @@ void FrameTables::append_contacts(const Frame& frame, const ContactFrames& shown
   joint_lines_.append(formats::joint_lines_csv_rows(frame.step, frame.time, contacts));
 }
 
-void FrameTables::keep_steps(const std::set<int>& steps) {
-  for (GrowingTable* table : {&contacts_, &joints_, &joint_lines_, &bolts_}) table->keep_steps(steps);
+void FrameTables::drop_what_followed() {
+  for (GrowingTable* table : all()) table->drop_what_followed();
 }
 
 void FrameTables::flush() const {
-  for (const GrowingTable* table : all()) table->flush();
+  for (const GrowingTable* table : {&contacts_, &joints_, &joint_lines_, &bolts_}) table->flush();
 }
 
 std::vector<std::string> FrameTables::names() const {
   std::vector<std::string> names;
-  for (const GrowingTable* table : all())
+  for (const GrowingTable* table : {&contacts_, &joints_, &joint_lines_, &bolts_})
     if (table->has_begun()) names.push_back(table->file().filename().string());
   return names;
 }
@@ -62,6 +62,7 @@ void FrameTables::describe(Archive& archive) {
   archive.value("framed", framed_);
   archive.value("thinned_every", thinned_every_);
   archive.value("expected_rows", expected_rows_);
+  for (GrowingTable* table : all()) archive.group(table->file().filename().string(), [&] { table->describe(archive); });
 }
 
 }  // namespace keyblock

@@ -6,7 +6,6 @@
 #include <array>
 #include <filesystem>
 #include <functional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,7 +45,8 @@ class FrameTables {
   int thinned_every() const { return std::max(thinned_every_, 1); }
   double expected_rows() const { return expected_rows_; }
 
-  void keep_steps(const std::set<int>& steps);
+  /// As GrowingTable does.
+  void drop_what_followed();
   void flush() const;
   /// Names of those that have rows.
   std::vector<std::string> names() const;
@@ -54,7 +54,7 @@ class FrameTables {
 
  private:
   bool is_asked() const { return output_.which != ContactTables::none && framed_ % output_.every == 0; }
-  std::array<const GrowingTable*, 4> all() const { return {&contacts_, &joints_, &joint_lines_, &bolts_}; }
+  std::array<GrowingTable*, 4> all() { return {&contacts_, &joints_, &joint_lines_, &bolts_}; }
   void append_contacts(const Frame& frame, const ContactFrames& shown, const ContactFrames& contacts);
 
   GrowingTable contacts_;

@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <charconv>
 #include <fstream>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -17,47 +15,56 @@
 
 namespace keyblock {
 
+void GrowingTable::count(const std::string& bytes) {
+  size_ += bytes.size();
+  digest_.add(bytes);
+}
+
 void GrowingTable::append(const std::string& rows) {
   if (rows.empty()) return;
-  if (!std::exchange(has_begun_, true)) return write_file(file_, header_ + rows);
+  if (!has_begun()) {
+    write_file(file_, header_ + rows);
+    return count(header_ + rows);
+  }
   std::ofstream stream(file_, std::ios::app | std::ios::binary);
   stream << rows;
   stream.close();
   if (!stream)
     throw OutputError(fmt::format("cannot write to {}: {}", file_.string(), std::generic_category().message(errno)));
+  count(rows);
 }
 
-void GrowingTable::keep_steps(const std::set<int>& steps) {
-  keep([&](int step) { return steps.contains(step); });
-}
-
-void GrowingTable::keep_until(int last_step) {
-  keep([&](int step) { return step <= last_step; });
-}
-
-void GrowingTable::keep(const std::function<bool(int)>& is_kept) {
-  if (!std::filesystem::is_regular_file(file_)) return;
+void GrowingTable::describe(Archive& archive) {
+  std::string digest = digest_.text();
+  archive.value("size", size_);
+  archive.value("sha256", digest);
+  if (!archive.is_restoring() || size_ == 0) return;
+  const auto refuse = [&](const std::string& found) {
+    throw InputError({file_.string()},
+                     fmt::format("expected the first {} bytes as the run wrote them, found {}; put the "
+                                 "file back, or begin the run again with --force",
+                                 size_, found));
+  };
+  if (!std::filesystem::is_regular_file(file_)) refuse("no such file");
   const std::string text = formats::load(file_.string()).text;
-  std::string kept;
-  std::string_view rest = text;
-  if (rest.starts_with(header_)) rest.remove_prefix(header_.size());
-  while (!rest.empty()) {
-    const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos) break;  // half a line
-    int step = -1;
-    std::from_chars(rest.data(), rest.data() + end, step);
-    if (is_kept(step)) kept += rest.substr(0, end + 1);
-    rest.remove_prefix(end + 1);
-  }
-  has_begun_ = !kept.empty();
-  if (has_begun_)
-    write_file(file_, header_ + kept);
+  if (text.size() < size_) refuse(fmt::format("a file of {} bytes", text.size()));
+  digest_ = Sha256();
+  digest_.add(std::string_view(text).substr(0, size_));
+  if (digest_.text() != digest) refuse("other bytes");
+}
+
+void GrowingTable::drop_what_followed() {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file_)) return;
+  if (size_ == 0)
+    std::filesystem::remove(file_, error);
   else
-    std::filesystem::remove(file_);
+    std::filesystem::resize_file(file_, size_, error);
+  if (error) throw OutputError(fmt::format("cannot cut back {}: {}", file_.string(), error.message()));
 }
 
 void GrowingTable::flush() const {
-  if (has_begun_) flush_to_disk(file_);
+  if (has_begun()) flush_to_disk(file_);
 }
 
 }  // namespace keyblock

@@ -1,39 +1,44 @@
-// A table that a run appends to as it goes, and cuts back to what its checkpoint knows of where it goes on.
+// A table that a run appends to as it goes, and cuts back to what its checkpoint knows if the run goes on.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <set>
 #include <string>
+#include <utility>
+
+#include "base/archive.hpp"
+#include "base/sha256.hpp"
 
 namespace keyblock {
 
-/// Lines begin with the number of their step. The file is there from the first row on.
+/// The file is there from the first row on.
 class GrowingTable {
  public:
   GrowingTable(std::filesystem::path file, std::string header) : file_(std::move(file)), header_(std::move(header)) {}
 
   const std::filesystem::path& file() const { return file_; }
-  bool has_begun() const { return has_begun_; }
+  bool has_begun() const { return size_ > 0; }
 
   /// Whole lines; nothing for none. Throws OutputError.
   void append(const std::string& rows);
 
-  /// Of a table that another process of the same run may have written: leaves the rows of these steps alone.
-  void keep_steps(const std::set<int>& steps);
-  /// The rows up to a step.
-  void keep_until(int last_step);
+  /// Size and checksum of what was written so far. Restoring throws InputError if the file no longer begins with that.
+  void describe(Archive& archive);
+
+  /// Removes what was written after `describe`, or all of the file if nothing was restored.
+  void drop_what_followed();
 
   /// Throws OutputError.
   void flush() const;
 
  private:
-  void keep(const std::function<bool(int)>& is_kept);
+  void count(const std::string& bytes);
 
   std::filesystem::path file_;
   std::string header_;
-  bool has_begun_ = false;
+  std::size_t size_ = 0;  ///< bytes written
+  Sha256 digest_;         ///< of them
 };
 
 }  // namespace keyblock

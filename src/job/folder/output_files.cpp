@@ -78,7 +78,6 @@ void OutputFiles::remove_earlier() {
     if (error) throw UsageError(fmt::format("cannot remove {} of an earlier run", (folder_ / name).string()));
   }
   FrameFiles::remove_others(folder_, {});
-  remove_drafts(folder_);
 }
 
 void OutputFiles::remove_growing() {

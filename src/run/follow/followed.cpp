@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -53,6 +54,21 @@ bool is_between(const ContactFrame& contact, const BlockPair& pair) {
   return (contact.element == pair.first && contact.other == pair.second) ||
          (contact.element == pair.second && contact.other == pair.first);
 }
+
+/// Where the numbers of elements, measured points and bolts stand in a model.
+struct Numbered {
+  std::map<int, ElementIndex> elements;
+  std::map<int, std::size_t> points;
+  std::map<int, std::size_t> bolts;
+
+  explicit Numbered(const Model& model) {
+    for (const ElementIndex e : indices(model.elements))
+      elements.emplace(model.identities.of_element(e.value).number, e);
+    for (std::size_t i = 0; i < model.measured_points.size(); ++i)
+      points.emplace(model.identities.of_measured_point(i), i);
+    for (std::size_t i = 0; i < model.bolts.size(); ++i) bolts.emplace(model.identities.of_bolt(i), i);
+  }
+};
 
 std::optional<ElementIndex> element_numbered(const Model& model, int number) {
   for (const ElementIndex e : indices(model.elements))
@@ -102,31 +118,32 @@ struct ContactSum {
 /// Lines of one history at one instant.
 class Lines {
  public:
-  Lines(const Stepper& stepper, const FollowedUnits& units, const std::string& what, const std::string& name)
+  Lines(const Stepper& stepper, const Numbered& numbered, const FollowedUnits& units, const std::string& what,
+        const std::string& name)
       : stepper_(stepper),
+        numbered_(numbered),
         units_(units),
         first_(fmt::format("{},{},{},{},", stepper.state().step, stepper.state().time, what, row_cell(name))) {}
 
   void point(int number) {
-    const Model& model = stepper_.model();
-    for (std::size_t i = 0; i < model.measured_points.size(); ++i) {
-      if (model.identities.of_measured_point(i) != number) continue;
-      const PointState& now = stepper_.state().measured_points[i];
-      const ElementIndex e = model.measured_points[i].element;
-      displacement(now.displacement);
-      velocity(velocity_at(stepper_, e, now.position));
-      stress(stepper_.stress_at(e, model.measured_points[i].start));
-    }
+    const auto found = numbered_.points.find(number);
+    if (found == numbered_.points.end()) return;
+    const PointState& now = stepper_.state().measured_points[found->second];
+    const CarriedPoint& point = stepper_.model().measured_points[found->second];
+    displacement(now.displacement);
+    velocity(velocity_at(stepper_, point.element, now.position));
+    stress(stepper_.stress_at(point.element, point.start));
   }
 
   void block(int number, const ContactFrames& contacts) {
-    const std::optional<ElementIndex> e = element_numbered(stepper_.model(), number);
-    if (!e) return;
-    const ElementState& now = stepper_.state().elements[*e];
-    displacement(now.centroid - stepper_.unloaded().elements[*e].centroid);
+    const auto found = numbered_.elements.find(number);
+    if (found == numbered_.elements.end()) return;
+    const ElementIndex e = found->second;
+    const ElementState& now = stepper_.state().elements[e];
+    displacement(now.centroid - stepper_.unloaded().elements[e].centroid);
     put("rotation", now.rotation, "rad");
-    velocity(velocity_at(stepper_, *e, now.centroid));
-    put("rotation_rate", spin_of(stepper_, *e), units_.rotation_rate);
+    velocity(velocity_at(stepper_, e, now.centroid));
+    put("rotation_rate", spin_of(stepper_, e), units_.rotation_rate);
     stress(now.stress);
     Point sum;
     for (const ContactFrame& contact : contacts) {
@@ -169,14 +186,13 @@ class Lines {
 
   // Elongation is that over the length as drawn; also after it broke, when its force is 0.
   void bolt(int number) {
-    const Model& model = stepper_.model();
-    for (std::size_t i = 0; i < model.bolts.size(); ++i) {
-      if (model.identities.of_bolt(i) != number) continue;
-      const BoltState& now = stepper_.state().bolts[i];
-      put("force", now.force, units_.force);
-      put("elongation", distance(now.first, now.second) - model.bolts[i].start_length(), units_.length);
-      put("is_broken", now.is_broken ? 1 : 0, "1");
-    }
+    const auto found = numbered_.bolts.find(number);
+    if (found == numbered_.bolts.end()) return;
+    const BoltState& now = stepper_.state().bolts[found->second];
+    put("force", now.force, units_.force);
+    put("elongation", distance(now.first, now.second) - stepper_.model().bolts[found->second].start_length(),
+        units_.length);
+    put("is_broken", now.is_broken ? 1 : 0, "1");
   }
 
   std::string text;
@@ -216,15 +232,27 @@ class Lines {
   }
 
   const Stepper& stepper_;
+  const Numbered& numbered_;
   const FollowedUnits& units_;
   std::string first_;
 };
 
-/// The last measured point that begins there: those of histories come behind those of the files.
-int point_at(const Scene& first, const HistoryPlan& plan) {
-  const std::vector<CarriedPoint>& points = first.model.measured_points;
-  for (std::size_t i = points.size(); i-- > 0;)
-    if (points[i].start == *plan.point) return first.model.identities.of_measured_point(i);
+/// Numbers of measured points by the place where they begin, of the last one at a place: those of histories come behind
+/// those of the files.
+using PointsByPlace = std::map<std::pair<double, double>, int>;
+
+PointsByPlace points_by_place(const Model& model) {
+  PointsByPlace points;
+  for (std::size_t i = 0; i < model.measured_points.size(); ++i) {
+    const Point start = model.measured_points[i].start;
+    points[{start.x, start.y}] = model.identities.of_measured_point(i);
+  }
+  return points;
+}
+
+int point_at(const PointsByPlace& points, const HistoryPlan& plan) {
+  const auto found = points.find({plan.point->x, plan.point->y});
+  if (found != points.end()) return found->second;
   throw InputError(plan.place, fmt::format("expected the point of a history within a block, found {}, {} in none",
                                            plain(plan.point->x, 6), plain(plan.point->y, 6)));
 }
@@ -331,9 +359,10 @@ void require_choice(const OutputPlan& plan) {
 Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, const DrawnJoints& joints,
                    const Units& units)
     : units_(units) {
+  const PointsByPlace points = points_by_place(first.model);
   for (const HistoryPlan& plan : plans) {
     One& one = all_.emplace_back(plan, name_of(plan), -1);
-    if (plan.point) one.point = point_at(first, plan);
+    if (plan.point) one.point = point_at(points, plan);
     if (plan.block) require_block(first, *plan.block, plan);
     if (plan.contact) require_block(first, std::max(plan.contact->first, plan.contact->second), plan);
     if (plan.contact) look_at_pair(one, first.model);
@@ -350,10 +379,11 @@ std::string Followed::rows(const Stepper& stepper, const DrawnJoints& joints) {
   if (std::ranges::any_of(all_, [](const One& one) { return !one.plan.point && !one.plan.bolt; }))
     contacts = stepper.contacts();
   joints.name(contacts, stepper.model());
+  const Numbered numbered(stepper.model());
   std::string text;
   for (One& one : all_) {
     const HistoryPlan& plan = one.plan;
-    Lines lines(stepper, units_, word_of(plan), one.name);
+    Lines lines(stepper, numbered, units_, word_of(plan), one.name);
     if (plan.point) lines.point(one.point);
     if (plan.block) lines.block(*plan.block, contacts);
     if (plan.contact) lines.pair(*plan.contact, contacts);
@@ -366,6 +396,17 @@ std::string Followed::rows(const Stepper& stepper, const DrawnJoints& joints) {
     text += lines.text;
   }
   return text;
+}
+
+double Followed::bytes_of_row() const {
+  constexpr double kBytesOfLine = 60;  // step, time, quantity, value and unit
+  double bytes = 0;
+  for (const One& one : all_) {
+    const HistoryPlan& plan = one.plan;
+    const double lines = plan.point ? 7 : plan.block ? 11 : plan.bolt ? 3 : 8;
+    bytes += lines * (kBytesOfLine + static_cast<double>(one.name.size()));
+  }
+  return bytes;
 }
 
 void Followed::look_at_pair(One& one, const Model& model) {

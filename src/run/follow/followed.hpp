@@ -41,6 +41,9 @@ class Followed {
   /// Lines of the state at hand, `step,time,what,name,quantity,value,unit`: none of what is not there.
   std::string rows(const Stepper& stepper, const DrawnJoints& joints);
 
+  /// About the length of `rows`, bytes.
+  double bytes_of_row() const;
+
   /// Of pairs that lie farther apart before any load than the smaller of the two is large.
   Warnings of_distant_pairs() const;
 

@@ -10,8 +10,10 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/nearest.hpp"
@@ -113,8 +115,9 @@ HistoryPlan history_of(const std::string& text) {
 }
 
 Problem with_followed_points(Problem problem) {
+  std::set<std::pair<double, double>> added;
   for (const HistoryPlan& plan : problem.outputs.histories)
-    if (plan.point) add_point(problem, plan);
+    if (plan.point && added.emplace(plan.point->x, plan.point->y).second) add_point(problem, plan);
   return problem;
 }
 
