@@ -15,8 +15,10 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -145,7 +147,11 @@ int run_program(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) suggest_option(program, {argv + 1, argv + argc});
-    return static_cast<int>(program.exit(error) == 0 ? ExitCode::ok : ExitCode::usage);
+    std::ostringstream messages;
+    const bool is_help = program.exit(error, std::cout, messages) == 0;
+    std::istringstream lines(messages.str());
+    for (std::string line; std::getline(lines, line);) std::cerr << printable(line) << '\n';
+    return static_cast<int>(is_help ? ExitCode::ok : ExitCode::usage);
   }
   const ExitCode code = chosen();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw OutputError("cannot write to standard output");

@@ -31,12 +31,21 @@ std::size_t character_size(std::string_view text) {
   return is_overlong || is_beyond ? 0 : size;
 }
 
+/// In a row: the shortest decimal of any double has fewer, apart from its zeros.
+constexpr std::size_t kMostDigits = 100;
+
 }  // namespace
 
 std::string printable(std::string_view text) {
   std::string safe;
+  std::size_t digits = 0;  // in a row
   for (std::size_t i = 0; i < text.size(); ++i) {
     const unsigned char c = byte(text[i]);
+    digits = c >= '0' && c <= '9' ? digits + 1 : 0;
+    if (digits > kMostDigits) {
+      if (digits == kMostDigits + 1) safe += "…";
+      continue;
+    }
     const bool is_second_control =
         c == 0xc2 && i + 1 < text.size() && byte(text[i + 1]) >= 0x80 && byte(text[i + 1]) < 0xa0;
     if (is_second_control) {

@@ -8,7 +8,7 @@
 namespace keyblock {
 
 /// The text with its control characters written out, `\x1b`, those of two bytes (U+0080 to U+009F) too: a name in a
-/// file must not clear the screen of who reads it.
+/// file must not clear the screen of who reads it. Of more than 100 digits in a row the first 100 and "…".
 std::string printable(std::string_view text);
 
 /// UTF-8, and a text that is none with a question mark in a lozenge (U+FFFD) for each byte that fits nowhere.

@@ -40,7 +40,9 @@ double read_real(const Range& range, const std::string& name, const std::string&
 }  // namespace
 
 void refuse_value(const std::string& name, const std::string& expected, const std::string& found) {
-  throw std::invalid_argument(fmt::format("setting {}: expected {}, found \"{}\"", name, expected, found));
+  constexpr std::size_t kMostShown = 100;
+  throw std::invalid_argument(fmt::format("setting {}: expected {}, found \"{}{}\"", name, expected,
+                                          found.substr(0, kMostShown), found.size() > kMostShown ? "…" : ""));
 }
 
 ValueText<double> real(Range range) {

@@ -14,6 +14,12 @@ TEST(Printable, control_characters_are_written_out_and_all_else_stays) {
   EXPECT_EQ(printable("Böschung µ …"), "Böschung µ …");
 }
 
+TEST(Printable, of_a_number_of_thousands_of_digits_the_first_hundred_are_shown) {
+  EXPECT_EQ(printable("found " + std::string(9999, '7') + ", x"), "found " + std::string(100, '7') + "…, x");
+  const std::string as_long_as_shown = std::string(100, '1') + "." + std::string(100, '2');
+  EXPECT_EQ(printable(as_long_as_shown), as_long_as_shown);
+}
+
 TEST(Printable, bytes_that_are_no_utf8_become_replacement_characters) {
   const std::string sign = "\xef\xbf\xbd";
   EXPECT_EQ(valid_utf8("Böschung 45° 石"), "Böschung 45° 石");

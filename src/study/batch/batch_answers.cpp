@@ -44,7 +44,7 @@ void add_displacement(CatalogueAnswer& answer, const std::filesystem::path& file
         std::ranges::find_if(table.header, [heading = fmt::format("{}{}", name, number)](const std::string& h) {
           return h == heading || h.starts_with(heading + " ");
         });
-    if (found == table.header.end()) throw InputError({table.name, 1, 0}, "expected displacements, found none");
+    if (found == table.header.end()) throw InputError({table.name, 1, 1}, "expected displacements, found none");
     return formats::csv_real(table, table.rows.back(), static_cast<std::size_t>(found - table.header.begin()));
   };
   answer.dx = last("dx");

@@ -267,6 +267,9 @@ CurveFit fit_curve(MeasuredPairs m, CompressionSign sign) {
   CurveFit fit;
   fit.is_turned = turn(m, sign);
   require_loading(m);
+  if (std::ranges::count(m.y, m.y.front()) == static_cast<std::ptrdiff_t>(m.y.size()))
+    throw InputError({m.file, m.lines.front(), 1},
+                     fmt::format("expected stress that rises with strain, found {} in all rows", m.y.front()));
   std::optional<FittedCurve> best;
   for (const CurveKind kind :
        {CurveKind{false, false}, CurveKind{false, true}, CurveKind{true, false}, CurveKind{true, true}}) {

@@ -136,7 +136,7 @@ Agreement agreement(const std::vector<double>& measured, std::vector<double> fit
     a.largest = std::max(a.largest, std::abs(residual));
   }
   a.rms = std::sqrt(left / count);
-  a.r_squared = 1 - left / all;
+  a.r_squared = all > 0 ? 1 - left / all : left > 0 ? 0 : 1;  // equal values leave nothing to explain
   a.fitted = std::move(fitted);
   return a;
 }
