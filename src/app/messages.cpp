@@ -9,6 +9,9 @@
 #include <spdlog/spdlog.h>
 
 #include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -90,6 +93,20 @@ void add_message_options(CLI::App& program) {
       .add_option_function<std::string>("--log", log_into,
                                         "a new file, or one whose name ends in .log, to which messages are added too")
       ->type_name("FILE");
+}
+
+void print_record(const std::string& record, const std::string& file) {
+  const auto before = std::signal(SIGPIPE, SIG_IGN);
+  const std::string line = record + "\n";
+  errno = 0;
+  const bool is_written = std::fwrite(line.data(), 1, line.size(), stdout) == line.size() && std::fflush(stdout) == 0;
+  const int why = errno;
+  std::signal(SIGPIPE, before);
+  if (is_written) return;
+  if (why != EBADF && why != EPIPE)
+    throw OutputError(fmt::format("cannot write to standard output: {}", std::generic_category().message(why)));
+  spdlog::warn("standard output is closed: the record is in {} alone", file);
+  if (std::freopen("/dev/null", "w", stdout) == nullptr) throw OutputError("cannot write to standard output");
 }
 
 bool shows_progress() {

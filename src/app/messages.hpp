@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace keyblock {
 
@@ -11,6 +12,10 @@ void print_messages_plainly();
 
 /// `--quiet`, `--verbose` and `--log FILE`, which take effect as they are read, for every command.
 void add_message_options(CLI::App& program);
+
+/// Prints a record that a file holds as well. If nobody reads standard output, because it is closed or its reader is
+/// gone, a warning names the file. Throws OutputError if it cannot be written for another reason, as on a full disk.
+void print_record(const std::string& record, const std::string& file);
 
 /// Whether more than errors are to be shown.
 bool shows_progress();

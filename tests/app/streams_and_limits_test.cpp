@@ -42,13 +42,24 @@ TEST(StreamsAndLimits, messages_that_nobody_reads_neither_end_a_run_nor_go_into_
   }
 }
 
-TEST(StreamsAndLimits, data_that_cannot_be_printed_are_exit_4_and_the_results_stand) {
+TEST(StreamsAndLimits, data_that_a_full_disk_does_not_take_are_exit_4_and_the_results_stand) {
   const std::string folder = fresh_folder("no_stdout");
-  for (const char* stream : {">&-", ">/dev/full"}) {
-    const auto run = run_script(fmt::format("{} -o {}/out --force --json {}", run_of(400), folder, stream));
-    EXPECT_EQ(run.exit_code, 4) << stream;
-    EXPECT_TRUE(contains(run.messages, "cannot write to standard output")) << run.messages;
-    EXPECT_TRUE(fs::exists(folder + "/out/run.json")) << stream;
+  const auto run = run_script(fmt::format("{} -o {}/out --force --json >/dev/full", run_of(400), folder));
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_TRUE(contains(run.messages, "cannot write to standard output")) << run.messages;
+  EXPECT_TRUE(fs::exists(folder + "/out/run.json"));
+}
+
+// The record stands in the folder too: whoever closed the stream has it there.
+TEST(StreamsAndLimits, a_run_whose_record_nobody_reads_ends_as_its_results_do) {
+  const std::string folder = fresh_folder("closed_stdout");
+  ASSERT_EQ(run_script(run_of(400) + "-o " + folder + "/whole").exit_code, 0);
+  for (const char* reader : {"exec {} >&-", "{{ {}; echo $? >code; }} | true; exit $(cat code)"}) {
+    const std::string words = run_of(400) + "-o out --force --json";
+    const auto run = run_script("cd " + folder + "; " + fmt::format(fmt::runtime(reader), words));
+    EXPECT_EQ(run.exit_code, 0) << reader << run.messages;
+    EXPECT_TRUE(contains(run.messages, "standard output is closed: the record is in")) << run.messages;
+    EXPECT_TRUE(contents(folder + "/out") == contents(folder + "/whole")) << reader;
   }
 }
 

@@ -14,6 +14,7 @@
 #include "app/commands/both_profiles.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/layers_option.hpp"
+#include "app/messages.hpp"
 #include "app/option_checks.hpp"
 #include "app/output_options.hpp"
 #include "app/progress.hpp"
@@ -383,7 +384,7 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   }
   progress.finish();
   const std::string json = job.finish(title, watch.lap());
-  if (options.as_json && !options.both) fmt::print("{}\n", json);
+  if (options.as_json && !options.both) print_record(json, options.folder + "/run.json");
   print_summary(prepared, job.record(), told, options.folder);
   return answer_of(job.record(), prepared, options.folder);
 }
@@ -512,8 +513,9 @@ ExitCode run_both(const RunOptions& options) {
   }
   if (!answers[0].refused.empty() && !answers[1].refused.empty()) return answers[0].code;
   if (options.as_json)
-    fmt::print("{}\n", side_by_side_json(answers[0], answers[1])
-                           .dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    print_record(
+        side_by_side_json(answers[0], answers[1]).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
+        "the folders of both runs");
   else
     fmt::print("{}", side_by_side(answers[0], answers[1], input.problem.units));
   return code_of_both(answers[0], answers[1]);
