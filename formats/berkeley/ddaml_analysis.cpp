@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <set>
 
 #include "formats/berkeley/ddaml_ignored.hpp"
 #include "formats/text/decimal_comma.hpp"
 #include "formats/text/demands.hpp"
 #include "formats/text/tokens.hpp"
+#include "problem/magnitudes.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -66,7 +68,11 @@ class ElementValues {
     const Tokens tokens = element.attribute_tokens(attribute);
     Cursor cursor(tokens, kNothing);
     cursor.enter({element.name()});
+    const Place place = cursor.place();
     const double value = cursor.next_real(attribute, demand);
+    if (std::abs(value) > kGreatestQuantity)
+      throw InputError(place, fmt::format("expected {} of {} from {:g} to {:g}, found {:g}", attribute, element.name(),
+                                          -kGreatestQuantity, kGreatestQuantity, value));
     keep_remainder(tokens, cursor);
     return value;
   }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -12,6 +13,7 @@
 #include "formats/case_file/case_measures.hpp"
 #include "formats/text/numbers.hpp"
 #include "formats/text/tokens.hpp"
+#include "problem/magnitudes.hpp"
 #include "problem/units/unit_conversion.hpp"
 
 namespace keyblock::formats {
@@ -56,9 +58,17 @@ void NumberFields::real(std::string_view name, double& value, const Demand& dema
     else
       value = value_->number();
     if (!demand.holds(value)) fail_at(*value_);
+    require_measurable(name, value);
   } else if (!demand.holds(value)) {
     if (missing_.empty()) missing_ = fmt::format("the key {} of {}: {}", name, noun_, demand.wording);
   }
+}
+
+void NumberFields::require_measurable(std::string_view name, double value) const {
+  if (std::abs(value) <= std::min(kGreatestLength, kGreatestQuantity)) return;
+  const double greatest = measure_of(noun_, name) == measures::kLength ? kGreatestLength : kGreatestQuantity;
+  if (!(std::abs(value) <= greatest))
+    value_->fail(fmt::format("{} of {}: a number from {:g} to {:g}", name, noun_, -greatest, greatest));
 }
 
 void NumberFields::index(std::string_view name, int& value) {

@@ -32,6 +32,10 @@ class NumberFields : public TakenFields {
   void formula(std::string_view name, Formula& formula);
   void optional_formula(std::string_view name, std::optional<Formula>& formula);
 
+ private:
+  /// Throws InputError for a number so large that products of it would not be numbers.
+  void require_measurable(std::string_view name, double value) const;
+
  protected:
   /// A number and the name of a unit, which no expression is: x, y and functions are none.
   static bool is_quantity(std::string_view text);

@@ -35,18 +35,22 @@ class CsvScanner {
   CsvRow next_row() {
     while (skip_line_end()) {
     }
-    CsvRow row{{}, line_, {}};
+    CsvRow row{{}, line_, {}, 0};
     if (text_.empty()) return row;
     do {
-      row.columns.push_back(static_cast<int>(text_.data() - line_start_) + 1);
+      row.columns.push_back(column());
       row.cells.push_back(next_cell());
     } while (skip(','));
+    row.end = column();
     if (!text_.empty() && !skip_line_end())
-      throw InputError({source_.name, line_, 0}, "expected a comma or the end of the line after a closing quote");
+      throw InputError({source_.name, line_, column()},
+                       "expected a comma or the end of the line after a closing quote");
     return row;
   }
 
  private:
+  int column() const { return static_cast<int>(text_.data() - line_start_) + 1; }
+
   bool skip(char c) {
     if (!text_.starts_with(c)) return false;
     text_.remove_prefix(1);
@@ -74,7 +78,7 @@ class CsvScanner {
   }
 
   std::string quoted_cell() {
-    const int opened = line_;
+    const Place opened{source_.name, line_, column() - 1};
     std::string cell;
     while (!text_.empty()) {
       if (skip('"') && !text_.starts_with('"')) return cell;
@@ -83,7 +87,7 @@ class CsvScanner {
       text_.remove_prefix(1);
       if (ends_line) begin_line();
     }
-    throw InputError({source_.name, opened, 0}, "expected a closing quote, found the end of the file");
+    throw InputError(opened, "expected a closing quote, found the end of the file");
   }
 
   const Source& source_;
@@ -262,14 +266,24 @@ std::string blocks_csv(std::span<const Frame> frames, const Units& units) {
   return text;
 }
 
+namespace {
+
+/// Where the first cell too many begins, or the row ends too early.
+int surplus_column(const CsvRow& row, std::size_t wanted) {
+  return row.cells.size() > wanted ? row.columns[wanted] : row.end;
+}
+
+}  // namespace
+
 CsvTable read_csv(const Source& source) {
   CsvScanner scanner(source);
   CsvTable table{source.name, scanner.next_row().cells, {}};
   if (table.header.empty()) throw InputError({source.name}, "expected a header line, found nothing");
   for (CsvRow row = scanner.next_row(); !row.cells.empty(); row = scanner.next_row()) {
     if (row.cells.size() != table.header.size())
-      throw InputError({source.name, row.line, 0}, fmt::format("expected {} cells as in the header, found {}",
-                                                               table.header.size(), row.cells.size()));
+      throw InputError(
+          {source.name, row.line, surplus_column(row, table.header.size())},
+          fmt::format("expected {} cells as in the header, found {}", table.header.size(), row.cells.size()));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -280,7 +294,7 @@ std::size_t csv_column(const CsvTable& table, std::string_view heading) {
     return h == heading || (h.starts_with(heading) && h.substr(heading.size()).starts_with(" ["));
   });
   if (found == table.header.end())
-    throw InputError({table.name, 1, 0}, fmt::format("expected a column \"{}\", found {}", heading,
+    throw InputError({table.name, 1, 1}, fmt::format("expected a column \"{}\", found {}", heading,
                                                      in_quotes(fmt::format("{}", fmt::join(table.header, ",")))));
   return static_cast<std::size_t>(found - table.header.begin());
 }

@@ -59,6 +59,7 @@ struct CsvRow {
   std::vector<std::string> cells;
   int line = 0;
   std::vector<int> columns;
+  int end = 0;  ///< the column behind the last cell
 };
 
 /// A table as text; every row has as many cells as the header.

@@ -34,7 +34,7 @@ class Limits {
     for (const FixedLine& line : drawing.fixed_lines) length(line.place, "the fixed line", line.segment);
     for (const auto* points : {&drawing.loading_points, &drawing.measured_points, &drawing.hole_points})
       for (const MarkedPoint& point : *points) length(point.place, "the point", point.position);
-    extent(drawing.place);
+    extent(drawing.joints.empty() ? drawing.place : drawing.joints.front().place);
   }
 
   void look_at(const Blocks& blocks) {
@@ -46,7 +46,7 @@ class Limits {
                  {{"stiffness", bolt.stiffness}, {"strength", bolt.strength}, {"pretension", bolt.pretension}});
     }
     points(blocks);
-    extent(blocks.place);
+    extent(blocks.blocks.empty() ? blocks.place : place_of(blocks.blocks.front(), blocks));
   }
 
   void look_at(const Cover& cover) {

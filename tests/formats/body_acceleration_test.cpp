@@ -29,7 +29,7 @@ TEST(BodyAccelerationTable, faults_are_named_with_line_and_column) {
   EXPECT_EQ(complaint("time,ax,ay\n0,1,2\n1,x,2\n"),
             "shake.csv:3:3: error: expected a number in column \"ax\", found \"x\"");
   EXPECT_EQ(complaint("time,ax,ay\n0.5,1,2\n0.5,1,2\n"), "shake.csv:3:1: error: expected a time after 0.5, found 0.5");
-  EXPECT_EQ(complaint("time,ax\n0,1\n"), "shake.csv:1: error: expected a column \"ay\", found \"time,ax\"");
+  EXPECT_EQ(complaint("time,ax\n0,1\n"), "shake.csv:1:1: error: expected a column \"ay\", found \"time,ax\"");
   EXPECT_EQ(complaint("time,ax,ay\n"), "shake.csv: error: expected a row time,ax,ay below the header, found none");
 }
 

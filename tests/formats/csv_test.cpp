@@ -127,16 +127,17 @@ TEST(Csv, a_lone_carriage_return_ends_a_line) {
 
 TEST(Csv, a_message_shows_forty_characters_of_what_was_found) {
   const std::string message = complaint(std::string(100, 'x') + "\n1\n");
-  EXPECT_EQ(message, "a.csv:1: error: expected a column \"value\", found \"" + std::string(40, 'x') + "…\"");
+  EXPECT_EQ(message, "a.csv:1:1: error: expected a column \"value\", found \"" + std::string(40, 'x') + "…\"");
 }
 
-TEST(Csv, faults_are_named_with_their_line) {
+TEST(Csv, faults_are_named_with_line_and_column) {
   EXPECT_EQ(complaint(""), "a.csv: error: expected a header line, found nothing");
-  EXPECT_EQ(complaint("value,b\n1,2\n3\n"), "a.csv:3: error: expected 2 cells as in the header, found 1");
-  EXPECT_EQ(complaint("value\n\"1\n"), "a.csv:2: error: expected a closing quote, found the end of the file");
+  EXPECT_EQ(complaint("value,b\n1,2\n3\n"), "a.csv:3:2: error: expected 2 cells as in the header, found 1");
+  EXPECT_EQ(complaint("value,b\n1,2\n3,4,5,6\n"), "a.csv:3:5: error: expected 2 cells as in the header, found 4");
+  EXPECT_EQ(complaint("value\n\"1\n"), "a.csv:2:1: error: expected a closing quote, found the end of the file");
   EXPECT_EQ(complaint("value\n\"1\"2\n"),
-            "a.csv:2: error: expected a comma or the end of the line after a closing quote");
-  EXPECT_EQ(complaint("a,b\n1,2\n"), "a.csv:1: error: expected a column \"value\", found \"a,b\"");
+            "a.csv:2:4: error: expected a comma or the end of the line after a closing quote");
+  EXPECT_EQ(complaint("a,b\n1,2\n"), "a.csv:1:1: error: expected a column \"value\", found \"a,b\"");
   EXPECT_EQ(complaint("value\nabc\n"), "a.csv:2:1: error: expected a number in column \"value\", found \"abc\"");
 }
 

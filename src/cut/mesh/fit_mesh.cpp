@@ -18,11 +18,21 @@ namespace keyblock {
 namespace {
 
 constexpr double kLeastSide = 1e-12;  // of the farthest coordinate: some thousand of its last digits
+constexpr double kMostSidesAway = 1e6;
 
 void require_fewer(double triangles, double side) {
   if (!(triangles <= kMostTriangles))
     throw std::invalid_argument(
         fmt::format("a mesh of sides of {}: some {:.0e} triangles, more than {:.0e}", side, triangles, kMostTriangles));
+}
+
+/// Rows that are counted from a node farther away than this lose their places to round-off.
+void require_near(const char* key, const std::optional<double>& value, double low, double high, double side) {
+  const double reach = kMostSidesAway * side;
+  if (!value || (*value >= low - reach && *value <= high + reach)) return;
+  throw std::invalid_argument(
+      fmt::format("expected {} of the mesh within {:g} sides of the bodies, {:g} to {:g}, found {:g}", key,
+                  kMostSidesAway, low - reach, high + reach, *value));
 }
 
 TriangleMesh regular(const MeshPlan& plan, const Box& box) {
@@ -39,6 +49,8 @@ TriangleMesh regular(const MeshPlan& plan, const Box& box) {
     if (!is_aligned) mesh.through = box.middle();
     require_fewer(4 * (box.size().x / mesh.dx + 2) * (box.size().y / mesh.dy + 2), plan.side);
   }
+  require_near("through_x", plan.through_x, box.low.x, box.high.x, mesh.dx);
+  require_near("through_y", plan.through_y, box.low.y, box.high.y, mesh.dy);
   mesh.through = {plan.through_x.value_or(mesh.through.x), plan.through_y.value_or(mesh.through.y)};
   mesh.angle = plan.angle_deg * std::numbers::pi / 180;
   return regular_triangles(box, mesh);
