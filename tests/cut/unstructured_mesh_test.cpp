@@ -61,6 +61,33 @@ TEST(UnstructuredMesh, is_fine_at_refined_points_and_coarse_elsewhere) {
   EXPECT_LT(3 * mesh.triangles.size(), unstructured_mesh(kBox, fine).triangles.size());
 }
 
+// r cos(π/2) is 6e-17 r. Triangles between such a point and the line beside it have no area that coordinates resolve.
+TEST(UnstructuredMesh, refined_points_beside_lines_corners_and_one_another_refine_and_get_no_node_of_their_own) {
+  for (const double angle : {0.0, 0.4, 1.1})
+    for (const double off : {0.0, 6e-17, -6e-17, 1e-14, 1e-10, 1e-8}) {
+      const auto placed = [&](Point p) {
+        return Point{5 + std::cos(angle) * p.x - std::sin(angle) * p.y,
+                     3 + std::sin(angle) * p.x + std::cos(angle) * p.y};
+      };
+      std::vector<Segment> sides;
+      Box box;
+      for (const Segment& s : rectangle_sides({0, 0}, {4, 4})) {
+        sides.push_back({placed(s.start), placed(s.end)});
+        box.add(sides.back().start);
+      }
+      const MeshSize size(1,
+                          {{placed({off, 1}), 0.07},
+                           {placed({off, off}), 0.07},
+                           {placed({4 - off, 4}), 0.07},
+                           {placed({2, 2}), 0.07},
+                           {placed({2 + off, 2}), 0.07}},
+                          0.3);
+      const TriangleMesh mesh = unstructured_mesh(box, size, sides);
+      EXPECT_LT(mesh.triangles.size(), 20000U) << angle << ", " << off;
+      EXPECT_GT(mesh.triangles.size(), 500U) << angle << ", " << off;
+    }
+}
+
 TEST(UnstructuredMesh, is_cut_like_a_regular_one) {
   const BodyCut bodies = cut_bodies(
       drawing_of(rectangle_sides(kBox.low, kBox.high) + std::vector<Segment>{{{1, 2}, {1, 1.3}}, {{2, 0}, {2.5, 2}}}));

@@ -12,6 +12,10 @@
 #include <array>
 #include <map>
 #include <tuple>
+#include <vector>
+
+#include "geometry/predicates.hpp"
+#include "geometry/segment.hpp"
 
 namespace keyblock {
 namespace {
@@ -101,6 +105,31 @@ TriangleMesh numbered(const Triangulation& triangulation) {
   return mesh;
 }
 
+/// Of the side wanted at a point: nearer than this to a line or to another point it gets no node of its own, for
+/// triangles between them would have no area that coordinates resolve.
+constexpr double kOwnNode = 1e-6;
+
+/// The refined points that become nodes: those within the box that lie on lines exactly, or off them.
+std::vector<Point> nodes_at_points(const Box& box, const MeshSize& size, std::span<const Segment> along) {
+  std::vector<Point> nodes;
+  std::multimap<double, Point> by_x;
+  for (const RefinedPoint& point : size.refined()) {
+    const Point p = point.at;
+    const double least = kOwnNode * point.side;
+    if (!box.holds(p)) continue;
+    const auto is_beside = [&](const Segment& s) {
+      return p != s.start && p != s.end && distance(s, p) < least &&
+             (orientation(s.start, s.end, p) != 0 || std::min(distance(s.start, p), distance(s.end, p)) < least);
+    };
+    const auto is_near = [&](const auto& other) { return distance(other.second, p) < least; };
+    if (std::ranges::any_of(along, is_beside)) continue;
+    if (std::any_of(by_x.lower_bound(p.x - least), by_x.upper_bound(p.x + least), is_near)) continue;
+    nodes.push_back(p);
+    by_x.emplace(p.x, p);
+  }
+  return nodes;
+}
+
 }  // namespace
 
 TriangleMesh unstructured_mesh(const Box& box, const MeshSize& size, std::span<const Segment> along) {
@@ -112,9 +141,7 @@ TriangleMesh unstructured_mesh(const Box& box, const MeshSize& size, std::span<c
   for (std::size_t k = 0; k < 4; ++k)
     triangulation.insert_constraint(from_point(corners[k]), from_point(corners[(k + 1) % 4]));
   for (const Segment& s : along) triangulation.insert_constraint(from_point(s.start), from_point(s.end));
-  for (const RefinedPoint& point : size.refined()) {
-    if (box.holds(point.at)) triangulation.insert(from_point(point.at));
-  }
+  for (const Point p : nodes_at_points(box, size, along)) triangulation.insert(from_point(p));
   CGAL::Delaunay_mesher_2<Triangulation, Wanted> mesher(triangulation, Wanted(size));
   mesher.refine_mesh();
   return numbered(triangulation);
