@@ -95,7 +95,7 @@ void expect_result(const Expectation& row, const std::string& folder) {
 
 struct HostileRow {
   std::string input;
-  std::string command;  ///< check, run (profile legacy) or joints
+  std::string command;  ///< check, run (profile legacy), standard (run under it), cut, fit or joints
   std::string outcome;  ///< warning, error, or doubt: a run that ends with 1
   std::string place;    ///< line and column; empty: the file
   std::string says;     ///< part of the sentence
@@ -113,6 +113,9 @@ support::ProgramRun run_hostile(const HostileRow& row, const std::string& out) {
   const std::string input = kFolder + "hostile/" + row.input;
   // Whether a run would go is another question.
   if (row.command == "check") return support::run_keyblock({"check", input, "--trial", "0"});
+  if (row.command == "cut") return support::run_keyblock({"cut", input, "-o", out});
+  if (row.command == "fit") return support::run_keyblock({"fit", input});
+  if (row.command == "standard") return support::run_keyblock({"run", input, "-o", out, "--profile", "standard"});
   if (row.command == "joints") return support::run_keyblock({"joints", input, "-o", out});
   return support::run_keyblock({"run", input, "-o", out, "--profile", "legacy"});
 }
