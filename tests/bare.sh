@@ -41,8 +41,7 @@ make_base() {
   mirror=$(awk -v release="$release" '$2 == release { print $1; exit }' <<<"$sources")
   case $mirror in https:*) extra=(--include=ca-certificates) ;; esac
   echo "bare: debootstrap $release from $mirror"
-  rm -rf "$bare/base" "$bare/base.part"
-  mkdir -p "$bare"
+  rm -rf --one-file-system "$bare/base.part"
   debootstrap --variant=minbase "${extra[@]}" "$release" "$bare/base.part" "$mirror" >"$bare/debootstrap.log" 2>&1 ||
     cannot "debootstrap failed: $(tail -n 1 "$bare/debootstrap.log")"
   sed 's/^/deb /' <<<"$sources" >"$bare/base.part/etc/apt/sources.list"
@@ -61,7 +60,7 @@ within() {
 }
 
 make_root() {
-  rm -rf "$root"
+  rm -rf --one-file-system "$root"
   cp -a --reflink=auto "$bare/base" "$root" || cannot "the system cannot be copied"
   mkdir -p "$root$home"
   cat /etc/resolv.conf >"$root/etc/resolv.conf"
@@ -77,6 +76,9 @@ make_root() {
     cannot "../shared cannot be mounted"
 }
 
+mkdir -p "$bare" || cannot "no folder $bare"
+exec 9>"$bare/lock"
+flock -n 9 || cannot "another is at work in $bare"
 [ -d "$bare/base" ] || make_base
 make_root
 within "apt-get -qq update -o APT::Update::Error-Mode=any" >"$bare/update.log" 2>&1 ||

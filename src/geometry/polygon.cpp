@@ -20,8 +20,8 @@ bool is_between(double a, double b, double value) {
 struct ChainEdge {
   LoopEdge name;
   Segment line;
-  Point before;  ///< the corner before the start
   std::size_t next = 0;
+  std::size_t previous = 0;
 };
 
 std::vector<ChainEdge> chain_edges(std::span<const std::vector<Point>> loops) {
@@ -31,11 +31,11 @@ std::vector<ChainEdge> chain_edges(std::span<const std::vector<Point>> loops) {
     const std::size_t first = edges.size();
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Segment line{loop[i], loop[i + 1 == loop.size() ? 0 : i + 1]};
-      if (line.start != line.end) edges.push_back({{l, i}, line, {}, edges.size() + 1});
+      if (line.start != line.end) edges.push_back({{l, i}, line, edges.size() + 1, 0});
     }
     if (edges.size() == first) continue;
     edges.back().next = first;
-    for (std::size_t k = first; k < edges.size(); ++k) edges[edges[k].next].before = edges[k].line.start;
+    for (std::size_t k = first; k < edges.size(); ++k) edges[edges[k].next].previous = k;
   }
   return edges;
 }
@@ -50,32 +50,20 @@ int side_of_chain(Point p, Point at, Point n, Point q) {
   return first > 0 || second > 0 ? 1 : first < 0 && second < 0 ? -1 : 0;
 }
 
-/// Whether the chain through the start of `b` passes from one side of the chain through that point of `a` to the other.
-bool crosses_at_start(const ChainEdge& a, const ChainEdge& b) {
-  const Point at = b.line.start;
-  if (at == a.line.end || orientation(a.line.start, a.line.end, at) != 0) return false;
-  if (agreement(a.line.start, at, at, a.line.end) < 0) return false;  // beyond the edge
-  const Point before = at == a.line.start ? a.before : a.line.start;
-  return side_of_chain(before, at, a.line.end, b.before) * side_of_chain(before, at, a.line.end, b.line.end) < 0;
-}
-
 bool runs_along(const Segment& a, const Segment& b) {
   if (orientation(a.start, a.end, b.start) != 0 || orientation(a.start, a.end, b.end) != 0) return false;
   return agreement(a.start, a.end, b.start, b.end) > 0 && agreement(a.start, a.end, b.start, a.end) > 0 &&
          agreement(a.start, a.end, a.start, b.end) > 0;
 }
 
-/// Where two edges that are no neighbours cross.
-std::optional<Point> crossing_of(const ChainEdge& a, const ChainEdge& b) {
-  if (crosses_at_start(a, b)) return b.line.start;
-  if (crosses_at_start(b, a)) return a.line.start;
-  if (runs_along(a.line, b.line))
-    return agreement(a.line.start, a.line.end, a.line.start, b.line.start) > 0 ? b.line.start : a.line.start;
-  const auto parts = [](const Segment& s, const Segment& t) {
-    return orientation(s.start, s.end, t.start) * orientation(s.start, s.end, t.end) < 0;
-  };
-  if (!parts(a.line, b.line) || !parts(b.line, a.line)) return std::nullopt;
-  return point_at(a.line, std::clamp(exact_station(a.line, b.line).value, 0.0, 1.0));
+/// A point that two edges have in common, no more than a point of each.
+std::optional<Point> meeting_point(const Segment& a, const Segment& b) {
+  if (meeting(a, b) != Meeting::crossing) return std::nullopt;
+  for (const Point p : {a.start, a.end})
+    if (orientation(b.start, b.end, p) == 0) return p;
+  for (const Point p : {b.start, b.end})
+    if (orientation(a.start, a.end, p) == 0) return p;
+  return point_at(a, std::clamp(exact_station(a, b).value, 0.0, 1.0));
 }
 
 double mean_width(std::span<const Point> loop) {
@@ -84,20 +72,62 @@ double mean_width(std::span<const Point> loop) {
   return around > 0 ? 2 * std::fabs(area(loop)) / around : 0;
 }
 
-/// Whether a crossing is more than the rounding of coordinates.
-bool is_wide(const std::vector<ChainEdge>& edges, std::size_t one, std::size_t other, Point at, double least) {
-  const ChainEdge& a = edges[one];
-  const ChainEdge& b = edges[other];
-  if (a.name.loop != b.name.loop)
-    return std::min({distance(a.line, b.line.start), distance(a.line, b.line.end), distance(b.line, a.line.start),
-                     distance(b.line, a.line.end)}) > least;
-  const auto part = [&](std::size_t from, std::size_t to) {
+/// Chains with the crossings that are more than the rounding of coordinates.
+class Chains {
+ public:
+  Chains(std::span<const std::vector<Point>> loops, double least) : edges_(chain_edges(loops)), least_(least) {}
+
+  const std::vector<ChainEdge>& edges() const { return edges_; }
+  bool are_neighbours(std::size_t a, std::size_t b) const { return edges_[a].next == b || edges_[b].next == a; }
+
+  /// Where two edges cross, or begin to run along each other in one direction.
+  std::optional<Point> crossing(std::size_t one, std::size_t other) const {
+    const Segment& a = edges_[one].line;
+    const Segment& b = edges_[other].line;
+    if (runs_along(a, b)) return agreement(a.start, a.end, a.start, b.start) > 0 ? b.start : a.start;
+    const auto at = meeting_point(a, b);
+    if (!at || !passes(one, other, *at)) return std::nullopt;
+    const bool is_one_loop = edges_[one].name.loop == edges_[other].name.loop;
+    if (is_one_loop && std::min(width_between(one, other, *at), width_between(other, one, *at)) <= least_)
+      return std::nullopt;
+    return at;
+  }
+
+ private:
+  std::optional<Point> far_ahead(std::size_t from, Point at) const {
+    for (std::size_t k = from;;) {
+      if (distance(edges_[k].line.end, at) > least_) return edges_[k].line.end;
+      k = edges_[k].next;
+      if (k == from) return std::nullopt;
+    }
+  }
+
+  std::optional<Point> far_behind(std::size_t from, Point at) const {
+    for (std::size_t k = from;;) {
+      if (distance(edges_[k].line.start, at) > least_) return edges_[k].line.start;
+      k = edges_[k].previous;
+      if (k == from) return std::nullopt;
+    }
+  }
+
+  /// Whether a chain comes from one side of the other and goes on on the other side, seen from `least` away.
+  bool passes(std::size_t one, std::size_t other, Point at) const {
+    const auto from = far_behind(one, at), to = far_ahead(one, at);
+    const auto before = far_behind(other, at), after = far_ahead(other, at);
+    if (!from || !to || !before || !after) return false;
+    return side_of_chain(*before, at, *after, *from) * side_of_chain(*before, at, *after, *to) < 0;
+  }
+
+  /// Mean width of the part of a loop from the crossing along `from` and back along `to`.
+  double width_between(std::size_t from, std::size_t to, Point at) const {
     std::vector<Point> loop{at};
-    for (std::size_t k = from; k != to; k = edges[k].next) loop.push_back(edges[k].line.end);
+    for (std::size_t k = from; k != to; k = edges_[k].next) loop.push_back(edges_[k].line.end);
     return mean_width(loop);
-  };
-  return std::min(part(one, other), part(other, one)) > least;
-}
+  }
+
+  std::vector<ChainEdge> edges_;
+  double least_;
+};
 
 }  // namespace
 
@@ -161,7 +191,8 @@ std::optional<Point> point_inside(std::span<const std::vector<Point>> loops) {
 }
 
 std::optional<EdgeCrossing> first_crossing(std::span<const std::vector<Point>> loops, double least) {
-  const std::vector<ChainEdge> edges = chain_edges(loops);
+  const Chains chains(loops, least);
+  const std::vector<ChainEdge>& edges = chains.edges();
   std::vector<Box> boxes(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     boxes[i].add(edges[i].line.start);
@@ -171,9 +202,8 @@ std::optional<EdgeCrossing> first_crossing(std::span<const std::vector<Point>> l
   visit_touching(boxes, 0, [&](int i, int j) {
     const auto one = static_cast<std::size_t>(i);
     const auto other = static_cast<std::size_t>(j);
-    if (edges[one].next == other || edges[other].next == one) return true;
-    const auto at = crossing_of(edges[one], edges[other]);
-    if (at && is_wide(edges, one, other, *at, least)) found = EdgeCrossing{edges[one].name, edges[other].name, *at};
+    if (chains.are_neighbours(one, other)) return true;
+    if (const auto at = chains.crossing(one, other)) found = EdgeCrossing{edges[one].name, edges[other].name, *at};
     return !found;
   });
   return found;

@@ -39,8 +39,8 @@ struct EdgeCrossing {
 };
 
 /// The first two edges in which closed chains cross themselves or one another, or run along each other in the same
-/// direction. Chains may touch. A loop that a crossing leaves with a mean width below `least`, or an edge that reaches
-/// less than that across, is taken as rounding and passed over.
+/// direction. Chains may touch. Sides are seen from `least` away, and a loop that a crossing leaves with a mean width
+/// below it is passed over: that is the rounding of coordinates.
 std::optional<EdgeCrossing> first_crossing(std::span<const std::vector<Point>> loops, double least);
 
 /// The part of a convex polygon that lies to the left of the line from `start` to `end` (Sutherland & Hodgman 1974).

@@ -96,6 +96,24 @@ TEST(HistoriesCommand, all_kinds_come_in_long_form_with_units) {
   EXPECT_EQ(rows.back()[0], "20") << "to the end";
 }
 
+// Each of n histories searched the n measured points that they had made, in each step.
+TEST(HistoriesCommand, many_of_one_point_share_a_measured_point_and_large_tables_are_told_of_before_the_run) {
+  std::string rows;
+  for (int i = 0; i < 5000; ++i) rows += std::string(i == 0 ? "" : ", ") + R"({"point": [0.5, 2.5]})";
+  const std::string folder = case_in("many_histories", R"(, "outputs": {"histories": [)" + rows + "]}");
+  const auto run = run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--set", "steps=3"});
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_FALSE(contains(run.messages, "[tables_large]")) << run.messages;
+  EXPECT_LT(run.cpu_seconds, 10);
+  EXPECT_EQ(lines_of(folder + "/out/histories.csv"), 1 + 4 * 5000 * 7);
+  EXPECT_FALSE(contains(read_text(folder + "/out/history.csv"), "x2 [m]"));
+  const auto longer =
+      support::interrupt_keyblock({"run", folder + "/case.json", "-o", folder + "/longer", "--set", "steps=1000000"},
+                                  folder + "/longer/frames/00000000.vtu");
+  EXPECT_EQ(longer.exit_code, 130);
+  EXPECT_TRUE(contains(longer.messages, "histories.csv 1.1e+04 MB of 5000 histories")) << longer.messages;
+}
+
 TEST(HistoriesCommand, a_case_file_asks_for_them_too) {
   const std::string folder = case_in("histories_case", R"(, "outputs": {"histories": [
       {"name": "roof", "point": [0.5, 3]}, {"block": 2}, {"contact": [1, 3]}, {"joint": 5},

@@ -64,7 +64,7 @@ TEST(Planarize, a_piece_among_many_nodes_beside_one_another_comes_to_an_end) {
     pieces.push_back({2 * i + 2, 2 * i + 3});
   }
   const Planarized p = planarize(arrangement_of(nodes, pieces), 0, a_tenth());
-  EXPECT_LT(p.arrangement.edges.size(), 10 * nodes.size() * nodes.size());
+  EXPECT_FALSE(p.is_settled) << "each round makes more";
 }
 
 TEST(Planarize, boundary_pieces_make_detours_within_round_off_only) {

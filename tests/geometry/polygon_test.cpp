@@ -78,7 +78,7 @@ std::vector<Point> turned(std::vector<Point> loop, double angle, Point by) {
 TEST(Polygon, chains_that_cross_themselves_are_found_however_they_are_turned) {
   const std::vector<std::vector<Point>> crossed = {
       {{1, 0}, {2, 1}, {2, 0}, {1, 1.5}},                                  // in the middle of two edges
-      {{0, 0}, {1, 1}, {2, 0}, {2, 2}, {1, 1}, {0, 2}},                    // a figure of eight through a corner
+      {{0, 0}, {1, 1}, {2, 2}, {2, 0}, {1, 1}, {0, 2}},                    // a figure of eight through a corner
       {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}},    // twice around
       {{0, 0}, {4, 0}, {4, 2}, {1, 2}, {1, -1}, {3, -1}, {3, 4}, {0, 4}},  // over itself
   };
@@ -91,7 +91,9 @@ TEST(Polygon, chains_that_cross_themselves_are_found_however_they_are_turned) {
 TEST(Polygon, chains_that_touch_themselves_or_are_rounded_do_not_cross) {
   EXPECT_EQ(crossing_words({kEll}), "");
   EXPECT_EQ(crossing_words({{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 0}, {1, 4}, {0, 4}}}), "") << "a corner on an edge";
-  EXPECT_EQ(crossing_words({{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}}), "0:0 0:3") << "it passes through";
+  for (const double angle : {0.0, 0.3, 1.0, 2.5})
+    EXPECT_EQ(crossing_words({turned({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}, angle, {7, 3})}), "")
+        << "two triangles that meet in a corner, turned by " << angle;
   EXPECT_EQ(crossing_words({{{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}}), "") << "it turns back at the corner";
   EXPECT_EQ(crossing_words({{{0, 0}, {4, 0}, {4, 4}, {1, 3}, {1, 1}, {3, 2}, {1, 3}, {4, 4}, {0, 4}}}), "")
       << "a hole on a line of no width";

@@ -41,6 +41,16 @@ Row row_of(int step) {
 
 }  // namespace
 
+TEST(Thinned, the_last_row_is_one_that_is_kept) {
+  Rows rows(3);
+  EXPECT_EQ(rows.last(), nullptr);
+  for (int step = 0; step < 8; ++step) rows.add(row_of(step));
+  ASSERT_NE(rows.last(), nullptr);
+  EXPECT_EQ(rows.last(), rows.last()) << "not of a list made anew";
+  EXPECT_EQ(rows.last()->step, 7);
+  EXPECT_EQ(rows.last()->height, 2);
+}
+
 TEST(Thinned, the_stride_leaves_at_most_the_promised_number) {
   EXPECT_EQ(stride_of(1), 1);
   EXPECT_EQ(stride_of(kMostRows), 1);

@@ -141,6 +141,13 @@ TEST(Fit, tables_may_have_headings_or_none) {
   EXPECT_NE(refusal([] { pairs_of("1e-3,3 MPa\n0.2,6\n"); }).find("heading begins with"), std::string::npos);
 }
 
+TEST(Fit, stress_that_is_the_same_in_all_rows_is_refused_at_its_first_row) {
+  std::string text = "strain,stress\n";
+  for (int i = 0; i < 20; ++i) text += std::to_string(0.001 * i) + ",5\n";
+  const std::string said = refusal([&] { fit_curve(pairs_of(text), CompressionSign::found); });
+  EXPECT_EQ(said, "curve.csv:2:1: error: expected stress that rises with strain, found 5 in all rows");
+}
+
 TEST(Fit, units_of_headings_are_taken) {
   const MeasuredPairs pairs = pairs_of("strain [%],Stress (MPa)\n0.1,5\n0.2,6\n");
   EXPECT_EQ(strain_factor(pairs), 0.01);

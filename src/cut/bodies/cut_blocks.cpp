@@ -168,6 +168,11 @@ class Cutting {
   /// What merging has bent is made a plane drawing again.
   void straighten_out() {
     Planarized planar = planarize(std::move(arrangement_), lines_.boundary_count, tolerances(), near_pieces_);
+    if (!planar.is_settled)
+      throw InputError(drawing_.place, fmt::format("expected lines farther apart than {:.3g}, within which pieces are "
+                                                   "led through points, found too many nearer to one another; a "
+                                                   "smaller edge_node_ratio than {:g} keeps them apart",
+                                                   tolerances().near_pass, drawing_.edge_node_ratio));
     for (const Detour& d : planar.detours) {
       result_.snaps.push_back(
           {Snap::Kind::edge_rerouted, d.from, planar.arrangement.nodes[d.node].position, place(d.line)});

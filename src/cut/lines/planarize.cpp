@@ -18,6 +18,9 @@ namespace {
 /// A node put on a crossing may lie beside a further piece, whose detour may cross another. No piece crossed
 /// another in enough in all drawings tried; the bound only makes sure of an end.
 constexpr int kMaxRounds = 20;
+/// Of the nodes at the beginning: drawings that can be cut get a few more.
+constexpr std::size_t kMostGrowth = 4;
+constexpr std::size_t kFewNodes = 100;
 
 Segment segment_of(const Arrangement& a, const Edge& e) {
   return {a.nodes[e.from].position, a.nodes[e.to].position};
@@ -191,7 +194,7 @@ namespace {
 
 // Of two pieces that cross the one of the later line goes, boundaries stay (legacy-formats 3.6, step 4).
 Planarized without_near_pieces(Arrangement arrangement, std::size_t boundary_count, const CutTolerances& tolerances) {
-  Planarized result{std::move(arrangement), {}, 0, {}};
+  Planarized result{std::move(arrangement), {}, 0, {}, true};
   Arrangement& a = result.arrangement;
   const auto is_boundary = [&](const Edge& e) { return e.line < static_cast<int>(boundary_count); };
   std::vector<char> goes(a.edges.size(), 0);
@@ -220,10 +223,13 @@ Planarized planarize(Arrangement arrangement, std::size_t boundary_count, const 
                      NearPieces near_pieces) {
   if (near_pieces == NearPieces::deleted)
     return without_near_pieces(std::move(arrangement), boundary_count, tolerances);
-  Planarized result{std::move(arrangement), {}, 0, {}};
+  Planarized result{std::move(arrangement), {}, 0, {}, true};
+  const std::size_t most = kMostGrowth * result.arrangement.nodes.size() + kFewNodes;
   for (int round = 0; round < kMaxRounds; ++round) {
     Detours(result, boundary_count, tolerances).make();
     if (!split_crossings(result)) break;
+    result.is_settled = result.arrangement.nodes.size() <= most;
+    if (!result.is_settled) break;
   }
   return result;
 }

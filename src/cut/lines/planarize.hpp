@@ -23,6 +23,7 @@ struct Planarized {
   std::vector<Detour> detours;
   int crossings = 0;          ///< nodes put where pieces crossed
   std::vector<Edge> deleted;  ///< pieces, as the old programs do
+  bool is_settled = true;     ///< false: nodes lie so near to one another that each round makes more
 };
 
 /// Boundary pieces make detours within round-off only, as the old programs never delete them; other pieces

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "base/error.hpp"
@@ -16,12 +17,17 @@
 namespace keyblock {
 namespace {
 
-Box bounding_box(const std::vector<JointLine>& lines) {
+Box bounding_box(const std::vector<JointLine>& lines, std::optional<Point> left_out = {}) {
   Box box;
   for (const JointLine& line : lines) {
-    for (const Point p : {line.segment.start, line.segment.end}) box.add(p);
+    for (const Point p : {line.segment.start, line.segment.end})
+      if (p != left_out) box.add(p);
   }
   return box;
+}
+
+double scale_of(const Box& box) {
+  return 1.02 * std::max(box.size().y / 2, box.size().x / 2 / 1.3);
 }
 
 // A slip in one coordinate makes the drawing, and with it the merging distance, a hundred times as large.
@@ -51,12 +57,12 @@ void require_small_merging(const Drawing& drawing, const CutTolerances& toleranc
   const Point middle{median(x), median(y)};
   for (const JointLine* line : lines)
     reaches.push_back(std::max(distance(middle, line->segment.start), distance(middle, line->segment.end)));
-  const auto farthest = std::ranges::max_element(reaches);
-  const double length = median(lengths);
-  const bool is_alone = *farthest > kFarReach * median(reaches);
-  if (tolerances.merge < length * (is_alone ? kSmallShare : 1)) return;
-  const JointLine& line = *lines[static_cast<std::size_t>(farthest - reaches.begin())];
+  const JointLine& line = *lines[static_cast<std::size_t>(std::ranges::max_element(reaches) - reaches.begin())];
   const auto& [start, end] = line.segment;
+  const Point farthest = distance(middle, start) > distance(middle, end) ? start : end;
+  const double length = median(lengths);
+  const bool is_alone = tolerances.scale > kFarReach * scale_of(bounding_box(drawing.joints, farthest));
+  if (tolerances.merge < length * (is_alone ? kSmallShare : 1)) return;
   throw InputError(
       line.place,
       fmt::format(
@@ -69,12 +75,11 @@ void require_small_merging(const Drawing& drawing, const CutTolerances& toleranc
 CutTolerances cut_tolerances(const Drawing& drawing) {
   if (drawing.joints.empty()) return {};
   const Box box = bounding_box(drawing.joints);
-  const Point size = box.high - box.low;
   const double greatest =
       std::max({std::fabs(box.low.x), std::fabs(box.low.y), std::fabs(box.high.x), std::fabs(box.high.y)});
   const double e0 = drawing.edge_node_ratio;
   CutTolerances result;
-  result.scale = 1.02 * std::max(size.y / 2, size.x / 2 / 1.3);
+  result.scale = scale_of(box);
   const double w0 = result.scale;
   result.merge = 1.25 * e0 * w0;
   result.near_pass = e0 * w0;
