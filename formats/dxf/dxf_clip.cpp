@@ -37,7 +37,9 @@ Warnings not_clipped(const Drawing& drawing, const OutlineFault& fault) {
     why = fmt::format("the outline is open at {}", at(fault.at));
   return {{"dxf_not_clipped", drawing.joints[fault.line].place,
            why + "; joints are not cut off at the boundary" +
-               (fault.pieces == 1 ? "; --join DISTANCE closes gaps up to that distance" : "")}};
+               (fault.nearest && fault.pieces == 1
+                    ? fmt::format("; --join {} closes it", plain(1.1 * distance(fault.at, *fault.nearest), 2))
+                    : "")}};
 }
 
 bool lies_in(const Outline& inner, const Outline& outer) {

@@ -251,12 +251,11 @@ class DrawingMaker {
     if (curves_ == 0) return;
     result_.warnings.push_back(
         {"dxf_curves_as_chords", first_curve_,
-         fmt::format(
-             "{} arcs, circles and bulges are {} chords; none leaves its curve by more than {} of the radius{}",
-             curves_, chords_, kSagittaRatio,
-             has_others_
-                 ? fmt::format("; of the greater half axis of an ellipse, and {} of the size of a spline", kSplineRatio)
-                 : "")});
+         fmt::format("{} {} are {} chords; none leaves its curve by more than {} of the radius{}", curves_,
+                     has_others_ ? "curves" : "arcs, circles and bulges", chords_, kSagittaRatio,
+                     has_others_ ? fmt::format(" (of an ellipse: its greater half axis), or {} of the size of a spline",
+                                               kSplineRatio)
+                                 : "")});
   }
 
   DxfShapes shapes_;

@@ -42,8 +42,9 @@ TEST(DrawingOptions, a_joint_that_ends_short_is_told_with_its_place_and_joined_b
   const std::string file = written("short.json", kShortJoint + kAnalysis);
   const support::ProgramRun cut = run_keyblock({"cut", file, "--json"});
   EXPECT_EQ(nlohmann::json::parse(cut.output)["blocks"], 1);
-  EXPECT_TRUE(
-      contains(cut.messages, "2 ends of lines stop less than 0.0255 short of another line, the nearest 0.002 at "))
+  EXPECT_TRUE(contains(
+      cut.messages,
+      "2 ends of lines stop less than 0.0255 short of another line and meet it nowhere, the nearest 0.002 at "))
       << cut.messages;
   EXPECT_EQ(nlohmann::json::parse(run_keyblock({"cut", file, "--json", "--join", "0.003"}).output)["blocks"], 2);
   EXPECT_TRUE(contains(run_keyblock({"check", file, "--join", "0.003"}).output, "ends_joined"));

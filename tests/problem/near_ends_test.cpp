@@ -24,7 +24,7 @@ void expect_near(const Segment& found, const Segment& wanted) {
 
 TEST(NearEnds, an_end_beside_a_line_is_found_and_one_on_it_is_not) {
   const std::vector<Segment> lines{{{0, 0}, {10, 0}}, {{3, 0.02}, {3, 5}}, {{6, 0}, {6, 5}}};
-  NearEndSearch search(lines, 0.05);
+  NearEndSearch search(lines, 0, 0.05);
   const auto near = search.look(1, true, 0);
   ASSERT_TRUE(near);
   EXPECT_EQ(near->other, 0U);
@@ -35,7 +35,7 @@ TEST(NearEnds, an_end_beside_a_line_is_found_and_one_on_it_is_not) {
 
 TEST(NearEnds, an_end_that_passes_a_line_is_beyond_it_unless_so_much_is_allowed) {
   const std::vector<Segment> lines{{{0, 0}, {10, 0}}, {{3, -0.02}, {3, 5}}};
-  NearEndSearch search(lines, 0.05);
+  NearEndSearch search(lines, 0, 0.05);
   const auto near = search.look(1, true, 0);
   ASSERT_TRUE(near);
   EXPECT_TRUE(near->is_beyond);
@@ -44,7 +44,7 @@ TEST(NearEnds, an_end_that_passes_a_line_is_beyond_it_unless_so_much_is_allowed)
 
 TEST(NearEnds, a_line_drawn_twice_does_not_hide_the_gap_of_both) {
   const std::vector<Segment> lines{{{0, 0}, {10, 0}}, {{3, 0.02}, {3, 5}}, {{3, 0.02}, {3, 5}}};
-  NearEndSearch search(lines, 0.05);
+  NearEndSearch search(lines, 0, 0.05);
   EXPECT_TRUE(search.look(1, true, 0));
   EXPECT_TRUE(search.look(2, true, 0));
 }
@@ -65,6 +65,16 @@ TEST(NearEnds, a_corner_is_where_both_lines_lead) {
   expect_near(drawing.joints[0].segment, {{0, 0}, {10, 0}});
   expect_near(drawing.joints[1].segment, {{10, 0}, {10, 5}});
   EXPECT_EQ(drawing.joints[0].segment.end, drawing.joints[1].segment.start) << "one point to the last digit";
+}
+
+// A joint that crosses the outline beside an open corner is not what the outline is closed with.
+TEST(NearEnds, an_outline_is_closed_with_itself_before_any_joint) {
+  Drawing drawing = drawing_of({{{0, 0}, {9.98, 0}}, {{10, 0.02}, {10, 5}}});
+  drawing.joints.push_back({{{9.985, -3}, {9.965, 3}}, 0, {}});
+  drawing.boundary_count = 2;
+  join_ends(drawing, 0.05);
+  EXPECT_EQ(drawing.joints[0].segment.end, drawing.joints[1].segment.start);
+  EXPECT_LT(distance(drawing.joints[0].segment.end, {10, 0}), 1e-12);
 }
 
 TEST(NearEnds, ends_along_one_line_meet) {

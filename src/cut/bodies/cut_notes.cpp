@@ -72,7 +72,7 @@ void CutNotes::of_dangling(const std::vector<char>& is_dangling) {
 void CutNotes::of_near_ends(const std::vector<char>& is_dangling) {
   const double within = std::max(kNearInMerges * tolerances().merge, kNearInScales * tolerances().scale);
   if (std::ranges::find(is_dangling, 1) == is_dangling.end()) return;
-  NearEndSearch search(lines_.segments, within);
+  NearEndSearch search(lines_.segments, lines_.boundary_count, within);
   std::vector<NearEnd> found;
   for (std::size_t line = 0; line < is_dangling.size(); ++line)
     for (const bool is_start : {true, false}) {
@@ -81,14 +81,16 @@ void CutNotes::of_near_ends(const std::vector<char>& is_dangling) {
       if (near && !near->is_beyond) found.push_back(*near);
     }
   if (found.empty()) return;
-  const NearEnd& nearest = *std::ranges::min_element(found, {}, &NearEnd::gap);
+  const auto [nearest, farthest] = std::ranges::minmax(found, {}, &NearEnd::gap);
   const int line = static_cast<int>(nearest.line);
+  const bool is_one = found.size() == 1;
   warn("ends_stop_short", place(line),
-       fmt::format("{} less than {} short of another line, the nearest {} at ({}, {}), line {}: they meet it nowhere; "
-                   "--join {} joins ends that are as near as that",
-                   found.size() == 1 ? "1 end of a line stops" : fmt::format("{} ends of lines stop", found.size()),
-                   plain(within, 3), plain(nearest.gap(), 3), plain(nearest.from.x, 6), plain(nearest.from.y, 6),
-                   number(line), plain(1.1 * nearest.gap(), 2)));
+       fmt::format("{} less than {} short of another line and {} it nowhere, the nearest {} at ({}, {}), line {}{}; "
+                   "--join DISTANCE joins those nearer than it",
+                   is_one ? "1 end of a line stops" : fmt::format("{} ends of lines stop", found.size()),
+                   plain(within, 3), is_one ? "meets" : "meet", plain(nearest.gap(), 3), plain(nearest.from.x, 6),
+                   plain(nearest.from.y, 6), number(line),
+                   is_one ? "" : fmt::format(", the farthest {}", plain(farthest.gap(), 3))));
 }
 
 void CutNotes::of_merging(const std::vector<Crossing>& found, const NodeTable& table) {

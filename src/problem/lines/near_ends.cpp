@@ -37,8 +37,8 @@ std::optional<Point> crossing_of_carriers(const Segment& a, const Segment& b) {
 /// Moves ends until none is near a line that it does not meet.
 class Joiner {
  public:
-  Joiner(std::vector<Segment> lines, double distance)
-      : lines_(std::move(lines)), distance_(distance), search_(lines_, distance) {}
+  Joiner(std::vector<Segment> lines, std::size_t boundary_count, double distance)
+      : lines_(std::move(lines)), distance_(distance), search_(lines_, boundary_count, distance) {}
 
   void join() {
     for (int pass = 0; pass < kMostPasses; ++pass) {
@@ -105,50 +105,69 @@ double meeting_distance(std::span<const Segment> lines) {
                   kUlpsOfGreatest * std::numeric_limits<double>::epsilon() * greatest);
 }
 
-NearEndSearch::NearEndSearch(std::span<const Segment> lines, double within)
-    : lines_(lines), within_(within), met_(meeting_distance(lines)), grid_(lines, 3 * within) {}
+NearEndSearch::NearEndSearch(std::span<const Segment> lines, std::size_t boundary_count, double within)
+    : lines_(lines),
+      boundary_count_(boundary_count),
+      within_(within),
+      met_(meeting_distance(lines)),
+      grid_(lines, 3 * within) {}
 
 std::optional<NearEnd> NearEndSearch::look(std::size_t line, bool is_start, double overshoot) {
+  const bool is_of_outline = line < boundary_count_;
+  const Found first = look_among(is_of_outline ? boundary_count_ : lines_.size(), line, is_start, overshoot);
+  if (first.is_met || first.near || !is_of_outline) return first.is_met ? std::nullopt : first.near;
+  const Found any = look_among(lines_.size(), line, is_start, overshoot);
+  return any.is_met || (any.near && any.near->is_beyond) ? std::nullopt : any.near;
+}
+
+NearEndSearch::Found NearEndSearch::look_among(std::size_t count, std::size_t line, bool is_start, double overshoot) {
   const Segment& own = lines_[line];
   const Point end = is_start ? own.start : own.end;
-  const Point back = is_start ? own.end : own.start;
-  const Point way = end - back;
-  std::optional<NearEnd> best;
-  if (length(way) <= met_) return best;
-  for (const int index : grid_.near({end, end}, static_cast<int>(lines_.size()))) {
-    const auto other_index = static_cast<std::size_t>(index);
-    const Segment& other = lines_[other_index];
-    if (other_index == line || other.start == other.end) continue;
-    const Point to = nearest_point(other, end);
-    const double gap = distance(to, end);
-    if (gap > within_) continue;
-    const Point other_way = other.end - other.start;
-    const bool is_along = std::abs(cross(way, other_way)) <= kSameWay * length(way) * length(other_way) &&
-                          distance_to_carrier(own, other.start) <= met_;
-    const bool ends_here = std::min(distance(other.start, end), distance(other.end, end)) <= met_;
-    const Point far = distance(other.start, end) < distance(other.end, end) ? other.end : other.start;
-    if (is_along && ends_here && dot(way, far - end) < 0) continue;  // the same piece drawn twice
-    if (gap <= met_) return std::nullopt;
-    NearEnd found{line, is_start, other_index, end, to, false};
-    const bool meets_elsewhere = distance(other, back) <= met_ || meeting(own, other) != Meeting::none ||
-                                 distance(own, other.start) <= met_ || distance(own, other.end) <= met_;
-    if (meets_elsewhere) {
-      const auto crossing = is_along ? std::nullopt : crossing_of_carriers(own, other);
-      if (!crossing || distance(*crossing, back) <= met_ || distance(*crossing, end) > within_) continue;
-      if (distance(*crossing, end) <= overshoot) return std::nullopt;
-      found.to = *crossing;
-      found.is_beyond = true;
-    }
-    if (!best || found.gap() < best->gap()) best = found;
+  Found found;
+  if (distance(own.start, own.end) <= met_) return found;
+  for (const int other : grid_.near({end, end}, static_cast<int>(count))) {
+    if (static_cast<std::size_t>(other) != line)
+      look_at(static_cast<std::size_t>(other), overshoot, found, {line, is_start, 0, end, end, false});
+    if (found.is_met) return found;
   }
-  return best;
+  return found;
+}
+
+void NearEndSearch::look_at(std::size_t other_index, double overshoot, Found& found, const NearEnd& of) const {
+  const Segment& own = lines_[of.line];
+  const Segment& other = lines_[other_index];
+  const Point end = of.from;
+  const Point back = of.is_start ? own.end : own.start;
+  NearEnd near = of;
+  near.other = other_index;
+  near.to = nearest_point(other, end);
+  if (other.start == other.end || near.gap() > within_) return;
+  const Point way = end - back;
+  const Point other_way = other.end - other.start;
+  const bool is_along = std::abs(cross(way, other_way)) <= kSameWay * length(way) * length(other_way) &&
+                        distance_to_carrier(own, other.start) <= met_;
+  const bool ends_here = std::min(distance(other.start, end), distance(other.end, end)) <= met_;
+  const Point far = distance(other.start, end) < distance(other.end, end) ? other.end : other.start;
+  if (is_along && ends_here && dot(way, far - end) < 0) return;  // the same piece drawn twice
+  found.is_met = near.gap() <= met_;
+  if (found.is_met) return;
+  const bool meets_elsewhere = distance(other, back) <= met_ || meeting(own, other) != Meeting::none ||
+                               distance(own, other.start) <= met_ || distance(own, other.end) <= met_;
+  if (meets_elsewhere) {
+    const auto crossing = is_along ? std::nullopt : crossing_of_carriers(own, other);
+    if (!crossing || distance(*crossing, back) <= met_ || distance(*crossing, end) > within_) return;
+    found.is_met = distance(*crossing, end) <= overshoot;
+    near.to = *crossing;
+    near.is_beyond = true;
+  }
+  if (!found.near || near.gap() < found.near->gap()) found.near = near;
 }
 
 Warnings join_ends(Drawing& drawing, double distance) {
   if (!(distance > 0) || drawing.joints.empty()) return {};
   std::vector<Segment> lines;
   for (const JointLine& joint : drawing.joints) lines.push_back(joint.segment);
-  Joiner joiner(std::move(lines), distance);
+  Joiner joiner(std::move(lines), drawing.boundary_count, distance);
   joiner.join();
   for (std::size_t i = 0; i < drawing.joints.size(); ++i) drawing.joints[i].segment = joiner.lines()[i];
   return joined(told(drawing, "ends_joined", joiner.joined(), "end of a line is joined to the line beside it",

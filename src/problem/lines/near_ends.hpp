@@ -29,7 +29,8 @@ double meeting_distance(std::span<const Segment> lines);
 /// Looks for the line that an end nearly meets. Views the lines, which may move by `within` after it is made.
 class NearEndSearch {
  public:
-  NearEndSearch(std::span<const Segment> lines, double within);
+  /// `boundary_count`: how many of the lines are an outline. Its ends meet the outline itself before any joint.
+  NearEndSearch(std::span<const Segment> lines, std::size_t boundary_count, double within);
 
   /// The nearest line within the distance that the line of this end does not meet elsewhere. Nothing if the end meets a
   /// line, or if it passes one by no more than `overshoot`. Ends that pass a line farther than that, but within the
@@ -37,7 +38,16 @@ class NearEndSearch {
   std::optional<NearEnd> look(std::size_t line, bool is_start, double overshoot);
 
  private:
+  /// What an end finds among the first lines.
+  struct Found {
+    bool is_met = false;
+    std::optional<NearEnd> near = std::nullopt;
+  };
+  Found look_among(std::size_t count, std::size_t line, bool is_start, double overshoot);
+  void look_at(std::size_t other, double overshoot, Found& found, const NearEnd& end) const;
+
   std::span<const Segment> lines_;
+  std::size_t boundary_count_;
   double within_;
   double met_;
   SegmentGrid grid_;
