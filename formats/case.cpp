@@ -3,6 +3,7 @@
 #include "formats/case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,9 +12,12 @@
 
 #include "formats/dxf/dxf.hpp"
 #include "formats/dxf/dxf_layer_table.hpp"
+#include "formats/dxf/dxf_units.hpp"
 #include "formats/shi/analysis_parts.hpp"
 #include "formats/shi/dda_analysis.hpp"
 #include "formats/shi/nmm_analysis.hpp"
+#include "formats/text/tokens.hpp"
+#include "problem/lines/near_ends.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -88,11 +92,47 @@ bool take_layers(FileReading& file, LayerTable& all) {
   return true;
 }
 
+bool is_dxf(const FileReading& file) {
+  return file.choice && file.choice->format == &kDxf;
+}
+
+/// What a command says of a drawing counts before what a case file does.
+DrawingChoices with_choices_of(std::vector<FileReading>& files, DrawingChoices choices) {
+  for (FileReading& file : files) {
+    if (!file.reading) continue;
+    const Content& content = file.reading->content;
+    const std::vector<std::string> known = dxf_unit_names();
+    if (!content.drawing_unit.empty() && std::ranges::find(known, content.drawing_unit) == known.end()) {
+      file.error = InputError({file.path}, fmt::format("expected drawing_unit, one of {}, found {}",
+                                                       fmt::join(known, ", "), in_quotes(content.drawing_unit)));
+      file.reading.reset();
+      continue;
+    }
+    if (choices.unit.empty()) choices.unit = content.drawing_unit;
+    if (choices.join == 0) choices.join = content.join.value_or(0);
+  }
+  return choices;
+}
+
+/// Joins lines of drawings that are no DXF file: those did it before their joints were cut off at the boundary.
+void join_drawings(std::vector<FileReading>& files, double distance, const DrawingChoices& asked) {
+  const auto has_drawing = [](const FileReading& file) { return file.reading && file.reading->content.drawing; };
+  if (!asked.unit.empty() && std::ranges::none_of(files, is_dxf))
+    throw UsageError("--unit: expected a DXF drawing, whose unit it is, found none");
+  if (asked.join > 0 && std::ranges::none_of(files, has_drawing) &&
+      std::ranges::all_of(files, [](const FileReading& file) { return file.reading.has_value(); }))
+    throw UsageError("--join: expected a drawing, whose lines are joined, found none");
+  for (FileReading& file : files)
+    if (has_drawing(file) && !is_dxf(file))
+      file.reading->warnings =
+          joined(std::move(file.reading->warnings), join_ends(*file.reading->content.drawing, distance));
+}
+
 /// Drawing programs' files are read again in the length unit, and with the layers, that other files declare: a table of
 /// layers alone before those of a case file.
-void read_drawings_again(std::vector<FileReading>& files) {
-  const auto is_dxf = [](const FileReading& file) { return file.choice && file.choice->format == &kDxf; };
+void read_drawings_again(std::vector<FileReading>& files, const DrawingChoices& choices) {
   ReadHint hint;
+  hint.drawing = choices;
   FileReading* with_layers = nullptr;
   for (const bool is_table : {true, false})
     for (FileReading& file : files) {
@@ -102,7 +142,7 @@ void read_drawings_again(std::vector<FileReading>& files) {
       if (!take_layers(file, hint.layers)) return;
       with_layers = &file;
     }
-  if (hint.length.empty() && hint.layers.rows.empty()) return;
+  if (hint.length.empty() && hint.layers.rows.empty() && choices == DrawingChoices{}) return;
   bool is_read = false;
   for (FileReading& file : files)
     if (file.choice && is_dxf(file) && (file.reading || !hint.layers.rows.empty())) {
@@ -187,13 +227,26 @@ Problem with_content(Problem problem, const Content& content) {
   return problem;
 }
 
+/// Of a drawing without lines: what its reader left out says why.
+InputError with_what_was_left_out(const InputError& error, const Problem& problem, const Warnings& warnings) {
+  constexpr std::array<std::string_view, 3> kReasons{"dxf_hidden_layers", "dxf_skipped", "dxf_layer_not_there"};
+  const auto* drawing = std::get_if<Drawing>(&problem.geometry);
+  if (drawing == nullptr || !drawing->joints.empty()) return error;
+  std::string why = error.sentence();
+  for (const Warning& warning : warnings)
+    if (std::ranges::find(kReasons, warning.name) != kReasons.end()) why += "; " + warning.sentence;
+  return {error.place(), why};
+}
+
 }  // namespace
 
-std::vector<FileReading> read_files(const std::vector<std::string>& paths) {
+std::vector<FileReading> read_files(const std::vector<std::string>& paths, const DrawingChoices& asked) {
   std::vector<FileReading> files;
   for (const std::string& path : paths) files.push_back(open(path));
   open_named_drawings(files);
-  read_drawings_again(files);
+  const DrawingChoices choices = with_choices_of(files, asked);
+  read_drawings_again(files, choices);
+  join_drawings(files, choices.join, asked);
   ReadHint hint;
   for (FileReading& file : files) {
     if (file.reading && hint.geometry == GeometryKind::unknown) hint = hint_of(*file.reading);
@@ -234,10 +287,10 @@ Warnings mismatches(const Content& content) {
   return found;
 }
 
-Case load_case(const std::vector<std::string>& paths) {
+Case load_case(const std::vector<std::string>& paths, const DrawingChoices& choices) {
   std::vector<Content> contents;
   Case result;
-  result.files = read_files(paths);
+  result.files = read_files(paths, choices);
   for (const FileReading& file : result.files) {
     if (file.error) throw *file.error;
     contents.push_back(file.reading->content);
@@ -247,7 +300,7 @@ Case load_case(const std::vector<std::string>& paths) {
   if (std::holds_alternative<std::monostate>(problem.geometry) && !problem.analysis)
     throw InputError({paths.front()}, "expected a geometry or an analysis, found neither");
   Checked checked = check(problem);
-  if (!checked.errors.empty()) throw checked.errors.front();
+  if (!checked.errors.empty()) throw with_what_was_left_out(checked.errors.front(), problem, result.warnings);
   result.problem = std::move(checked.problem);
   if (!paths.empty()) result.problem.place = {paths.front(), 0, 0};
   result.warnings = joined(std::move(result.warnings), checked.warnings);

@@ -21,8 +21,9 @@ struct FileReading {
 };
 
 /// Reads every file whatever befalls the others; geometry first, because Shi's analysis file needs its
-/// counts. A DXF file is brought to the length unit that another file declares.
-std::vector<FileReading> read_files(const std::vector<std::string>& paths);
+/// counts. A DXF file is brought to the length unit that another file declares. Throws UsageError where `choices` say
+/// something of a drawing, and none is there that it can be said of.
+std::vector<FileReading> read_files(const std::vector<std::string>& paths, const DrawingChoices& choices = {});
 
 /// Adds what a file declares to what others did. Throws InputError, at `place`, where two declare different units.
 void put_units(std::optional<Units>& into, const std::optional<Units>& units, const Place& place);
@@ -42,6 +43,6 @@ struct Case {
 };
 
 /// Reads, pairs and checks. Throws the first InputError met, also where there is neither geometry nor analysis.
-Case load_case(const std::vector<std::string>& paths);
+Case load_case(const std::vector<std::string>& paths, const DrawingChoices& choices = {});
 
 }  // namespace keyblock::formats

@@ -54,7 +54,9 @@ struct Content {
   std::optional<OutputPlan> outputs = std::nullopt;
   std::vector<Stage> stages = {};
   LayerTable layers = {};
-  std::string drawing_file = {};  ///< of a case file that names one, as it names it
+  std::optional<double> join = std::nullopt;  ///< of a case file: `DrawingChoices` of its drawing
+  std::string drawing_unit = {};              ///< likewise
+  std::string drawing_file = {};              ///< of a case file that names one, as it names it
   Place drawing_file_place = {};
   bool is_own_case = false;  ///< of a case file of Keyblock, not of an old program
 };
@@ -67,6 +69,14 @@ struct Reading {
 
 enum class GeometryKind { unknown, drawing, blocks, cover };
 
+/// What a command says of a drawing that it reads.
+struct DrawingChoices {
+  std::string unit = {};  ///< of a DXF file, in place of its own; a unit of length as case files name it
+  double join = 0;  ///< ends of lines nearer than this to a line are joined to it [length, as the drawing is read]
+
+  bool operator==(const DrawingChoices&) const = default;
+};
+
 /// What the geometry says that an analysis file cannot be read without: Shi's holds a flag and a curve for
 /// each fixed and each loading point, but neither number, the manifold program's a load for each loading point. A
 /// drawing knows its fixed points only after cutting.
@@ -76,6 +86,7 @@ struct ReadHint {
   GeometryKind geometry = GeometryKind::unknown;
   std::string length = "";  ///< the unit that other files declare, to which a file of another is brought; empty: metres
   LayerTable layers = {};   ///< likewise: what its layers are
+  DrawingChoices drawing = {};
 };
 
 /// How sure a format is that a file is its own, and from what it concludes so (one sentence for the user).

@@ -15,7 +15,7 @@ set(may_read_files app study job formats)   # the rooms that may include formats
 
 # Floors within a room, lowest first: sub-rooms, single units, "." for all other files of the room itself. Those of one line (joined by
 # a comma) do not see each other.
-set(inner_problem . units joints)
+set(inner_problem . units joints,lines)
 set(inner_cut lines bodies mesh,covers)
 set(inner_model tips . scene setup)
 set(inner_formats format knowledge tables text xml shi,dxf,case_file,views berkeley .)

@@ -626,6 +626,8 @@ void describe(F& f, In<F, Content>& content) {
   f.optional_object("run", content.choices);
   f.optional_object("outputs", content.outputs);
   f.pairs("layers", content.layers.rows);
+  f.text("drawing_unit", content.drawing_unit);
+  f.optional_real("join", content.join, kPositive);
   f.objects("stages", content.stages);
 }
 

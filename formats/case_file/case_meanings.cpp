@@ -324,6 +324,11 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
      "what the layers of a DXF drawing are: boundary, joint 2, material 2, bolt 2, block 2, fixed, load, measured, "
      "hole "
      "or ignored; \"*\" for all others"},
+    {"drawing_unit", "unit of length of a DXF drawing in place of the one that it names, as `--unit`: mm, m, ft, ..."},
+    {"join",
+     "ends of lines of the drawing nearer than this to a line are joined to it, and what passes one by less is cut "
+     "off, "
+     "as `--join`"},
 
     {"stages",
      "scenes one after another: each changes what the one before left, in the order of these keys, and goes on from "

@@ -23,6 +23,7 @@ constexpr auto kFields = std::to_array<FieldMeasure>({
     {"x2", measures::kLength},
     {"y2", measures::kLength},
     {"edge_node_ratio", measures::kNumber},
+    {"join", measures::kLength},
     {"stiffness", measures::kStiffness},
     {"strength", measures::kForce},
     {"pretension", measures::kForce},

@@ -12,6 +12,7 @@ namespace {
 
 constexpr Demand kAnyNumber{[](double) { return true; }, "a number"};
 constexpr Demand kDip{[](double v) { return v >= -360 && v <= 360; }, "-360 to 360 degrees"};
+constexpr Demand kDipScatter{[](double v) { return v >= 0 && v <= 90; }, "0 to 90 degrees"};
 constexpr Demand kFaceAngle{[](double v) { return v > 0 && v <= 90; }, "above 0 to 90 degrees"};
 constexpr Demand kSeed{[](double v) { return v >= 0 && is_whole(v); }, "a whole number, 0 or more"};
 constexpr Demand kLifts{[](double v) { return v >= 1 && v <= 1000 && is_whole(v); }, "a whole number from 1 to 1000"};
@@ -22,6 +23,7 @@ const std::vector<std::string_view> kSetKeys{"dip",
                                              "gap",
                                              "scatter",
                                              "dip_scatter",
+                                             "dip_scatter_deg",
                                              "spacing_scatter",
                                              "trace_scatter",
                                              "gap_scatter",
@@ -95,12 +97,20 @@ class LengthReader {
   std::size_t law_;
 };
 
+/// As a share of 90 degrees, which the dip scatters by where a set has a `scatter` alone.
+double dip_scatter_of(const JsonFields& fields, double scatter) {
+  if (!fields.has("dip_scatter_deg")) return fields.real("dip_scatter", kShare, scatter);
+  if (fields.has("dip_scatter"))
+    throw InputError(fields.place(), "expected one of dip_scatter_deg and dip_scatter, found both");
+  return fields.real("dip_scatter_deg", kDipScatter) / 90;
+}
+
 JointSet set_of(const PlacedJson& value, int number, int seed) {
   const JsonFields fields(value, fmt::format("joint set {}", number), kSetKeys);
   const LengthReader reader(fields);
   JointSet set;
   set.dip_deg = fields.real("dip", kDip);
-  set.dip_scatter = fields.real("dip_scatter", kShare, reader.scatter());
+  set.dip_scatter = dip_scatter_of(fields, reader.scatter());
   set.spacing = reader.length("spacing", kPositive);
   const RandomLength trace = reader.length("trace", kPositive, 0);
   if (trace.mean > 0) set.trace_length = trace;

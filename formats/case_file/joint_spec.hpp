@@ -16,10 +16,11 @@
 //                spacing*                   mean distance between rows
 //                trace gap                  mean length of traces, and of the rock between those of a row (0); without
 //                                           trace they go through
-//                scatter                    0 to 1: standard deviation over the mean of spacing, trace and gap; of the
-//                                           dip
-//                                           over a quarter turn; 0
-//                dip_scatter spacing_scatter trace_scatter gap_scatter   where one differs
+//                scatter                    0 to 1: standard deviation over the mean of spacing, trace, gap, and over
+//                                           90 degrees of the dip: 0.1 lets the dip scatter by 9 degrees; 0
+//                spacing_scatter trace_scatter gap_scatter   where one differs
+//                dip_scatter_deg            standard deviation of the dip in degrees, 0 to 90; or dip_scatter, a share
+//                                           of 90 degrees
 //                distribution               of spacing, trace and gap: normal, lognormal (as if left out), exponential
 //                spacing_distribution trace_distribution gap_distribution
 //                joint                      joint material: the number of the set in the list

@@ -11,6 +11,7 @@
 #include "formats/dxf/dxf_writer.hpp"
 #include "formats/text/demands.hpp"
 #include "formats/text/numbers.hpp"
+#include "problem/lines/near_ends.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -58,7 +59,7 @@ Reading read(const Source& source, const ReadHint& hint) {
   const DxfDocument document(source);
   const DxfSection* entities = find_section(document, "ENTITIES");
   if (entities == nullptr) throw InputError({source.name}, "expected a section ENTITIES, found none");
-  const DxfUnit unit = unit_of(document, hint.length);
+  const DxfUnit unit = unit_of(document, hint.length, hint.drawing.unit);
   Warnings warnings = joined(document.warnings(), unit.warnings);
   if (unit.length.empty() && unit.warnings.empty() && !hint.length.empty())
     warnings.push_back(
@@ -68,10 +69,13 @@ Reading read(const Source& source, const ReadHint& hint) {
                      hint.length)});
   const double ratio = edge_node_ratio(document, {source.name}, warnings);
   DxfDefinitions definitions(document, find_section(document, "BLOCKS"));
-  DxfDrawing made = drawing_of(read_entities(document, entities->records, definitions), unit.factor, hint.layers);
+  DxfShapes shapes = read_entities(document, entities->records, definitions, DxfVisibility(document, hint.layers));
+  keep_one_plane(shapes);
+  DxfDrawing made = drawing_of(std::move(shapes), unit.factor, hint.layers);
   made.drawing.edge_node_ratio = ratio;
   made.drawing.place = {source.name};
   warnings = joined(joined(std::move(warnings), made.warnings), definitions.unused(document).warnings());
+  warnings = joined(std::move(warnings), join_ends(made.drawing, hint.drawing.join));
   // What this program wrote is taken as it is, however its lines cross.
   if (!ratio_in(document)) warnings = joined(std::move(warnings), clip_joints(made.drawing));
   Reading reading{{std::move(made.drawing), {}, {}}, std::move(warnings)};

@@ -6,18 +6,22 @@
 //   HEADER    $INSUNITS: coordinates are multiplied to metres, or to the length unit of a case file read beside it, and
 //             that is
 //             declared; absent or 0: taken as they are, nothing declared
-//   ENTITIES  in z = 0 of model space; 8: the layer, whose name says the part in the drawing (dxf_layers.hpp)
+//   TABLES    LAYER: 62 below 0 (off) and 70 bit 1 (frozen) hide what lies on it (dxf_visibility.hpp)
+//   ENTITIES  in one level plane of model space; 8: the layer, whose name says the part in the drawing (dxf_layers.hpp)
 //     LINE        10 20, 11 21: ends; extended data 1001 KEYBLOCK, 1040 × 3: stiffness, strength, pre-tension of a bolt
 //     LWPOLYLINE  10 20 and 42 (bulge of the side that begins there) a vertex; 70 bit 1: closed
 //     POLYLINE    70 bit 1: closed; VERTEX 10 20 42 …; SEQEND
 //     ARC         10 20 centre, 40 radius, 50 51 angles in degrees, counter-clockwise
 //     CIRCLE      10 20 centre, 40 radius
+//     ELLIPSE     10 20 centre, 11 21 the greater half axis, 40 ratio of the axes, 41 42 parameters in radians
+//     SPLINE      71 degree; 40 knots, 10 20 control points, 41 weights; else 11 21 points that it runs through
 //     POINT       10 20
-//     INSERT      2: a block of the section BLOCKS; 10 20 its place, 41 42 scales, 50 angle in degrees
+//     INSERT      2: a block of the section BLOCKS; 10 20 its place, 41 42 scales, 50 angle in degrees; 70 71 columns
+//                 and rows, 44 45 their distances
 //   999 keyblock edge-node ratio R  a comment: the edge-node ratio of the drawing; absent: kDxfEdgeNodeRatio. Written
 //                                   with
 //                                   blocks: kBlockEdgeNodeRatio
-// Arcs, circles and bulges become chords (dxf_curves.hpp). Everything else is skipped and listed, one warning a kind.
+// Curves become chords (curves/). Everything else is skipped and listed, one warning a kind.
 // Written: R12, $INSUNITS of the declared length unit (0: none is declared), a LINE or POINT a record. A closed
 // POLYLINE on BLOCK_n gives the sides of a block, each a joint of the material that the layer JOINT_n of the VERTEX
 // where it begins names, and a point that carries the block material. Gaps that blocks enclose need a HOLE point to

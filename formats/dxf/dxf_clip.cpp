@@ -6,74 +6,41 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
-#include <utility>
+#include <span>
 #include <vector>
 
+#include "base/words/plain_number.hpp"
 #include "geometry/polygon.hpp"
 #include "problem/joints/joint_drawing.hpp"
+#include "problem/lines/outline_graph.hpp"
 
 namespace keyblock::formats {
 namespace {
 
-// Ends of boundary lines nearer than this share of the drawing's extent meet: drawing programs snap.
-constexpr double kSameEnd = 1e-9;
 // A joint that loses less than this share of its length at its ends is left as it was drawn.
 constexpr double kUncut = 1e-9;
 // Products of joints and boundary lines beyond this are not tried, about a second.
 constexpr double kMostPairs = 2e8;
 
-using Cell = std::pair<long long, long long>;
+std::string at(Point p) {
+  return fmt::format("({}, {})", plain(p.x, 6), plain(p.y, 6));
+}
 
-/// Lines end to end.
-class Chains {
- public:
-  explicit Chains(const Drawing& drawing) : drawing_(drawing) {
-    double extent = 0;
-    const Point first = drawing.joints.front().segment.start;
-    for (std::size_t i = 0; i < drawing.boundary_count; ++i)
-      for (const Point p : {segment(i).start, segment(i).end}) extent = std::max(extent, distance(p, first));
-    cell_ = std::max(kSameEnd * extent, 1e-300);
-    for (std::size_t i = 0; i < drawing.boundary_count; ++i)
-      for (const Point p : {segment(i).start, segment(i).end}) lines_at_[cell_of(p)].push_back(i);
-  }
-
-  /// Where not exactly two lines meet; none where all chains are closed.
-  std::optional<std::size_t> loose_line() const {
-    for (const auto& [cell, lines] : lines_at_)
-      if (lines.size() != 2) return lines.front();
-    return std::nullopt;
-  }
-
-  /// Of closed chains.
-  std::vector<Outline> loops() const {
-    std::vector<Outline> loops;
-    std::vector<bool> is_used(drawing_.boundary_count, false);
-    for (std::size_t first = 0; first < drawing_.boundary_count; ++first) {
-      if (is_used[first]) continue;
-      Outline loop;
-      Point at = segment(first).start;
-      for (std::size_t line = first; !is_used[line];) {
-        is_used[line] = true;
-        loop.push_back(at);
-        at = cell_of(segment(line).start) == cell_of(at) ? segment(line).end : segment(line).start;
-        const std::vector<std::size_t>& here = lines_at_.at(cell_of(at));
-        line = here.front() == line ? here.back() : here.front();
-      }
-      if (loop.size() > 2) loops.push_back(std::move(loop));
-    }
-    return loops;
-  }
-
- private:
-  const Segment& segment(std::size_t i) const { return drawing_.joints[i].segment; }
-  Cell cell_of(Point p) const { return {std::llround(p.x / cell_), std::llround(p.y / cell_)}; }
-
-  const Drawing& drawing_;
-  double cell_ = 0;
-  std::map<Cell, std::vector<std::size_t>> lines_at_;
-};
+Warnings not_clipped(const Drawing& drawing, const OutlineFault& fault) {
+  std::string why;
+  if (fault.pieces > 1)
+    why = fmt::format("{} boundary lines meet at {}, 2 are expected", fault.pieces, at(fault.at));
+  else if (fault.nearest)
+    why = fmt::format("the outline is open at {}: the nearest other end is {} away, at {}", at(fault.at),
+                      plain(distance(fault.at, *fault.nearest), 3), at(*fault.nearest));
+  else
+    why = fmt::format("the outline is open at {}", at(fault.at));
+  return {{"dxf_not_clipped", drawing.joints[fault.line].place,
+           why + "; joints are not cut off at the boundary" +
+               (fault.nearest && fault.pieces == 1
+                    ? fmt::format("; --join {} closes it", plain(1.1 * distance(fault.at, *fault.nearest), 2))
+                    : "")}};
+}
 
 bool lies_in(const Outline& inner, const Outline& outer) {
   return &inner != &outer && std::ranges::all_of(inner, [&](Point p) { return side(outer, p) != Side::outside; });
@@ -112,11 +79,9 @@ Warnings clip_joints(Drawing& drawing) {
   const Place first = drawing.joints.front().place;
   if (pairs > kMostPairs)
     return {{"dxf_not_clipped", first, "too many boundary lines and joints to cut joints off at the boundary"}};
-  const Chains chains(drawing);
-  if (const auto loose = chains.loose_line())
-    return {{"dxf_not_clipped", drawing.joints[*loose].place,
-             "an end of this boundary line meets none or several others: joints are not cut off at the boundary"}};
-  const std::vector<std::vector<Outline>> regions = regions_of(chains.loops(), drawing);
+  const OutlineGraph outline(std::span(drawing.joints).first(drawing.boundary_count));
+  if (const auto fault = outline.fault()) return not_clipped(drawing, *fault);
+  const std::vector<std::vector<Outline>> regions = regions_of(outline.loops(), drawing);
   std::size_t cut = 0;
   std::size_t gone = 0;
   std::vector<JointLine> kept(drawing.joints.begin(),

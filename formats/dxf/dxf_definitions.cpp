@@ -23,7 +23,8 @@ DxfDefinitions::DxfDefinitions(const DxfDocument& document, const DxfSection* bl
     const Point base{real_or_zero(document, records[i], 10, "x of the base point"),
                      real_or_zero(document, records[i], 20, "y of the base point")};
     definitions_.try_emplace(name == nullptr ? std::string_view() : name->value,
-                             DxfDefinition{base, records.subspan(i + 1, end - i - 1)});
+                             DxfDefinition{base, records.subspan(i + 1, end - i - 1), nullptr, false,
+                                           real_or_zero(document, records[i], 30, "z of the base point")});
     i = end - 1;
   }
 }

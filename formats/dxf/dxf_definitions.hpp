@@ -21,6 +21,7 @@ struct DxfDefinition {
   std::span<const DxfRecord> records;                 ///< between BLOCK and ENDBLK
   std::shared_ptr<const DxfShapes> shapes = nullptr;  ///< once an INSERT asked for them
   bool is_open = false;                               ///< its records are being read
+  double base_height = 0;                             ///< z of the base point
 };
 
 class DxfDefinitions {

@@ -11,7 +11,8 @@
 #include <set>
 #include <utility>
 
-#include "formats/dxf/dxf_curves.hpp"
+#include "formats/dxf/curves/dxf_curves.hpp"
+#include "formats/dxf/curves/dxf_spline.hpp"
 #include "formats/dxf/dxf_layer_table.hpp"
 #include "formats/dxf/dxf_layers.hpp"
 #include "formats/text/tokens.hpp"
@@ -38,6 +39,7 @@ class DrawingMaker {
     boundaries_.insert(boundaries_.end(), drawing.joints.begin(), drawing.joints.end());
     drawing.joints = std::move(boundaries_);
     result_.warnings = joined(std::move(shapes_.warnings), result_.warnings);
+    result_.warnings = joined(std::move(result_.warnings), shapes_.hidden.warnings());
     warn_of_chords();
     result_.warnings = joined(std::move(result_.warnings), shapes_.skipped.warnings());
     return std::move(result_);
@@ -145,11 +147,20 @@ class DrawingMaker {
     shapes_.skipped.add(fmt::format("{} on layer {}", shape.type, in_quotes(shape.layer)), shape.place);
   }
 
+  /// Bolts are straight: a circle, an arc or a closed outline among them is a plate or a head as it is drawn.
+  static bool is_symbol(const DxfShape& shape) { return shape.curves > 0 || shape.is_closed; }
+
+  void skip_symbol(const DxfShape& shape) {
+    shapes_.skipped.add(fmt::format("{} on layer {}, a symbol of a bolt", shape.type, in_quotes(shape.layer)),
+                        shape.place);
+  }
+
   void add(const DxfShape& shape) {
     const auto found = layers_.find(shape.layer);
     if (found == layers_.end()) return has_marks_ ? add_by_old_marks(shape) : skip(shape);
     if (found->second.role == DxfRole::ignored) return;
     if (shape.is_point) return add_point(shape, found->second);
+    if (found->second.role == DxfRole::bolt && is_symbol(shape)) return skip_symbol(shape);
     const bool is_block = found->second.role == DxfRole::block;
     if (holds_points_only(found->second.role) || (is_block && !shape.is_closed)) return skip(shape);
     if (!is_block) return add_sides(shape, found->second);
@@ -231,6 +242,7 @@ class DrawingMaker {
 
   void count_chords(const DxfShape& shape) {
     if (shape.curves > 0 && curves_ == 0) first_curve_ = shape.place;
+    has_others_ = has_others_ || (shape.curves > 0 && (shape.type == "ELLIPSE" || shape.type == "SPLINE"));
     curves_ += shape.curves;
     chords_ += shape.chords;
   }
@@ -239,8 +251,11 @@ class DrawingMaker {
     if (curves_ == 0) return;
     result_.warnings.push_back(
         {"dxf_curves_as_chords", first_curve_,
-         fmt::format("{} arcs, circles and bulges are {} chords; none leaves its curve by more than {} of the radius",
-                     curves_, chords_, kSagittaRatio)});
+         fmt::format("{} {} are {} chords; none leaves its curve by more than {} of the radius{}", curves_,
+                     has_others_ ? "curves" : "arcs, circles and bulges", chords_, kSagittaRatio,
+                     has_others_ ? fmt::format(" (of an ellipse: its greater half axis), or {} of the size of a spline",
+                                               kSplineRatio)
+                                 : "")});
   }
 
   DxfShapes shapes_;
@@ -252,6 +267,7 @@ class DrawingMaker {
   std::vector<Point> outline_;  ///< of the last block
   std::size_t curves_ = 0;      ///< of shapes that are not skipped
   std::size_t chords_ = 0;
+  bool has_others_ = false;  ///< ellipses or splines
   Place first_curve_;
   bool has_marks_ = false;  ///< of the old Windows program
   DxfDrawing result_;

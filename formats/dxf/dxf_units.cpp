@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "formats/text/numbers.hpp"
 
@@ -55,26 +56,41 @@ const DxfGroup* units_group(const DxfDocument& document) {
 
 }  // namespace
 
-DxfUnit unit_of(const DxfDocument& document, std::string_view wanted) {
+DxfUnit unit_of(const DxfDocument& document, std::string_view wanted, std::string_view overruling) {
   const DxfGroup* group = units_group(document);
-  if (group == nullptr) return {};
-  const int number = document.integer(*group, "the unit", "$INSUNITS");
+  const Place place = group == nullptr ? Place{} : document.place(*group);
+  const int own = group == nullptr ? 0 : document.integer(*group, "the unit", "$INSUNITS");
+  const int number = overruling.empty() ? own : dxf_unit_number(overruling);
   if (number == 0) return {};
   if (number < 0 || number >= static_cast<int>(kUnits.size()))
     return {1,
             "",
-            {{"dxf_unit_unknown", document.place(*group),
+            {{"dxf_unit_unknown", place,
               fmt::format("$INSUNITS {} is no unit known here; coordinates are taken as they are", number)}}};
+  Warnings warnings;
+  const bool is_known = own > 0 && own < static_cast<int>(kUnits.size());
+  if (is_known && own != number)
+    warnings.push_back(
+        {"dxf_unit_overruled", place,
+         fmt::format("the file says {} ($INSUNITS {}); {} is taken, as --unit says",
+                     kUnits[static_cast<std::size_t>(own)].name, own, kUnits[static_cast<std::size_t>(number)].name)});
   const Unit& unit = kUnits[static_cast<std::size_t>(number)];
   const int target_number = dxf_unit_number(wanted);
   const Unit& target = kUnits[static_cast<std::size_t>(target_number > 0 ? target_number : kMetre)];
-  if (unit.metres == target.metres) return {1, std::string(target.length), {}};
+  if (unit.metres == target.metres) return {1, std::string(target.length), std::move(warnings)};
   const double factor = unit.metres / target.metres;
-  return {factor,
-          std::string(target.length),
-          {{target.length == "m" ? "dxf_scaled_to_metres" : "dxf_scaled_to_declared_unit", document.place(*group),
-            fmt::format("the unit of the file is the {}; coordinates are multiplied by {} to the {}", unit.name,
-                        format_real(factor), target.name)}}};
+  warnings.push_back(
+      {target.length == "m" ? "dxf_scaled_to_metres" : "dxf_scaled_to_declared_unit", place,
+       fmt::format("the unit of the {} is the {}; coordinates are multiplied by {} to the {}",
+                   overruling.empty() ? "file" : "drawing", unit.name, format_real(factor), target.name)});
+  return {factor, std::string(target.length), std::move(warnings)};
+}
+
+std::vector<std::string> dxf_unit_names() {
+  std::vector<std::string> names;
+  for (const Unit& unit : kUnits)
+    if (!unit.length.empty()) names.emplace_back(unit.length);
+  return names;
 }
 
 int dxf_unit_number(std::string_view length) {

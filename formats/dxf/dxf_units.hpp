@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "formats/dxf/dxf_groups.hpp"
 
@@ -17,8 +18,12 @@ struct DxfUnit {
   Warnings warnings = {};
 };
 
-/// `wanted` as a case file names it; metres where it is empty or no unit of DXF.
-DxfUnit unit_of(const DxfDocument& document, std::string_view wanted);
+/// `wanted` as a case file names it; metres where it is empty or no unit of DXF. `overruling`, where it is not empty,
+/// counts in place of the file's own.
+DxfUnit unit_of(const DxfDocument& document, std::string_view wanted, std::string_view overruling = {});
+
+/// Units that may overrule that of a file, as case files name them.
+std::vector<std::string> dxf_unit_names();
 
 /// $INSUNITS of a length unit as a case file names it; 0 for any other.
 int dxf_unit_number(std::string_view length);

@@ -42,6 +42,8 @@ void describe(Archive& archive, RunRequest& request) {
   describe(archive, "histories", request.histories);
   archive.value("contacts", request.contacts);
   archive.value("field", request.field);
+  archive.value("unit", request.unit);
+  archive.value("join", request.join);
 }
 
 std::string this_program() {

@@ -33,6 +33,8 @@ struct RunRequest {
   std::vector<std::string> histories = {};  ///< as the command line has them
   std::string contacts = {};                ///< likewise
   std::string field = {};                   ///< likewise
+  std::string unit = {};                    ///< of the drawing, likewise
+  double join = 0;                          ///< likewise
 };
 
 void describe(Archive& archive, RunRequest& request);

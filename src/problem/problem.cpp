@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.hpp"
 #include "base/words/quoted_name.hpp"
 #include "geometry/polygon.hpp"
 #include "problem/ground_motion.hpp"
@@ -122,6 +123,20 @@ std::vector<InputError> bolts_that_push(const std::vector<B>& bolts, auto place_
   return errors;
 }
 
+/// One warning of all bolts that can carry no force, whatever moves.
+template <class B>
+Warnings idle_bolts(const std::vector<B>& bolts, auto place_of) {
+  const auto is_idle = [](const B& bolt) { return bolt.stiffness == 0 && bolt.pretension == 0; };
+  const auto first = std::ranges::find_if(bolts, is_idle);
+  if (first == bolts.end()) return {};
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(bolts, is_idle));
+  return {{"bolts_without_properties", place_of(*first),
+           fmt::format(
+               "{} of {} {} neither stiffness nor pretension and {} no force; `bolt_properties` of the analysis "
+               "give bolts of a drawing what they have",
+               count, counted(bolts.size(), "bolt"), count == 1 ? "has" : "have", count == 1 ? "carries" : "carry")}};
+}
+
 std::vector<InputError> impossible_blocks(const Blocks& blocks) {
   std::vector<InputError> errors;
   for (std::size_t i = 0; i < blocks.blocks.size(); ++i)
@@ -178,8 +193,10 @@ class Checker {
       checked_.errors.emplace_back(drawing.place, "expected lines to cut blocks from, found none");
     if (checked_.problem.analysis) clamp_materials(drawing, *checked_.problem.analysis);
     if (checked_.problem.analysis) give_bolts_their_properties(drawing, *checked_.problem.analysis);
-    fail(bolts_that_push(drawing.bolts, [](const BoltLine& bolt) { return bolt.place; }));
+    const auto place_of_bolt = [](const BoltLine& bolt) { return bolt.place; };
+    fail(bolts_that_push(drawing.bolts, place_of_bolt));
     if (!checked_.problem.analysis) return;
+    warn(idle_bolts(drawing.bolts, place_of_bolt));
     warn(curves_and_points(*checked_.problem.analysis, drawing.loading_points.size(), drawing.place));
   }
 
@@ -192,8 +209,10 @@ class Checker {
     fail(impossible_blocks(blocks));
     fail(misplaced_holes(blocks));
     if (checked_.errors.empty()) warn(shared_ground(blocks));
-    fail(bolts_that_push(blocks.bolts, [&](const BlockBolt& bolt) { return place_of(bolt, blocks); }));
+    const auto place_of_bolt = [&](const BlockBolt& bolt) { return place_of(bolt, blocks); };
+    fail(bolts_that_push(blocks.bolts, place_of_bolt));
     if (!checked_.problem.analysis) return;
+    warn(idle_bolts(blocks.bolts, place_of_bolt));
     clamp_materials(blocks, *checked_.problem.analysis);
     warn(curves_and_points(*checked_.problem.analysis, blocks.loading_points.size(), blocks.place));
   }
@@ -263,8 +282,7 @@ class Checker {
   /// By the type of the bolt. One whose drawing states its properties (native files) keeps them.
   void give_bolts_their_properties(Drawing& drawing, const Analysis& analysis) {
     const auto& properties = analysis.bolt_properties;
-    if (std::ranges::all_of(drawing.bolts, has_properties)) return;
-    if (properties.empty()) return warn({bolts_without_properties(drawing)});
+    if (properties.empty() || std::ranges::all_of(drawing.bolts, has_properties)) return;
     Clamp type("bolt type", properties.size());
     for (BoltLine& bolt : drawing.bolts) {
       if (has_properties(bolt)) continue;
@@ -279,12 +297,6 @@ class Checker {
 
   static bool has_properties(const BoltLine& bolt) {
     return bolt.stiffness != 0 || bolt.strength != 0 || bolt.pretension != 0;
-  }
-
-  static Warning bolts_without_properties(const Drawing& drawing) {
-    return {"bolts_without_properties", drawing.bolts.front().place,
-            fmt::format("no properties are given for bolts, of which there are {}; they carry no force",
-                        drawing.bolts.size())};
   }
 
   Checked checked_;

@@ -23,6 +23,7 @@
 #include "material/strength.hpp"
 #include "model/material_choices.hpp"
 #include "model/shared_covers.hpp"
+#include "problem/lines/outline_graph.hpp"
 #include "problem/units/unit_conversion.hpp"
 #include "step/scene/enforcement.hpp"
 
@@ -153,11 +154,10 @@ class Blocky {
         plain(shapes_[thinnest].width(), 3), plain(shapes_[thinnest].length, 3));
   }
 
-  // By the parity of crossings of a level ray with the boundary lines.
-  static bool is_inside(const Drawing& drawing, Point p) {
+  // By the parity of crossings of a level ray with the outline; lines drawn twice count once.
+  static bool is_inside(const std::vector<Segment>& outline, Point p) {
     bool inside = false;
-    for (std::size_t i = 0; i < drawing.boundary_count; ++i) {
-      const Segment& line = drawing.joints[i].segment;
+    for (const Segment& line : outline) {
       if ((line.start.y > p.y) == (line.end.y > p.y)) continue;
       const double x = line.start.x + (p.y - line.start.y) / (line.end.y - line.start.y) * (line.end.x - line.start.x);
       if (x > p.x) inside = !inside;
@@ -167,11 +167,13 @@ class Blocky {
 
   std::string outside(const Drawing& drawing) const {
     if (drawing.boundary_count < 3) return {};
+    const OutlineGraph graph(std::span(drawing.joints).first(drawing.boundary_count));
+    const std::vector<Segment> outline = graph.pieces();
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       const std::array<std::vector<Point>, 1> outer{points_of(blocks_.blocks[i].outer)};
       const std::optional<Point> within = point_inside(outer);
-      if (within && !is_inside(drawing, *within)) found.push_back(i);
+      if (within && !is_inside(outline, *within)) found.push_back(i);
     }
     if (found.empty()) return {};
     return fmt::format(
@@ -331,7 +333,11 @@ struct Plausible {
 };
 constexpr Plausible kGravity{"gravity", kAcceleration, 0.01, 1000, "m/s2"};
 constexpr Plausible kModulus{"youngs_modulus", kStress, 1e4, 1e12, "Pa"};
-constexpr Plausible kMassDensity{"density", kDensity, 10, 30000, "kg/m3"};
+constexpr Plausible kMassDensity{"density", kDensity, 100, 25000, "kg/m3"};  // snow to gold
+constexpr double kLeastUnitWeight = 15;                                      // kN/m3, of soil and rock
+constexpr double kMostUnitWeight = 35;
+constexpr double kSmallestScene = 0.005;  // m
+constexpr double kLargestScene = 5000;    // m
 
 std::string implausible(const Plausible& bounds, double value, const Units& units) {
   const std::optional<double> factor = si_factor(units, bounds.dimension);
@@ -405,7 +411,38 @@ std::string beside_modulus(const BlockMaterial& material) {
       strength, material.youngs_modulus);
 }
 
-Warnings contradictions(const Problem& problem, const Settings& settings) {
+Box box_about(const Model& model) {
+  Box box;
+  for (const Point p : model.start_vertices) box.add(p);
+  return box;
+}
+
+/// Empty, or why the drawing cannot be in the declared unit.
+std::string implausible_size(const Model& model, const Units& units) {
+  const std::optional<double> metres = si_factor(units, kLengthDimension);
+  if (!metres || model.start_vertices.empty()) return {};
+  const Point size = box_about(model).size();
+  const double greatest = std::max(size.x, size.y) * *metres;
+  if (greatest >= kSmallestScene && greatest <= kLargestScene) return {};
+  return fmt::format(
+      "the scene is {} by {} {}, which is not plausible: {:g} to {:g} m is expected; if the coordinates are in another "
+      "unit, --unit says so of a DXF drawing, `units` of a case file",
+      plain(size.x), plain(size.y), units.length, kSmallestScene, kLargestScene);
+}
+
+/// Empty, or why a density is a unit weight.
+std::string density_in_kilonewton(double density, const Units& units) {
+  const std::optional<double> factor = si_factor(units, kDensity);
+  const double si = factor ? density * *factor : 0;
+  if (!(si >= kLeastUnitWeight && si <= kMostUnitWeight)) return {};
+  return fmt::format(
+      "density {:.4g} is {:.3g} kg/m3 in the declared units, which is not plausible; as a unit weight in kN/m3 it "
+      "would "
+      "be that of rock, whose density is {:.4g} kg/m3",
+      density, si, si * 1000 / 9.81);
+}
+
+Warnings contradictions(const Problem& problem, const Settings& settings, const Model& model) {
   Warnings found;
   const auto put = [&](const std::string& sentence, const Place& place) {
     if (!sentence.empty()) found.push_back({"units_contradict", place, sentence});
@@ -413,6 +450,7 @@ Warnings contradictions(const Problem& problem, const Settings& settings) {
   const double gravity = length(settings.gravity);
   const std::string unlikely = implausible(kGravity, gravity, problem.units);
   put(unlikely.empty() ? gravity_of_another_unit(gravity, problem.units) : unlikely, problem.analysis->place);
+  put(implausible_size(model, problem.units), problem.place);
   for (const BlockMaterial& material : problem.analysis->block_materials)
     found = joined(std::move(found), contradictions_of(material, problem.units));
   if (settings.gravity.y > 0)
@@ -470,7 +508,8 @@ Warnings contradictions_of(const BlockMaterial& material, const Units& units) {
     if (!sentence.empty()) found.push_back({"units_contradict", material.place, sentence});
   };
   put(implausible(kModulus, material.youngs_modulus, units));
-  put(implausible(kMassDensity, material.density, units));
+  const std::string as_weight = density_in_kilonewton(material.density, units);
+  put(as_weight.empty() ? implausible(kMassDensity, material.density, units) : as_weight);
   if (!material.strength) return found;
   put(beside_modulus(material));
   put(in_radians(*material.strength));
@@ -478,13 +517,22 @@ Warnings contradictions_of(const BlockMaterial& material, const Units& units) {
 }
 
 Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
-  Warnings found = joined(contradictions(problem, prepared.scene.settings), sudden_starts(problem, prepared));
+  Warnings found =
+      joined(contradictions(problem, prepared.scene.settings, prepared.scene.model), sudden_starts(problem, prepared));
   if (!is_of_blocks(prepared)) return found;
   return joined(std::move(found), Blocky(prepared).warnings(problem));
 }
 
 std::string softer_springs(const Prepared& prepared) {
   return is_of_blocks(prepared) ? Blocky(prepared).softer_springs() : std::string();
+}
+
+std::string size_of_scene(const Model& model, const Units& units) {
+  if (model.start_vertices.empty()) return {};
+  const Box box = box_about(model);
+  const std::string unit = units.length.empty() ? "" : " " + units.length;
+  return fmt::format("size: {}{} wide, {}{} high{}", plain(box.size().x), unit, plain(box.size().y), unit,
+                     unit.empty() ? " (no unit is declared)" : "");
 }
 
 std::string smallest_block(const Blocks& blocks) {

@@ -20,6 +20,9 @@ Warnings contradictions_of(const BlockMaterial& material, const Units& units);
 /// (`springs_stiff_for_step`); otherwise empty.
 std::string softer_springs(const Prepared& prepared);
 
+/// Width and height of all bodies before any load, in the declared unit; empty where there are none.
+std::string size_of_scene(const Model& model, const Units& units);
+
 /// The smallest block, for whom it is good to know: its number, place and area over that of the mean; empty without
 /// blocks.
 std::string smallest_block(const Blocks& blocks);

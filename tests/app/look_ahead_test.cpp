@@ -66,6 +66,7 @@ TEST(LookAhead, a_sound_case_is_told_its_cost_and_its_smallest_block_alone) {
   const auto report = check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)})));
   EXPECT_TRUE(report["warnings"].empty()) << report["warnings"];
   EXPECT_EQ(report["smallest_block"], "smallest block: 2 at 5, 2, area 4, 57.1 % of the mean");
+  EXPECT_EQ(report["size"], "size: 10 m wide, 3 m high");
   EXPECT_EQ(report["cost"]["steps"], 50);
   EXPECT_GT(report["cost"]["steps_tried"], 0);
   EXPECT_GT(report["cost"]["step_seconds"], 0);
@@ -156,6 +157,41 @@ TEST(LookAhead, a_fixed_line_that_ends_in_blocks_is_told) {
       contains(said(with("[0.3, 0.3, 5.7, 0.3]"), "fixed_line_ends_in_block"), "2 blocks are held at one point"));
   EXPECT_EQ(said(with("[-0.1, 0.3, 6.1, 0.3]"), "fixed_line_ends_in_block"), "") << "beyond the outline";
   EXPECT_EQ(said(with("[0.3, 0.3, 5.7, 0.3], [0.3, 1, 0.3, 1], [5.7, 1, 5.7, 1]"), "fixed_line_ends_in_block"), "");
+}
+
+TEST(LookAhead, a_density_that_is_a_unit_weight_is_told) {
+  const auto with = [](const std::string& density) {
+    std::string text = case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}));
+    text.replace(text.find("2600"), 4, density);
+    return said(check_of(text), "units_contradict");
+  };
+  EXPECT_TRUE(contains(with("26"), "as a unit weight in kN/m3 it would be that of rock, whose density is 2650 kg/m3"))
+      << with("26");
+  EXPECT_NE(with("60"), "");
+  EXPECT_NE(with("2.6"), "");
+  EXPECT_EQ(with("350"), "") << "pumice";
+  EXPECT_EQ(with("7850"), "") << "steel";
+}
+
+TEST(LookAhead, a_scene_of_an_implausible_size_is_told) {
+  const auto with = [](double scale) {
+    const std::string floor = rectangle(0, 0, 10 * scale, scale);
+    return said(check_of(case_text(blocks({floor, rectangle(4 * scale, scale, 6 * scale, 3 * scale)}))),
+                "units_contradict");
+  };
+  EXPECT_TRUE(contains(with(1000), "the scene is 10000 by 3000 m, which is not plausible")) << with(1000);
+  EXPECT_EQ(with(100), "");
+  EXPECT_EQ(with(0.1), "");
+  EXPECT_TRUE(contains(with(0.0002), "which is not plausible")) << with(0.0002);
+}
+
+// The outline was drawn twice, once in other pieces.
+TEST(LookAhead, blocks_of_an_outline_drawn_twice_are_not_outside) {
+  const auto report = check_of(case_text(R"("drawing": {"edge_node_ratio": 0.001, "boundary_count": 9, "joints": [
+    [0, 0, 4, 0, 1], [4, 0, 4, 4, 1], [4, 4, 0, 4, 1], [0, 4, 0, 0, 1],
+    [4, 0, 1, 0, 1], [1, 0, 0, 0, 1], [4, 4, 4, 0, 1], [0, 4, 4, 4, 1], [0, 0, 0, 4, 1], [2, 0, 2, 4, 1]],
+    "fixed_lines": [[-0.1, 0.1, 4.1, 0.1]]})"));
+  EXPECT_EQ(said(report, "block_outside_outline"), "");
 }
 
 // Lines that go on beyond the outline of a drawing make a block there where they close one.

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "cut/bodies/cut_blocks.hpp"
 #include "tests/cut/drawings.hpp"
 
@@ -55,6 +58,58 @@ TEST(PlacePoints, a_point_outside_is_left_out_with_its_place) {
   ASSERT_EQ(cut.warnings.size(), 1U);
   EXPECT_EQ(cut.warnings[0].name, "point_outside_blocks");
   EXPECT_EQ(cut.warnings[0].place.line, 42);
+}
+
+// What r·cos and the like give lies off a face by round-off, half of it outside.
+TEST(PlacePoints, marks_on_a_slanted_face_are_held_whatever_the_last_digit_says) {
+  Drawing drawing = drawing_of({{{-6, -4}, {18, -4}},
+                                {{18, -4}, {18, 10}},
+                                {{18, 10}, {3.6397023426620243, 10}},
+                                {{3.6397023426620243, 10}, {0, 0}},
+                                {{0, 0}, {-6, 0}},
+                                {{-6, 0}, {-6, -4}},
+                                {{-1, 0.5}, {18, 9.5}}});
+  const double tangent = std::tan(20 * std::numbers::pi / 180);
+  for (int i = 1; i < 40; ++i) {
+    const Point head{0.25 * i * tangent, 0.25 * i};
+    drawing.bolts.push_back({{head, head + Point{5, -0.8}}, 1e7, 1e5, 0, 0, {}});
+    drawing.measured_points.push_back({head, {}});
+    drawing.loading_points.push_back({head, {}});
+    drawing.fixed_lines.push_back({{head, head}, {}});
+  }
+  const CutResult cut = cut_blocks(drawing);
+  EXPECT_EQ(cut.blocks.bolts.size(), 39U);
+  EXPECT_EQ(cut.blocks.measured_points.size(), 39U);
+  EXPECT_EQ(cut.blocks.loading_points.size(), 39U);
+  EXPECT_EQ(cut.blocks.fixed_points.size(), 39U);
+  EXPECT_FALSE(has_warning(cut.warnings, "point_outside_blocks"));
+  EXPECT_FALSE(has_warning(cut.warnings, "points_moved")) << "round-off is not worth a word";
+}
+
+TEST(PlacePoints, a_mark_within_the_merging_distance_is_moved_onto_the_block_and_said) {
+  Drawing drawing = two_squares();
+  drawing.edge_node_ratio = 0.01;
+  const double merge = cut_tolerances(drawing).merge;
+  drawing.measured_points = {{{0.5, -0.9 * merge}, {}}, {{0.5, -1.1 * merge}, {"drawing", 7, 1}}};
+  const CutResult cut = cut_blocks(drawing);
+  ASSERT_EQ(cut.blocks.measured_points.size(), 1U);
+  EXPECT_EQ(cut.blocks.measured_points[0].position, (Point{0.5, 0}));
+  EXPECT_TRUE(has_warning(cut.warnings, "points_moved"));
+  EXPECT_TRUE(has_warning(cut.warnings, "point_outside_blocks"));
+}
+
+TEST(PlacePoints, many_marks_outside_and_idle_bolts_are_one_warning_each_with_their_number) {
+  Drawing drawing = two_squares();
+  for (int i = 0; i < 60; ++i) drawing.bolts.push_back({{{5.0 + i, 5}, {5.0 + i, 6}}, 1e6, 0, 0, 0, {}});
+  for (int i = 0; i < 30; ++i) drawing.bolts.push_back({{{0.1, 0.01 * i + 0.1}, {0.2, 0.1}}, 1e6, 0, 0, 0, {}});
+  drawing.measured_points = {{{9, 9}, {}}};
+  const CutResult cut = cut_blocks(drawing);
+  ASSERT_EQ(cut.warnings.size(), 2U);
+  EXPECT_EQ(cut.warnings[0].name, "point_outside_blocks");
+  EXPECT_NE(cut.warnings[0].sentence.find("121 marks (1 × measured point, 120 × bolt end) lie outside"),
+            std::string::npos)
+      << cut.warnings[0].sentence;
+  EXPECT_NE(cut.warnings[1].sentence.find("both ends of 30 bolts"), std::string::npos) << cut.warnings[1].sentence;
 }
 
 // Loads belong to loading points by their order.

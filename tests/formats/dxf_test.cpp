@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "cut/bodies/cut_blocks.hpp"
-#include "formats/dxf/dxf_curves.hpp"
+#include "formats/dxf/curves/dxf_curves.hpp"
 #include "geometry/polygon.hpp"
 #include "tests/formats/dxf_samples.hpp"
 #include "tests/formats/reading.hpp"
@@ -265,8 +265,8 @@ TEST(Dxf, what_is_skipped_is_listed_once_a_kind_with_its_number) {
   std::vector<std::string> skipped;
   for (const Warning& warning : reading.warnings) skipped.push_back(warning.sentence);
   EXPECT_EQ(skipped, (std::vector<std::string>{
-                         "skipped: 2 × HATCH", "skipped: 1 × LINE not in the plane z = 0",
-                         "skipped: 1 × CIRCLE not in the plane z = 0", "skipped: 1 × entity in paper space",
+                         "skipped: 2 × HATCH", "skipped: 1 × entity in paper space",
+                         "skipped: 1 × LINE not in the plane z = 0", "skipped: 1 × CIRCLE not in the plane z = 0",
                          "skipped: 1 × LINE on layer \"MEASURED\"", "skipped: 1 × POINT on layer \"elsewhere\""}));
   EXPECT_EQ(reading.content.drawing->joints.size(), 1u);
   std::string with_blocks = dxf_text(line("JOINT_1"));
@@ -277,6 +277,50 @@ TEST(Dxf, what_is_skipped_is_listed_once_a_kind_with_its_number) {
 }
 
 // A block of a unit square on layer 0 with a joint of its own layer, base point in its middle.
+// Most shapes decide; what is tilted lies in no plane.
+TEST(Dxf, the_plane_is_that_of_most_entities) {
+  const std::string at = "30\n412.5\n31\n412.5\n";
+  const Reading reading = read_entities(line("JOINT_1", at) + line("JOINT_2", at) + line("JOINT_3"));
+  ASSERT_EQ(reading.content.drawing->joints.size(), 2U);
+  EXPECT_NE(sentence(reading, "dxf_skipped").find("1 × LINE not in the plane z = 412.5"), std::string::npos);
+  const Reading below = read_entities(circle("30\n-7\n210\n0\n220\n0\n230\n-1\n") + line("JOINT_1", "30\n7\n31\n7\n"));
+  EXPECT_EQ(below.content.drawing->joints.size(), 33U) << "the height of a circle counts along its normal";
+}
+
+TEST(Dxf, an_insert_lifts_what_it_draws) {
+  const std::string block = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nbar\n10\n0\n20\n0\n30\n2\n" +
+                            line("JOINT_1", "30\n5\n31\n5\n") + "0\nENDBLK\n0\nENDSEC\n";
+  std::string text =
+      dxf_text("0\nINSERT\n8\n0\n2\nbar\n10\n0\n20\n0\n30\n100\n43\n2\n" + line("JOINT_2", "30\n106\n31\n106\n"));
+  text.insert(text.find("0\nSECTION\n2\nENTITIES"), block);
+  EXPECT_EQ(read({"f", text}).content.drawing->joints.size(), 2U) << "100 + 2 (5 - 2) = 106";
+}
+
+TEST(Dxf, an_invisible_entity_is_skipped_and_said) {
+  const Reading reading = read_entities(line("JOINT_1") + line("JOINT_1", "60\n1\n"));
+  EXPECT_EQ(reading.content.drawing->joints.size(), 1U);
+  EXPECT_NE(sentence(reading, "dxf_skipped").find("1 × LINE that is invisible"), std::string::npos);
+}
+
+TEST(Dxf, an_insert_in_rows_and_columns_draws_its_block_at_each) {
+  const std::string block =
+      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nbar\n10\n0\n20\n0\n0\nLINE\n8\nJOINT_1\n10\n0\n20\n0\n11\n1\n21\n0\n"
+      "0\nENDBLK\n0\nENDSEC\n";
+  std::string text = dxf_text("0\nINSERT\n8\n0\n2\nbar\n10\n5\n20\n7\n41\n3\n50\n90\n70\n2\n71\n3\n44\n10\n45\n20\n");
+  text.insert(text.find("0\nSECTION\n2\nENTITIES"), block);
+  const std::vector<JointLine> joints = read({"f", text}).content.drawing->joints;
+  ASSERT_EQ(joints.size(), 6U);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 2; ++column) {  // turned by 90 degrees: columns go up, rows to the left
+      const Segment& found = joints[static_cast<std::size_t>(2 * row + column)].segment;
+      EXPECT_LT(distance(found.start, {5.0 - 20 * row, 7.0 + 10 * column}), 1e-12);
+      EXPECT_LT(distance(found.end, {5.0 - 20 * row, 10.0 + 10 * column}), 1e-12)
+          << "three times as long, not three times as far";
+    }
+  text.replace(text.find("70\n2"), 4, "70\n2000000000");
+  EXPECT_THROW(read({"f", text}), InputError);
+}
+
 TEST(Dxf, an_insert_draws_its_block_scaled_turned_and_on_its_own_layer) {
   std::string text = dxf_text(
       "0\nINSERT\n8\nBOUNDARY_2\n2\nhouse\n10\n10\n20\n20\n41\n4\n42\n2\n50\n90\n"

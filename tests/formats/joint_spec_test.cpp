@@ -68,6 +68,16 @@ TEST(JointSpec, what_is_left_out_is_as_documented) {
   EXPECT_EQ(slope.benches, 1);
 }
 
+TEST(JointSpec, the_scatter_of_the_dip_is_in_degrees_or_a_share_of_90) {
+  const auto scatter = [](const std::string& keys) {
+    return scene_of(kBox + R"(, "sets": [{"dip": 30, "spacing": 1, )" + keys + "}]").sets.at(0).dip_scatter;
+  };
+  EXPECT_EQ(scatter(R"("scatter": 0.2, "dip_scatter_deg": 9)"), 0.1);
+  EXPECT_EQ(scatter(R"("dip_scatter": 0.1)"), 0.1);
+  EXPECT_NE(fault(kBox + R"(, "sets": [{"dip": 30, "spacing": 1, "dip_scatter": 0.1, "dip_scatter_deg": 9}])"), "");
+  EXPECT_NE(fault(kBox + R"(, "sets": [{"dip": 30, "spacing": 1, "dip_scatter_deg": 91}])"), "");
+}
+
 TEST(JointSpec, faults_are_named_at_the_line_of_their_key) {
   EXPECT_EQ(fault(kBox + ",\n \"set\": []"),
             "f:2:2: error: expected one of the keys rectangle, slope, tunnels, sets, seed, boundary_joint, "

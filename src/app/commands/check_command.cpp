@@ -14,7 +14,7 @@
 
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
-#include "app/layers_option.hpp"
+#include "app/drawing_options.hpp"
 #include "app/option_checks.hpp"
 #include "app/progress.hpp"
 #include "base/counted.hpp"
@@ -49,7 +49,7 @@ struct CheckOptions {
   std::string profile;  ///< empty: that of the case file, or the default
   bool as_json = false;
   double trial_seconds = kTrialSeconds;
-  std::string layers;
+  DrawingOptions reading;
   std::vector<std::string> sets;
 };
 
@@ -61,6 +61,7 @@ struct CaseReport {
   std::vector<std::string> stages = {};  ///< a sentence for each
   ChosenProfile profile = {};            ///< of the plan
   std::string smallest_block = {};
+  std::string size = {};  ///< of the scene
   std::optional<TrialSteps> trial = {};
   int steps = 0;  ///< asked for
 };
@@ -185,6 +186,7 @@ void print(const CaseReport& report) {
   print(report.warnings);
   if (report.plan) fmt::print("  profile {}, because {}\n", report.profile.name, printable(report.profile.why));
   if (report.plan) print(*report.plan);
+  if (!report.size.empty()) fmt::print("  {}\n", report.size);
   if (!report.smallest_block.empty()) fmt::print("  {}\n", report.smallest_block);
   if (report.trial) fmt::print("  {}\n", cost_in_words(*report.trial, report.steps));
   for (const std::string& stage : report.stages) fmt::print("  {}\n", printable(stage));
@@ -269,6 +271,7 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const Check
     report.warnings = joined(std::move(report.warnings), of_histories);
     report.plan = prepared.requirements;
     report.stages = stages_of(prepared.scene);
+    report.size = size_of_scene(prepared.scene.model, checked.problem.units);
     report.smallest_block = smallest_block(prepared.blocks);
     report.steps = prepared.scene.settings.step_count;
     if (options.trial_seconds > 0)
@@ -287,6 +290,7 @@ void print_json(const std::vector<formats::FileReading>& files, const CaseReport
   if (report.plan) {
     json["case"]["profile"] = report.profile.name;
     json["case"]["profile_because"] = report.profile.why;
+    if (!report.size.empty()) json["case"]["size"] = report.size;
     if (!report.smallest_block.empty()) json["case"]["smallest_block"] = report.smallest_block;
     if (report.trial) json["case"]["cost"] = json_of(*report.trial, report.steps);
     json["case"]["requires"] = requirements_json(*report.plan);
@@ -318,9 +322,9 @@ std::vector<std::string> inputs_of(const CheckOptions& options) {
     if (study::find_cases({path}).size() != 1)
       throw UsageError(fmt::format(
           "check: expected files, the folder of one case, or a folder of cases alone; found the folder {} {}", path,
-          options.files.size() > 1 ? "beside others"
-          : options.layers.empty() ? "and --set"
-                                   : "and --layers"));
+          options.files.size() > 1              ? "beside others"
+          : options.reading == DrawingOptions{} ? "and --set"
+                                                : "and --layers, --unit or --join"));
     const std::vector<std::string> inputs = study::the_case_in(path).inputs();
     files.insert(files.end(), inputs.begin(), inputs.end());
   }
@@ -338,11 +342,11 @@ bool is_folder_of_cases(const std::vector<std::string>& paths) {
 }
 
 ExitCode check_files(const CheckOptions& options) {
-  if (is_folder_of_cases(options.files) && options.layers.empty() && options.sets.empty())
+  if (is_folder_of_cases(options.files) && options.reading == DrawingOptions{} && options.sets.empty())
     return check_folder(options.files.front(), options.profile, options.as_json);
   std::vector<std::string> inputs = inputs_of(options);
-  take_layers(inputs, options.layers);
-  const std::vector<formats::FileReading> files = formats::read_files(inputs);
+  take_layers(inputs, options.reading.layers);
+  const std::vector<formats::FileReading> files = formats::read_files(inputs, options.reading.choices);
   const CaseReport report = report_of(files, options);
   if (options.as_json) {
     print_json(files, report);
@@ -370,7 +374,7 @@ Action configure_check(CLI::App& options) {
   options.add_option("--set", chosen->sets, "key=value: a setting that a run would be given; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
-  add_layers_option(options, chosen->layers);
+  add_drawing_options(options, chosen->reading);
   options
       .add_option("--trial", chosen->trial_seconds,
                   fmt::format("seconds in which steps are tried, to say what a run costs and whether it begins "

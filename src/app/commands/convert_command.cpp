@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/command.hpp"
-#include "app/layers_option.hpp"
+#include "app/drawing_options.hpp"
 #include "base/error.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
@@ -31,7 +31,7 @@ struct ConvertOptions {
   bool may_overwrite = false;
   bool takes_faults = false;
   bool as_json = false;
-  std::string layers;
+  DrawingOptions reading;
 };
 
 std::string target_names() {
@@ -98,10 +98,11 @@ ExitCode convert_files(const ConvertOptions& options) {
   std::vector<std::filesystem::path> files;
   for (const study::Target::Part& part : target.parts) files.push_back(path_of(options, target, part.ending));
   std::vector<std::string> inputs = options.files;
-  take_layers(inputs, options.layers);
+  take_layers(inputs, options.reading.layers);
   require_writable(files, {inputs.begin(), inputs.end()}, overwrite_if(options.may_overwrite));
-  const study::Conversion conversion = study::convert(
-      formats::read_files(inputs), target, options.takes_faults ? study::Faults::berkeley : study::Faults::none);
+  const study::Conversion conversion =
+      study::convert(formats::read_files(inputs, options.reading.choices), target,
+                     options.takes_faults ? study::Faults::berkeley : study::Faults::none);
   log_warnings(joined(conversion.warnings, conversion.changed_rules));
   const bool is_refused = options.is_strict && !conversion.losses.empty();
   std::vector<std::string> outputs;
@@ -129,7 +130,7 @@ ExitCode convert_files(const ConvertOptions& options) {
 Action configure_convert(CLI::App& app) {
   const auto options = std::make_shared<ConvertOptions>();
   app.add_option("IN", options->files, "the files of one case, in any order")->required();
-  add_layers_option(app, options->layers);
+  add_drawing_options(app, options->reading);
   app.add_option("-o,--output", options->output, "the file to write; where the target is two files, their common name")
       ->type_name("FILE");
   app.add_option("--to", options->target, "format: " + target_names() + " (default: by the ending of the output)");

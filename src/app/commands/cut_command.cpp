@@ -12,7 +12,7 @@
 
 #include "app/command.hpp"
 #include "app/commands/mesh_options.hpp"
-#include "app/layers_option.hpp"
+#include "app/drawing_options.hpp"
 #include "app/picture_name.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
@@ -44,7 +44,7 @@ struct CutOptions {
   bool absorbs = false;
   bool may_overwrite = false;
   bool as_json = false;
-  std::string layers;
+  DrawingOptions reading;
 };
 
 Json json_of(const CutResult& cut) {
@@ -137,14 +137,15 @@ ExitCode cut_file(const CutOptions& options) {
   require_no_picture_name("-o", options.output, "--svg");
   require_writable({options.output, options.picture}, {options.drawing}, overwrite_if(options.may_overwrite));
   std::vector<std::string> inputs{options.drawing};
-  take_layers(inputs, options.layers);
-  const formats::Case loaded = formats::load_case(inputs);
+  take_layers(inputs, options.reading.layers);
+  const formats::Case loaded = formats::load_case(inputs, options.reading.choices);
+  log_warnings(loaded.warnings);  // before a drawing that cannot be cut: they may say why
   const Drawing& drawing = drawing_of(loaded, options.drawing);
   BodyCut bodies = has_mesh ? cut_bodies(drawing, options.merging, options.near_pieces)
                             : BodyCut{cut_blocks(drawing, options.merging, options.near_pieces), {}};
   CutResult& cut = bodies.blocks;
-  cut.warnings = joined(loaded.warnings, cut.warnings);
   log_warnings(cut.warnings);
+  cut.warnings = joined(loaded.warnings, cut.warnings);
   Json counts = json_of(cut);
   if (has_mesh) {
     cut_on_mesh(options, bodies, counts);
@@ -178,7 +179,7 @@ Action configure_cut(CLI::App& app) {
   auto options = std::make_shared<CutOptions>();
   app.add_option("GEO", options->drawing, "the drawing: a geometry file of the old programs, DXF, or a case file")
       ->required();
-  add_layers_option(app, options->layers);
+  add_drawing_options(app, options->reading);
   app.add_option("-o,--output", options->output, "the block file to write; with a mesh, the cover file")
       ->type_name("FILE");
   CLI::Option* picture =

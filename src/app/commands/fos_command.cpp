@@ -6,7 +6,7 @@
 
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
-#include "app/layers_option.hpp"
+#include "app/drawing_options.hpp"
 #include "app/option_checks.hpp"
 #include "app/strength/strength_reduction.hpp"
 #include "base/error.hpp"
@@ -20,13 +20,13 @@ struct FosOptions : ReductionOptions {
   std::vector<std::string> paths;
   std::string profile;
   std::vector<std::string> sets;
-  std::string layers;
+  DrawingOptions reading;
 };
 
 ExitCode find_factor(FosOptions options) {
   std::vector<std::string> beside;
-  take_layers(beside, options.layers);
-  study::StudyCase chosen = study::study_case(options.paths, beside);
+  take_layers(beside, options.reading.layers);
+  study::StudyCase chosen = study::study_case(options.paths, beside, options.reading.choices);
   chosen.common = overrides_of(options.sets);
   const std::string profile = profile_of_reduction(chosen.input.problem, options.profile);
   if (const auto reason = chosen.file.not_run.find(rules_of(profile)); reason != chosen.file.not_run.end())
@@ -59,7 +59,7 @@ Action configure_fos(CLI::App& options) {
   options
       .add_option("--profile", chosen->profile, "preset of all choices (default: standard, or what a case file says)")
       ->check(one_word_of(profile_names()));
-  add_layers_option(options, chosen->layers);
+  add_drawing_options(options, chosen->reading);
   options.add_option("--set", chosen->sets, "key=value: a setting of all trials; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();

@@ -158,7 +158,9 @@ Action configure_joints(CLI::App& app) {
     return app.add_option(name, value, help)->excludes(file);
   };
   add("--set", options->sets,
-      "a joint set: dip=60,spacing=1,trace=5,gap=0.5,scatter=0.1,distribution=lognormal,joint=2; again for more");
+      "a joint set: dip=60,spacing=1,trace=5,gap=0.5,scatter=0.1,dip_scatter_deg=5,distribution=lognormal,joint=2; "
+      "scatter is the standard deviation over the mean of spacing, trace and gap (without dip_scatter_deg, the dip "
+      "scatters by that share of 90 degrees); again for more");
   add("--rectangle", options->rectangle, "the outline: width=20,height=10,x=0,y=0");
   add("--slope", options->slope,
       "the outline, the foot of its face at x = 0, y = 0: height=10,angle=60,bench=3,benches=2,toe=10,crest=15,base=5");

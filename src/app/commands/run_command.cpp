@@ -13,7 +13,7 @@
 #include "app/command.hpp"
 #include "app/commands/both_profiles.hpp"
 #include "app/commands/study_options.hpp"
-#include "app/layers_option.hpp"
+#include "app/drawing_options.hpp"
 #include "app/messages.hpp"
 #include "app/option_checks.hpp"
 #include "app/output_options.hpp"
@@ -62,7 +62,7 @@ struct RunOptions {
   bool both = false;  ///< profiles, one after the other
   bool list_settings = false;
   OutputOptions outputs;
-  std::string layers;  ///< file
+  DrawingOptions reading;
   ReductionOptions reduction;
 };
 
@@ -292,7 +292,9 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
                      {},
                      options.outputs.histories,
                      options.outputs.contacts,
-                     options.outputs.field};
+                     options.outputs.field,
+                     options.reading.choices.unit,
+                     options.reading.choices.join};
   for (const InputRecord& input : record.inputs) {
     request.read.push_back(input.file);
     request.digests.push_back(input.sha256);
@@ -313,7 +315,7 @@ struct Asked {
 };
 
 Asked read_as_asked(const RunOptions& options, Stopwatch& watch) {
-  Asked asked{formats::load_case(options.files), RunRecord(), {}};
+  Asked asked{formats::load_case(options.files, options.reading.choices), RunRecord(), {}};
   const ChosenProfile profile = chosen_profile(asked.loaded.problem, options.profile, overrides_of(options.sets));
   asked.record.profile = profile.name;
   asked.record.profile_because = profile.why;
@@ -331,6 +333,7 @@ void print_start(const Prepared& prepared, const RunJob& job, bool is_resumed) {
   spdlog::info(
       "profile {}, because {}{}", record.profile, record.profile_because,
       record.profile == "legacy" ? " (--profile standard: the rules of today; --both: both, side by side)" : "");
+  if (const std::string size = size_of_scene(model, record.units); !size.empty()) spdlog::info("{}", size);
   spdlog::info("{}, {} unknowns, {} steps", counted(model.elements.size(), model.nodes.empty() ? "block" : "element"),
                prepared.requirements.unknowns, prepared.scene.settings.step_count);
   log_warnings(record.warnings);
@@ -410,6 +413,7 @@ ExitCode resume_run(const RunOptions& options) {
   again.outputs.histories = request.histories;
   again.outputs.contacts = request.contacts;
   again.outputs.field = request.field;
+  again.reading.choices = {request.unit, request.join};
   return run_asked(again, &request, &saved).code;
 }
 
@@ -426,8 +430,8 @@ RunOptions inputs_of_case_folder(RunOptions options) {
   const study::CaseFile file = study::read_case_file(folder);
   options.files = folder.inputs();
   const bool is_asked = !options.profile.empty();
-  std::string profile =
-      profile_of(formats::load_case(options.files).problem, options.profile, overrides_of(options.sets));
+  std::string profile = profile_of(formats::load_case(options.files, options.reading.choices).problem, options.profile,
+                                   overrides_of(options.sets));
   if (!is_asked && profile == "legacy" && file.not_run.contains(profile)) options.profile = profile = "standard";
   if (const auto reason = file.not_run.find(rules_of(profile)); reason != file.not_run.end())
     throw UsageError(fmt::format("run: {} says of profile {}: {}", file.path, profile, reason->second));
@@ -440,7 +444,7 @@ RunOptions inputs_of_case_folder(RunOptions options) {
 
 RunOptions with_case_folder(RunOptions options) {
   options = inputs_of_case_folder(std::move(options));
-  take_layers(options.files, std::exchange(options.layers, {}));
+  take_layers(options.files, std::exchange(options.reading.layers, {}));
   return options;
 }
 
@@ -464,7 +468,7 @@ ExitCode run_reduced(const RunOptions& options) {
   reduction.folder = options.folder;
   reduction.as_json = options.as_json;
   reduction.force = options.force;
-  formats::Case input = formats::load_case(options.files);
+  formats::Case input = formats::load_case(options.files, options.reading.choices);
   const std::string profile = profile_of_reduction(input.problem, options.profile);
   return reduce_strength({std::filesystem::path(options.files.front()).stem().string(),
                           options.files,
@@ -503,8 +507,8 @@ ExitCode run_both(const RunOptions& options) {
   RunOptions first = with_settings_file(options);
   if (std::filesystem::is_directory(first.files.front()))
     first.files = study::the_case_in(first.files.front()).inputs();
-  take_layers(first.files, first.layers);
-  const formats::Case input = formats::load_case(first.files);
+  take_layers(first.files, first.reading.layers);
+  const formats::Case input = formats::load_case(first.files, first.reading.choices);
   const bool is_old = rules_of(profile_of(input.problem, {}, overrides_of(first.sets))) == "legacy";
   std::vector<ProfileAnswer> answers;
   for (const char* profile : {is_old ? "legacy" : "standard", is_old ? "standard" : "legacy"}) {
@@ -575,7 +579,7 @@ Action configure_run(CLI::App& options) {
   CLI::Option* trace =
       options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
   const auto [histories, contacts, field] = add_output_options(options, chosen->outputs);
-  CLI::Option* layers = add_layers_option(options, chosen->layers);
+  const std::vector<CLI::Option*> reading = add_drawing_options(options, chosen->reading);
   CLI::Option* both = options.add_flag(
       "--both", chosen->both,
       "run the profiles legacy and standard, into FOLDER/legacy and FOLDER/standard, and print their answers side by "
@@ -603,9 +607,10 @@ Action configure_run(CLI::App& options) {
   for (CLI::Option* of_search : add_reduction_options(options, chosen->reduction)) of_search->needs(reduced);
   for (CLI::Option* of_run : {every, trace, both, histories, contacts, field}) reduced->excludes(of_run);
   both->excludes(profile);
-  for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force, reduced, both, histories,
-                             contacts, field, layers})
+  for (CLI::Option* other :
+       {files, profile, folder, sets, settings_file, every, trace, force, reduced, both, histories, contacts, field})
     resume->excludes(other);
+  for (CLI::Option* of_drawing : reading) resume->excludes(of_drawing);
   add_thread_option(options);
   options.add_flag("--settings", chosen->list_settings, "list the settings that --set takes, and stop");
   return [chosen] { return run_files(*chosen); };

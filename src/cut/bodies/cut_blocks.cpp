@@ -55,6 +55,7 @@ class Cutting {
     prune_edges(meet());
     if (!tolerances().is_exact()) straighten_out();
     if (loose_ends_ == LooseEnds::removed) notes_.of_dangling(is_dangling_);
+    notes_.of_near_ends(is_dangling_);
     const std::vector<Face> faces = trace_faces(arrangement_);
     BlocksOfFaces blocks(arrangement_, faces, lines_, notes_, result_);
     blocks.make();
@@ -195,11 +196,14 @@ class Cutting {
   }
 
   [[noreturn]] void refuse() const {
+    const auto is_of_gaps = [](const Warning& warning) { return warning.name == "ends_stop_short"; };
+    const auto gaps = std::ranges::find_if(result_.warnings, is_of_gaps);
     throw InputError(
         drawing_.place,
         fmt::format("expected lines that close at least one block, found {} lines meeting in {} points and no "
-                    "closed chain",
-                    result_.report.lines, result_.report.nodes));
+                    "closed chain{}",
+                    result_.report.lines, result_.report.nodes,
+                    gaps == result_.warnings.end() ? "" : "; " + gaps->sentence));
   }
 
   const Drawing& drawing_;

@@ -9,9 +9,18 @@
 
 #include "base/counted.hpp"
 #include "base/listed.hpp"
+#include "base/words/plain_number.hpp"
 #include "geometry/segment.hpp"
+#include "problem/lines/near_ends.hpp"
 
 namespace keyblock {
+namespace {
+
+// Ends that come so near to a line are likely meant to meet it.
+constexpr double kNearInMerges = 4;      // merging distances
+constexpr double kNearInScales = 0.005;  // of the drawing's scale
+
+}  // namespace
 
 void CutNotes::warn(std::string name, Place at, std::string sentence) {
   result_.warnings.push_back({std::move(name), std::move(at), std::move(sentence)});
@@ -32,15 +41,24 @@ void CutNotes::of_repeated(const std::vector<std::size_t>& lines) {
 }
 
 void CutNotes::of_overlaps(const std::vector<Crossing>& found) {
+  std::size_t count = 0;
+  const Crossing* first = nullptr;
   for (std::size_t k = 0; k < found.size(); ++k) {
     const Crossing& c = found[k];
     const bool is_first = k == 0 || found[k - 1].line != c.line || found[k - 1].other != c.other;
     const bool is_pair =
         is_first && k + 1 < found.size() && found[k + 1].line == c.line && found[k + 1].other == c.other;
     if (!c.is_end || !is_pair) continue;
-    warn("overlapping_lines", place(c.line),
-         fmt::format("the line partly covers line {}; the joint material is that of the earlier one", number(c.other)));
+    ++count;
+    if (first == nullptr) first = &c;
   }
+  if (count == 0) return;
+  warn("overlapping_lines", place(first->line),
+       count == 1 ? fmt::format("the line partly covers line {}; the joint material is that of the earlier one",
+                                number(first->other))
+                  : fmt::format("{} pairs of lines cover each other in part, first this line and line {}; the joint "
+                                "material is that of the earlier one",
+                                count, number(first->other)));
 }
 
 void CutNotes::of_dangling(const std::vector<char>& is_dangling) {
@@ -49,6 +67,30 @@ void CutNotes::of_dangling(const std::vector<char>& is_dangling) {
   warn("dangling_lines_removed", place(static_cast<int>(first - is_dangling.begin())),
        fmt::format("loose ends of {} of {} are removed; this is the first",
                    std::count(is_dangling.begin(), is_dangling.end(), 1), counted(is_dangling.size(), "line")));
+}
+
+void CutNotes::of_near_ends(const std::vector<char>& is_dangling) {
+  const double within = std::max(kNearInMerges * tolerances().merge, kNearInScales * tolerances().scale);
+  if (std::ranges::find(is_dangling, 1) == is_dangling.end()) return;
+  NearEndSearch search(lines_.segments, lines_.boundary_count, within);
+  std::vector<NearEnd> found;
+  for (std::size_t line = 0; line < is_dangling.size(); ++line)
+    for (const bool is_start : {true, false}) {
+      if (!is_dangling[line]) continue;
+      const auto near = search.look(line, is_start, tolerances().merge);
+      if (near && !near->is_beyond) found.push_back(*near);
+    }
+  if (found.empty()) return;
+  const auto [nearest, farthest] = std::ranges::minmax(found, {}, &NearEnd::gap);
+  const int line = static_cast<int>(nearest.line);
+  const bool is_one = found.size() == 1;
+  warn("ends_stop_short", place(line),
+       fmt::format("{} less than {} short of another line and {} it nowhere, the nearest {} at ({}, {}), line {}{}; "
+                   "--join DISTANCE joins those nearer than it",
+                   is_one ? "1 end of a line stops" : fmt::format("{} ends of lines stop", found.size()),
+                   plain(within, 3), is_one ? "meets" : "meet", plain(nearest.gap(), 3), plain(nearest.from.x, 6),
+                   plain(nearest.from.y, 6), number(line),
+                   is_one ? "" : fmt::format(", the farthest {}", plain(farthest.gap(), 3))));
 }
 
 void CutNotes::of_merging(const std::vector<Crossing>& found, const NodeTable& table) {

@@ -33,6 +33,8 @@ class CutNotes {
   /// `is_dangling`: of each line, whether a part of it hangs loose.
   void of_dangling(const std::vector<char>& is_dangling);
   void of_merging(const std::vector<Crossing>& found, const NodeTable& table);
+  /// Loose ends that stop just short of another line: how near, and where.
+  void of_near_ends(const std::vector<char>& is_dangling);
   void of_removed(const char* name, const char* why, const std::vector<Edge>& edges);
 
  private:

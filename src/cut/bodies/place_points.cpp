@@ -4,12 +4,14 @@
 #include "cut/bodies/place_points.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/counted.hpp"
 #include "base/words/quoted_name.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/predicates.hpp"
@@ -56,7 +58,10 @@ class Placer {
   std::vector<int> remove_holes(const std::vector<MarkedPoint>& hole_points) {
     std::vector<char> is_hole(blocks_.blocks.size(), 0);
     for (const MarkedPoint& mark : hole_points) {
-      if (const auto block = find("hole point", mark.position, mark.place)) is_hole[*block] = 1;
+      if (const auto block = block_at(blocks_.blocks, mark.position, tolerances_.vertex_catch))
+        is_hole[static_cast<std::size_t>(*block)] = 1;
+      else
+        outside_.push_back({"hole point", mark.position, mark.place});
     }
     std::vector<int> kept;
     for (std::size_t i = 0; i < is_hole.size(); ++i) {
@@ -80,7 +85,7 @@ class Placer {
       if (is_crossed) block.material = line.block_material;
       has_met |= is_crossed;
     }
-    if (!has_met) warn_outside("material line", line.segment.start, line.place);
+    if (!has_met) outside_.push_back({"material line", line.segment.start, line.place});
   }
 
   void add_fixed(const FixedLine& line) {
@@ -119,30 +124,61 @@ class Placer {
   }
 
   void add_point(std::vector<BlockPoint>& list, std::string_view kind, const MarkedPoint& mark) {
-    if (const auto block = find(kind, mark.position, mark.place)) list.push_back({mark.position, *block, mark.place});
+    if (const auto at = find(kind, mark.position, mark.place)) list.push_back({at->nearest, at->block, mark.place});
   }
 
   void add_bolt(const BoltLine& bolt) {
     const auto first = find("bolt end", bolt.segment.start, bolt.place);
     const auto second = find("bolt end", bolt.segment.end, bolt.place);
     if (!first || !second) return;
-    if (*first == *second) {
-      warnings_.push_back({"bolt_in_one_block", bolt.place,
-                           fmt::format("both ends of the bolt{} lie in one block: it holds nothing",
-                                       quoted_name(bolt.name.value_or({})))});
-    }
-    blocks_.bolts.push_back(
-        {bolt.segment, *first, *second, bolt.stiffness, bolt.strength, bolt.pretension, bolt.place, bolt.name});
+    if (first->block == second->block) idle_bolts_.push_back(&bolt);
+    blocks_.bolts.push_back({{first->nearest, second->nearest},
+                             first->block,
+                             second->block,
+                             bolt.stiffness,
+                             bolt.strength,
+                             bolt.pretension,
+                             bolt.place,
+                             bolt.name});
   }
 
   // Loads belong to loading points by their order: leaving one out would give its load to the next.
   void add_loading(const MarkedPoint& mark) {
-    const auto block = block_at(blocks_.blocks, mark.position, tolerances_.vertex_catch);
-    if (!block)
+    const auto at = find("loading point", mark.position, mark.place);
+    if (!at)
       throw InputError(mark.place,
                        fmt::format("expected a loading point inside a block, found ({}, {}) outside all blocks",
                                    mark.position.x, mark.position.y));
-    blocks_.loading_points.push_back({mark.position, *block, mark.place});
+    blocks_.loading_points.push_back({at->nearest, at->block, mark.place});
+  }
+
+  /// Once all marks are placed: one warning a kind, with their number and the first.
+  void warn_of_points() {
+    const auto at = [](const Mark& mark) {
+      return fmt::format("{} ({}, {})", mark.kind, mark.position.x, mark.position.y);
+    };
+    if (outside_.size() == 1)
+      warn("point_outside_blocks", outside_, at(outside_.front()) + " lies outside all blocks and is left out");
+    else if (!outside_.empty())
+      warn("point_outside_blocks", outside_,
+           fmt::format("{} lie outside all blocks and are left out: the first is {}", kinds_of(outside_),
+                       at(outside_.front())));
+    if (!moved_.empty())
+      warn("points_moved", moved_,
+           fmt::format("{} outside all blocks, by less than {:.3g}, {} moved onto the nearest: the first is {}",
+                       kinds_of(moved_), reach(), moved_.size() == 1 ? "is" : "are", at(moved_.front())));
+    if (idle_bolts_.empty()) return;
+    const BoltLine& first = *idle_bolts_.front();
+    const std::string named = quoted_name(first.name.value_or({}));
+    warnings_.push_back(
+        {"bolt_in_one_block", first.place,
+         idle_bolts_.size() == 1
+             ? fmt::format("both ends of the bolt{} lie in one block: it holds nothing", named)
+             : fmt::format(
+                   "both ends of {} bolts lie in one block: they hold nothing; the first is the bolt{} from ({}, "
+                   "{}) to ({}, {})",
+                   idle_bolts_.size(), named, first.segment.start.x, first.segment.start.y, first.segment.end.x,
+                   first.segment.end.y)});
   }
 
  private:
@@ -157,20 +193,49 @@ class Placer {
     }
   }
 
-  std::optional<int> find(std::string_view kind, Point p, const Place& place) {
-    const auto block = block_at(blocks_.blocks, p, tolerances_.vertex_catch);
-    if (!block) warn_outside(kind, p, place);
-    return block;
+  struct Mark {
+    std::string_view kind;
+    Point position;
+    Place place;
+  };
+
+  double reach() const { return std::max(tolerances_.merge, tolerances_.vertex_catch); }
+
+  /// The block of a point, and where the point is put; outside by round-off it stays.
+  std::optional<BlockBeside> find(std::string_view kind, Point p, const Place& place) {
+    if (const auto block = block_at(blocks_.blocks, p, tolerances_.vertex_catch)) return BlockBeside{*block, p};
+    auto beside = block_beside(blocks_.blocks, p, reach());
+    if (!beside) {
+      outside_.push_back({kind, p, place});
+    } else if (distance(beside->nearest, p) <= tolerances_.round_off) {
+      beside->nearest = p;
+    } else {
+      moved_.push_back({kind, p, place});
+    }
+    return beside;
   }
 
-  void warn_outside(std::string_view kind, Point p, const Place& place) {
-    warnings_.push_back({"point_outside_blocks", place,
-                         fmt::format("{} ({}, {}) lies outside all blocks and is left out", kind, p.x, p.y)});
+  void warn(const char* name, const std::vector<Mark>& marks, std::string sentence) {
+    warnings_.push_back({name, marks.front().place, std::move(sentence)});
+  }
+
+  /// "3 points (2 × bolt end, 1 × fixed point)".
+  static std::string kinds_of(const std::vector<Mark>& marks) {
+    std::vector<std::string_view> kinds;
+    for (const Mark& mark : marks)
+      if (std::ranges::find(kinds, mark.kind) == kinds.end()) kinds.push_back(mark.kind);
+    std::vector<std::string> counts;
+    for (const std::string_view kind : kinds)
+      counts.push_back(fmt::format("{} × {}", std::ranges::count(marks, kind, &Mark::kind), kind));
+    return fmt::format("{} ({})", counted(marks.size(), "mark"), fmt::join(counts, ", "));
   }
 
   const CutTolerances& tolerances_;
   Blocks& blocks_;
   std::vector<const FixedLine*> crossing_lines_;
+  std::vector<const BoltLine*> idle_bolts_;  ///< both ends in one block
+  std::vector<Mark> outside_;
+  std::vector<Mark> moved_;
   Warnings warnings_;
 };
 
@@ -192,6 +257,20 @@ std::optional<int> block_at(const std::vector<BlockPolygon>& blocks, Point p, do
   return std::nullopt;
 }
 
+std::optional<BlockBeside> block_beside(const std::vector<BlockPolygon>& blocks, Point p, double reach) {
+  std::optional<BlockBeside> found;
+  double least = reach;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    visit_edges(blocks[i], [&](const Segment& edge) {
+      const Point nearest = point_at(edge, std::clamp(foot(edge, p), 0.0, 1.0));
+      const double gap = distance(nearest, p);
+      if (gap > least || (found && gap == least)) return;
+      least = gap;
+      found = {static_cast<int>(i), nearest};
+    });
+  return found;
+}
+
 PlacedMarks place_marks(const Drawing& drawing, const CutTolerances& tolerances, Blocks& blocks) {
   Placer placer(tolerances, blocks);
   PlacedMarks placed;
@@ -202,6 +281,7 @@ PlacedMarks place_marks(const Drawing& drawing, const CutTolerances& tolerances,
   for (const MarkedPoint& p : drawing.loading_points) placer.add_loading(p);
   for (const MarkedPoint& p : drawing.measured_points) placer.add_point(blocks.measured_points, "measured point", p);
   for (const BoltLine& bolt : drawing.bolts) placer.add_bolt(bolt);
+  placer.warn_of_points();
   placed.warnings = placer.take_warnings();
   return placed;
 }

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "base/union_find.hpp"
-#include "cut/lines/segment_grid.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/segment.hpp"
+#include "problem/lines/segment_grid.hpp"
 
 namespace keyblock {
 namespace {

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "cut/lines/segment_grid.hpp"
 #include "geometry/segment.hpp"
+#include "problem/lines/segment_grid.hpp"
 
 namespace keyblock {
 namespace {

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "cut/lines/segment_grid.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/segment.hpp"
+#include "problem/lines/segment_grid.hpp"
 
 namespace keyblock {
 namespace {

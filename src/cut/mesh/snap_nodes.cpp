@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "cut/lines/segment_grid.hpp"
 #include "geometry/segment.hpp"
+#include "problem/lines/segment_grid.hpp"
 
 namespace keyblock {
 

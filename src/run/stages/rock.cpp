@@ -10,9 +10,11 @@
 #include <numeric>
 #include <utility>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "cut/bodies/block_shape.hpp"
 #include "cut/bodies/place_points.hpp"
+#include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
 #include "material/strength.hpp"
@@ -20,6 +22,8 @@
 
 namespace keyblock {
 namespace {
+
+constexpr double kPointRoundOff = 1e-9;  // over the extent of the rock
 
 std::vector<int> in_order(std::size_t count) {
   std::vector<int> numbers(count);
@@ -69,11 +73,21 @@ class Changing {
     require(index, rock_.analysis.joint_materials.size(), "joint material", place);
   }
 
+  // Of coordinates that are computed: a point on a face may lie outside by it.
+  double round_off() const {
+    Box box;
+    for (const BlockPolygon& block : rock_.blocks.blocks)
+      for (const BlockVertex& vertex : block.outer) box.add(vertex.position);
+    return kPointRoundOff * std::max(box.size().x, box.size().y);
+  }
+
   int block_at(Point p, const char* what, const Place& place) const {
     const std::vector<BlockPolygon>& blocks = rock_.blocks.blocks;
     const auto found = std::ranges::find_if(blocks, [&](const BlockPolygon& block) { return holds(block, p); });
-    if (found == blocks.end())
+    if (found == blocks.end()) {
+      if (const auto beside = block_beside(blocks, p, round_off())) return beside->block;
       throw InputError(place, fmt::format("expected {} in a block, found none at ({:.9g}, {:.9g})", what, p.x, p.y));
+    }
     return static_cast<int>(found - blocks.begin());
   }
 
@@ -198,6 +212,7 @@ class Changing {
   }
 
   void install_bolts() {
+    std::size_t idle_bolts = 0;
     for (const BoltLine& line : stage_.bolts) {
       BlockBolt bolt{line.segment,
                      block_at(line.segment.start, "the start of a bolt", line.place),
@@ -209,6 +224,7 @@ class Changing {
                      line.name};
       const std::vector<BoltProperties>& types = rock_.analysis.bolt_properties;
       const bool has_none = bolt.stiffness == 0 && bolt.strength == 0 && bolt.pretension == 0;
+      if (has_none && types.empty()) ++idle_bolts;
       if (has_none && !types.empty()) {
         require(line.type, types.size(), "bolt type", line.place);
         const BoltProperties& type = types[static_cast<std::size_t>(line.type)];
@@ -225,6 +241,10 @@ class Changing {
       rock_.identities.bolts.push_back(rock_.next_bolt++);
       descent_.bolts.push_back(-1);
     }
+    if (idle_bolts == 0) return;
+    warnings_.push_back({"bolts_without_properties", stage_.bolts.front().place,
+                         fmt::format("{} of a stage have neither stiffness nor pretension and carry no force",
+                                     counted(idle_bolts, "bolt"))});
   }
 
   void release() {

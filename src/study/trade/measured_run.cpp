@@ -187,11 +187,12 @@ std::vector<Override> StudyCase::overrides(const std::string& profile) const {
   return all;
 }
 
-StudyCase study_case(const std::vector<std::string>& paths, const std::vector<std::string>& beside) {
+StudyCase study_case(const std::vector<std::string>& paths, const std::vector<std::string>& beside,
+                     const formats::DrawingChoices& choices) {
   StudyCase chosen;
   const auto load = [&](std::vector<std::string> files) {
     files.insert(files.end(), beside.begin(), beside.end());
-    return formats::load_case(files);
+    return formats::load_case(files, choices);
   };
   const bool is_folder = paths.size() == 1 && fs::is_directory(paths.front());
   if (!is_folder) {

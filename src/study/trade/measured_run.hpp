@@ -29,7 +29,8 @@ struct StudyCase {
 
 /// The case of one folder (study/cases/cases.hpp), or of the files of one, with further files beside. Throws InputError
 /// as reading does, and for a folder of several cases.
-StudyCase study_case(const std::vector<std::string>& paths, const std::vector<std::string>& beside = {});
+StudyCase study_case(const std::vector<std::string>& paths, const std::vector<std::string>& beside = {},
+                     const formats::DrawingChoices& choices = {});
 
 /// A way to run a case.
 struct RunPlan {

@@ -1,6 +1,6 @@
 // Chords of arcs; see dxf_curves.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/dxf/dxf_curves.hpp"
+#include "formats/dxf/curves/dxf_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +14,15 @@ int chord_count(double sweep) {
 }
 
 std::vector<Point> arc_points(Point centre, double radius, double start, double sweep) {
+  return ellipse_points(centre, {radius, 0}, {0, radius}, start, sweep);
+}
+
+std::vector<Point> ellipse_points(Point centre, Point major, Point minor, double start, double sweep) {
   const int chords = chord_count(sweep);
   std::vector<Point> points;
   for (int i = 0; i <= chords; ++i) {
     const double angle = start + sweep * i / chords;
-    points.push_back(centre + radius * Point{std::cos(angle), std::sin(angle)});
+    points.push_back(centre + (std::cos(angle) * major + std::sin(angle) * minor));
   }
   return points;
 }

@@ -1,6 +1,6 @@
 // Uniform grid over segments; see segment_grid.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/lines/segment_grid.hpp"
+#include "problem/lines/segment_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The grid misses no pair that comes near, and answers in order.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cut/lines/segment_grid.hpp"
+#include "problem/lines/segment_grid.hpp"
 
 #include <gtest/gtest.h>
 
