@@ -273,6 +273,22 @@ void put_units(std::optional<Units>& into, const std::optional<Units>& units, co
   put(into->time, units->time, "time");
 }
 
+MaterialNames names_of(const std::vector<FileReading>& files) {
+  MaterialNames all;
+  const auto add = [](std::vector<std::string>& names, const std::vector<std::string>& more) {
+    names.resize(std::max(names.size(), more.size()));
+    for (std::size_t i = 0; i < more.size(); ++i)
+      if (names[i].empty()) names[i] = more[i];
+  };
+  for (const bool is_of_analysis : {true, false})
+    for (const FileReading& file : files) {
+      if (!file.reading || file.reading->content.analysis.has_value() != is_of_analysis) continue;
+      add(all.rocks, file.reading->content.names.rocks);
+      add(all.joints, file.reading->content.names.joints);
+    }
+  return all;
+}
+
 Problem pair(const std::vector<Content>& contents) {
   Problem problem;
   for (const Content& content : contents) problem = with_content(std::move(problem), content);

@@ -31,6 +31,9 @@ void put_units(std::optional<Units>& into, const std::optional<Units>& units, co
 /// One problem from the contents, in any order. Throws InputError at a second geometry or a second analysis.
 Problem pair(const std::vector<Content>& contents);
 
+/// The names of materials by all files; an analysis names them before a drawing.
+MaterialNames names_of(const std::vector<FileReading>& files);
+
 /// What does not fit between geometry and analysis of one content, as `check` says it: materials that are not there,
 /// curves without points, points without curves.
 Warnings mismatches(const Content& content);

@@ -38,6 +38,12 @@ struct LayerTable {
   bool operator==(const LayerTable& other) const { return rows == other.rows; }
 };
 
+/// The names of materials, or of the layers of a drawing that hold them, by number from 0. Empty: no name.
+struct MaterialNames {
+  std::vector<std::string> rocks;
+  std::vector<std::string> joints;
+};
+
 /// What a file can hold. DDAML may hold a drawing and an analysis in one file. `motion` is a horizontal acceleration as
 /// a multiple of gravity.
 struct Content {
@@ -58,6 +64,7 @@ struct Content {
   std::string drawing_unit = {};              ///< likewise
   std::string drawing_file = {};              ///< of a case file that names one, as it names it
   Place drawing_file_place = {};
+  MaterialNames names = {};  ///< for pictures; references to them are numbers by now
   bool is_own_case = false;  ///< of a case file of Keyblock, not of an old program
 };
 

@@ -9,7 +9,7 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr std::array<Knowledge, 19> kTable{{
+constexpr std::array<Knowledge, 20> kTable{{
     {"keyblock-case", "documented here: formats/case_file/keyblock_case.hpp, `keyblock formats --schema`",
      R"({
  "keyblock": 1,
@@ -72,6 +72,8 @@ constexpr std::array<Knowledge, 19> kTable{{
     {"nmm-analysis", "count and order from data (12 files); names partly inferred",
      "1 5 1 1 .01 .1 50\n2 -3\n.1 0 -1 10 .2  0 0 0 0 0 0 0 0 0\n30 0 0\n1.5 0 0 0\n"},
     {"disk-dda", "inferred", "1 0.25 0.5 100\n"},
+    {"udec-deck", "manuals and public decks; recognised to be named, not read",
+     "round 0.01\nblock 0 0 0 10 10 10 10 0\njset 45 0 20 0 0 0 2 0\nprop mat 1 d 2600 k 5e9 g 3e9\n"},
     {"motion-shake", "public source; no real file seen", "a quake\n3\n.1 .2 .3\n"},
     {"motion-matlab", "public source; no real file seen", ".01 3\n.1\n.2\n.3\n"},
     {"vtk", "documented by VTK; written for viewers, not read", ""},

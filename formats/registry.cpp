@@ -35,12 +35,13 @@ namespace keyblock::formats {
 namespace {
 
 /// In the order of trial: by a mark first, then by the strength of the token equation.
-constexpr std::array<const Format*, 19> kFormats{
+constexpr std::array<const Format*, 20> kFormats{
     &kKeyblockCase,
     &kDdaExtended,
     &kDdaml,
     &kDxf,
     &kDxfLayers,
+    &kUdecDeck,
     &kNmmCover,
     &kBerkeleyMeasured,
     &kBerkeleyReplay,

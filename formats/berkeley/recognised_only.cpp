@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/recognised_only.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <span>
+#include <sstream>
+#include <string>
 
 #include "formats/text/tokens.hpp"
 
@@ -21,11 +26,51 @@ Recognition recognise_disk(const Tokens& tokens) {
   return {Recognition::Fit::exact, "it begins with a kind of 0, 1 or 2 and two integration weights between 0 and 1"};
 }
 
+constexpr std::array<std::string_view, 11> kAfterBlock{
+    "size", "create", "tolerance", "cut", "zone", "gridpoint", "fix", "contact", "property", "mechanical", "history"};
+// Beside BLOCK these tell UDEC from a text that has such a word by chance.
+constexpr std::array<std::string_view, 20> kUdecCommands{
+    "round", "crack", "jset",   "jregion", "split", "tunnel", "voronoi",  "arc",   "property", "prop",
+    "bound", "grav",  "insitu", "insit",   "gen",   "change", "boundary", "cycle", "gravity",  "hist"};
+
+std::string lower_word(std::istringstream& line) {
+  std::string word;
+  line >> word;
+  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return word;
+}
+
+bool follows_block(const std::string& word) {
+  const bool is_number = !word.empty() && (std::isdigit(static_cast<unsigned char>(word[0])) != 0 || word[0] == '-' ||
+                                           word[0] == '+' || word[0] == '.' || word[0] == '(');
+  return is_number || std::ranges::find(kAfterBlock, word) != kAfterBlock.end();
+}
+
+Recognition recognise_udec(const Source& source) {
+  constexpr std::size_t kHead = 1 << 16;  // a deck draws its block near its head
+  std::istringstream lines{source.text.substr(0, kHead)};
+  std::string text;
+  int block_line = 0;
+  std::string other;
+  for (int number = 1; std::getline(lines, text); ++number) {
+    std::istringstream line{text};
+    const std::string first = lower_word(line);
+    if (first == "block" && block_line == 0 && follows_block(lower_word(line))) block_line = number;
+    if (other.empty() && std::ranges::find(kUdecCommands, first) != kUdecCommands.end()) other = first;
+    if (block_line != 0 && !other.empty())
+      return {Recognition::Fit::exact,
+              "line " + std::to_string(block_line) + " is a command BLOCK, and others begin with " + other};
+  }
+  return {};
+}
+
 }  // namespace
 
 constinit const Format kDdaExtended{"dda-extended", "extended DDA file, version 1.5", recognise_extended, nullptr,
                                     nullptr};
 constinit const Format kDiskDda{"disk-dda",    "parameter file of the disk DDA program", nullptr, nullptr, nullptr,
                                 recognise_disk};
+
+constinit const Format kUdecDeck{"udec-deck", "commands of UDEC (Itasca)", recognise_udec, nullptr, nullptr};
 
 }  // namespace keyblock::formats

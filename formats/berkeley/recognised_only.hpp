@@ -1,8 +1,11 @@
-// Files of the family that are recognised but not read, so that the refusal can name them.
+// Files that are recognised but not read, so that the refusal can name them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Extended 1.5: first word begins `#!0xDDA`.
 // Disk DDA (`.par`) [inferred]: 0, 1 or 2, then two reals between 0 and 1.
+// UDEC (Itasca), a text of commands: a line begins with BLOCK and a number, a bracket, or a word of its own such as SIZE
+// or CREATE; and another begins with ROUND, CRACK, JSET, PROP, BOUNDARY, … [its manuals and public decks]. Letters of
+// either case; `;` begins a comment.
 #pragma once
 
 #include "formats/format.hpp"
@@ -11,5 +14,6 @@ namespace keyblock::formats {
 
 extern const Format kDdaExtended;
 extern const Format kDiskDda;
+extern const Format kUdecDeck;
 
 }  // namespace keyblock::formats

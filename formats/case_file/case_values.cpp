@@ -66,6 +66,8 @@ class Values {
     }
   }
 
+  MaterialNames names() const { return {rocks_, joints_}; }
+
  private:
   // Of the geometry first, then of the stages, as their numbers go.
   void name_bolts(const JsonValue& root) {
@@ -151,8 +153,10 @@ bool takes_name(std::string_view field) {
   return is_one_of(kBlockFields, field) || is_one_of(kJointFields, field) || is_one_of(kBoltFields, field);
 }
 
-void resolve_names(JsonText& text) {
-  Values(text).walk(text.root(), "");
+MaterialNames resolve_names(JsonText& text) {
+  Values values(text);
+  values.walk(text.root(), "");
+  return values.names();
 }
 
 }  // namespace keyblock::formats

@@ -297,7 +297,7 @@ Warnings take_defaults_of_today(Content& content, const JsonValue& from) {
 }
 
 // The units first: values are converted into them before fields are read.
-void resolve(JsonText& text) {
+MaterialNames resolve(JsonText& text) {
   if (const auto declared = text.root().member("units"); declared && declared->kind() == JsonKind::object) {
     CaseReading fields(*declared, "units");
     Units units;
@@ -306,7 +306,7 @@ void resolve(JsonText& text) {
     check(units, declared->place());
     text.declare(units);
   }
-  resolve_names(text);
+  return resolve_names(text);
 }
 
 // Strain at which cracks close, above which it is no strain of rock.
@@ -361,9 +361,9 @@ Reading read_case(const Source& source, const ReadHint&) {
     parsed.emplace(source);
   JsonText& text = *parsed;
   if (text.root().kind() != JsonKind::object) text.root().fail("an object");
-  resolve(text);
   Reading reading;
   Content& content = reading.content;
+  content.names = resolve(text);
   content.is_own_case = true;
   CaseReading fields(text.root(), "the case file");
   int version = 0;

@@ -79,6 +79,7 @@ Reading read(const Source& source, const ReadHint& hint) {
   // What this program wrote is taken as it is, however its lines cross.
   if (!ratio_in(document)) warnings = joined(std::move(warnings), clip_joints(made.drawing));
   Reading reading{{std::move(made.drawing), {}, {}}, std::move(warnings)};
+  reading.content.names = std::move(made.names);
   if (!unit.length.empty()) reading.content.units = Units{unit.length, "", ""};
   return reading;
 }

@@ -21,6 +21,7 @@
 namespace keyblock::formats {
 namespace {
 
+constexpr int kMostNamed = 1000;   // materials: no legend lists more
 constexpr int kMostColours = 256;  // the AutoCAD colour index; the last is that of the layer
 constexpr int kByLayer = 256;
 
@@ -32,6 +33,7 @@ class DrawingMaker {
   DxfDrawing make() {
     for (DxfShape& shape : shapes_.shapes) to_metres(shape);
     name_layers();
+    name_materials();
     for (const DxfShape& shape : shapes_.shapes) add(shape);
     Drawing& drawing = result_.drawing;
     drawing.boundary_count = boundaries_.size();
@@ -102,6 +104,21 @@ class DrawingMaker {
                        in_quotes(layer.name), layer.entities, index + 1, hint_for_layer(layer.name))});
       ++index;
     }
+  }
+
+  /// After the first layer that holds them; joints before outlines, which share their numbers.
+  void name_materials() {
+    const auto put = [&](std::vector<std::string>& names, DxfRole role) {
+      for (const auto& [name, layer] : layers_) {
+        if (layer.role != role || layer.index < 0 || layer.index >= kMostNamed) continue;
+        const auto at = static_cast<std::size_t>(layer.index);
+        if (names.size() <= at) names.resize(at + 1);
+        if (names[at].empty()) names[at] = name;
+      }
+    };
+    put(result_.names.rocks, DxfRole::material);
+    put(result_.names.joints, DxfRole::joint);
+    put(result_.names.joints, DxfRole::boundary);
   }
 
   void warn_of_unused_rows() {

@@ -13,6 +13,7 @@ namespace keyblock::formats {
 struct DxfDrawing {
   Drawing drawing;
   Warnings warnings;
+  MaterialNames names = {};  ///< of layers
 };
 
 /// `layers`: a table whose rows were checked.

@@ -19,6 +19,7 @@
 #include <memory>
 #include <new>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -125,15 +126,22 @@ std::string with_examples(const char* examples) {
   return text + "\n";
 }
 
-int run_program(int argc, char** argv) {
-  if (argc > 1) require_known(argv[1]);
+// `help` stands for --help, `help COMMAND` for that of the command, nothing at all for `help`.
+std::vector<std::string> as_asked(std::vector<std::string> arguments) {
+  if (arguments.empty() || arguments == std::vector<std::string>{"help"}) return {"--help"};
+  if (arguments.front() == "help") arguments = {arguments[1], "--help"};
+  require_known(arguments.front());
+  return arguments;
+}
+
+int run_program(const std::vector<std::string>& arguments) {
   CLI::App program{
       "Keyblock: reruns the files of discontinuous deformation analysis and the numerical manifold method"};
   program.name("keyblock");
   program.formatter(std::make_shared<HelpFormat>());
   program.set_version_flag("--version", version_words());
   program.require_subcommand(1);
-  program.footer("Every command explains its options with --help, and shows examples there.");
+  program.footer("keyblock help COMMAND explains a command and its options, and shows examples.");
   add_message_options(program);
   Action chosen;
   for (const Command& command : kCommands) {
@@ -144,9 +152,9 @@ int run_program(int argc, char** argv) {
     options->callback([&chosen, action] { chosen = *action; });
   }
   try {
-    program.parse(argc, argv);
+    program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // the last one first
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) suggest_option(program, {argv + 1, argv + argc});
+    if (error.get_exit_code() != 0) suggest_option(program, arguments);
     std::ostringstream messages;
     const bool is_help = program.exit(error, std::cout, messages) == 0;
     std::istringstream lines(messages.str());
@@ -191,11 +199,14 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   keyblock::print_messages_plainly();
   try {
-    return keyblock::run_program(argc, argv);
+    return keyblock::run_program(keyblock::as_asked({argv + std::min(argc, 1), argv + argc}));
   } catch (const keyblock::InputError& error) {
     spdlog::error("{}", error.what());
     return static_cast<int>(keyblock::ExitCode::unreadable);
   } catch (const keyblock::UsageError& error) {
+    spdlog::error("keyblock: error: {}", error.what());
+    return static_cast<int>(keyblock::ExitCode::usage);
+  } catch (const std::invalid_argument& error) {  // a setting or profile of the command line, whatever the command
     spdlog::error("keyblock: error: {}", error.what());
     return static_cast<int>(keyblock::ExitCode::usage);
   } catch (const std::filesystem::filesystem_error& error) {

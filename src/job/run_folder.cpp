@@ -53,6 +53,13 @@ std::vector<int> numbers_of(const Frame& frame, const std::vector<std::size_t>& 
   return numbers;
 }
 
+std::vector<std::size_t> places_of(const std::vector<int>& numbers, const Frame& frame) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < frame.elements.size(); ++i)
+    if (std::ranges::find(numbers, number_of(frame, i)) != numbers.end()) places.push_back(i);
+  return places;
+}
+
 std::string histories_header(const Units& units) {
   return formats::headings(formats::kHistoriesTable, units) + '\n';
 }
@@ -63,26 +70,37 @@ void write_pictures(OutputFiles& files, const RunResults& results, const Frame& 
   const History& history = results.tables.history;
   const std::string at_end = title_at(results.title, field.time, units);
   const Shown shown{history, start, field, numbers_of(end, left_out)};
-  files.write("picture.svg", report::run_picture({results.title,
-                                                  start,
-                                                  end,
-                                                  displacement_curves(shown),
-                                                  {with_unit("time", measures::kTime, units),
-                                                   with_unit("displacement", measures::kLength, units)},
-                                                  units.time,
-                                                  results.marked,
-                                                  results.marked_words,
-                                                  units,
-                                                  left_out,
-                                                  numbers_of_curves(shown),
-                                                  numbered_words(shown),
-                                                  results.joints}));
+  files.write("picture.svg",
+              report::run_picture({results.title,
+                                   start,
+                                   end,
+                                   displacement_curves(shown),
+                                   {{"time", measures::kTime, units}, {"displacement", measures::kLength, units}},
+                                   units.time,
+                                   results.marked,
+                                   results.marked_words,
+                                   units,
+                                   left_out,
+                                   numbers_of_curves(shown),
+                                   numbered_words(shown),
+                                   results.joints,
+                                   results.rock_names,
+                                   results.joint_names,
+                                   results.idle_bolts}));
   if (results.ledger.rows.size() > 1)
     files.write("energy.svg", report::energy_picture(results.title + ", energy", results.ledger, units));
-  files.write("field.svg", report::field_picture({at_end, field, field, end.measured_points,
+  files.write("field.svg", report::field_picture({at_end,
+                                                  field,
+                                                  field,
+                                                  end.measured_points,
                                                   results.shown.empty() ? report::most_varied(field)
                                                                         : report::field_of_word(results.shown),
-                                                  results.is_of_motion, units, left_out}));
+                                                  results.is_of_motion,
+                                                  units,
+                                                  left_out,
+                                                  {},
+                                                  places_of(results.held, end),
+                                                  {}}));
   if (field.plastic) files.write("plastic.svg", report::plastic_picture({at_end, field, end.outlines, units}));
   if (const std::vector<ReactionCurve> curves = reaction_curves(history); !curves.empty())
     files.write(kReactionFile, report::reaction_picture(results.title + ", reactions", curves, units));

@@ -47,6 +47,10 @@ struct RunResults {
   std::string marked_words = {};   ///< what these do
   bool follows_by_choice = false;  ///< histories.csv was written on the way
   std::vector<std::vector<int>> joints = {};  ///< as `report::RunPicture` has them
+  std::vector<std::string> rock_names = {};   ///< as `report::RunPicture` has them
+  std::vector<std::string> joint_names = {};
+  std::vector<int> idle_bolts = {};  ///< numbers, from 0, of bolts without properties
+  std::vector<int> held = {};        ///< numbers, from 0, of blocks with a fixed point at the end
   std::string shown = {};  ///< in field.svg, a word of `report::kFieldWords`; empty: the stress that varies most
 };
 

@@ -26,6 +26,14 @@ std::string text(const Json& of, const char* key) {
   return found.is_string() ? found.get<std::string>() : std::string();
 }
 
+/// From 0.
+std::vector<int> numbers(const Json& of, const char* key) {
+  std::vector<int> found;
+  for (const Json& number : member(of, key))
+    if (number.is_number_integer()) found.push_back(number.get<int>() - 1);
+  return found;
+}
+
 }  // namespace
 
 std::string title_of(const std::filesystem::path& file, const std::string& profile) {
@@ -49,8 +57,8 @@ RunHeading heading_of(const std::filesystem::path& folder) {
   const Json& units = member(record, "units");
   heading.units = {text(units, "length"), text(units, "mass"), text(units, "time")};
   heading.is_of_motion = member(record, "is_of_motion") != false;
-  for (const Json& number : member(record, "left_out"))
-    if (number.is_number_integer()) heading.left_out.push_back(number.get<int>() - 1);
+  heading.left_out = numbers(record, "left_out");
+  heading.held = numbers(record, "held");
   return heading;
 }
 

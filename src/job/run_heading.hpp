@@ -21,6 +21,7 @@ struct RunHeading {
   Units units = {};
   bool is_of_motion = true;        ///< as `report::FieldPicture` has it
   std::vector<int> left_out = {};  ///< numbers, from 0, of elements that the pictures of the run leave out
+  std::vector<int> held = {};      ///< likewise of blocks with a fixed point
 };
 
 /// From run.json; of a run that was killed, which has none, the name of the folder. Throws InputError where the file is

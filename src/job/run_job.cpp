@@ -206,6 +206,29 @@ bool RunJob::run(const RunListener& listener) {
   }
 }
 
+namespace {
+
+// In all scenes of the run.
+std::vector<int> idle_bolts(const Scene& first) {
+  std::set<int> numbers;
+  for (const Scene* scene : scenes_of(first))
+    for (std::size_t i = 0; i < scene->model.bolts.size(); ++i) {
+      const Bolt& bolt = scene->model.bolts[i];
+      if (!bolt.is_spring() && bolt.pretension == 0) numbers.insert(scene->model.identities.of_bolt(i));
+    }
+  return {numbers.begin(), numbers.end()};
+}
+
+// Of blocks; what an element of a body on covers carries is known.
+std::vector<int> held_blocks(const Frame& end) {
+  if (!end.outlines.empty()) return {};
+  std::set<int> numbers;
+  for (const PointFrame& point : end.fixed_points) numbers.insert(point.element);
+  return {numbers.begin(), numbers.end()};
+}
+
+}  // namespace
+
 // What is to be said of the run, and whether it can be trusted.
 void RunJob::judge() {
   const Place& place = options_.place;
@@ -227,6 +250,7 @@ void RunJob::judge() {
 std::string RunJob::finish(const std::string& title, double seconds) {
   record_.timings.run = seconds;
   judge();
+  record_.held = held_blocks(folder_.last_frame());
   record_.left_out = folder_.finish({title,
                                      tables(record_.outcome.ledger_scope),
                                      record_.traced,
@@ -237,6 +261,10 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                                      what_failed_does(record_.outcome, prepared_.scene.settings.dynamics),
                                      !followed_.is_empty(),
                                      joints_of_edges_,
+                                     options_.names.rocks,
+                                     options_.names.joints,
+                                     idle_bolts(prepared_.scene),
+                                     record_.held,
                                      options_.shown});
   record_.outputs = folder_.outputs();
   const std::string json =

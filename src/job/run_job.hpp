@@ -25,6 +25,7 @@ struct RunJobOptions {
   Place place;                  ///< of the analysis, for what is said of the whole run
   OutputPlan outputs = {};      ///< points of histories are measured points of the scene
   std::string shown = {};       ///< in field.svg, as RunResults has it
+  formats::MaterialNames names = {};
 };
 
 /// Who is told of steps, and who may stop them. Either may be left empty.

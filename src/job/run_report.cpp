@@ -49,15 +49,6 @@ const char* word_for(FailureKind kind) {
   return "";
 }
 
-Json all_settings_json(const Settings& settings) {
-  Json all = Json::object();
-  for (const SettingText& setting : list(settings)) {
-    Json value = setting.is_number ? Json::parse(setting.value, nullptr, false) : Json(setting.value);
-    all[setting.name] = value.is_discarded() ? Json() : value;  // infinite: no JSON
-  }
-  return all;
-}
-
 Json steps_by_passes_json(const StepTotals& totals) {
   Json bins = Json::array();
   for (std::size_t i = 0; i < totals.steps_by_passes.size(); ++i) {
@@ -303,6 +294,15 @@ void log_warnings(const Warnings& warnings) {
     spdlog::warn("{}{}", to_string(*first), count > 1 ? fmt::format(" ({} times)", count) : "");
 }
 
+Json all_settings_json(const Settings& settings) {
+  Json all = Json::object();
+  for (const SettingText& setting : list(settings)) {
+    Json value = setting.is_number ? Json::parse(setting.value, nullptr, false) : Json(setting.value);
+    all[setting.name] = value.is_discarded() ? Json() : value;  // infinite: no JSON
+  }
+  return all;
+}
+
 Json requirements_json(const Requirements& requirements) {
   Json terms = Json::array();
   for (const RequiredTerm& term : requirements.terms)
@@ -330,10 +330,12 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"steps", steps_json(record.steps, record.units)}};
   json["is_static"] = record.is_static;
   json["is_of_motion"] = !prepared.scene.is_untouched;
-  if (!record.left_out.empty()) {
-    json["left_out"] = Json::array();
-    for (const int number : record.left_out) json["left_out"].push_back(number + 1);
-  }
+  const auto put_numbers = [&](const char* key, const std::vector<int>& numbers) {
+    if (!numbers.empty()) json[key] = Json::array();
+    for (const int number : numbers) json[key].push_back(number + 1);
+  };
+  put_numbers("left_out", record.left_out);
+  put_numbers("held", record.held);
   if (record.units != Units{}) json["units"] = json_of(record.units);
   if (record.outcome.forces) json["forces"] = json_of(*record.outcome.forces);
   if (record.plastic) json["plastic"] = json_of(*record.plastic);

@@ -59,6 +59,7 @@ struct RunRecord {
   Warnings doubts;  ///< why a run that came to its end is not trusted; among `warnings` too
   int record_every = 1;
   std::vector<int> left_out = {};    ///< numbers, from 0, of elements that the pictures leave out
+  std::vector<int> held = {};        ///< numbers, from 0, of blocks with a fixed point at the end
   std::vector<std::string> outputs;  ///< file names in the run's folder
 };
 
@@ -75,6 +76,9 @@ void log_warnings(const Warnings& warnings);
 
 /// Warnings as name, count and the first of each.
 nlohmann::ordered_json warnings_json(const Warnings& warnings);
+
+/// Every setting by its name.
+nlohmann::ordered_json all_settings_json(const Settings& settings);
 
 nlohmann::ordered_json requirements_json(const Requirements& requirements);
 

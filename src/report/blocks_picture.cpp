@@ -60,7 +60,12 @@ void add_mark(std::vector<LegendEntry>& legend, const std::vector<BlockPoint>& p
                     .words = fmt::format("{} ({})", word, points.size())});
 }
 
-std::vector<LegendEntry> make_legend(const Blocks& blocks) {
+BoltState state_of(const BlockBolt& bolt) {
+  return bolt.stiffness > 0 || bolt.pretension != 0 ? BoltState::carries : BoltState::idle;
+}
+
+std::vector<LegendEntry> make_legend(const Blocks& blocks, const std::vector<std::string>& rock_names,
+                                     const std::vector<std::string>& joint_names) {
   std::set<int> materials;
   std::set<int> joints;
   for (const BlockPolygon& block : blocks.blocks) {
@@ -70,13 +75,14 @@ std::vector<LegendEntry> make_legend(const Blocks& blocks) {
       for (const BlockVertex& vertex : hole) joints.insert(vertex.joint_material);
   }
   std::vector<LegendEntry> legend;
-  add_numbered(legend, materials, LegendEntry::Sign::area, "block material");
-  add_numbered(legend, joints, LegendEntry::Sign::line, "joint material");
+  add_numbered(legend, materials, LegendEntry::Sign::area, "block material", rock_names);
+  add_numbered(legend, joints, LegendEntry::Sign::line, "joint material", joint_names);
   add_mark(legend, blocks.fixed_points, Mark::fixed_point, "fixed points");
   add_mark(legend, blocks.loading_points, Mark::loading_point, "loading points");
   add_mark(legend, blocks.measured_points, Mark::measured_point, "measured points");
-  if (!blocks.bolts.empty())
-    legend.push_back({.sign = LegendEntry::Sign::dashed_line, .colour = kBoltColour, .words = "bolts"});
+  std::vector<BoltState> bolts;
+  for (const BlockBolt& bolt : blocks.bolts) bolts.push_back(state_of(bolt));
+  add_bolts(legend, bolts);
   return legend;
 }
 
@@ -88,7 +94,7 @@ void draw_scene(SvgPage& page, const PageMap& map, const Blocks& blocks) {
     for (const BlockLoop& hole : block.holes) draw_edges(page, map, hole, width);
   }
   for (const BlockBolt& bolt : blocks.bolts)
-    draw_bolt(page, map(bolt.segment.start), map(bolt.segment.end), bolt.name.value_or({}));
+    draw_bolt(page, map(bolt.segment.start), map(bolt.segment.end), state_of(bolt), bolt.name.value_or({}));
   draw_points(page, map, blocks.fixed_points, Mark::fixed_point);
   draw_points(page, map, blocks.loading_points, Mark::loading_point);
   draw_points(page, map, blocks.measured_points, Mark::measured_point);
@@ -107,14 +113,15 @@ std::size_t number_blocks(SvgPage& page, const PageMap& map, const Blocks& block
 
 }  // namespace
 
-std::string blocks_picture(const Blocks& blocks, const Units& units, Numbers numbers) {
+std::string blocks_picture(const Blocks& blocks, const Units& units, Numbers numbers,
+                           const std::vector<std::string>& rock_names, const std::vector<std::string>& joint_names) {
   const double room = kPageWidth - 2 * kMargin;
   const Box box = bounds(blocks);
   Point corner{kMargin, kTitleHeight};
   const Point size = PageMap(box, corner, {room, kDrawingHeight}).size();
   corner.x += (room - size.x) / 2;
   const PageMap map(box, corner, {room, kDrawingHeight});
-  const std::vector<LegendEntry> legend = make_legend(blocks);
+  const std::vector<LegendEntry> legend = make_legend(blocks, rock_names, joint_names);
   const double foot = kTitleHeight + size.y + 30;  // room for marks at the lower edge
   SvgPage page(kPageWidth, foot + kFootHeight + legend_height(legend, room));
   std::size_t without = 0;

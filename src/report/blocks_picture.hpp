@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "problem/blocks.hpp"
 #include "problem/run_choices.hpp"
@@ -11,7 +12,10 @@
 namespace keyblock::report {
 
 /// An SVG document: blocks filled by material, edges coloured by joint material, fixed, loading and measured
-/// points, bolts, a legend and a scale bar; with the numbers of all blocks where they are asked for.
-std::string blocks_picture(const Blocks& blocks, const Units& units = {}, Numbers numbers = Numbers::none);
+/// points, bolts, a legend and a scale bar; with the numbers of all blocks if they are asked for. Names of materials by
+/// number, from 0.
+std::string blocks_picture(const Blocks& blocks, const Units& units = {}, Numbers numbers = Numbers::none,
+                           const std::vector<std::string>& rock_names = {},
+                           const std::vector<std::string>& joint_names = {});
 
 }  // namespace keyblock::report

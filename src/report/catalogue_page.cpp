@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::string_view kStyle = R"(
 body { font: 14px/1.4 "DejaVu Sans", Helvetica, Arial, sans-serif; margin: 1.5em; color: #222 }
-table { border-collapse: collapse }
-th, td { border-bottom: 1px solid #ddd; padding: 4px 8px; text-align: left; vertical-align: top }
+table { border-collapse: collapse; table-layout: fixed; width: 100% }
+th, td { border-bottom: 1px solid #ddd; padding: 4px 6px; text-align: left; vertical-align: top; overflow-wrap: anywhere }
+td small { color: #666 }
 th { background: #f4f4f4; cursor: pointer; position: sticky; top: 0 }
 td.number { text-align: right; font-variant-numeric: tabular-nums }
 svg { display: block }
@@ -26,6 +27,12 @@ tr.differs td.verdict, tr.no-equilibrium td.verdict { color: #a06000; font-weigh
 tr.ran td.verdict { color: #206030 }
 tr.listed { color: #777 }
 )";
+
+// As wide as the window; the words share what pictures and numbers leave.
+constexpr std::string_view kColumns =
+    "<colgroup><col style=\"width: 174px\"><col><col style=\"width: 6em\"><col><col>"
+    "<col style=\"width: 4em\"><col style=\"width: 5em\"><col style=\"width: 4em\"><col>"
+    "<col style=\"width: 6em\"></colgroup>";
 
 // Numbers sort as numbers, everything else as text; a second click turns the order round.
 constexpr std::string_view kScript = R"(
@@ -49,11 +56,29 @@ std::string number_cell(std::optional<int> number) {
   return fmt::format("<td class=\"number\">{}</td>", number ? fmt::format("{}", *number) : "");
 }
 
-std::string files_cell(const CatalogueRow& row) {
+// Its files with their formats, and why they go together.
+std::string job_cell(const CatalogueRow& row) {
   std::string text;
   for (const CatalogueFile& file : row.files)
-    text += fmt::format("{}<span title=\"SHA-256 {}\">{}</span>", text.empty() ? "" : "<br>", file.sha256,
-                        escape_xml(file.path));
+    text += fmt::format("<br><span title=\"SHA-256 {}\">{}</span>{}", file.sha256, escape_xml(file.path),
+                        file.format.empty() ? "" : fmt::format(" [{}]", escape_xml(file.format)));
+  if (!row.paired_by.empty()) text += fmt::format("<br>by {}", escape_xml(row.paired_by));
+  return fmt::format("<td data-value=\"{0}\">{0}<small>{1}</small></td>", escape_xml(row.name), text);
+}
+
+std::string verdict_cell(const CatalogueRow& row) {
+  const bool is_said = row.outcome == row.verdict.word || row.outcome == "ok";
+  return fmt::format("<td class=\"verdict\" data-value=\"{0}\">{0}<small class=\"outcome\">{1}</small></td>",
+                     row.verdict.word, is_said ? "" : fmt::format("<br>{}", row.outcome));
+}
+
+// The verdict's reason, and the message where that is another.
+std::string why_cell(const CatalogueRow& row) {
+  std::string text = escape_xml(row.verdict.why);
+  if (!row.message.empty() && row.message != row.verdict.why) {
+    const std::string first = row.warnings > 1 ? fmt::format("first of {} warnings: ", row.warnings) : std::string();
+    text += fmt::format("{}<small>{}{}</small>", text.empty() ? "" : "<br>", first, escape_xml(row.message));
+  }
   return fmt::format("<td>{}</td>", text);
 }
 
@@ -112,14 +137,10 @@ std::string class_of(std::string verdict) {
 }
 
 std::string row_of(const CatalogueRow& row) {
-  return fmt::format(
-      "<tr class=\"{15}\"><td>{0}</td><td>{1}</td><td class=\"verdict\">{2}</td><td>{3}</td>{4}<td>{5}</td>"
-      "<td>{6}</td><td>{7}</td>{8}{9}{10}<td class=\"outcome\">{11}</td><td>{12}</td>{13}"
-      "<td class=\"number\">{14}</td></tr>\n",
-      pictures_cell(row), escape_xml(row.name), row.verdict.word, escape_xml(row.verdict.why), files_cell(row),
-      escape_xml(row.formats()), escape_xml(row.paired_by), escape_xml(row.scene), number_cell(row.blocks),
-      number_cell(row.elements), number_cell(row.steps), row.outcome, escape_xml(row.message), answers_cell(row),
-      row.difference ? fmt::format("{:.6g}", *row.difference) : "", class_of(row.verdict.word));
+  return fmt::format("<tr class=\"{}\"><td>{}</td>{}{}{}<td>{}</td>{}{}{}{}<td class=\"number\">{}</td></tr>\n",
+                     class_of(row.verdict.word), pictures_cell(row), job_cell(row), verdict_cell(row), why_cell(row),
+                     escape_xml(row.scene), number_cell(row.blocks), number_cell(row.elements), number_cell(row.steps),
+                     answers_cell(row), row.difference ? fmt::format("{:.6g}", *row.difference) : "");
 }
 
 }  // namespace
@@ -171,12 +192,10 @@ std::string catalogue_page(const std::string& title, const std::vector<Catalogue
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title><style>{1}</style></head>\n"
       "<body><h1>{0}</h1><p>{2}. A click on a heading sorts; rows with "
       "<input id=\"sift\" placeholder=\"any text\"> only.</p>\n"
-      "<table><thead><tr><th></th><th>job</th><th>verdict</th><th>why</th><th>files</th><th>dialect</th>"
-      "<th>paired by</th><th>scene</th><th>blocks</th>"
-      "<th>elements</th><th>steps</th><th>outcome</th><th>message</th><th>answers</th><th>difference</th></tr></"
-      "thead>\n"
+      "<table>{5}<thead><tr><th></th><th>job</th><th>verdict</th><th>why</th><th>scene</th><th>blocks</th>"
+      "<th>elements</th><th>steps</th><th>answers</th><th>difference</th></tr></thead>\n"
       "<tbody>\n{3}</tbody></table>\n<script>{4}</script></body></html>\n",
-      escape_xml(title), kStyle, summary_of(rows), body, kScript);
+      escape_xml(title), kStyle, summary_of(rows), body, kScript, kColumns);
 }
 
 }  // namespace keyblock::report

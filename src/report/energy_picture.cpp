@@ -97,7 +97,7 @@ std::string energy_picture(const std::string& title, const Ledger& ledger, const
   const double more = static_cast<double>(panels.size() - 1) * (kSmallChartTitle + kSmallChartHeight);
   SvgPage page(kPageWidth, kPageHeight + more);
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});
-  const AxisLabels labels{with_unit("time", measures::kTime, units), with_unit("energy", measures::kEnergy, units)};
+  const AxisLabels labels{{"time", measures::kTime, units}, {"energy", measures::kEnergy, units}};
   const double width = kPageWidth - 2 * kMargin;
   if (has_points(panels.front()))
     draw_chart(page, {kMargin, kChartTop}, {width, kPageHeight - kChartTop - 14}, panels.front(), labels);

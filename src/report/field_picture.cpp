@@ -31,6 +31,11 @@ constexpr double kCaption = 24;
 constexpr double kBarWidth = 92;       // colour bar with its numbers
 constexpr double kLargestMove = 0.08;  // of the extent, in the deformed mesh
 constexpr double kBarHeight = 240;
+constexpr double kTall = 1.25;  // height over width
+constexpr double kTallHeight = 460;
+constexpr double kSmallHeight = 240;
+constexpr double kFieldHeight = 420;
+constexpr std::string_view kHeldColour = "#b4b4b4";
 constexpr std::string_view kMeshColour = "#333333";
 constexpr std::string_view kPaleMeshColour = "#dddddd";
 constexpr std::string_view kContourColour = "#555555";
@@ -93,12 +98,17 @@ std::vector<Patch> shown_patches(const FieldFrame& field, FieldShown shown, cons
       field, [shown](const FieldCorner& corner) { return value_of(corner, shown); }, place);
 }
 
-double shown_factor(const FieldFrame& end, const Box& box) {
+double greatest_move(const FieldFrame& field) {
   double most = 0;
-  visit_corners(end, [&](const FieldCorner& corner) { most = std::max(most, length(corner.displacement)); });
+  visit_corners(field, [&](const FieldCorner& corner) { most = std::max(most, length(corner.displacement)); });
+  return most;
+}
+
+double shown_factor(double most, const Box& box, bool is_of_motion) {
   const double extent = std::hypot(box.width(), box.height());
   if (!(most > 0) || !(extent > 0)) return 1;
-  return round_down(kLargestMove * extent / most);
+  const double wanted = round_down(kLargestMove * extent / most);
+  return is_of_motion ? std::max(1.0, wanted) : wanted;
 }
 
 std::string elements_in_words(const FieldFrame& field) {
@@ -114,25 +124,28 @@ void draw_mesh(SvgPage& page, const PageMap& map, const FieldFrame& field, const
                  {.fill = filled ? area_colour(element.material) : "none", .stroke = colour, .stroke_width = width});
 }
 
-/// Where the three panels stand.
+/// Where the three panels stand: for tall bodies beside each other, else the field below the two others.
 struct Panels {
   std::array<Point, 3> corners;
-  Point room;
+  std::array<Point, 3> rooms;
   double bottom = 0;
 };
 
 Panels place_panels(const Box& box) {
   Panels panels;
-  const double top = kTitleHeight;
-  const bool is_tall = box.height() > 0.9 * box.width();
-  panels.room = is_tall ? Point{(kRoom - kBarWidth - 2 * kGap) / 3, 460} : Point{kRoom - kBarWidth, 300};
-  const Point size = PageMap(box, {}, panels.room).size();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double step = static_cast<double>(k);
-    panels.corners[k] = is_tall ? Point{kMargin + step * (panels.room.x + kGap), top + kCaption}
-                                : Point{kMargin, top + kCaption + step * (size.y + kCaption + kGap)};
+  const double top = kTitleHeight + kCaption;
+  const bool is_tall = box.height() > kTall * box.width();
+  if (is_tall) {
+    panels.rooms.fill({(kRoom - kBarWidth - 2 * kGap) / 3, kTallHeight});
+    for (std::size_t k = 0; k < 3; ++k)
+      panels.corners[k] = {kMargin + static_cast<double>(k) * (panels.rooms[k].x + kGap), top};
+  } else {
+    panels.rooms = {Point{(kRoom - kGap) / 2, kSmallHeight}, Point{(kRoom - kGap) / 2, kSmallHeight},
+                    Point{kRoom - kBarWidth, kFieldHeight}};
+    const double below = top + PageMap(box, {}, panels.rooms[0]).size().y + kGap + kCaption;
+    panels.corners = {Point{kMargin, top}, Point{kMargin + panels.rooms[0].x + kGap, top}, Point{kMargin, below}};
   }
-  panels.bottom = panels.corners[2].y + size.y + 12;
+  panels.bottom = panels.corners[2].y + PageMap(box, {}, panels.rooms[2]).size().y + 12;
   return panels;
 }
 
@@ -142,8 +155,51 @@ FieldPicture framed(FieldPicture picture) {
   for (auto i = picture.left_out.rbegin(); i != picture.left_out.rend(); ++i) {
     elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(*i));
     if (!picture.numbers.empty()) picture.numbers.erase(picture.numbers.begin() + static_cast<std::ptrdiff_t>(*i));
+    std::erase(picture.held, *i);
+    for (std::size_t& held : picture.held)
+      if (held > *i) --held;
   }
   return picture;
+}
+
+bool is_without_stress(const FieldElement& element) {
+  const auto is_zero = [](const FieldCorner& corner) { return corner.stress == Stress{}; };
+  return is_zero(element.middle) && std::ranges::all_of(element.loops, [&](const std::vector<FieldCorner>& loop) {
+           return std::ranges::all_of(loop, is_zero);
+         });
+}
+
+/// Held blocks of which no stress is known, apart from all others.
+struct Told {
+  FieldFrame shown;
+  FieldFrame held;
+};
+
+Told told_apart(const FieldPicture& picture) {
+  Told told{picture.end, picture.end};
+  if (is_displacement(picture.shown) || picture.held.empty()) {
+    told.held.elements.clear();
+    return told;
+  }
+  told.shown.elements.clear();
+  told.held.elements.clear();
+  for (std::size_t i = 0; i < picture.end.elements.size(); ++i) {
+    const FieldElement& element = picture.end.elements[i];
+    const bool is_held = std::ranges::find(picture.held, i) != picture.held.end() && is_without_stress(element);
+    (is_held ? told.held : told.shown).elements.push_back(element);
+  }
+  return told;
+}
+
+void draw_held(SvgPage& page, const PageMap& map, const FieldFrame& held, const CornerPlace& place) {
+  for (const FieldElement& element : held.elements) page.polygon(map(loops_of(element, place)), {.fill = kHeldColour});
+}
+
+/// Beside the scale bar.
+void draw_key(SvgPage& page, Point corner, const FieldFrame& held) {
+  if (held.elements.empty()) return;
+  draw_legend(page, corner, kRoom / 2,
+              {{.sign = LegendEntry::Sign::area, .colour = kHeldColour, .words = "held, stress not computed"}});
 }
 
 /// What the caption of the panel says of elements too small for their number.
@@ -162,30 +218,33 @@ struct KeyPlace {
 };
 
 /// Crosses over a pale mesh. What the panel is called is returned.
-std::string draw_stress_crosses(SvgPage& page, const PageMap& map, const FieldPicture& picture,
+std::string draw_stress_crosses(SvgPage& page, const PageMap& map, const FieldPicture& picture, const FieldFrame& field,
                                 const CornerPlace& place, const KeyPlace& key) {
   draw_mesh(page, map, picture.end, place, false, kPaleMeshColour);
-  const CrossScale scale = draw_crosses(page, map, picture.end, place);
+  const CrossScale scale = draw_crosses(page, map, field, place, picture.scale ? picture.scale->most_stress : 0);
   if (scale.sample == 0) return "no stress";
-  draw_cross_legend(page, key.corner, scale, unit_of(measures::kStress, picture.units));
+  draw_cross_legend(page, key.corner, scale, picture.units);
   return "principal stresses in the plane";
 }
 
 std::string draw_field(SvgPage& page, const PageMap& map, const FieldPicture& picture, const CornerPlace& place,
                        const KeyPlace& key) {
-  if (picture.shown == FieldShown::crosses) return draw_stress_crosses(page, map, picture, place, key);
-  const std::vector<Patch> patches = shown_patches(picture.end, picture.shown, place);
-  const ColourScale scale = scale_of(patches, map_of(picture.shown));
+  const Told told = told_apart(picture);
+  draw_held(page, map, told.held, place);
+  if (picture.shown == FieldShown::crosses) return draw_stress_crosses(page, map, picture, told.shown, place, key);
+  const std::vector<Patch> patches = shown_patches(told.shown, picture.shown, place);
+  const ColourScale scale =
+      picture.scale ? with_ends(picture.scale->colours, patches) : scale_of(patches, map_of(picture.shown));
   const bool is_there = scale.low != 0 || scale.high != 0;
   draw_patches(page, map, patches, scale);
   if (!is_there) return caption_of(picture.shown, false);
   const auto value = [&](const FieldCorner& corner) { return value_of(corner, picture.shown); };
   for (const std::vector<Point>& line :
-       contours_of(picture.end, value, place, make_axis(scale.low, scale.high, kContours).ticks))
+       contours_of(told.shown, value, place, make_axis(scale.low, scale.high, kContours).ticks))
     page.polyline({map(line[0]), map(line[1])}, {.stroke = kContourColour, .stroke_width = kContourWidth});
-  draw_colour_bar(page, key.corner, key.height, scale,
-                  with_unit(name_of(picture.shown),
-                            is_displacement(picture.shown) ? measures::kLength : measures::kStress, picture.units));
+  draw_colour_bar(
+      page, key.corner, key.height, scale,
+      {name_of(picture.shown), is_displacement(picture.shown) ? measures::kLength : measures::kStress, picture.units});
   return caption_of(picture.shown, true);
 }
 
@@ -210,22 +269,45 @@ FieldShown most_varied(const FieldFrame& field) {
   return most;
 }
 
+FieldScale common_scale(const FieldFrame& start, FieldShown shown, bool is_of_motion, const EachFrame& each) {
+  FieldScale scale;
+  double most_move = 0;
+  scale.box = bounds(start, as_drawn);
+  std::optional<ColourScale> colours;
+  each([&](const FieldFrame& field) {
+    most_move = std::max(most_move, greatest_move(field));
+    if (shown == FieldShown::crosses) {
+      scale.most_stress = std::max(scale.most_stress, common_stress(field));
+      return;
+    }
+    const ColourScale own = scale_of(shown_patches(field, shown), map_of(shown));
+    colours = colours ? covering(*colours, own) : own;
+  });
+  if (colours) scale.colours = *colours;
+  scale.factor = shown_factor(most_move, scale.box, is_of_motion);
+  each([&](const FieldFrame& field) {
+    visit_corners(field, [&](const FieldCorner& c) { scale.box.include(c.position + scale.factor * c.displacement); });
+  });
+  return scale;
+}
+
 std::string field_picture(const FieldPicture& whole) {
   const FieldPicture picture = framed(whole);
   const std::size_t left_out = picture.left_out.size();
-  const double wanted = shown_factor(picture.end, bounds(picture.end, as_drawn));
-  const double factor = picture.is_of_motion ? std::max(1.0, wanted) : wanted;
+  const double factor =
+      picture.scale ? picture.scale->factor
+                    : shown_factor(greatest_move(picture.end), bounds(picture.end, as_drawn), picture.is_of_motion);
   const CornerPlace deformed = [factor](const FieldCorner& corner) {
     return corner.position + factor * corner.displacement;
   };
   const bool is_true = picture.is_of_motion && factor == 1;
-  Box box = bounds(picture.start, as_drawn);
+  Box box = picture.scale ? picture.scale->box : bounds(picture.start, as_drawn);
   visit_corners(picture.end, [&](const FieldCorner& corner) { box.include(deformed(corner)); });
   const Panels panels = place_panels(box);
   SvgPage page(kPageWidth, panels.bottom + 40);
   page.text({kMargin, 28}, picture.title, {.size = 17, .bold = true});
   if (box.empty()) return page.str();
-  const auto map = [&](std::size_t k) { return PageMap(box, panels.corners[k], panels.room); };
+  const auto map = [&](std::size_t k) { return PageMap(box, panels.corners[k], panels.rooms[k]); };
   const auto caption = [&](std::size_t k, const std::string& words) {
     page.text(panels.corners[k] - Point{0, 8}, words, {.size = 13});
   };
@@ -236,7 +318,7 @@ std::string field_picture(const FieldPicture& whole) {
   caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));
   const CornerPlace place = is_true ? deformed : as_drawn;
   const Point size = map(2).size();
-  const Point beside{panels.corners[2].x + std::min(size.x, panels.room.x) + 14, panels.corners[2].y};
+  const Point beside{panels.corners[2].x + std::min(size.x, panels.rooms[2].x) + 14, panels.corners[2].y};
   caption(2, draw_field(page, map(2), picture, place, {beside, std::min(size.y, kBarHeight)}));
   if (body_count(whole.end) == whole.end.elements.size()) draw_mesh(page, map(2), picture.end, place, false);
   for (const PointFrame& point : picture.measured) {
@@ -244,7 +326,8 @@ std::string field_picture(const FieldPicture& whole) {
     const bool is_shown = at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y;
     if (is_shown) draw_mark(page, map(2)(at), Mark::measured_point);
   }
-  draw_scale_bar(page, {kMargin, panels.bottom + 14}, kRoom, map(0), picture.units);
+  draw_scale_bar(page, {kMargin, panels.bottom + 14}, kRoom, map(2), picture.units);
+  draw_key(page, {kMargin + kRoom / 2, panels.bottom + 4}, told_apart(picture).held);
   return page.str();
 }
 

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "problem/run_choices.hpp"
 #include "report/drawing/block_numbers.hpp"
+#include "report/drawing/field_patches.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 
@@ -23,6 +26,14 @@ inline constexpr std::array<const char*, 8> kFieldWords{"sxx", "syy",       "sxy
 /// Throws std::invalid_argument for a word that is none.
 FieldShown field_of_word(const std::string& word);
 
+/// How a field is drawn: colours, magnification and the part of the plane.
+struct FieldScale {
+  ColourScale colours;
+  double most_stress = 0;  ///< of the longest cross
+  double factor = 1;       ///< of displacements in the deformed mesh
+  Box box;
+};
+
 struct FieldPicture {
   std::string title;
   FieldFrame start;  ///< the mesh before anything is dug out
@@ -34,14 +45,23 @@ struct FieldPicture {
   std::vector<std::size_t> left_out = {};  ///< elements of the end, in their order, that the picture leaves out
   /// Of the elements of start and end, which are then the same, from 1: written into them. Empty: none are.
   std::vector<int> numbers = {};
+  std::vector<std::size_t> held = {};    ///< blocks of the end, in their order, with a fixed point
+  std::optional<FieldScale> scale = {};  ///< shared with other pictures; none: that of this picture
 };
+
+/// Visits all frames that are to share a scale, without what pictures leave out.
+using EachFrame = std::function<void(const std::function<void(const FieldFrame&)>&)>;
+
+/// The scale that holds the field of every frame; `each` is called twice.
+FieldScale common_scale(const FieldFrame& start, FieldShown shown, bool is_of_motion, const EachFrame& each);
 
 /// The component of the stress that varies most.
 FieldShown most_varied(const FieldFrame& field);
 
-/// An SVG document: three panels below each other, for tall bodies beside each other. The deformed mesh is scaled to be
-/// seen; the factor is named. Colours are of mean corner values over triangles from each element's middle, with lines
-/// of equal value where elements of a mesh have other values at each corner.
+/// An SVG document: the mesh and the deformed mesh beside each other and the field below them, for tall bodies all three
+/// beside each other. The deformed mesh is scaled to be seen; the factor is named. Colours are of mean corner values over
+/// triangles from each element's middle, with lines of equal value if elements of a mesh have other values at each
+/// corner. Held blocks without stress are grey: nobody computed it.
 std::string field_picture(const FieldPicture& picture);
 
 /// The mesh alone, elements over their bodies' colours: what `keyblock cut` shows.

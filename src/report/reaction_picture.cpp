@@ -40,7 +40,7 @@ std::string reaction_picture(const std::string& title, const std::vector<Reactio
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});
   if (has_points(drawn))
     draw_chart(page, {kMargin, kChartTop}, {kPageWidth - 2 * kMargin, kChartHeight}, drawn,
-               {with_unit("displacement", measures::kLength, units), with_unit("reaction", measures::kForce, units)});
+               {{"displacement", measures::kLength, units}, {"reaction", measures::kForce, units}});
   for (std::size_t i = 0; i < sentences.size(); ++i)
     page.text({kMargin, kChartTop + kChartHeight + 16 + kLine * static_cast<double>(i)}, sentences[i], {.size = 13});
   return page.str();

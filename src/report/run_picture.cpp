@@ -139,10 +139,24 @@ void draw_marked(SvgPage& page, const PageMap& map, const RunPicture& picture) {
   }
 }
 
-/// A broken bolt is not there any more.
-void draw_bolts(SvgPage& page, const PageMap& map, const Frame& frame) {
-  for (const BoltFrame& bolt : frame.bolts)
-    if (!bolt.is_broken) draw_bolt(page, map(bolt.first), map(bolt.second), bolt.name);
+/// Of the bolts of the end, in their order.
+std::vector<BoltState> bolt_states(const RunPicture& picture) {
+  std::vector<BoltState> states;
+  for (std::size_t i = 0; i < picture.end.bolts.size(); ++i) {
+    const BoltFrame& bolt = picture.end.bolts[i];
+    const int number = bolt.number < 0 ? static_cast<int>(i) : bolt.number;
+    const bool is_idle = std::ranges::find(picture.idle_bolts, number) != picture.idle_bolts.end();
+    states.push_back(bolt.is_broken ? BoltState::broken : is_idle ? BoltState::idle : BoltState::carries);
+  }
+  return states;
+}
+
+void draw_bolts(SvgPage& page, const PageMap& map, const RunPicture& picture) {
+  const std::vector<BoltState> states = bolt_states(picture);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const BoltFrame& bolt = picture.end.bolts[i];
+    draw_bolt(page, map(bolt.first), map(bolt.second), states[i], bolt.name);
+  }
 }
 
 void draw_marks(SvgPage& page, const PageMap& map, const Frame& frame) {
@@ -176,8 +190,8 @@ std::vector<LegendEntry> make_legend(const RunPicture& picture) {
        .words = time_words("end", picture.end.time, picture.time_unit)}};
   std::set<int> materials;
   for (const ElementFrame& element : picture.end.elements) materials.insert(element.material);
-  if (materials.size() > 1) add_numbered(legend, materials, Sign::area, "block material");
-  add_numbered(legend, told_apart(picture), Sign::line, "joint material");
+  if (materials.size() > 1) add_numbered(legend, materials, Sign::area, "block material", picture.rock_names);
+  add_numbered(legend, told_apart(picture), Sign::line, "joint material", picture.joint_names);
   const auto add = [&legend](const std::vector<PointFrame>& points, Mark mark, std::string_view words) {
     if (!points.empty())
       legend.push_back({.sign = Sign::mark, .colour = {}, .mark = mark, .words = std::string(words)});
@@ -187,7 +201,7 @@ std::vector<LegendEntry> make_legend(const RunPicture& picture) {
   add(picture.end.measured_points, Mark::measured_point, "measured point");
   if (!picture.marked.empty())
     legend.push_back({.sign = Sign::dashed_line, .colour = kMarkedColour, .words = picture.marked_words});
-  if (!picture.end.bolts.empty()) legend.push_back({.sign = Sign::dashed_line, .colour = kBoltColour, .words = "bolt"});
+  add_bolts(legend, bolt_states(picture));
   if (!picture.numbers.empty())
     legend.push_back({.sign = Sign::number, .colour = kNumberColour, .words = picture.numbered_words});
   if (!picture.left_out.empty())
@@ -232,7 +246,7 @@ std::string run_picture(const RunPicture& whole) {
   draw_legend(page, {kMargin, kTitleHeight}, kRoom, legend);
   if (!box.empty()) {
     draw_elements(page, map, picture);
-    draw_bolts(page, map, picture.end);
+    draw_bolts(page, map, picture);
     draw_marks(page, map, picture.end);
     draw_marked(page, map, picture);
     draw_numbers(page, map, picture);

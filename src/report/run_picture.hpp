@@ -33,6 +33,9 @@ struct RunPicture {
   /// At the end the joint material of the edge that arrives at each corner of an element, loop after loop, by the
   /// element's number; below 0: of none. Drawn in colours where there is more than one.
   std::vector<std::vector<int>> joints = {};
+  std::vector<std::string> rock_names = {};   ///< by block material, from 0
+  std::vector<std::string> joint_names = {};  ///< by joint material
+  std::vector<int> idle_bolts = {};           ///< numbers, from 0, of bolts without properties
 };
 
 /// Of the end the elements, in their order there, that every picture of a run leaves out: small blocks that lie far

@@ -8,7 +8,9 @@
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
+#include "base/error.hpp"
 #include "cut/mesh/fit_mesh.hpp"
 #include "model/cover_basis.hpp"
 #include "settings/settings_table.hpp"
@@ -26,6 +28,33 @@ double number_of(const std::string& name, const char* expected, const std::strin
   if (fault != std::errc() || end != value.data() + value.size() || !std::isfinite(number))
     refuse_setting(name, expected, value);
   return number;
+}
+
+void set_one(Problem& problem, const std::pair<std::string, std::string>& setting) {
+  const auto& [name, value] = setting;
+  set(*problem.covers, name, in_units(problem.units, name, value, measure_of_mesh_setting(name)));
+}
+
+// What the case file itself sets. A wrong value is the file's fault.
+void set_plan_as_in_file(Problem& problem) {
+  RunChoices& choices = problem.choices;
+  RunChoices left = choices;
+  left.settings.clear();
+  left.setting_places.clear();
+  for (std::size_t i = 0; i < choices.settings.size(); ++i) {
+    const bool has_place = i < choices.setting_places.size();
+    if (!is_of_plan(choices.settings[i].first)) {
+      left.settings.push_back(choices.settings[i]);
+      if (has_place) left.setting_places.push_back(choices.setting_places[i]);
+      continue;
+    }
+    try {
+      set_one(problem, choices.settings[i]);
+    } catch (const std::invalid_argument& error) {
+      throw InputError(has_place ? choices.setting_places[i] : choices.place, error.what());
+    }
+  }
+  choices = std::move(left);
 }
 
 }  // namespace
@@ -87,16 +116,20 @@ std::optional<Measure> measure_of_mesh_setting(const std::string& name) {
   return std::nullopt;
 }
 
+bool is_of_plan(const std::string& name) {
+  return name == "functions" || name == "contact" || name.starts_with("mesh.");
+}
+
 std::vector<std::pair<std::string, std::string>> set_plan(
     Problem& problem, const std::vector<std::pair<std::string, std::string>>& overrides) {
   if (!problem.covers) return overrides;
+  set_plan_as_in_file(problem);
   std::vector<std::pair<std::string, std::string>> left;
-  for (const auto& [name, value] : overrides) {
-    if (name == "functions" || name == "contact" || name.starts_with("mesh."))
-      set(*problem.covers, name, in_units(problem.units, name, value, measure_of_mesh_setting(name)));
+  for (const auto& setting : overrides)
+    if (is_of_plan(setting.first))
+      set_one(problem, setting);
     else
-      left.emplace_back(name, value);
-  }
+      left.push_back(setting);
   return left;
 }
 

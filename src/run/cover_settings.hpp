@@ -19,8 +19,12 @@ void set(CoverPlan& plan, const std::string& name, const std::string& value);
 /// What a setting of the mesh measures; nothing where it is none.
 std::optional<Measure> measure_of_mesh_setting(const std::string& name);
 
-/// Sets those of the overrides that `set` above knows by name, where the problem has a plan; the others are left.
-/// Values may have a unit ("5 cm"), which is converted to those of the case. Throws std::invalid_argument.
+/// Whether `set` above knows the name: functions, contact, or one that begins with "mesh.".
+bool is_of_plan(const std::string& name);
+
+/// If the problem has a plan, takes into it the settings that `set` above knows by name: those of the case file (they
+/// leave its list), then the overrides; returns the other overrides. Values may have a unit ("5 cm"), which is
+/// converted to those of the case. Throws InputError for one of the case file, std::invalid_argument for an override.
 std::vector<std::pair<std::string, std::string>> set_plan(
     Problem& problem, const std::vector<std::pair<std::string, std::string>>& overrides);
 

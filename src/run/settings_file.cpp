@@ -32,7 +32,7 @@ Word word_of(const std::string& line, std::size_t begin, std::size_t end) {
 }
 
 bool is_known(const std::string& name) {
-  if (name == "functions" || name == "contact" || name.starts_with("mesh.")) return true;
+  if (is_of_plan(name)) return true;
   const Settings settings;
   return std::ranges::any_of(list(settings), [&](const SettingText& setting) {
     return name == setting.name || name.starts_with(setting.name + ".");
@@ -43,7 +43,7 @@ bool is_known(const std::string& name) {
 
 void require_setting(const std::string& name, const std::string& value) {
   const Units any{"m", "kg", "s"};  // those of the case are not known here, and do not change what is a time
-  if (name == "functions" || name == "contact" || name.starts_with("mesh.")) {
+  if (is_of_plan(name)) {
     CoverPlan plan;
     set(plan, name, in_units(any, name, value, measure_of_mesh_setting(name)));
   } else {

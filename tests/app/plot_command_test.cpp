@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -100,6 +101,24 @@ TEST(PlotCommand, the_frame_of_a_step_may_be_chosen) {
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_TRUE(contains(none.messages, "there is no frame of step 3 in ")) << none.messages;
   EXPECT_TRUE(contains(none.messages, "of the 3 there are, of steps 0 to 4, that of step 2 is the nearest"));
+}
+
+// The factor of displacements and the numbers on the bar are those of all steps; with --own-scale those of the step.
+TEST(PlotCommand, pictures_of_steps_make_a_film) {
+  const std::string out = run_of("far", "s3", with_a_small_block_that_falls());
+  const auto scale_of = [&](const std::string& step, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"plot", out, "--field", "syy", "--step", step, "-o", out + "/x.svg", "--force"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(run_keyblock(words).exit_code, 0);
+    const std::string svg = read_text(out + "/x.svg");
+    std::string scale = svg.substr(svg.find("displacement ×"), 20);
+    const std::regex number("font-size=\"11\"[^>]*>([^<]*)</text>");
+    for (std::sregex_iterator i(svg.begin(), svg.end(), number), end; i != end; ++i) scale += " " + (*i)[1].str();
+    return scale;
+  };
+  EXPECT_EQ(scale_of("2", {}), scale_of("4", {}));
+  EXPECT_NE(scale_of("2", {"--own-scale"}), scale_of("4", {"--own-scale"}));
+  EXPECT_EQ(run_keyblock({"plot", out, "--own-scale"}).exit_code, 2);
 }
 
 TEST(PlotCommand, nothing_is_overwritten_unless_told) {

@@ -27,7 +27,7 @@ TEST(RunPictures, joints_are_those_of_the_scene_at_the_end) {
       support::run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--contacts", "none"});
   ASSERT_EQ(run.exit_code, 0) << run.messages;
   const std::string svg = support::read_text(folder + "/out/picture.svg");
-  EXPECT_NE(svg.find(">joint material 3<"), std::string::npos);
+  EXPECT_NE(svg.find(">c (joint material 3)<"), std::string::npos);
   // Colours of materials 2 and 3: upright lines of the joint, level ones of the new edges.
   const auto directions = [&](const std::string& colour) {
     const std::regex line("<polyline[^>]*points=\"([0-9.]+),([0-9.]+) ([0-9.]+),([0-9.]+)\"[^>]*stroke=\"" + colour);

@@ -63,6 +63,14 @@ TEST(Registry, relatives_that_are_not_read_yet_are_named) {
             "nmm-analysis");
 }
 
+TEST(Registry, a_deck_of_udec_is_named) {
+  EXPECT_EQ(recognised("; a slope\nnew\nround 0.01\nBlock 0 0 0 10 10 10 10 0\nJSET 45,0 20,0 0,0 2,0\n"), "udec-deck");
+  EXPECT_EQ(recognised("block size 0.5\nprop mat 1 d 2600\n"), "udec-deck");
+  EXPECT_NE(error_of("block 0 0 0 10 10 10 10 0\ncrack 0 5 10 5\n").find("commands of UDEC"), std::string::npos);
+  EXPECT_EQ(error_of("block\nround trip\n").find("UDEC"), std::string::npos) << "words that stand there by chance";
+  EXPECT_EQ(error_of("property of the owner\nblock letters\n").find("UDEC"), std::string::npos);
+}
+
 TEST(Registry, missing_files_and_folders_are_input_errors) {
   EXPECT_THROW(load("/no/such/file"), InputError);
   EXPECT_THROW(load("/"), InputError);

@@ -43,6 +43,29 @@ TEST(CataloguePage, has_as_many_cells_in_each_row_as_headings) {
   EXPECT_EQ(count(page, "http"), 0U);  // it loads nothing
 }
 
+TEST(CataloguePage, a_reason_is_said_once_and_another_message_beside_it) {
+  CatalogueRow failed;
+  failed.outcome = failed.verdict.word = "failed";
+  failed.message = failed.verdict.why = "no block closes";
+  EXPECT_EQ(count(catalogue_page("All", {failed}), "no block closes"), 1U);
+  CatalogueRow differs;
+  differs.outcome = "warnings";
+  differs.warnings = 3;
+  differs.message = "a sliver";
+  differs.verdict = {"differs", "96 % apart"};
+  const std::string page = catalogue_page("All", {differs});
+  EXPECT_NE(page.find("96 % apart<br><small>first of 3 warnings: a sliver</small>"), std::string::npos) << page;
+}
+
+// Ten columns share the window, as wide as it is; fifteen as wide as their words ran off a screen of 1280.
+TEST(CataloguePage, fits_the_window) {
+  const std::string page = catalogue_page("All", {});
+  EXPECT_EQ(count(page, "<th>"), 10U);
+  EXPECT_EQ(count(page, "<col"), 11U) << "a width, or a share, for each";
+  EXPECT_NE(page.find("table-layout: fixed; width: 100%"), std::string::npos);
+  EXPECT_NE(page.find("overflow-wrap: anywhere"), std::string::npos);
+}
+
 TEST(CataloguePage, runs_are_linked_with_picture_record_and_log_and_counted_by_verdict) {
   CatalogueRow row;
   row.name = "50%25.geo";

@@ -121,8 +121,95 @@ TEST(FieldPicture, principal_stresses_von_mises_and_displacement_may_be_shown) {
   EXPECT_TRUE(contains(shown("s3"), ">-3.17<"));
   EXPECT_TRUE(contains(shown("von_mises"), ">von Mises stress [Pa]<"));
   EXPECT_TRUE(contains(shown("von_mises"), ">3.17<"));
-  EXPECT_TRUE(contains(shown("displacement"), ">displacement [m]<"));
+  EXPECT_TRUE(contains(shown("displacement"), ">displacement [mm]<")) << "0.01 m";
   EXPECT_THROW(field_of_word("szz"), std::invalid_argument);
+}
+
+TEST(FieldPicture, stresses_stand_in_a_unit_that_keeps_them_short) {
+  FieldFrame field = sheared();
+  for (FieldCorner& corner : field.elements[0].loops[0]) corner.stress.yy *= 4e4;  // -160 to 40 kPa
+  field.elements[0].middle.stress.yy *= 4e4;
+  FieldPicture picture{"t", field, field, {}, FieldShown::yy};
+  EXPECT_TRUE(contains(field_picture(picture), "-1.27e+05")) << "no units are declared";
+  picture.units = {"m", "kg", "s"};
+  const std::string svg = field_picture(picture);
+  EXPECT_TRUE(contains(svg, ">σyy [kPa]<"));
+  EXPECT_TRUE(contains(svg, ">-127<"));
+  picture.units = {"mm", "t", "s"};  // MPa
+  EXPECT_TRUE(contains(field_picture(picture), ">σyy [GPa]<"));
+}
+
+// Of a held block nobody computed a stress: white would say that it is 0.
+TEST(FieldPicture, held_blocks_without_stress_are_grey_and_in_the_legend) {
+  FieldFrame field = sheared();
+  FieldElement held = field.elements[0];
+  held.body = 1;
+  held.middle.stress = {};
+  for (FieldCorner& corner : held.loops[0]) {
+    corner.stress = {};
+    corner.position.y -= 1;
+  }
+  held.middle.position.y -= 1;
+  field.elements.push_back(held);
+  FieldPicture picture{"t", field, field, {}, FieldShown::yy};
+  EXPECT_FALSE(contains(field_picture(picture), "held"));
+  picture.held = {1};
+  EXPECT_TRUE(contains(field_picture(picture), ">held, stress not computed<"));
+  EXPECT_TRUE(contains(field_picture(picture), "fill=\"#b4b4b4\"/>"));
+  picture.held = {0};
+  EXPECT_FALSE(contains(field_picture(picture), "held")) << "its stress is known";
+  picture.held = {1};
+  picture.shown = FieldShown::displacement;
+  EXPECT_FALSE(contains(field_picture(picture), "held")) << "its displacement is known";
+  picture.shown = FieldShown::yy;
+  picture.left_out = {0};
+  EXPECT_TRUE(contains(field_picture(picture), ">held, stress not computed<")) << "the second, now the first";
+}
+
+TEST(FieldPicture, steps_of_a_run_share_colours_magnification_and_place) {
+  const FieldFrame first = sheared();
+  FieldFrame last = sheared();
+  for (FieldCorner& corner : last.elements[0].loops[0]) {
+    corner.stress.yy *= 2;
+    corner.displacement = 5 * corner.displacement;
+  }
+  last.elements[0].middle.stress.yy *= 2;
+  const EachFrame each = [&](const auto& visit) {
+    visit(first);
+    visit(last);
+  };
+  FieldPicture picture{"t", first, first, {}, FieldShown::yy};
+  EXPECT_TRUE(contains(field_picture(picture), "displacement × 10<"));
+  picture.scale = common_scale(first, FieldShown::yy, false, each);
+  const std::string of_first = field_picture(picture);
+  picture.end = last;
+  const std::string of_last = field_picture(picture);
+  for (const std::string& svg : {of_first, of_last}) {
+    EXPECT_TRUE(contains(svg, "displacement × 2<"));  // 0.08 of √2 over 0.05, rounded down
+    EXPECT_TRUE(contains(svg, ">-6.33<"));            // twice -3.17
+    EXPECT_TRUE(contains(svg, ">0.333<"));
+  }
+  const auto size_of = [](const std::string& svg) { return svg.substr(svg.find("viewBox"), 30); };
+  EXPECT_EQ(size_of(of_first), size_of(of_last));
+  EXPECT_EQ(common_scale(first, FieldShown::crosses, false, each).most_stress, 3) << "twice that of the middle";
+}
+
+// Neither three panels in a third of the page, nor a field in its half.
+TEST(FieldPicture, the_field_fills_the_page) {
+  for (const double width : {0.5, 0.8, 1.0, 1.5, 4.0}) {
+    FieldFrame field = sheared();
+    for (FieldCorner& corner : field.elements[0].loops[0]) corner.position.x *= width;
+    field.elements[0].middle.position.x *= width;
+    const std::string svg = field_picture({"t", field, field, {}, FieldShown::yy});
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(svg, found, std::regex("viewBox=\"0 0 900 ([0-9.]+)\"")));
+    double right = 0;
+    const std::regex corner("([0-9.]+),[0-9.]+Z");
+    for (std::sregex_iterator i(svg.begin(), svg.end(), corner), end; i != end; ++i)
+      right = std::max(right, std::stod((*i)[1]));
+    EXPECT_GT(right, 450) << width;
+    EXPECT_LT(std::stod(found[1]), 850) << width;
+  }
 }
 
 // The crosses of pure shear stand at 45 degrees, as long in tension as in compression.

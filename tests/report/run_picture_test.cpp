@@ -67,6 +67,9 @@ TEST(RunPicture, joints_of_two_materials_are_told_apart) {
   EXPECT_TRUE(has(svg, ">joint material 1<"));
   EXPECT_TRUE(has(svg, ">joint material 2<"));
   EXPECT_FALSE(has(svg, "joint material 0"));
+  picture.joint_names = {"", "Bedding"};
+  EXPECT_TRUE(has(run_picture(picture), ">joint material 1<"));
+  EXPECT_TRUE(has(run_picture(picture), ">Bedding (joint material 2)<"));
   const std::vector<std::smatch> coloured = edges(svg, "#d55e00");
   ASSERT_EQ(coloured.size(), 2U) << "the line of the legend and the edge";
   const std::smatch& edge = coloured[1];
@@ -74,6 +77,37 @@ TEST(RunPicture, joints_of_two_materials_are_told_apart) {
   EXPECT_GT(std::abs(std::stod(edge[2]) - std::stod(edge[4])), 50);
   picture.joints = {{0, 0, -1, -1}};
   EXPECT_TRUE(edges(run_picture(picture), "#d55e00").empty());
+}
+
+// A bolt that vanished would look like one that never was; one without properties like one that carries.
+TEST(RunPicture, broken_bolts_and_bolts_without_properties_are_told_apart) {
+  RunPicture picture = slide();
+  picture.end.bolts = {{{3, 0.2}, {4, 0.2}, 5, false, 0, "A"},
+                       {{3, 0.5}, {4, 0.5}, 0, true, 1, "B"},
+                       {{3, 0.8}, {4, 0.8}, 0, false, 2, "C"}};
+  picture.idle_bolts = {2};
+  const std::string svg = run_picture(picture);
+  for (const char* words :
+       {">bolt (1)<", ">broken bolt (1)<", ">bolt without properties, carries nothing (1)<", ">A<", ">B<", ">C<"})
+    EXPECT_TRUE(has(svg, words)) << words;
+  EXPECT_TRUE(has(svg, "stroke=\"#777777\" stroke-width=\"2\" stroke-dasharray")) << "dots of the third";
+  EXPECT_FALSE(has(svg, "stroke=\"#5e3c99\" stroke-width=\"2\" stroke-dasharray")) << "dashes are the start's";
+  picture.end.bolts.resize(1);
+  EXPECT_FALSE(has(run_picture(picture), "broken"));
+}
+
+// 4 micrometres of 95 drawn from edge to edge would look like a collapse.
+TEST(RunPicture, what_varies_little_is_drawn_over_zero_in_a_short_unit) {
+  RunPicture picture = slide();
+  picture.curves = {{"block 1", {0, 0.5, 1}, {90.5e-6, 92e-6, 94.9e-6}, Curve::Style::line}};
+  picture.axes = {{"time", measures::kTime, {"m", "kg", "s"}}, {"displacement", measures::kLength, {"m", "kg", "s"}}};
+  const std::string svg = run_picture(picture);
+  EXPECT_TRUE(has(svg, ">displacement [mm]<"));
+  EXPECT_TRUE(has(svg, ">0.10<")) << "the highest tick";
+  EXPECT_FALSE(has(svg, "1e-6"));
+  EXPECT_FALSE(has(svg, ">90.5<"));
+  picture.curves[0].y = {0.1, 2, 4};
+  EXPECT_TRUE(has(run_picture(picture), ">displacement [m]<"));
 }
 
 TEST(RunPicture, only_what_moved_has_an_outline_of_its_start) {

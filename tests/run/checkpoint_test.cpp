@@ -59,7 +59,9 @@ Scene scene_of_sample(const Sample& sample, const std::string& profile) {
   const study::CaseFolder folder = study::find_cases({path}).front();
   Problem problem = formats::load_case(folder.inputs()).problem;
   problem.analysis->step_count = kSteps;
-  return prepare(study::with_named_files(problem, sample.settings, folder.folder), profile, sample.settings).scene;
+  std::vector<Override> settings = sample.settings;
+  for (auto& [name, value] : settings) value = study::from_folder(folder.folder, name, value);
+  return prepare(study::with_named_files(problem, settings), profile, settings).scene;
 }
 
 /// All that a run tells.

@@ -52,6 +52,7 @@ TEST(BatchFiles, content_decides_what_a_file_is) {
 
 TEST(BatchFiles, a_name_counts_only_where_no_format_fits) {
   EXPECT_EQ(look_at({"f", "# Notes\n"}, "README.md").role, FileRole::foreign);
+  EXPECT_EQ(look_at({"f", "block 0 0 0 1 1 1 1 0\njset 45 0 9 0 0 0 1 0\n"}, "slope.dat").role, FileRole::foreign);
   EXPECT_EQ(look_at({"f", "{\"about\": \"a slope\"}"}, "case.json").role, FileRole::foreign);
   EXPECT_EQ(look_at({"f", "# Notes\n"}, "slope.geo").role, FileRole::unreadable);
   EXPECT_EQ(look_at({"f", support::kTwoTrianglesFile}, "cover.txt").role, FileRole::geometry);

@@ -106,6 +106,20 @@ TEST(BatchPairs, an_analysis_that_cannot_be_read_alone_is_tried_with_each_geomet
   EXPECT_TRUE(jobs[1].starts_with("beta + gamma"));
 }
 
+TEST(BatchPairs, one_geometry_goes_with_every_analysis_of_its_folder) {
+  EXPECT_EQ(jobs_of({geometry("a/slope.geo"), analysis("a/run1.ana"), analysis("a/run2.ana")}),
+            (Strings{"a/slope.geo + a/run1.ana: counts that fit nothing else: 1 block materials, 1 joint materials, 0 "
+                     "loading points",
+                     "a/slope.geo + a/run2.ana: counts that fit nothing else: 1 block materials, 1 joint materials, 0 "
+                     "loading points"}));
+  EXPECT_EQ(jobs_of({geometry("slope.geo"), analysis("slope.ana"), analysis("dry.ana", std::nullopt)}),
+            (Strings{"slope.geo + dry.ana: the only geometry in the folder", "slope.geo + slope.ana: the same name"}));
+  const auto jobs = pair_files({geometry("x.geo"), analysis("a.ana"), analysis("b.ana")}, never);
+  ASSERT_EQ(jobs.size(), 2U);
+  EXPECT_EQ(jobs[0].name, "x.geo+a.ana");
+  EXPECT_EQ(jobs[1].name, "x.geo+b.ana");
+}
+
 TEST(BatchPairs, an_unreadable_file_stands_in_for_the_part_that_its_name_lacks) {
   EXPECT_EQ(jobs_of({unreadable("x.geo"), analysis("x.ana"), geometry("y.geo"), unreadable("y.ana")}),
             (Strings{"x.geo + x.ana: the same name, though one file is unreadable",

@@ -70,11 +70,9 @@ BatchPlan plan_of(const BatchOptions& options) {
   if ((options.is_check ? 1 : 0) + (options.is_run ? 1 : 0) + (options.format.empty() ? 0 : 1) != 1)
     throw UsageError("batch: expected one of --check, --run and --convert FORMAT");
   if (options.folder.empty()) throw UsageError("batch: expected -o OUT for the catalogue and the results");
-  if (!options.format.empty() && study::find_target(options.format) == nullptr)
-    throw UsageError(
-        fmt::format("--convert: expected a format that `keyblock convert --help` lists, found \"{}\"", options.format));
+  const std::string format = options.format.empty() ? "" : std::string(study::target_named(options.format).name);
   const BatchTask task = options.is_check ? BatchTask::check : options.is_run ? BatchTask::run : BatchTask::convert;
-  return {task, fs::path(options.root), options.folder, options.profile, options.format, options.limits};
+  return {task, fs::path(options.root), options.folder, options.profile, format, options.limits};
 }
 
 int thread_count(const BatchOptions& options) {
@@ -229,7 +227,7 @@ void write_catalogue(const BatchPlan& plan, const std::vector<CatalogueRow>& row
   write_file(plan.folder / "catalogue.csv", study::catalogue_csv(rows));
   write_file(plan.folder / "catalogue.json", study::catalogue_json(rows));
   const std::string title =
-      fmt::format("Catalogue of {}", fs::absolute(plan.root / "").parent_path().filename().string());
+      fmt::format("Catalogue of {}", fs::absolute(plan.root / "").lexically_normal().parent_path().filename().string());
   write_file(plan.folder / "catalogue.html", report::catalogue_page(title, rows));
 }
 

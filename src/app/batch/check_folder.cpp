@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/printable.hpp"
+#include "formats/registry.hpp"
 #include "study/batch/batch_catalogue.hpp"
 #include "study/batch/batch_check.hpp"
 #include "study/batch/batch_verdict.hpp"
@@ -38,6 +39,8 @@ std::string line_of(const CatalogueRow& row) {
   if (row.outcome == "warnings")
     more = fmt::format("{}, the first: {}", counted(static_cast<std::size_t>(row.warnings), "warning"), row.message);
   if (row.outcome == "failed") more = row.message;
+  if (row.outcome == "listed" && !row.files.empty())
+    if (const formats::Format* format = formats::find_format(row.files.front().format)) more = format->title;
   return printable(fmt::format("{:<8}  {}{}{}", row.outcome, row.name, more.empty() ? "" : ": ", more));
 }
 

@@ -17,8 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kSame = 0.01;      // of the larger
-constexpr double kMuchDeeper = 10;  // penetrations that are told of
+constexpr double kSame = 0.01;       // of the largest of its kind
+constexpr double kRoundOff = 1e-12;  // of the size of the scene, or as a strain
+constexpr double kMuchDeeper = 10;   // penetrations that are told of
 constexpr int kColumnWidth = 28;
 
 const char* word_for(const ProfileAnswer& answer) {
@@ -52,8 +53,28 @@ bool creeps(const Settings& settings) {
   return !is_static(settings) && settings.velocity_carry_over.common == 0;
 }
 
-bool are_far_apart(double a, double b) {
-  return std::abs(a - b) > kSame * std::max(std::abs(a), std::abs(b));
+/// A quantity of both runs, and the size below which it says nothing.
+struct Pair {
+  const char* what;
+  double one;
+  double other;
+  double largest;  ///< of its kind, in either run
+  double round_off;
+
+  bool differs() const { return std::abs(one - other) > std::max(kSame * largest, round_off); }
+};
+
+std::vector<Pair> extremes_of(const ProfileAnswer& one, const ProfileAnswer& other) {
+  const Extremes& a = one.record.extremes;
+  const Extremes& b = other.record.extremes;
+  const double moved = std::max(a.displacement, b.displacement);
+  const double stress = std::max(
+      {std::abs(a.least_stress), std::abs(a.greatest_stress), std::abs(b.least_stress), std::abs(b.greatest_stress)});
+  const double length = kRoundOff * std::max(one.length, other.length);
+  const double pressure = kRoundOff * std::max(one.modulus, other.modulus);
+  return {{"greatest displacement", a.displacement, b.displacement, moved, length},
+          {"least principal stress", a.least_stress, b.least_stress, stress, pressure},
+          {"greatest principal stress", a.greatest_stress, b.greatest_stress, stress, pressure}};
 }
 
 std::string value_of_block(double value, int element) {
@@ -175,16 +196,20 @@ std::vector<std::string> differences(const ProfileAnswer& one, const ProfileAnsw
   if (std::string_view(word_for(one)) != word_for(other))
     found.push_back(fmt::format("end: {} and {}", word_for(one), word_for(other)));
   if (one.blocks != other.blocks) found.push_back(fmt::format("blocks: {} and {}", one.blocks, other.blocks));
-  const auto look = [&](const char* what, double a, double b) {
-    if (!are_far_apart(a, b)) return;
-    found.push_back(fmt::format("{}: {:.5g} and {:.5g}, by {:.3g} % of the larger", what, a, b,
-                                100 * std::abs(a - b) / std::max(std::abs(a), std::abs(b))));
-  };
-  look("end time", one.record.outcome.time, other.record.outcome.time);
+  const double end = one.record.outcome.time;
+  const double other_end = other.record.outcome.time;
+  const bool ends_apart = Pair{"end time", end, other_end, std::max(end, other_end), 0}.differs();
+  if (ends_apart) found.push_back(fmt::format("end time: {:.5g} and {:.5g}", end, other_end));
   if (!has_values(one) || !has_values(other)) return found;
-  look("greatest displacement", one.record.extremes.displacement, other.record.extremes.displacement);
-  look("least principal stress", one.record.extremes.least_stress, other.record.extremes.least_stress);
-  look("greatest principal stress", one.record.extremes.greatest_stress, other.record.extremes.greatest_stress);
+  for (const Pair& pair : extremes_of(one, other)) {
+    if (!pair.differs()) continue;
+    if (ends_apart)
+      found.push_back(fmt::format("{}: {:.5g} at time {:.5g} and {:.5g} at time {:.5g}, which cannot be compared",
+                                  pair.what, pair.one, end, pair.other, other_end));
+    else
+      found.push_back(fmt::format("{}: {:.5g} and {:.5g}, by {:.3g} % of the largest", pair.what, pair.one, pair.other,
+                                  100 * std::abs(pair.one - pair.other) / pair.largest));
+  }
   return found;
 }
 

@@ -20,9 +20,13 @@ struct ProfileAnswer {
   RunRecord record;
   Settings settings;
   std::size_t blocks = 0;
+  double length = 0;   ///< half the greater extent of the scene
+  double modulus = 0;  ///< greatest Young's modulus
 };
 
-/// What differs by more than a hundredth, a sentence each; empty where nothing does.
+/// A sentence for each quantity that differs by more than a hundredth of the largest of its kind in either run; empty if
+/// none does. Round-off is no difference: displacements below 1e-12 of the scene, stresses below 1e-12 of the modulus.
+/// Runs that end at different times are not compared by their displacements and stresses; the sentence gives the times.
 std::vector<std::string> differences(const ProfileAnswer& one, const ProfileAnswer& other);
 
 /// What is known of why, a sentence each.

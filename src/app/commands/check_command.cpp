@@ -12,9 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "app/case_options.hpp"
 #include "app/command.hpp"
-#include "app/commands/study_options.hpp"
-#include "app/drawing_options.hpp"
 #include "app/option_checks.hpp"
 #include "app/progress.hpp"
 #include "base/counted.hpp"
@@ -22,17 +21,14 @@
 #include "cut/covers/from_cover.hpp"
 #include "formats/case.hpp"
 #include "job/run_report.hpp"
-#include "run/cover_settings.hpp"
 #include "run/follow/drawn_joints.hpp"
 #include "run/follow/followed.hpp"
 #include "run/follow/history_option.hpp"
 #include "run/look_ahead.hpp"
 #include "run/prepare.hpp"
-#include "run/settings_of.hpp"
 #include "run/trial_steps.hpp"
-#include "settings/profile.hpp"
+#include "study/cases/asked_case.hpp"
 #include "study/cases/cases.hpp"
-#include "study/cases/named_files.hpp"
 
 namespace keyblock {
 namespace {
@@ -45,12 +41,9 @@ constexpr int kTrialSteps = 20;
 constexpr double kSeconds = 10;  // below which they are told with two digits
 
 struct CheckOptions {
-  std::vector<std::string> files;
-  std::string profile;  ///< empty: that of the case file, or the default
+  CaseOptions given;
   bool as_json = false;
   double trial_seconds = kTrialSeconds;
-  DrawingOptions reading;
-  std::vector<std::string> sets;
 };
 
 /// The whole case: its complaints, or why it could not be put together.
@@ -63,7 +56,8 @@ struct CaseReport {
   std::string smallest_block = {};
   std::string size = {};  ///< of the scene
   std::optional<TrialSteps> trial = {};
-  int steps = 0;  ///< asked for
+  int steps = 0;       ///< asked for
+  Json settings = {};  ///< of the plan
 };
 
 Json counts_of(const Drawing& drawing) {
@@ -248,7 +242,8 @@ Warnings look_at_histories(const Problem& problem, const Prepared& prepared) {
   return Followed(problem.outputs.histories, prepared.scene, joints, problem.units).of_distant_pairs();
 }
 
-CaseReport report_of(const std::vector<formats::FileReading>& files, const CheckOptions& options) {
+CaseReport report_of(const std::vector<formats::FileReading>& files, const study::AskedCase& asked,
+                     double trial_seconds) {
   std::vector<formats::Content> contents;
   for (const formats::FileReading& file : files)
     if (file.reading) contents.push_back(file.reading->content);
@@ -260,27 +255,24 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const Check
     if (const auto* cover = std::get_if<Cover>(&checked.problem.geometry); cover && report.errors.empty())
       manifold_of(*cover);  // throws where elements and loops do not fit together
     if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
-    std::vector<Override> overrides = overrides_of(options.sets);
-    report.profile = chosen_profile(checked.problem, options.profile, overrides);
-    overrides = set_plan(checked.problem, overrides);
-    const Problem problem = with_followed_points(study::with_named_files(checked.problem, overrides, {}));
+    report.profile = study::profile_for(asked, checked.problem);
+    auto [problem, overrides] = study::configured(checked.problem, asked.overrides(report.profile.name));
+    problem = with_followed_points(std::move(problem));
     const Prepared prepared = prepare(problem, report.profile.name, overrides);
     const Warnings of_histories = look_at_histories(problem, prepared);
     report.warnings = joined(std::move(report.warnings), prepared.warnings);
-    report.warnings = joined(std::move(report.warnings), look_ahead(checked.problem, prepared));
+    report.warnings = joined(std::move(report.warnings), look_ahead(problem, prepared));
     report.warnings = joined(std::move(report.warnings), of_histories);
     report.plan = prepared.requirements;
+    report.settings = all_settings_json(prepared.scene.settings);
     report.stages = stages_of(prepared.scene);
     report.size = size_of_scene(prepared.scene.model, checked.problem.units);
     report.smallest_block = smallest_block(prepared.blocks);
     report.steps = prepared.scene.settings.step_count;
-    if (options.trial_seconds > 0)
-      try_steps(report, prepared.scene, options.trial_seconds, checked.problem.analysis->place);
+    if (trial_seconds > 0) try_steps(report, prepared.scene, trial_seconds, problem.analysis->place);
     return report;
   } catch (const InputError& error) {
     return {{}, {error.what()}, std::nullopt};
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());  // a wrong setting is the user's, not the file's
   }
 }
 
@@ -294,6 +286,7 @@ void print_json(const std::vector<formats::FileReading>& files, const CaseReport
     if (!report.smallest_block.empty()) json["case"]["smallest_block"] = report.smallest_block;
     if (report.trial) json["case"]["cost"] = json_of(*report.trial, report.steps);
     json["case"]["requires"] = requirements_json(*report.plan);
+    json["case"]["settings"] = report.settings;
   }
   if (!report.stages.empty()) json["case"]["stages"] = report.stages;
   for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));
@@ -311,24 +304,18 @@ std::size_t log_errors(const std::vector<formats::FileReading>& files, const Cas
   return errors.size();
 }
 
-// A folder with one case stands for its files.
-std::vector<std::string> inputs_of(const CheckOptions& options) {
-  std::vector<std::string> files;
-  for (const std::string& path : options.files) {
-    if (!std::filesystem::is_directory(path)) {
-      files.push_back(path);
-      continue;
-    }
-    if (study::find_cases({path}).size() != 1)
-      throw UsageError(fmt::format(
-          "check: expected files, the folder of one case, or a folder of cases alone; found the folder {} {}", path,
-          options.files.size() > 1              ? "beside others"
-          : options.reading == DrawingOptions{} ? "and --set"
-                                                : "and --layers, --unit or --join"));
-    const std::vector<std::string> inputs = study::the_case_in(path).inputs();
-    files.insert(files.end(), inputs.begin(), inputs.end());
+// A folder may stand for one case, or alone for many.
+void require_one_case(const CaseOptions& given) {
+  for (const std::string& path : given.paths) {
+    if (!std::filesystem::is_directory(path)) continue;
+    if (given.paths.size() == 1 && study::find_cases({path}).size() == 1) continue;
+    throw UsageError(fmt::format(
+        "check: expected files, the folder of one case, or a folder of cases alone; found the folder {} {}", path,
+        given.paths.size() > 1              ? "beside others"
+        : given.reading != DrawingOptions{} ? "and --layers, --unit or --join"
+        : given.sets.empty()                ? "and --settings-file"
+                                            : "and --set"));
   }
-  return files;
 }
 
 // Other than the folder of one case, whose files are taken together.
@@ -342,12 +329,14 @@ bool is_folder_of_cases(const std::vector<std::string>& paths) {
 }
 
 ExitCode check_files(const CheckOptions& options) {
-  if (is_folder_of_cases(options.files) && options.reading == DrawingOptions{} && options.sets.empty())
-    return check_folder(options.files.front(), options.profile, options.as_json);
-  std::vector<std::string> inputs = inputs_of(options);
-  take_layers(inputs, options.reading.layers);
-  const std::vector<formats::FileReading> files = formats::read_files(inputs, options.reading.choices);
-  const CaseReport report = report_of(files, options);
+  const CaseOptions& given = options.given;
+  if (is_folder_of_cases(given.paths) && given.reading == DrawingOptions{} && given.sets.empty() &&
+      given.settings_file.empty())
+    return check_folder(given.paths.front(), given.profile, options.as_json);
+  require_one_case(given);
+  const study::AskedCase asked = case_of(given);
+  const std::vector<formats::FileReading> files = formats::read_files(asked.files, asked.choices);
+  const CaseReport report = report_of(files, asked, options.trial_seconds);
   if (options.as_json) {
     print_json(files, report);
   } else {
@@ -364,17 +353,10 @@ ExitCode check_files(const CheckOptions& options) {
 
 Action configure_check(CLI::App& options) {
   const auto chosen = std::make_shared<CheckOptions>();
-  options
-      .add_option("files", chosen->files,
-                  "geometry and analysis files, in any order, the folder of a case, or a folder of cases: each looked "
-                  "at, one verdict a line")
-      ->required();
-  options.add_option("--profile", chosen->profile, "preset of all choices that a run would take (default: as for run)")
-      ->check(one_word_of(profile_names()));
-  options.add_option("--set", chosen->sets, "key=value: a setting that a run would be given; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->take_all();
-  add_drawing_options(options, chosen->reading);
+  add_case_options(options, chosen->given,
+                   "geometry and analysis files, in any order, the folder of a case, or a folder of cases: each looked "
+                   "at, one verdict a line")
+      .files->required();
   options
       .add_option("--trial", chosen->trial_seconds,
                   fmt::format("seconds in which steps are tried, to say what a run costs and whether it begins "

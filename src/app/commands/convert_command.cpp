@@ -34,12 +34,6 @@ struct ConvertOptions {
   DrawingOptions reading;
 };
 
-std::string target_names() {
-  std::string names;
-  for (const study::Target& target : study::targets()) names += (names.empty() ? "" : ", ") + std::string(target.name);
-  return names;
-}
-
 // Those that say a target, each once.
 std::string endings() {
   std::vector<std::string_view> all;
@@ -51,15 +45,12 @@ std::string endings() {
 
 // The first target whose files end as the output does, where none is named.
 const study::Target& target_of(const ConvertOptions& options) {
-  if (!options.target.empty()) {
-    if (const study::Target* target = study::find_target(options.target)) return *target;
-    throw UsageError(fmt::format("--to: expected one of {}, found \"{}\"", target_names(), options.target));
-  }
+  if (!options.target.empty()) return study::target_named(options.target);
   const std::string ending = std::filesystem::path(options.output).extension().string();
   for (const study::Target& target : study::targets())
     if (target.parts.size() == 1 && target.parts.front().ending == ending) return target;
   throw UsageError(fmt::format("expected --to FORMAT, one of {}, or an output that ends in {}, found \"{}\"",
-                               target_names(), endings(), options.output));
+                               study::target_names(), endings(), options.output));
 }
 
 // One file is the output itself; of several, each has its ending, in place of one of the target's if there is one.
@@ -133,7 +124,9 @@ Action configure_convert(CLI::App& app) {
   add_drawing_options(app, options->reading);
   app.add_option("-o,--output", options->output, "the file to write; where the target is two files, their common name")
       ->type_name("FILE");
-  app.add_option("--to", options->target, "format: " + target_names() + " (default: by the ending of the output)");
+  app.add_option(
+      "--to", options->target,
+      "format: " + study::target_names() + ", or an ending such as json (default: by the ending of the output)");
   app.add_flag("--strict", options->is_strict, "write nothing and exit 1 where the target cannot hold all");
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist; what was there is kept as .bak");
   app.add_flag("--bug-compatible", options->takes_faults,

@@ -154,11 +154,14 @@ ExitCode cut_file(const CutOptions& options) {
     write_output(options.output, formats::kDdaBlocks.write({std::nullopt, cut.blocks, std::nullopt}),
                  overwrite_if(options.may_overwrite));
   }
-  if (!options.picture.empty() && !has_mesh)
+  if (!options.picture.empty() && !has_mesh) {
+    const formats::MaterialNames names = formats::names_of(loaded.files);
     write_output(options.picture,
                  report::blocks_picture(cut.blocks, loaded.problem.units,
-                                        options.numbers ? report::Numbers::all : report::Numbers::none),
+                                        options.numbers ? report::Numbers::all : report::Numbers::none, names.rocks,
+                                        names.joints),
                  overwrite_if(options.may_overwrite));
+  }
   if (options.as_json) {
     fmt::print("{}\n", counts.dump(2, ' ', false, Json::error_handler_t::replace));
   } else {

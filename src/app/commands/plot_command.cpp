@@ -39,6 +39,7 @@ struct PlotOptions {
   bool numbers = false;
   bool force = false;
   bool as_json = false;
+  bool has_own_scale = false;
 };
 
 fs::path frame_at(const std::map<int, fs::path>& frames, const PlotOptions& options) {
@@ -68,6 +69,27 @@ std::vector<int> numbers_of(const formats::VtuFrame& frame) {
   return numbers;
 }
 
+/// The same scale for pictures of all steps, so that they make a film.
+report::FieldScale scale_of_all(const std::map<int, fs::path>& frames, const RunHeading& heading,
+                                report::FieldShown shown) {
+  const auto read = [&](const fs::path& path) {
+    formats::VtuFrame frame = formats::read_vtu(formats::load(path.string()));
+    const std::vector<std::size_t> left_out = places_of(heading.left_out, frame);
+    for (auto i = left_out.rbegin(); i != left_out.rend(); ++i)
+      frame.field.elements.erase(frame.field.elements.begin() + static_cast<std::ptrdiff_t>(*i));
+    return frame.field;
+  };
+  return report::common_scale(read(frames.rbegin()->second), shown, heading.is_of_motion, [&](const auto& visit) {
+    for (const auto& [step, path] : frames) visit(read(path));
+  });
+}
+
+/// If no field is asked for, the stress that varies most at the end: the same for all steps.
+report::FieldShown field_asked(const PlotOptions& options, const fs::path& last) {
+  if (!options.field.empty()) return report::field_of_word(options.field);
+  return report::most_varied(formats::read_vtu(formats::load(last.string())).field);
+}
+
 /// What a picture may not take the place of: the frames, the record and the tables.
 std::vector<fs::path> kept_files(const fs::path& folder) {
   std::vector<fs::path> kept;
@@ -95,9 +117,10 @@ ExitCode plot(const PlotOptions& options) {
   const formats::VtuFrame frame = formats::read_vtu(formats::load(shown.string()));
   if (heading.units == Units{}) heading.units = frame.units;  // of a run that was killed, which has no record
   const FieldFrame& field = frame.field;
-  const report::FieldShown quantity =
-      options.field.empty() ? report::most_varied(field) : report::field_of_word(options.field);
+  const report::FieldShown quantity = field_asked(options, frames.rbegin()->second);
   const std::string word = report::kFieldWords.at(static_cast<std::size_t>(quantity));
+  std::optional<report::FieldScale> scale;
+  if (options.step && !options.has_own_scale) scale = scale_of_all(frames, heading, quantity);
   write_output(file,
                report::field_picture({title_at(heading.title, field.time, heading.units),
                                       field,
@@ -107,7 +130,9 @@ ExitCode plot(const PlotOptions& options) {
                                       heading.is_of_motion,
                                       heading.units,
                                       places_of(heading.left_out, frame),
-                                      options.numbers ? numbers_of(frame) : std::vector<int>()}),
+                                      options.numbers ? numbers_of(frame) : std::vector<int>(),
+                                      places_of(heading.held, frame),
+                                      scale}),
                overwrite_if(options.force));
   if (options.as_json)
     fmt::print("{}\n", Json({{"file", file}, {"frame", shown.string()}, {"field", word}, {"time", field.time}})
@@ -128,12 +153,18 @@ Action configure_plot(CLI::App& options) {
                   "a component of stress, a principal one (s1 the greatest, s3 the least), the von Mises stress, the "
                   "displacement, or principal stresses as crosses (default: the component that varies most)")
       ->check(one_word_of(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
-  options.add_option("--step", chosen->step, "the step whose frame is drawn (default: the last that has one)");
+  CLI::Option* step =
+      options.add_option("--step", chosen->step, "the step whose frame is drawn (default: the last that has one)");
   options
       .add_option("-o,--output", chosen->file,
                   "the picture to write, SVG (default: RUN/field_FIELD_end.svg, or with the step in place of end)")
       ->type_name("FILE");
   options.add_flag("--numbers", chosen->numbers, "write into every block, or element, that has room for it its number");
+  options
+      .add_flag("--own-scale", chosen->has_own_scale,
+                "colours, magnification and part of the plane of this step alone (default: those of all steps of the "
+                "run, so that pictures of its steps make a film)")
+      ->needs(step);
   options.add_flag("--force", chosen->force, "overwrite the file if it exists");
   options.add_flag("--json", chosen->as_json, "print file, frame, field and time as JSON");
   return [chosen] { return plot(*chosen); };

@@ -10,11 +10,9 @@
 #include <memory>
 #include <optional>
 
+#include "app/case_options.hpp"
 #include "app/command.hpp"
 #include "app/commands/both_profiles.hpp"
-#include "app/commands/study_options.hpp"
-#include "app/drawing_options.hpp"
-#include "app/messages.hpp"
 #include "app/option_checks.hpp"
 #include "app/output_options.hpp"
 #include "app/progress.hpp"
@@ -27,16 +25,13 @@
 #include "geometry/polygon.hpp"
 #include "job/run_heading.hpp"
 #include "job/run_job.hpp"
-#include "run/cover_settings.hpp"
 #include "run/follow/history_option.hpp"
 #include "run/look_ahead.hpp"
-#include "run/settings_file.hpp"
 #include "run/settings_of.hpp"
 #include "settings/profile.hpp"
 #include "settings/settings_guide.hpp"
 #include "settings/settings_table.hpp"
-#include "study/cases/case_file.hpp"
-#include "study/cases/named_files.hpp"
+#include "study/cases/asked_case.hpp"
 
 namespace keyblock {
 namespace {
@@ -48,13 +43,10 @@ constexpr int kMostFrames = 100;
 constexpr double kCheckpointSeconds = 30;
 
 struct RunOptions {
-  std::vector<std::string> files;
-  std::string profile;  ///< empty: that of the case file, or the default
+  CaseOptions given;
   std::string folder;
   std::string resume;  ///< folder of a run to go on with
   double checkpoint_every = kCheckpointSeconds;
-  std::vector<std::string> sets;
-  std::string settings_file;  ///< below `sets`
   int record_every = 0;
   bool as_json = false;
   bool trace = false;
@@ -62,7 +54,6 @@ struct RunOptions {
   bool both = false;  ///< profiles, one after the other
   bool list_settings = false;
   OutputOptions outputs;
-  DrawingOptions reading;
   ReductionOptions reduction;
 };
 
@@ -78,24 +69,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-// What concerns the mesh goes into the plan of a case on covers; the rest is left.
-std::vector<Override> left_for_settings(Problem& problem, const RunOptions& options) {
-  try {
-    return set_plan(problem, overrides_of(options.sets));
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
-}
-
-// A wrong profile or setting is the user's, not the file's.
-Prepared prepare_as_asked(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
-  try {
-    return prepare(study::with_named_files(problem, overrides, {}), profile, overrides);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
-}
 
 std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings) {
   std::vector<InputRecord> records;
@@ -278,13 +251,14 @@ ExitCode list_settings(const RunOptions& options) {
   return ExitCode::ok;
 }
 
-RunRequest request_of(const RunOptions& options, const RunRecord& record, const Settings& settings) {
+RunRequest request_of(const RunOptions& options, const std::vector<std::string>& files,
+                      const std::vector<Override>& overrides, const RunRecord& record, const Settings& settings) {
   RunRequest request{this_program(),
                      std::filesystem::weakly_canonical(std::filesystem::absolute(options.folder)).string(),
                      std::filesystem::current_path().string(),
-                     options.files,
+                     files,
                      record.profile,
-                     options.sets,
+                     {},
                      record.record_every,
                      options.trace,
                      {},
@@ -293,8 +267,9 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
                      options.outputs.histories,
                      options.outputs.contacts,
                      options.outputs.field,
-                     options.reading.choices.unit,
-                     options.reading.choices.join};
+                     options.given.reading.choices.unit,
+                     options.given.reading.choices.join};
+  for (const auto& [name, value] : overrides) request.sets.push_back(fmt::format("{}={}", name, value));
   for (const InputRecord& input : record.inputs) {
     request.read.push_back(input.file);
     request.digests.push_back(input.sha256);
@@ -305,25 +280,6 @@ RunRequest request_of(const RunOptions& options, const RunRecord& record, const 
   }
   for (const SettingText& setting : list(settings)) request.settings.push_back(setting.name + "=" + setting.value);
   return request;
-}
-
-/// What the command line asks for, read and made ready.
-struct Asked {
-  formats::Case loaded;
-  RunRecord record;
-  std::vector<Override> overrides;
-};
-
-Asked read_as_asked(const RunOptions& options, Stopwatch& watch) {
-  Asked asked{formats::load_case(options.files, options.reading.choices), RunRecord(), {}};
-  const ChosenProfile profile = chosen_profile(asked.loaded.problem, options.profile, overrides_of(options.sets));
-  asked.record.profile = profile.name;
-  asked.record.profile_because = profile.why;
-  asked.record.units = asked.loaded.problem.units;
-  asked.overrides = left_for_settings(asked.loaded.problem, options);
-  asked.record.inputs = input_records(asked.loaded.files);
-  asked.record.timings.read = watch.lap();
-  return asked;
 }
 
 // What will be computed, and what is to be said of it before.
@@ -346,36 +302,50 @@ void print_start(const Prepared& prepared, const RunJob& job, bool is_resumed) {
 }
 
 ProfileAnswer answer_of(const RunRecord& record, const Prepared& prepared, const std::string& folder) {
+  double modulus = 0;
+  for (const BlockMaterial& rock : prepared.scene.model.block_materials)
+    modulus = std::max(modulus, rock.youngs_modulus);
   return {record.profile,
           folder,
           {},
           exit_code(record),
           record,
           prepared.scene.settings,
-          prepared.scene.model.elements.size()};
+          prepared.scene.model.elements.size(),
+          prepared.scene.model.scale,
+          modulus};
 }
 
 // `saved`: the checkpoint to go on from, its request already taken, or all that a run left before its first one; none
 // for a new run.
 ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
   Stopwatch watch;
-  Asked asked = read_as_asked(options, watch);
-  formats::Case& loaded = asked.loaded;
-  loaded.problem.outputs = outputs_asked(loaded.problem.outputs, options.outputs);
-  loaded.problem = with_followed_points(std::move(loaded.problem));
-  const Prepared prepared = prepare_as_asked(loaded.problem, asked.record.profile, asked.overrides);
-  RunRecord& record = asked.record;
-  record.record_every = frame_interval(options, loaded.problem, prepared.scene.settings);
-  record.warnings = joined(joined(loaded.warnings, prepared.warnings), look_ahead(loaded.problem, prepared));
+  const study::AskedCase asked = case_of(options.given);
+  const formats::Case loaded = formats::load_case(asked.files, asked.choices);
+  RunRecord record;
+  const ChosenProfile profile = study::profile_for(asked, loaded.problem);
+  record.profile = profile.name;
+  record.profile_because = profile.why;
+  record.units = loaded.problem.units;
+  record.inputs = input_records(loaded.files);
+  record.timings.read = watch.lap();
+  const std::vector<Override> overrides = asked.overrides(profile.name);
+  auto [problem, left] = study::configured(loaded.problem, overrides);
+  problem.outputs = outputs_asked(problem.outputs, options.outputs);
+  problem = with_followed_points(std::move(problem));
+  const Prepared prepared = prepare(problem, profile.name, left);
+  record.record_every = frame_interval(options, problem, prepared.scene.settings);
+  record.warnings = joined(joined(loaded.warnings, prepared.warnings), look_ahead(problem, prepared));
   record.timings.prepare = watch.lap();
-  const std::string title = title_of(options.files.front(), record.profile);
-  RunRequest request = request_of(options, record, prepared.scene.settings);
+  const std::string title = title_of(asked.files.front(), record.profile);
+  RunRequest request = request_of(options, asked.files, overrides, record, prepared.scene.settings);
   if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
-  for (const std::string& file : options.files) require_not_below(file, options.folder);
-  RunJob job(prepared, std::move(record), std::move(request),
-             {options.folder, overwrite_if(options.force), options.trace ? Trace::yes : Trace::no,
-              options.checkpoint_every, loaded.problem.analysis->place, loaded.problem.outputs, options.outputs.field},
-             saved);
+  for (const std::string& file : asked.files) require_not_below(file, options.folder);
+  RunJob job(
+      prepared, std::move(record), std::move(request),
+      {options.folder, overwrite_if(options.force), options.trace ? Trace::yes : Trace::no, options.checkpoint_every,
+       problem.analysis->place, problem.outputs, options.outputs.field, formats::names_of(loaded.files)},
+      saved);
   listen_for_stops();  // from here on something is left that a stop should leave whole
   const std::size_t told = job.record().warnings.size();
   job.open();
@@ -405,84 +375,28 @@ ExitCode resume_run(const RunOptions& options) {
   if (error) saved.refuse("working_folder", fmt::format("expected the folder {}, found none", request.working_folder));
   if (request.record_every < 1 || request.files.empty())
     saved.refuse("request", "expected files and a frame every so many steps, found none");
-  again.files = request.files;
-  again.profile = request.profile;
-  again.sets = request.sets;
+  again.given = {request.files, request.profile, request.sets, {}, {}};
   again.record_every = request.record_every;
   again.trace = request.has_trace;
   again.outputs.histories = request.histories;
   again.outputs.contacts = request.contacts;
   again.outputs.field = request.field;
-  again.reading.choices = {request.unit, request.join};
+  again.given.reading.choices = {request.unit, request.join};
   return run_asked(again, &request, &saved).code;
 }
 
-// What a setting of a file in `folder` says, seen from here.
-std::string beside(const std::filesystem::path& folder, const std::string& name, const std::string& value) {
-  return name == "body_acceleration_file" && !value.empty() ? (folder / value).string() : value;
-}
-
-// The files of a case folder, with what its case file sets for the profile below all that is asked. A file that a value
-// names is taken from the folder.
-RunOptions inputs_of_case_folder(RunOptions options) {
-  if (options.files.size() != 1 || !std::filesystem::is_directory(options.files.front())) return options;
-  const study::CaseFolder folder = study::the_case_in(options.files.front());
-  const study::CaseFile file = study::read_case_file(folder);
-  options.files = folder.inputs();
-  const bool is_asked = !options.profile.empty();
-  std::string profile = profile_of(formats::load_case(options.files, options.reading.choices).problem, options.profile,
-                                   overrides_of(options.sets));
-  if (!is_asked && profile == "legacy" && file.not_run.contains(profile)) options.profile = profile = "standard";
-  if (const auto reason = file.not_run.find(rules_of(profile)); reason != file.not_run.end())
-    throw UsageError(fmt::format("run: {} says of profile {}: {}", file.path, profile, reason->second));
-  std::vector<std::string> sets;
-  for (const auto& [name, value] : file.overrides(profile))
-    sets.push_back(fmt::format("{}={}", name, beside(folder.folder, name, value)));
-  options.sets.insert(options.sets.begin(), sets.begin(), sets.end());
-  return options;
-}
-
-RunOptions with_case_folder(RunOptions options) {
-  options = inputs_of_case_folder(std::move(options));
-  take_layers(options.files, std::exchange(options.reading.layers, {}));
-  return options;
-}
-
-// The file's settings come first: those of the command line overrule them. A file that a value names is taken from
-// beside it.
-RunOptions with_settings_file(RunOptions options) {
-  if (options.settings_file.empty()) return options;
-  const SettingsFile file = read_settings(options.settings_file, formats::load(options.settings_file).text);
-  if (options.profile.empty()) options.profile = file.profile;
-  std::vector<std::string> sets;
-  const std::filesystem::path folder = std::filesystem::path(options.settings_file).parent_path();
-  for (const auto& [name, value] : file.settings)
-    sets.push_back(fmt::format("{}={}", name, beside(folder, name, value)));
-  options.sets.insert(options.sets.begin(), sets.begin(), sets.end());
-  return options;
-}
-
-// Files that settings name were taken from beside the case already.
 ExitCode run_reduced(const RunOptions& options) {
   ReductionOptions reduction = options.reduction;
   reduction.folder = options.folder;
   reduction.as_json = options.as_json;
   reduction.force = options.force;
-  formats::Case input = formats::load_case(options.files, options.reading.choices);
-  const std::string profile = profile_of_reduction(input.problem, options.profile);
-  return reduce_strength({std::filesystem::path(options.files.front()).stem().string(),
-                          options.files,
-                          std::move(input),
-                          {},
-                          profile,
-                          overrides_of(options.sets)},
-                         reduction);
+  return reduce_strength(case_of(options.given), reduction);
 }
 
 // One profile that cannot be run is told beside the answer of the other.
 ProfileAnswer answer_under(const RunOptions& options, const std::string& profile) {
   RunOptions own = options;
-  own.profile = profile;
+  own.given.profile = profile;
   own.folder = (std::filesystem::path(options.folder) / profile).string();
   const auto refused = [&](const std::exception& error) {
     ProfileAnswer answer;
@@ -494,22 +408,21 @@ ProfileAnswer answer_under(const RunOptions& options, const std::string& profile
     return answer;
   };
   try {
-    return run_asked(with_case_folder(with_settings_file(own)), nullptr, nullptr);
+    return run_asked(own, nullptr, nullptr);
   } catch (const InputError& error) {
     return refused(error);
   } catch (const UsageError& error) {
+    return refused(error);
+  } catch (const std::invalid_argument& error) {
     return refused(error);
   }
 }
 
 // Under the rules of the old programs and under those of today; first those that the files ask for.
 ExitCode run_both(const RunOptions& options) {
-  RunOptions first = with_settings_file(options);
-  if (std::filesystem::is_directory(first.files.front()))
-    first.files = study::the_case_in(first.files.front()).inputs();
-  take_layers(first.files, first.reading.layers);
-  const formats::Case input = formats::load_case(first.files, first.reading.choices);
-  const bool is_old = rules_of(profile_of(input.problem, {}, overrides_of(first.sets))) == "legacy";
+  const study::AskedCase asked = case_of(options.given);
+  const formats::Case input = formats::load_case(asked.files, asked.choices);
+  const bool is_old = rules_of(profile_of(input.problem, {}, asked.common)) == "legacy";
   std::vector<ProfileAnswer> answers;
   for (const char* profile : {is_old ? "legacy" : "standard", is_old ? "standard" : "legacy"}) {
     answers.push_back(answer_under(options, profile));
@@ -528,48 +441,26 @@ ExitCode run_both(const RunOptions& options) {
 ExitCode run_files(const RunOptions& options) {
   if (options.list_settings) return list_settings(options);
   if (!options.resume.empty()) return resume_run(options);
-  if (options.files.empty()) throw UsageError("run: expected a geometry and an analysis file, or a case folder");
-  if (!options.reduction.what.empty()) return run_reduced(with_case_folder(with_settings_file(options)));
+  if (options.given.paths.empty()) throw UsageError("run: expected a geometry and an analysis file, or a case folder");
+  if (!options.reduction.what.empty()) return run_reduced(options);
   if (options.folder.empty()) throw UsageError("run: expected -o FOLDER for the results");
   if (options.both) return run_both(options);
-  return run_asked(with_case_folder(with_settings_file(options)), nullptr, nullptr).code;
-}
-
-struct SettingsOptions {
-  CLI::Option* sets;
-  CLI::Option* file;
-};
-
-SettingsOptions add_settings_options(CLI::App& options, RunOptions& chosen) {
-  CLI::Option* sets =
-      options.add_option("--set", chosen.sets, "key=value: one setting on top of the profile; may be repeated")
-          ->type_name("KEY=VALUE")
-          ->take_all();
-  CLI::Option* file = options
-                          .add_option("--settings-file", chosen.settings_file,
-                                      "name = value on each line, below --set; `profile = NAME` too, below --profile")
-                          ->type_name("FILE");
-  return {sets, file};
+  return run_asked(options, nullptr, nullptr).code;
 }
 
 }  // namespace
 
 Action configure_run(CLI::App& options) {
   const auto chosen = std::make_shared<RunOptions>();
-  CLI::Option* files = options.add_option("files", chosen->files,
-                                          "geometry (or blocks) and analysis file, one file with both, or a case "
-                                          "folder (legacy_cases/…) with its own settings");
-  CLI::Option* profile = options
-                             .add_option("--profile", chosen->profile,
-                                         "preset of all choices (default: what a case file says; else legacy for files "
-                                         "of the old programs, standard for own case files)")
-                             ->check(one_word_of(profile_names()));
+  const auto [files, profile, sets, settings_file, reading] =
+      add_case_options(options, chosen->given,
+                       "geometry (or blocks) and analysis file, one file with both, or a case folder (legacy_cases/…) "
+                       "with its own settings");
   CLI::Option* folder =
       options
           .add_option("-o,--output", chosen->folder,
                       "folder for the results (required, but not with --resume, --reduce-strength and --settings)")
           ->type_name("FOLDER");
-  const auto [sets, settings_file] = add_settings_options(options, *chosen);
   CLI::Option* every =
       options
           .add_option("--record-every", chosen->record_every,
@@ -579,7 +470,6 @@ Action configure_run(CLI::App& options) {
   CLI::Option* trace =
       options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
   const auto [histories, contacts, field] = add_output_options(options, chosen->outputs);
-  const std::vector<CLI::Option*> reading = add_drawing_options(options, chosen->reading);
   CLI::Option* both = options.add_flag(
       "--both", chosen->both,
       "run the profiles legacy and standard, into FOLDER/legacy and FOLDER/standard, and print their answers side by "

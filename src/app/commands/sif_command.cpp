@@ -10,24 +10,20 @@
 #include <string>
 #include <vector>
 
+#include "app/case_options.hpp"
 #include "app/command.hpp"
-#include "app/commands/study_options.hpp"
-#include "app/option_checks.hpp"
 #include "base/stop.hpp"
+#include "formats/case.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
-#include "run/settings_of.hpp"
-#include "settings/profile.hpp"
+#include "study/cases/asked_case.hpp"
 #include "study/fracture/intensity.hpp"
-#include "study/trade/measured_run.hpp"
 
 namespace keyblock {
 namespace {
 
 struct SifOptions {
-  std::vector<std::string> paths;
-  std::string profile;
-  std::vector<std::string> sets;
+  CaseOptions given;
   bool as_json = false;
 };
 
@@ -138,13 +134,13 @@ void print(const study::TipAtEnd& tip, std::size_t number, const study::CaseInte
 }
 
 ExitCode print_intensity(const SifOptions& options) {
-  study::StudyCase chosen = study::study_case(options.paths);
-  chosen.common = overrides_of(options.sets);
+  const study::AskedCase asked = case_of(options.given);
+  const formats::Case input = formats::load_case(asked.files, asked.choices);
   // The rules of the old programs know no tips.
-  const bool is_unasked = options.profile.empty() && chosen.input.problem.choices.profile.empty();
-  const std::string profile = is_unasked ? "standard" : profile_of(chosen.input.problem, options.profile);
-  const study::CaseIntensity found = study::intensity_at_end(chosen.input.problem, profile, chosen.overrides(profile),
-                                                             [] { return is_stop_requested(); });
+  const std::string profile = study::profile_for(asked, input.problem, study::OldFiles::standard).name;
+  const study::ConfiguredProblem made = study::configured(input.problem, asked.overrides(profile));
+  const study::CaseIntensity found =
+      study::intensity_at_end(made.problem, profile, made.overrides, [] { return is_stop_requested(); });
   log_warnings(found.warnings);
   if (!found.failure.empty()) {
     spdlog::error("keyblock: error: {}", found.failure);
@@ -158,7 +154,8 @@ ExitCode print_intensity(const SifOptions& options) {
     spdlog::warn("tip {}: {}", i + 1, doubt);
   }
   if (options.as_json) {
-    nlohmann::ordered_json json{{"unknowns", found.unknowns},
+    nlohmann::ordered_json json{{"profile", profile},
+                                {"unknowns", found.unknowns},
                                 {"time", found.time},
                                 {"in_motion", found.is_in_motion},
                                 {"tip_functions", found.has_functions},
@@ -172,7 +169,7 @@ ExitCode print_intensity(const SifOptions& options) {
   } else {
     fmt::print("{} unknowns, {}\n", found.unknowns,
                found.is_in_motion ? fmt::format("in motion at time {:g}", found.time) : "at rest");
-    for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1, found, chosen.input.problem.units);
+    for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1, found, input.problem.units);
     if (!found.no_other.empty()) fmt::print("no other treatment of tips: {}\n", found.no_other);
   }
   return is_sure ? ExitCode::ok : ExitCode::check_failed;
@@ -182,12 +179,7 @@ ExitCode print_intensity(const SifOptions& options) {
 
 Action configure_sif(CLI::App& app) {
   const auto options = std::make_shared<SifOptions>();
-  app.add_option("case", options->paths, "one case folder (legacy_cases/…), or the files of a case")->required();
-  app.add_option("--profile", options->profile, "preset of all choices (default: standard, or what a case file says)")
-      ->check(one_word_of(profile_names()));
-  app.add_option("--set", options->sets, "key=value: a setting of the run; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->take_all();
+  add_case_options(app, options->given, "one case folder (legacy_cases/…), or the files of a case").files->required();
   app.add_flag("--json", options->as_json, "print JSON in place of the table");
   return [options] { return print_intensity(*options); };
 }

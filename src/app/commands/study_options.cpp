@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "app/case_options.hpp"
 #include "app/option_checks.hpp"
 #include "app/stop_request.hpp"
 #include "base/error.hpp"
@@ -57,16 +58,6 @@ void add_study_options(CLI::App& options, StudyOptions& chosen) {
   options.add_option("--picture", chosen.picture, "write a picture (SVG)")->type_name("FILE");
   options.add_flag("--json", chosen.as_json, "print the table as JSON");
   options.add_flag("--force", chosen.force, "overwrite files");
-}
-
-std::vector<Override> overrides_of(const std::vector<std::string>& sets) {
-  std::vector<Override> overrides;
-  for (const std::string& text : sets) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) throw UsageError(fmt::format("--set: expected key=value, found \"{}\"", text));
-    overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-  }
-  return overrides;
 }
 
 study::StudyCase case_asked(const StudyOptions& options) {

@@ -31,9 +31,6 @@ struct StudyOptions {
 
 void add_study_options(CLI::App& options, StudyOptions& chosen);
 
-/// key=value, as `--set` has it. Throws UsageError.
-std::vector<Override> overrides_of(const std::vector<std::string>& sets);
-
 /// The case as asked for. Throws UsageError for settings that are none, for a part that is no power of two, and where
 /// expected values are asked for that are not there.
 study::StudyCase case_asked(const StudyOptions& options);

@@ -145,15 +145,10 @@ ExitCode run_sweep(const SweepOptions& options) {
   require_no_picture_name("--table", options.table, "--picture");
   require_writable({options.table, options.picture}, {options.paths.begin(), options.paths.end()},
                    overwrite_if(options.force));
-  const auto designed = [&] {
-    try {
-      return std::pair(study::penalty_step_map(chosen, options.profile, options.penalties, options.steps),
-                       study::refinements(chosen, options.profile, options.finest));
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(error.what());
-    }
-  }();
-  const Tradeoff result = study::tradeoff(chosen, designed.first, designed.second, options.limits(), tell_run);
+  const std::vector<study::RunPlan> plans =
+      study::penalty_step_map(chosen, options.profile, options.penalties, options.steps);
+  const std::vector<study::RunPlan> limit_from = study::refinements(chosen, options.profile, options.finest);
+  const Tradeoff result = study::tradeoff(chosen, plans, limit_from, options.limits(), tell_run);
   const Map map{options, result, chosen.input.problem.units};
   if (!options.picture.empty()) write_output(options.picture, picture_of(map), overwrite_if(options.force));
   if (!options.table.empty()) write_output(options.table, csv_of(map), overwrite_if(options.force));

@@ -136,7 +136,7 @@ SettingsFile settings_of(const study::StudyCase& chosen, const study::RunPlan& p
   all.insert(all.end(), plan.set.begin(), plan.set.end());
   for (auto [name, value] : all) {
     if (name == "body_acceleration_file" && !value.empty())
-      value = fs::proximate(fs::absolute(chosen.folder / value), fs::absolute(file).parent_path()).string();
+      value = fs::proximate(fs::absolute(value), fs::absolute(file).parent_path()).string();
     const auto known = std::ranges::find(settings.settings, name, &Override::first);
     if (known == settings.settings.end())
       settings.settings.emplace_back(name, value);
@@ -216,19 +216,14 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
   const study::StudyCase chosen = case_asked(options);
   const std::string file = output_of(options, chosen);
   require_writable({file, options.picture}, {options.paths.begin(), options.paths.end()}, overwrite_if(options.force));
-  const auto designed = [&] {
-    try {
-      return std::pair(options.is_full ? study::full_design(chosen, options.profile, options.most, options.vary)
-                                       : study::usual_design(chosen, options.profile, options.vary),
-                       study::refinements(chosen, options.profile, options.finest));
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(error.what());
-    }
-  }();
+  const std::vector<study::RunPlan> plans =
+      options.is_full ? study::full_design(chosen, options.profile, options.most, options.vary)
+                      : study::usual_design(chosen, options.profile, options.vary);
+  const std::vector<study::RunPlan> limit_from = study::refinements(chosen, options.profile, options.finest);
   const study::Search search{wish, [&](const study::RunPlan& plan, int parts) {
                                return study::refined(chosen, options.profile, plan, parts);
                              }};
-  const Tradeoff result = study::tradeoff(chosen, designed.first, designed.second, options.limits(), tell_run, search);
+  const Tradeoff result = study::tradeoff(chosen, plans, limit_from, options.limits(), tell_run, search);
   const bool chooses = options.has_wish() && !result.is_stopped;
   const auto choice = chooses ? study::choice_for(result.prices, wish) : std::nullopt;
   if (!options.picture.empty()) write_output(options.picture, picture_of(result), overwrite_if(options.force));

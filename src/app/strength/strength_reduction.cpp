@@ -16,14 +16,12 @@
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "base/stop.hpp"
+#include "formats/case.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
 #include "report/rock/strength_picture.hpp"
-#include "run/cover_settings.hpp"
 #include "run/look_ahead.hpp"
-#include "run/settings_of.hpp"
-#include "study/cases/named_files.hpp"
 #include "study/strength/factor_of_safety.hpp"
 
 namespace keyblock {
@@ -35,6 +33,15 @@ using study::FactorOfSafety;
 using study::SearchEnd;
 using study::StrengthTrial;
 using study::Verdict;
+
+/// The case as it was read.
+struct ReducedCase {
+  std::string name;
+  std::vector<std::string> files;
+  formats::Case input;
+  std::string profile;
+  std::vector<Override> overrides;
+};
 
 constexpr std::array<const char*, 4> kFiles{"fos.json", "trials.csv", "picture.svg", "fos.svg"};
 
@@ -196,13 +203,8 @@ void require_options(const ReducedCase& chosen, const ReductionOptions& options)
 }
 
 study::StrengthTrials trials_of(const ReducedCase& chosen, const ReductionOptions& options) {
-  try {
-    Problem problem = study::with_named_files(chosen.input.problem, chosen.overrides, chosen.folder);
-    std::vector<Override> left = set_plan(problem, chosen.overrides);
-    return {std::move(problem), chosen.profile, std::move(left), study::reduced_of(options.what)};
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
+  study::ConfiguredProblem made = study::configured(chosen.input.problem, chosen.overrides);
+  return {std::move(made.problem), chosen.profile, std::move(made.overrides), study::reduced_of(options.what)};
 }
 
 ExitCode exit_code(const FactorOfSafety& found) {
@@ -210,12 +212,26 @@ ExitCode exit_code(const FactorOfSafety& found) {
   return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
 }
 
-}  // namespace
-
-std::string profile_of_reduction(const Problem& problem, const std::string& asked) {
-  const bool is_open = asked.empty() && problem.choices.profile.empty();
-  return is_open ? "standard" : profile_of(problem, asked);
+ReducedCase reduced_case(const study::AskedCase& asked) {
+  ReducedCase chosen{asked.name, asked.files, formats::load_case(asked.files, asked.choices), {}, {}};
+  chosen.profile = study::profile_for(asked, chosen.input.problem, study::OldFiles::standard).name;
+  chosen.overrides = asked.overrides(chosen.profile);
+  return chosen;
 }
+
+// What is not asked for, as `case.json` says.
+ReductionOptions with_those_of_case(ReductionOptions options, const study::CaseFile& file) {
+  if (const auto& asked = file.reduction) {
+    if (options.what.empty()) options.what = study::name_of(asked->what);
+    if (!options.from) options.from = asked->from;
+    if (!options.to) options.to = asked->to;
+    if (!options.within) options.within = asked->within;
+  }
+  if (options.what.empty()) options.what = "joints";
+  return options;
+}
+
+}  // namespace
 
 std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOptions& chosen) {
   return {
@@ -233,7 +249,9 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
           ->check(zero_or_above())};
 }
 
-ExitCode reduce_strength(const ReducedCase& chosen, const ReductionOptions& options) {
+ExitCode reduce_strength(const study::AskedCase& asked, const ReductionOptions& given) {
+  const ReducedCase chosen = reduced_case(asked);
+  const ReductionOptions options = with_those_of_case(given, asked.file);
   require_options(chosen, options);
   const study::StrengthTrials trials = trials_of(chosen, options);
   log_warnings(joined(joined(chosen.input.warnings, trials.prepared().warnings),

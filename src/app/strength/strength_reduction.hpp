@@ -3,14 +3,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/exit_code.hpp"
-#include "formats/case.hpp"
-#include "settings/settings_table.hpp"
+#include "study/cases/asked_case.hpp"
 
 namespace keyblock {
 
@@ -28,21 +26,9 @@ struct ReductionOptions {
 /// `--from`, `--to`, `--to-within`, `--trial-limit`.
 std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOptions& chosen);
 
-/// The case as it was read. `folder`: files that overrides name lie there.
-struct ReducedCase {
-  std::string name;
-  std::vector<std::string> files;
-  formats::Case input;
-  std::filesystem::path folder;
-  std::string profile;
-  std::vector<Override> overrides;
-};
-
-/// The profile asked for or that of the case file; else `standard`, of old files too: the search is one of statics.
-std::string profile_of_reduction(const Problem& problem, const std::string& asked);
-
-/// Searches, prints and writes. Throws UsageError for options that do not fit, InputError for a case that cannot be
-/// reduced.
-ExitCode reduce_strength(const ReducedCase& chosen, const ReductionOptions& options);
+/// Searches, prints and writes; what the options leave open is taken from `case.json`. The profile is `standard` for old
+/// files too, unless one is asked for: the search is one of statics. Throws UsageError for options that do not fit and
+/// for a profile that `case.json` does not run, InputError for a case that cannot be reduced.
+ExitCode reduce_strength(const study::AskedCase& asked, const ReductionOptions& given);
 
 }  // namespace keyblock

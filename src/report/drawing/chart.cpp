@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kStretches = 1000;  // more than a picture has columns
 constexpr std::size_t kMostMarkers = 40;
-constexpr double kStill = 1e-9;  // of the value: what varies less is drawn over 0, or the axis shows its round-off
+constexpr double kFlat = 0.5;  // of the greatest value: what varies less is drawn over 0
 
 bool is_drawable(double value) {
   return std::abs(value) <= kGreatestDrawn;  // no NaN either
@@ -80,19 +80,39 @@ void draw_curves(SvgPage& page, const Plot& plot, const std::vector<Curve>& curv
     if (curves[i].style == style) draw_curve(page, plot, curves[i], colour_of(curves[i], i));
 }
 
+Box bounds_of(const std::vector<Curve>& curves) {
+  Box box;
+  for (const Curve& curve : curves)
+    for (Point p : drawable_points(curve)) box.include(p);
+  return box;
+}
+
+double greatest(double a, double b) {
+  return std::max(std::abs(a), std::abs(b));
+}
+
+std::vector<Curve> scaled(std::vector<Curve> curves, double x, double y) {
+  for (Curve& curve : curves) {
+    for (double& value : curve.x) value *= x;
+    for (double& value : curve.y) value *= y;
+  }
+  return curves;
+}
+
 }  // namespace
 
 bool has_points(const std::vector<Curve>& curves) {
   return std::ranges::any_of(curves, [](const Curve& curve) { return !drawable_points(curve).empty(); });
 }
 
-void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve>& curves, const AxisLabels& labels) {
-  Box box;
-  for (const Curve& curve : curves)
-    for (Point p : drawable_points(curve)) box.include(p);
+void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve>& given, const AxisLabels& labels) {
+  Box box = bounds_of(given);
   if (box.empty()) return;
-  if (box.high.y - box.low.y < kStill * std::max(std::abs(box.low.y), std::abs(box.high.y)))
-    box.include({box.low.x, 0});
+  if (box.high.y - box.low.y < kFlat * greatest(box.low.y, box.high.y)) box.include({box.low.x, 0});
+  const Readable x = readable(labels.x, greatest(box.low.x, box.high.x));
+  const Readable y = readable(labels.y, greatest(box.low.y, box.high.y));
+  const std::vector<Curve> curves = scaled(given, x.factor, y.factor);
+  box = {{x.factor * box.low.x, y.factor * box.low.y}, {x.factor * box.high.x, y.factor * box.high.y}};
   const std::vector<LegendEntry> legend = make_legend(curves);
   const double width = size.x - kPlotLeft - kPlotRight;
   const double top = legend_height(legend, width) + 6;
@@ -101,7 +121,7 @@ void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve
                   .x = make_axis(box.low.x, box.high.x, std::max(2, static_cast<int>(width / 90))),
                   .y = make_axis(box.low.y, box.high.y, 5)};
   draw_legend(page, corner + Point{kPlotLeft, 0}, width, legend);
-  draw_axes(page, plot, labels.x, labels.y);
+  draw_axes(page, plot, x.label(labels.x.name), y.label(labels.y.name));
   draw_curves(page, plot, curves, Curve::Style::line);
   draw_curves(page, plot, curves, Curve::Style::points);
 }

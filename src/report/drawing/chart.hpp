@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "report/drawing/readable.hpp"
 #include "report/drawing/svg.hpp"
 
 namespace keyblock::report {
@@ -20,16 +21,17 @@ struct Curve {
   std::optional<std::size_t> colour = {};  ///< as of the curve with this index; nothing: as of its own
 };
 
-/// What stands on the axes, with units.
+/// What stands on the axes.
 struct AxisLabels {
-  std::string x;
-  std::string y;
+  Described x;
+  Described y;
 };
 
 /// Whether there is anything to draw.
 bool has_points(const std::vector<Curve>& curves);
 
-/// Draws axes, grid, curves and, above them, their labels into the rectangle of the page.
+/// Draws axes, grid, curves and, above them, their labels into the rectangle of the page, in units that keep numbers
+/// short. The y axis has zero on it if values vary by less than half of the greatest, so that little looks little.
 void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve>& curves, const AxisLabels& labels);
 
 }  // namespace keyblock::report

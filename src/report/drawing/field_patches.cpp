@@ -164,7 +164,18 @@ ColourScale ends_of(const std::vector<Patch>& patches, ColourScale::Map map) {
 
 ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map) {
   if (patches.empty()) return {};
-  ColourScale scale = ends_of(patches, map);
+  return with_ends(ends_of(patches, map), patches);
+}
+
+ColourScale covering(const ColourScale& one, const ColourScale& other) {
+  ColourScale both = one;
+  both.low = std::min(one.low, other.low);
+  both.high = std::max(one.high, other.high);
+  return both;
+}
+
+ColourScale with_ends(ColourScale scale, const std::vector<Patch>& patches) {
+  if (patches.empty()) return scale;
   const double round_off = kRoundOff * (scale.high - scale.low);
   const auto [least, most] = std::ranges::minmax(patches, {}, &Patch::value);
   scale.has_below = least.value < scale.low - round_off;
@@ -186,8 +197,9 @@ void draw_patches(SvgPage& page, const PageMap& map, const std::vector<Patch>& p
   }
 }
 
-void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourScale& scale, std::string_view name) {
+void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourScale& scale, const Described& quantity) {
   constexpr int kSteps = 48;
+  const Readable shown = readable(quantity, std::max(std::abs(scale.low), std::abs(scale.high)));
   for (int i = 0; i < kSteps; ++i) {
     const double share = (i + 0.5) / kSteps;
     const std::string colour = scale.colour(std::lerp(scale.high, scale.low, share));
@@ -196,9 +208,9 @@ void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourSca
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const std::string_view beyond = share == 0 && scale.has_above ? "≥ " : share == 1 && scale.has_below ? "≤ " : "";
     page.text({corner.x + 20, corner.y + share * height + 4},
-              fmt::format("{}{:.3g}", beyond, std::lerp(scale.high, scale.low, share)), {.size = 11});
+              fmt::format("{}{:.3g}", beyond, shown.factor * std::lerp(scale.high, scale.low, share)), {.size = 11});
   }
-  page.text({corner.x, corner.y - 8}, name, {.size = 12, .bold = true});
+  page.text({corner.x, corner.y - 8}, shown.label(quantity.name), {.size = 12, .bold = true});
 }
 
 }  // namespace keyblock::report

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/drawing/readable.hpp"
 #include "report/drawing/svg.hpp"
 #include "result/field_frame.hpp"
 
@@ -69,12 +70,18 @@ struct ColourScale {
 /// half of the farthest; `rising` begins at zero and counts the area above.
 ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map = ColourScale::Map::about_zero);
 
+/// The scale that covers both.
+ColourScale covering(const ColourScale& one, const ColourScale& other);
+
+/// The scale, with a note of the ends beyond which values of the patches lie: these have the colour of the end.
+ColourScale with_ends(ColourScale scale, const std::vector<Patch>& patches);
+
 /// From the least value to the greatest, but for the same extreme ones.
 double range_of(const std::vector<Patch>& patches);
 
 /// `seam`: width of the line round each patch that hides the gap to the next.
 void draw_patches(SvgPage& page, const PageMap& map, const std::vector<Patch>& patches, const ColourScale& scale,
                   double seam = 0.3);
-void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourScale& scale, std::string_view name);
+void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourScale& scale, const Described& quantity);
 
 }  // namespace keyblock::report

@@ -18,6 +18,12 @@ constexpr double kRow = 20;
 constexpr double kSignWidth = 26;
 constexpr double kEntryGap = 18;
 constexpr double kNameGap = 5;  // from the end of a bolt
+constexpr std::string_view kBoltColour = "#5e3c99";
+constexpr std::string_view kIdleBoltColour = "#777777";
+constexpr std::string_view kBrokenColour = "#d00000";
+constexpr double kPlate = 4;  // half of the plate at an end of a bolt
+constexpr double kGap = 5;    // half of that in a broken one
+constexpr double kCross = 3.5;
 constexpr double kTextSize = 12;
 constexpr double kFarAway = 0.1;     // of the diagonal of what was drawn, beyond it
 constexpr double kFewOfMany = 0.05;  // of the number of all blocks
@@ -71,6 +77,9 @@ void draw_sign(SvgPage& page, Point left, const LegendEntry& entry) {
     case LegendEntry::Sign::mark:
       draw_mark(page, entry.mark == Mark::fixed_point ? middle - Point{0, 5} : middle, entry.mark);
       break;
+    case LegendEntry::Sign::bolt:
+      draw_bolt(page, left, left + Point{20, 0}, entry.bolt);
+      break;
     case LegendEntry::Sign::number:
       page.text(middle + Point{0, 4}, "1",
                 {.size = kTextSize, .anchor = Anchor::middle, .fill = entry.colour, .bold = true});
@@ -91,12 +100,41 @@ void draw_mark(SvgPage& page, Point at, Mark mark) {
   }
 }
 
-void draw_bolt(SvgPage& page, Point from, Point to, const std::string& name) {
-  page.line(from, to, {.stroke = kBoltColour, .stroke_width = 1.5, .dash = "4 3"});
+void draw_bolt(SvgPage& page, Point from, Point to, BoltState state, const std::string& name) {
+  const Point along = to - from;
+  const Point unit = length(along) > 0 ? (1 / length(along)) * along : Point{1, 0};
+  const Point across = kPlate * Point{-unit.y, unit.x};
+  const Style style{.stroke = state == BoltState::idle ? kIdleBoltColour : kBoltColour, .stroke_width = 2};
+  if (state == BoltState::idle) {
+    page.line(from, to, {.stroke = style.stroke, .stroke_width = 2, .dash = "1.5 3"});
+  } else if (state == BoltState::broken) {
+    const Point middle = from + 0.5 * along;
+    const Point half_gap = std::min(kGap, length(along) / 4) * unit;
+    page.line(from, middle - half_gap, style);
+    page.line(middle + half_gap, to, style);
+    const Style cross{.stroke = kBrokenColour, .stroke_width = 2};
+    page.line(middle - Point{kCross, kCross}, middle + Point{kCross, kCross}, cross);
+    page.line(middle - Point{kCross, -kCross}, middle + Point{kCross, -kCross}, cross);
+  } else {
+    page.line(from, to, style);
+  }
+  for (const Point end : {from, to})
+    if (state != BoltState::idle) page.line(end - across, end + across, style);
   if (name.empty()) return;
   const bool goes_left = to.x < from.x;
   page.text({to.x + (goes_left ? -kNameGap : kNameGap), to.y + (to.y > from.y ? kNameGap : -kNameGap)}, name,
-            {.size = 11, .anchor = goes_left ? Anchor::end : Anchor::start, .fill = kBoltColour});
+            {.size = 11, .anchor = goes_left ? Anchor::end : Anchor::start, .fill = style.stroke});
+}
+
+void add_bolts(std::vector<LegendEntry>& legend, const std::vector<BoltState>& states) {
+  for (const auto& [state, words] : {std::pair{BoltState::carries, "bolt"},
+                                     {BoltState::broken, "broken bolt"},
+                                     {BoltState::idle, "bolt without properties, carries nothing"}})
+    if (const auto count = std::ranges::count(states, state); count > 0)
+      legend.push_back({.sign = LegendEntry::Sign::bolt,
+                        .colour = {},
+                        .words = fmt::format("{} ({})", words, count),
+                        .bolt = state});
 }
 
 std::vector<std::size_t> far_small_blocks(const Box& drawn, const std::vector<PlacedBlock>& blocks) {
@@ -152,7 +190,7 @@ void draw_joint_edges(SvgPage& page, const std::vector<Point>& corners, const st
 }
 
 void add_numbered(std::vector<LegendEntry>& legend, const std::set<int>& numbers, LegendEntry::Sign sign,
-                  std::string_view word) {
+                  std::string_view word, const std::vector<std::string>& names) {
   std::size_t shown = 0;
   for (int number : numbers) {
     if (++shown > kLegendLimit) {
@@ -162,7 +200,11 @@ void add_numbered(std::vector<LegendEntry>& legend, const std::set<int>& numbers
       return;
     }
     const std::string_view colour = sign == LegendEntry::Sign::area ? area_colour(number) : line_colour(number);
-    legend.push_back({.sign = sign, .colour = colour, .words = fmt::format("{} {}", word, number + 1)});
+    const auto at = static_cast<std::size_t>(number);
+    const bool has_name = number >= 0 && at < names.size() && !names[at].empty();
+    const std::string plain = fmt::format("{} {}", word, number + 1);
+    legend.push_back(
+        {.sign = sign, .colour = colour, .words = has_name ? fmt::format("{} ({})", names[at], plain) : plain});
   }
 }
 

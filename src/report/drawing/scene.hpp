@@ -13,15 +13,17 @@
 
 namespace keyblock::report {
 
-inline constexpr std::string_view kBoltColour = "#7a0177";
+/// A bolt that carries or may, one that broke, and one that has no properties and carries nothing.
+enum class BoltState { carries, broken, idle };
 
 enum class Mark { fixed_point, loading_point, measured_point };
 
 /// Draws the sign of a point of the scene at a place of the page.
 void draw_mark(SvgPage& page, Point at, Mark mark);
 
-/// Draws a bolt between two places of the page, its name behind its second end.
-void draw_bolt(SvgPage& page, Point from, Point to, const std::string& name = {});
+/// Draws a bolt between two places of the page, its name behind its second end: a full line with plates at its ends; a
+/// broken one with a gap and a cross in its middle; one that carries nothing as grey dots.
+void draw_bolt(SvgPage& page, Point from, Point to, BoltState state, const std::string& name = {});
 
 /// Width of block edges: one page unit for few blocks, finer where they crowd.
 double edge_width(Point page_size, std::size_t block_count);
@@ -44,19 +46,23 @@ std::vector<std::size_t> far_small_blocks(const Box& drawn, const std::vector<Pl
 /// "2 small blocks lie outside of the picture".
 std::string outside_in_words(std::size_t count);
 
-/// One entry of a legend: a filled square, a line, the sign of a point, or a number.
+/// One entry of a legend: a filled square, a line, the sign of a point or of a bolt, or a number.
 struct LegendEntry {
-  enum class Sign { area, line, dashed_line, dots, mark, number };
+  enum class Sign { area, line, dashed_line, dots, mark, bolt, number };
   Sign sign = Sign::area;
   std::string_view colour;
   Mark mark = Mark::fixed_point;
   std::string words;
+  BoltState bolt = BoltState::carries;
 };
 
-/// Adds "block material 1", …: of many numbers the first twelve, and how many more there are. Areas and lines have the
-/// colours of their number.
+/// Adds an entry for each state of bolts that is there, with their number: "broken bolt (2)".
+void add_bolts(std::vector<LegendEntry>& legend, const std::vector<BoltState>& states);
+
+/// Adds "block material 1", or "granite (block material 1)" if it has a name, …: of many numbers the first twelve, and
+/// how many more there are. Areas and lines have the colours of their number.
 void add_numbered(std::vector<LegendEntry>& legend, const std::set<int>& numbers, LegendEntry::Sign sign,
-                  std::string_view word);
+                  std::string_view word, const std::vector<std::string>& names = {});
 
 /// Height that the entries take when set in rows of `width`.
 double legend_height(const std::vector<LegendEntry>& entries, double width);

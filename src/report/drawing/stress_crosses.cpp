@@ -36,8 +36,8 @@ std::string_view colour_of(double stress) {
   return stress > 0 ? kTensionColour : kCompressionColour;
 }
 
-double greatest(const Cross& cross) {
-  return std::max(std::abs(cross.stresses.first), std::abs(cross.stresses.second));
+double greatest(const std::pair<double, double>& stresses) {
+  return std::max(std::abs(stresses.first), std::abs(stresses.second));
 }
 
 /// Of elements in their order, each that has room.
@@ -64,9 +64,7 @@ std::vector<Cross> crosses_of(const PageMap& map, const FieldFrame& field, const
 }
 
 /// That all but the longest few do not exceed.
-double common_stress(const std::vector<Cross>& crosses) {
-  std::vector<double> amounts;
-  for (const Cross& cross : crosses) amounts.push_back(greatest(cross));
+double all_but_few(std::vector<double> amounts) {
   if (amounts.empty()) return 0;
   const auto at = static_cast<std::ptrdiff_t>(kShown * static_cast<double>(amounts.size() - 1));
   std::ranges::nth_element(amounts, amounts.begin() + at);
@@ -80,9 +78,20 @@ double longest_of(const PageMap& map, std::size_t crosses) {
 
 }  // namespace
 
-CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place) {
+double common_stress(const FieldFrame& field) {
+  std::vector<double> amounts;
+  for (const FieldElement& element : field.elements) amounts.push_back(greatest(principal(element.middle.stress)));
+  return all_but_few(std::move(amounts));
+}
+
+CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place,
+                        double most) {
   const std::vector<Cross> crosses = crosses_of(map, field, place);
-  const double most = common_stress(crosses);
+  if (most == 0) {
+    std::vector<double> amounts;
+    for (const Cross& cross : crosses) amounts.push_back(greatest(cross.stresses));
+    most = all_but_few(std::move(amounts));
+  }
   if (!(most > 0)) return {};
   const double longest = longest_of(map, crosses.size());
   for (const Cross& cross : crosses)
@@ -93,11 +102,13 @@ CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& fie
       page.line(cross.middle - half, cross.middle + half, {.stroke = colour_of(stress), .stroke_width = kLineWidth});
     }
   const double sample = round_down(most);
-  const bool are_cut = std::ranges::any_of(crosses, [&](const Cross& cross) { return greatest(cross) > most; });
+  const bool are_cut =
+      std::ranges::any_of(crosses, [&](const Cross& cross) { return greatest(cross.stresses) > most; });
   return {sample, longest * sample / most, are_cut};
 }
 
-void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, std::string_view unit) {
+void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, const Units& units) {
+  const Readable shown = readable({"", measures::kStress, units}, scale.sample);
   double y = corner.y;
   for (const auto& [colour, words] : {std::pair{kCompressionColour, "compression"}, {kTensionColour, "tension"}}) {
     page.line({corner.x, y}, {corner.x + kLeastLength, y}, {.stroke = colour, .stroke_width = 2});
@@ -107,7 +118,8 @@ void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, std
   y += 10;
   page.line({corner.x, y}, {corner.x + scale.length, y}, {.stroke = "#222222", .stroke_width = kLineWidth});
   page.text({corner.x + std::max(kLeastLength, scale.length) + 6, y + 4},
-            fmt::format("{:g}{}{}", scale.sample, unit.empty() ? "" : " ", unit), {.size = 11});
+            fmt::format("{:g}{}{}", shown.factor * scale.sample, shown.unit.empty() ? "" : " ", shown.unit),
+            {.size = 11});
   if (scale.are_cut) page.text({corner.x, y + 22}, "longest are cut", {.size = 11});
 }
 

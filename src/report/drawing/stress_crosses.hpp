@@ -17,10 +17,14 @@ struct CrossScale {
 
 /// Crosses at the middles of elements, none so near to another that they would cover each other: lines along the
 /// principal stresses in the plane, as long as these, one colour for compression and one for tension. The few longest
-/// are cut.
-CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place);
+/// are cut. `most`: the stress of the longest line; 0: that of all crosses but the longest few.
+CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place,
+                        double most = 0);
+
+/// The stress that no element but the few with the greatest exceeds.
+double common_stress(const FieldFrame& field);
 
 /// Both colours, and a line of the sample's length with its value, below `corner`.
-void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, std::string_view unit);
+void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, const Units& units);
 
 }  // namespace keyblock::report

@@ -133,20 +133,20 @@ std::string plastic_picture(const PlasticPicture& picture) {
   const auto draw_caption = [&](std::size_t k, const std::string& words) {
     page.text(layout.corners[k] - Point{0, 26}, words, {.size = 13});  // above the name on the bar
   };
-  const auto draw = [&](std::size_t k, const std::string& caption, const std::string& unit, ColourScale::Map colours,
+  const auto draw = [&](std::size_t k, const std::string& caption, const Described& quantity, ColourScale::Map colours,
                         const CornerValue& value) {
     draw_caption(k, caption);
     const std::vector<Patch> patches = patches_of(picture.end, value, as_moved);
     const ColourScale scale = scale_of(patches, colours);
     draw_patches(page, map(k), patches, scale, kSeam);
     draw_outlines(page, map(k), picture);
-    if (scale.high > scale.low) draw_colour_bar(page, key(k), std::min(layout.size.y, kMostBar), scale, unit);
+    if (scale.high > scale.low) draw_colour_bar(page, key(k), std::min(layout.size.y, kMostBar), scale, quantity);
   };
   draw(0, fmt::format("equivalent plastic strain, up to {:.3g}", greatest_equivalent(picture.end)), "κ [–]",
        ColourScale::Map::rising,
        [](const FieldCorner& corner) { return corner.plastic.value_or(PlasticState{}).equivalent; });
-  draw(1, "mean stress, tension positive", with_unit("σm", measures::kStress, picture.units),
-       ColourScale::Map::about_zero, [](const FieldCorner& corner) { return invariants_of(corner.stress).mean; });
+  draw(1, "mean stress, tension positive", {"σm", measures::kStress, picture.units}, ColourScale::Map::about_zero,
+       [](const FieldCorner& corner) { return invariants_of(corner.stress).mean; });
   draw_caption(2, "state of the rock");
   draw_states(page, map(2), picture.end, key(2));
   draw_outlines(page, map(2), picture);

@@ -11,7 +11,7 @@
 #include "run/prepare.hpp"
 #include "study/batch/batch_files.hpp"
 #include "study/batch/scene_sentence.hpp"
-#include "study/cases/named_files.hpp"
+#include "study/cases/asked_case.hpp"
 
 namespace keyblock::study {
 
@@ -75,7 +75,7 @@ Warnings look_at_scene(CatalogueRow& row, const Problem& problem) {
 Warnings warnings_before_steps(const Problem& problem, const std::string& profile, CheckDepth depth,
                                const Warnings& of_cut) {
   try {
-    const Prepared prepared = prepare(with_named_files(problem, {}, {}), profile_of(problem, profile), {});
+    const Prepared prepared = prepare(configured(problem, {}).problem, profile_of(problem, profile), {});
     return joined(prepared.warnings, look_ahead(problem, prepared));
   } catch (const InputError&) {
     if (depth == CheckDepth::plan) throw;

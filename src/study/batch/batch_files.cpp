@@ -142,6 +142,7 @@ FileRole role_by_format(std::string_view format) {
     return FileRole::geometry;
   if (format.starts_with("dda-analysis") || format == "nmm-analysis") return FileRole::analysis;
   if (format.starts_with("berkeley-") || format.starts_with("motion-")) return FileRole::side_file;
+  if (format == "udec-deck") return FileRole::foreign;
   return FileRole::unreadable;
 }
 
@@ -255,7 +256,7 @@ BatchFile look_at(const formats::Source& source, const std::string& path) {
   const auto choice = choice_of(source);
   if (!choice) return {path, role_by_name(path, source.text), {}, std::nullopt};
   BatchFile file{path, role_by_format(choice->format->name), std::string(choice->format->name), std::nullopt};
-  if (file.role == FileRole::side_file) return file;
+  if (file.role == FileRole::side_file || file.role == FileRole::foreign) return file;
   if (file.role == FileRole::unreadable && choice->recognition.fit == formats::Recognition::Fit::damaged)
     return {path, role_by_name(path, source.text), {}, std::nullopt};  // JSON or XML of some kind, without our mark
   const auto content = content_of(*choice, source);

@@ -149,9 +149,20 @@ void pair_by_counts(Folder& folder, const FitsTogether& fits) {
         partners[analysis].push_back(geometry);
       }
   if (trials > kMostTrials) return;
-  for (const BatchFile* geometry : folder.geometries)
-    if (partners[geometry].size() == 1 && partners[partners[geometry].front()].size() == 1)
-      folder.take(geometry, partners[geometry].front(), counted_reason(*geometry->counts));
+  for (const BatchFile* analysis : folder.analyses)
+    if (partners[analysis].size() == 1) {
+      const BatchFile* geometry = partners[analysis].front();
+      folder.take(geometry, analysis, counted_reason(*geometry->counts));
+    }
+  folder.drop_paired();
+}
+
+// One scene computed in several ways: what no other rule has paired goes with the one geometry.
+void pair_with_the_one(Folder& folder, const Files& geometries) {
+  if (geometries.size() != 1) return;
+  for (const BatchFile* analysis : folder.analyses)
+    if (!contradict(*geometries.front(), *analysis))
+      folder.take(geometries.front(), analysis, "the only geometry in the folder");
   folder.drop_paired();
 }
 
@@ -202,11 +213,13 @@ std::vector<BatchJob> pair_files(const std::vector<BatchFile>& files, const Fits
     }
   }
   for (auto& [path, folder] : folders) {
+    const Files geometries = folder.geometries;
     pair_by_stem(folder);
     pair_by_key(folder, without_beginning, "the same name after its beginning");
     pair_by_key(folder, numbers_in, "the same numbers in the names");
     pair_the_only(folder);
     pair_by_counts(folder, fits);
+    pair_with_the_one(folder, geometries);
     add_pairs(folder, jobs);
     add_alone(folder.geometries, "a geometry alone", JobKind::part, jobs);
     add_alone(folder.analyses, "an analysis alone", JobKind::part, jobs);

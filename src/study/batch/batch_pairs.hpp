@@ -29,7 +29,8 @@ using FitsTogether = std::function<bool(const BatchFile& geometry, const BatchFi
 /// The jobs, sorted by name; every file is in at least one. In each folder, in this order: one file that holds both;
 /// the same name but for the ending (an unreadable file stands in for the part that is missing); names that differ only
 /// in a known beginning (cv07 and mf07); the same numbers in the names; the only geometry and the only analysis left;
-/// the only two left whose counts of materials and loading points fit. `fits` is asked at most `kMostTrials` times a
+/// each analysis whose counts of materials and loading points fit one geometry alone; the only geometry of the folder
+/// with every analysis that is left. `fits` is asked at most `kMostTrials` times a
 /// folder.
 std::vector<BatchJob> pair_files(const std::vector<BatchFile>& files, const FitsTogether& fits);
 

@@ -13,6 +13,7 @@
 #include "formats/registry.hpp"
 #include "run/settings_file.hpp"
 #include "settings/profile.hpp"
+#include "study/cases/named_files.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -77,7 +78,8 @@ std::string setting_text(const Node& object, const std::string& name) {
 std::vector<Override> overrides_of(const Node& object) {
   object.require_object();
   std::vector<Override> overrides;
-  for (const auto& [name, value] : object.json.items()) overrides.emplace_back(name, setting_text(object, name));
+  for (const auto& [name, value] : object.json.items())
+    overrides.emplace_back(name, from_folder(object.folder.folder, name, setting_text(object, name)));
   return overrides;
 }
 

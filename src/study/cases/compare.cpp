@@ -10,10 +10,9 @@
 
 #include "formats/case.hpp"
 #include "model/continuum.hpp"
-#include "run/cover_settings.hpp"
 #include "run/prepare.hpp"
 #include "settings/profile.hpp"
-#include "study/cases/named_files.hpp"
+#include "study/cases/asked_case.hpp"
 #include "study/strength/factor_of_safety.hpp"
 
 namespace keyblock::study {
@@ -39,13 +38,20 @@ int first_block(const std::vector<ComparedValue>& values) {
   return followed == values.end() ? 1 : *followed->block;
 }
 
+ConfiguredProblem configured_as_in_file(const Loaded& loaded, const std::vector<Override>& overrides) {
+  try {
+    return configured(loaded.input.problem, overrides);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({loaded.file.path, 0, 0}, error.what());
+  }
+}
+
 // A setting that is none is the case file's fault; a scene that the profile refuses is a result: the sentence why.
 std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, const std::string& profile,
                                                         const std::vector<Override>& overrides) {
-  Problem problem = with_named_files(loaded.input.problem, overrides, loaded.folder.folder);
+  const ConfiguredProblem made = configured_as_in_file(loaded, overrides);
   try {
-    const std::vector<Override> left = set_plan(problem, overrides);
-    return prepare(problem, profile, left);
+    return prepare(made.problem, profile, made.overrides);
   } catch (const std::invalid_argument& error) {
     throw InputError({loaded.file.path, 0, 0}, error.what());
   } catch (const InputError& error) {
@@ -74,9 +80,8 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
 // The last state that stands, at the instant 0: a factor belongs to none.
 ComparedCase reduced_and_picked(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
   const ReductionAsked& asked = *loaded.file.reduction;
-  Problem problem = with_named_files(loaded.input.problem, overrides, loaded.folder.folder);
-  std::vector<Override> left = set_plan(problem, overrides);
-  const StrengthTrials trials(std::move(problem), compared.profile, std::move(left), asked.what);
+  ConfiguredProblem made = configured(loaded.input.problem, overrides);
+  const StrengthTrials trials(std::move(made.problem), compared.profile, std::move(made.overrides), asked.what);
   compared.warnings = joined(loaded.input.warnings, trials.prepared().warnings);
   FactorOfSafety found = factor_of_safety(trials, {asked.from, asked.to, asked.within});
   if (found.end != SearchEnd::bracketed) {

@@ -10,21 +10,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The value becomes the name from the folder at hand.
-void read_named(Problem& problem, const std::string& name, std::string& value, const fs::path& folder) {
-  if (name != "body_acceleration_file" || !problem.analysis) return;
-  value = (folder / value).string();
-  problem.analysis->body_acceleration = formats::read_body_acceleration(formats::load(value));
+bool names_a_file(const std::string& setting) {
+  return setting == "body_acceleration_file";
+}
+
+void read_named(Problem& problem, const std::string& name, const std::string& value) {
+  if (names_a_file(name) && problem.analysis)
+    problem.analysis->body_acceleration = formats::read_body_acceleration(formats::load(value));
 }
 
 }  // namespace
 
-Problem with_named_files(Problem problem, const std::vector<Override>& overrides, const fs::path& folder) {
+std::string from_folder(const fs::path& folder, const std::string& name, const std::string& value) {
+  return names_a_file(name) && !value.empty() ? (folder / value).string() : value;
+}
+
+Problem with_named_files(Problem problem, const std::vector<Override>& overrides) {
   RunChoices& choices = problem.choices;
-  for (std::size_t i = 0; i < choices.settings.size() && i < choices.setting_places.size(); ++i)
-    read_named(problem, choices.settings[i].first, choices.settings[i].second,
-               fs::path(choices.setting_places[i].file.text()).parent_path());
-  for (auto [name, value] : overrides) read_named(problem, name, value, folder);
+  for (std::size_t i = 0; i < choices.settings.size() && i < choices.setting_places.size(); ++i) {
+    auto& [name, value] = choices.settings[i];
+    value = from_folder(fs::path(choices.setting_places[i].file.text()).parent_path(), name, value);
+    read_named(problem, name, value);
+  }
+  for (const auto& [name, value] : overrides) read_named(problem, name, value);
   return problem;
 }
 

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
+#include "base/nearest.hpp"
 #include "formats/berkeley/ddaml.hpp"
 #include "formats/case_file/keyblock_case.hpp"
 #include "formats/dxf/dxf.hpp"
@@ -172,9 +174,27 @@ const std::vector<Target>& targets() {
   return all;
 }
 
-const Target* find_target(std::string_view name) {
-  const auto found = std::ranges::find(targets(), name, &Target::name);
-  return found == targets().end() ? nullptr : &*found;
+const Target* find_target(std::string_view word) {
+  const auto by_name = std::ranges::find(targets(), word, &Target::name);
+  if (by_name != targets().end()) return &*by_name;
+  const auto by_ending = std::ranges::find_if(targets(), [&](const Target& target) {
+    return target.parts.size() == 1 && target.parts.front().ending.substr(1) == word;
+  });
+  return by_ending == targets().end() ? nullptr : &*by_ending;
+}
+
+const Target& target_named(std::string_view word) {
+  if (const Target* target = find_target(word)) return *target;
+  std::vector<std::string> names;
+  for (const Target& target : targets()) names.emplace_back(target.name);
+  throw std::invalid_argument(
+      fmt::format("expected one of {}, found \"{}\"{}", target_names(), word, nearest_words(word, names)));
+}
+
+std::string target_names() {
+  std::string names;
+  for (const Target& target : targets()) names += (names.empty() ? "" : ", ") + std::string(target.name);
+  return names;
 }
 
 Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults) {

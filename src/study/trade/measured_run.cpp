@@ -15,12 +15,10 @@
 
 #include "base/stop.hpp"
 #include "model/continuum.hpp"
-#include "run/cover_settings.hpp"
 #include "run/run.hpp"
 #include "settings/profile.hpp"
 #include "study/cases/cases.hpp"
 #include "study/cases/compared_values.hpp"
-#include "study/cases/named_files.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -150,8 +148,7 @@ void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& meas
   const RunPlan& plan = measured.plan;
   std::vector<Override> overrides = chosen.overrides(plan.profile);
   overrides.insert(overrides.end(), plan.set.begin(), plan.set.end());
-  Problem problem = with_named_files(chosen.input.problem, overrides, chosen.folder);
-  const std::vector<Override> left = set_plan(problem, overrides);
+  const auto [problem, left] = configured(chosen.input.problem, overrides);
   const double begin = cpu_seconds();
   const MeshByError found = with_mesh_found(problem, plan.profile, left);
   const double finding = found.rounds.empty() ? 0 : cpu_seconds() - begin;
@@ -181,32 +178,12 @@ void tell(MeasuredRun& measured, MeasuredEnd end, const std::string& reason) {
 
 }  // namespace
 
-std::vector<Override> StudyCase::overrides(const std::string& profile) const {
-  std::vector<Override> all = file.overrides(profile);
-  all.insert(all.end(), common.begin(), common.end());
-  return all;
-}
-
-StudyCase study_case(const std::vector<std::string>& paths, const std::vector<std::string>& beside,
-                     const formats::DrawingChoices& choices) {
-  StudyCase chosen;
-  const auto load = [&](std::vector<std::string> files) {
-    files.insert(files.end(), beside.begin(), beside.end());
-    return formats::load_case(files, choices);
-  };
-  const bool is_folder = paths.size() == 1 && fs::is_directory(paths.front());
-  if (!is_folder) {
-    chosen.input = load(paths);
-    chosen.name = fs::path(paths.front()).stem().string();
-    return chosen;
-  }
-  const CaseFolder folder = the_case_in(paths.front());
-  const fs::path whole = fs::absolute(folder.folder).lexically_normal();
-  chosen.name = (whole.parent_path().filename() / whole.filename()).string();  // cases share names as "coarse"
-  chosen.folder = folder.folder;
-  chosen.file = read_case_file(folder);
-  chosen.input = load(folder.inputs());
-  if (folder.has_expected) chosen.expected = read_expected((folder.folder / "expected.csv").string());
+StudyCase study_case(const std::vector<std::string>& paths) {
+  AskedCase asked = asked_case({paths, {}, {}, {}});
+  StudyCase chosen{std::move(asked), {}, {}};
+  chosen.input = formats::load_case(chosen.files, chosen.choices);
+  const fs::path table = chosen.folder / "expected.csv";
+  if (!chosen.folder.empty() && fs::exists(table)) chosen.expected = read_expected(table.string());
   // Of many runs, not of one.
   std::erase_if(chosen.expected, [](const ExpectedValue& value) { return value.quantity == "factor_of_safety"; });
   return chosen;

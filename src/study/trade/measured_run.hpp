@@ -2,35 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "formats/case.hpp"
 #include "run/prepare.hpp"
-#include "study/cases/case_file.hpp"
+#include "study/cases/asked_case.hpp"
 #include "study/cases/expected.hpp"
 
 namespace keyblock::study {
 
 /// A case that is to be run in many ways, read once.
-struct StudyCase {
-  std::string name;
-  std::filesystem::path folder;  ///< that file names in settings start from
+struct StudyCase : AskedCase {
   formats::Case input;
-  CaseFile file;                        ///< empty where files were given
-  std::vector<Override> common;         ///< on top of the case's own, for every run
-  std::vector<ExpectedValue> expected;  ///< what runs are held against; empty: what moved until the end is taken
-
-  /// The settings of all runs under `profile`.
-  std::vector<Override> overrides(const std::string& profile) const;
+  std::vector<ExpectedValue> expected;  ///< reference of the runs; empty: the displacements at the end are taken
 };
 
-/// The case of one folder (study/cases/cases.hpp), or of the files of one, with further files beside. Throws InputError
-/// as reading does, and for a folder of several cases.
-StudyCase study_case(const std::vector<std::string>& paths, const std::vector<std::string>& beside = {},
-                     const formats::DrawingChoices& choices = {});
+/// Reads the case of one folder (study/cases/cases.hpp), or of the files of one. Throws InputError as reading does, and
+/// for a folder of several cases.
+StudyCase study_case(const std::vector<std::string>& paths);
 
 /// A way to run a case.
 struct RunPlan {

@@ -14,10 +14,8 @@
 #include <string_view>
 
 #include "model/cover_basis.hpp"
-#include "run/cover_settings.hpp"
 #include "settings/profile.hpp"
 #include "study/cases/compared_values.hpp"
-#include "study/cases/named_files.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -41,8 +39,7 @@ Base base_of(const StudyCase& chosen, const std::string& profile, const std::vec
   Base base;
   std::vector<Override> overrides = chosen.overrides(profile);
   overrides.insert(overrides.end(), more.begin(), more.end());
-  Problem problem = with_named_files(chosen.input.problem, overrides, chosen.folder);
-  const std::vector<Override> left = set_plan(problem, overrides);
+  auto [problem, left] = configured(chosen.input.problem, overrides);
   base.has_plan = problem.covers.has_value();
   base.has_cover_file = std::holds_alternative<Cover>(problem.geometry);
   base.has_blocks = !base.has_cover_file && !(base.has_plan && problem.covers->mesh.materials.empty());

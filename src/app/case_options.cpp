@@ -1,0 +1,49 @@
+// One option after the other.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/case_options.hpp"
+
+#include <fmt/format.h>
+
+#include "app/option_checks.hpp"
+#include "base/error.hpp"
+#include "settings/profile.hpp"
+
+namespace keyblock {
+
+CaseOptionList add_case_options(CLI::App& options, CaseOptions& chosen, const std::string& about_files) {
+  CaseOptionList list{};
+  list.files = options.add_option("files", chosen.paths, about_files);
+  list.profile = options
+                     .add_option("--profile", chosen.profile,
+                                 "preset of all choices (default: what a case file says; else legacy for files of the "
+                                 "old programs, which fos and sif take as standard, and standard for own case files)")
+                     ->check(one_word_of(profile_names()));
+  list.sets = options.add_option("--set", chosen.sets, "key=value: one setting on top of the profile; may be repeated")
+                  ->type_name("KEY=VALUE")
+                  ->take_all();
+  list.settings_file = options
+                           .add_option("--settings-file", chosen.settings_file,
+                                       "name = value on each line, below --set; `profile = NAME` too, below --profile")
+                           ->type_name("FILE");
+  list.reading = add_drawing_options(options, chosen.reading);
+  return list;
+}
+
+study::AskedCase case_of(const CaseOptions& chosen) {
+  study::AskedCase asked = study::asked_case(
+      {chosen.paths, chosen.settings_file, chosen.profile, overrides_of(chosen.sets), chosen.reading.choices});
+  take_layers(asked.files, chosen.reading.layers);
+  return asked;
+}
+
+std::vector<Override> overrides_of(const std::vector<std::string>& sets) {
+  std::vector<Override> overrides;
+  for (const std::string& text : sets) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) throw UsageError(fmt::format("--set: expected key=value, found \"{}\"", text));
+    overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return overrides;
+}
+
+}  // namespace keyblock
