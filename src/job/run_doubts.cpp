@@ -187,9 +187,10 @@ void add_imbalance(Warnings& found, const Prepared& prepared, const StepTotals& 
 // Statics: an equilibrium is an answer about the drawing only if it lies near it.
 void add_distance(Judgement& judgement, const Prepared& prepared, const RunRecord& record, const Frame& last,
                   const Place& place) {
-  if (!record.is_static || prepared.scene.settings.dynamics != Dynamics::standard || prepared.scene.is_untouched ||
-      record.outcome.end != RunEnd::finished)
-    return;
+  const Settings& settings = prepared.scene.settings;
+  const bool seeks_equilibrium = record.is_static && settings.dynamics == Dynamics::standard &&
+                                 settings.standard.motion != MotionRule::dynamic && !prepared.scene.is_untouched;
+  if (!seeks_equilibrium || record.outcome.end != RunEnd::finished) return;
   const Model& model = scenes_of(prepared.scene).back()->model;
   const auto in_words = [&](const CarriedBlock& block) {
     return fmt::format(
@@ -211,8 +212,8 @@ void add_distance(Judgement& judgement, const Prepared& prepared, const RunRecor
   if (farthest && farthest->share() > kSeenFromDrawing)
     judgement.remarks.push_back(
         {"equilibrium_moved", place,
-         fmt::format("the equilibrium is not that of the drawing: {}; the scene may be near its limit "
-                     "(keyblock fos: how near)",
+         fmt::format("the equilibrium is not quite that of the drawing: {}; gaps closed, parts are soft, or the scene "
+                     "is near its limit (keyblock fos: how near)",
                      in_words(*farthest))});
   else if (loose && loose->share() > kFarFromDrawing)
     judgement.remarks.push_back(

@@ -218,7 +218,7 @@ Warnings BlockWatch::doubts(const Settings& settings, bool keeps_energy, const P
   if (turned_.angle > kTurned)
     found.push_back(
         {"turned_in_a_step", place,
-         fmt::format("contacts turned block {} near ({}, {}) by {:.2g} degrees in step {}: beyond {:.2g} the "
+         fmt::format("contacts turned block {} near ({}, {}) by {:.3g} degrees in step {}: beyond {:.2g} the "
                      "step does not resolve what it met; a smaller time_step does",
                      turned_.number + 1, plain(turned_.at.x), plain(turned_.at.y),
                      turned_.angle * 180 / std::numbers::pi, turned_.step, kTurned * 180 / std::numbers::pi)});

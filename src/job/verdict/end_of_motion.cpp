@@ -90,7 +90,9 @@ std::string state_in_words(const Prepared& prepared, const RunRecord& record, co
     case MotionState::moving:
       return fmt::format("still moving: {} ({})", fastest, energy);
     case MotionState::equilibrium:
-      return "in equilibrium";
+      return std::ranges::count(record.doubts, "equilibrium_far_away", &Warning::name) == 0
+                 ? "in equilibrium"
+                 : "in an equilibrium far from the drawing";
     case MotionState::no_equilibrium:
       return "no equilibrium";
     case MotionState::not_equilibrium:

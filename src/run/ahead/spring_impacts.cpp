@@ -25,6 +25,12 @@ namespace {
 constexpr double kUnresolved = 1;
 // Steps within a blow that resolve it, as the setting `impact` asks.
 constexpr double kStepsOfBlow = 20;
+// Of the integration of a blow: two stiffnesses farther apart than this, and damping beyond this, change nothing more;
+// step and end in terms of the fastest and the slowest frequency.
+constexpr double kFarApart = 1e3;
+constexpr double kOverdamped = 10;
+constexpr double kOfPeriod = 0.02;
+constexpr double kPeriods = 40;
 // Rebound that is not worth a word.
 constexpr double kNearlyAll = 0.95;
 
@@ -84,16 +90,21 @@ std::string name_of(const Model& model, const Striker& striker) {
 
 }  // namespace
 
+// The corners may strike several times before the block is away; it is when it is farther than its strain swings.
 double SpringImpact::rebound() const {
+  const double springs = std::min(stiffness, kFarApart * strain_stiffness);
+  const double strain = std::min(strain_stiffness, kFarApart * stiffness);
   const double corner = mass / 3;  // inertia of the strain that moves the corners
-  const double fastest = std::sqrt((stiffness + strain_stiffness) / corner);
-  const double slowest = std::sqrt(std::min(stiffness, strain_stiffness) / mass);
-  const double dt = 0.02 / std::max(fastest, damping_time * strain_stiffness / corner);
+  const double fastest = std::sqrt((springs + strain) / corner);
+  const double damping = std::min(damping_time * strain / corner, kOverdamped * fastest);
+  const double dt = kOfPeriod / std::max(fastest, damping);
+  const double away = 2 * std::sqrt(mass / strain);
+  const double longest = kPeriods / std::sqrt(std::min(springs, strain) / mass);
   double y = 0, s = 0, v = -1, rate = 0;  // centroid, and corners against it
-  for (double t = 0; t < 4 * std::numbers::pi / slowest && !(t > 0 && v > 0 && y + s > 0 && v + rate > 0); t += dt) {
-    const double force = -stiffness * std::min(0.0, y + s);
+  for (double t = 0; t < longest && y < away; t += dt) {
+    const double force = -springs * std::min(0.0, y + s);
     v += dt * force / mass;
-    rate += dt * (force - strain_stiffness * (s + damping_time * rate)) / corner;
+    rate += dt * ((force - strain * s) / corner - damping * rate);
     y += dt * v;
     s += dt * rate;
   }
@@ -131,8 +142,8 @@ Warnings spring_impacts(const Prepared& prepared, const Place& place) {
       settings.stiffness_damping.of(model.elements[ElementIndex{striker->element}].material).has_value();
   found.push_back(
       {"strain_damping_takes_rebound", place,
-       fmt::format("impact=springs: {} takes most of a rebound: {}, dropped on a rigid floor, rises to about {:.1g} of "
-                   "the height at small steps, without it to {:.1g}; {} leaves the rebound to the springs",
+       fmt::format("impact=springs: {} takes most of a rebound: {}, dropped on a rigid floor, rises to about {:.2g} of "
+                   "the height at small steps, without it to {:.2g}; {} leaves the rebound to the springs",
                    is_given ? "stiffness_damping" : "strain_damping=critical", name_of(model, *striker),
                    rebound * rebound, undamped.rebound() * undamped.rebound(),
                    is_given ? "stiffness_damping=0" : "strain_damping=none")});
