@@ -20,6 +20,11 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
      "The drawing shows bolts, and neither it nor the analysis says how stiff and strong they are: they carry no "
      "force, and the run is one without bolts.",
      "Give `bolt_properties` in `analysis` of the case file: stiffness, strength and pretension."},
+    {"block_thrown", error, "Energy of one block came from nothing",
+     "A block moves faster than ten times what the fall of blocks, their first speeds, released strain and the work of "
+     "loads on it account for. The energy balance of the whole scene does not show it where the block is small.",
+     "Use a smaller time_step; under profile legacy draw no block much smaller than the others, or use profile "
+     "standard."},
     {"chain_off_boundary", warning, "A chain of loads leaves the boundary",
      "Part of a chain of tractions or prescribed displacements lies on no edge of a body; that part acts on nothing.",
      "Move the points of the chain onto the outline, or end the chain where the body ends."},
@@ -49,6 +54,21 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
     {"energy_beyond_limit", error, "Energy came from nothing",
      "The energy balance created more energy than the setting energy_limit allows.",
      "Use a smaller time_step, or damp bodies on covers by stiffness_damping."},
+    {"equilibrium_far_away", error, "The equilibrium lies far from the drawing",
+     "The equilibrium that statics found lies more than a tenth of the width of a block away from the drawing. Loads "
+     "are "
+     "not in equilibrium where the blocks were drawn; they came to rest after a slide, a fall or a rotation. Width is "
+     "area over twice the distance of the farthest vertex from the centroid; prescribed displacements do not count.",
+     "Find the factor of safety by keyblock fos, or look at the motion by motion=dynamic."},
+    {"equilibrium_moved", warning, "The equilibrium is not quite that of the drawing",
+     "The equilibrium that statics found lies more than 0.005 of the width of a block away from the drawing, more than "
+     "elastic settlement of rock. Scenes near their limit move so; so do gaps that close.",
+     "Find out by keyblock fos how near the limit is."},
+    {"free_blocks", note, "Blocks move freely at the start",
+     "These blocks touch nothing and hang on no bolt. In a run of motion they fall or fly, which is what such cases "
+     "are "
+     "drawn for.",
+     "Nothing, if they are meant to. Otherwise close the gaps of the drawing."},
     {"moved_by_start", error, "The initial state moved a block",
      "The start carried a block further than the setting penetration_limit allows: blocks overlap in the input, or "
      "are too soft for their loads.",
@@ -71,6 +91,31 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
      "A size, density, modulus, gravity or angle is far from what rock, soil and masonry have. Mostly it is in another "
      "unit than the declared one.",
      "Correct the value or `units`; --unit says in which unit a DXF drawing is."},
+    {"springs_unresolved", warning, "The step is too long for the contact springs",
+     "With impact=springs the lightest free body swings on the springs of two corners with the frequency omega = "
+     "sqrt(2 contact_penalty / mass). If omega dt exceeds 1, a blow lasts fewer than four steps, and its rebound and "
+     "forces depend on the step.",
+     "Use a time_step of pi/(20 omega), or a smaller contact_penalty."},
+    {"strain_damping_takes_rebound", warning, "Damping of strain takes the rebound",
+     "With impact=springs a block that strikes strains as it rebounds. Damping of that strain takes energy which the "
+     "springs would give back. The estimate is that of a square of the lightest block's mass on a rigid floor.",
+     "Use strain_damping=none (or stiffness_damping=0) for rebounds, or impact=jump with restitution."},
+    {"sunk_beyond_limit", error, "Blocks lie too deep in one another",
+     "The depth or the common area of two blocks exceeds the setting penetration_limit.",
+     "Use a smaller time_step or stiffer contacts."},
+    {"tension_without_strength", error, "Contacts without tensile strength carry tension",
+     "In more than half of the frames a block hangs on contacts whose joint material has no tensile strength. The "
+     "rules "
+     "of Shi's programs let a contact pull until its faces have parted by a share of the size of the scene.",
+     "Use profile standard."},
+    {"turned_in_a_step", error, "Contacts turned a block by a large angle within a step",
+     "In one step a block turned by more than 0.5 rad beside what its spin accounts for. The step does not resolve "
+     "what "
+     "it met: it may have been struck, or pushed out of an overlap, the wrong way.",
+     "Use a smaller time_step."},
+    {"unbalanced_steps", error, "Forces are out of balance in many steps",
+     "Contact forces were left out of balance by more than 1e-4 of the largest load in more than a tenth of the steps.",
+     "Use a smaller time_step or softer contacts, and remove slivers (slivers=glue)."},
 });
 
 }  // namespace

@@ -11,16 +11,12 @@
 #include "base/words/plain_number.hpp"
 #include "fracture/tip_report.hpp"
 #include "geometry/shared_area.hpp"
+#include "job/verdict/energy_scale.hpp"
 #include "material/elastic.hpp"
-#include "model/body_load.hpp"
+#include "run/verdict/far_from_drawing.hpp"
 
 namespace keyblock {
 namespace {
-
-bool keeps_energy(const RunRecord& record) {
-  if (record.is_static || !record.ledger_sums.is_begun) return false;
-  return record.outcome.ledger_scope.has_flows || record.outcome.ledger_scope.has_work;
-}
 
 std::string law_of(const Prepared& prepared, int number) {
   const Model& first = prepared.scene.model;
@@ -113,24 +109,9 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
                      may_yield(prepared.scene) ? "" : law_of(prepared, number), limit)});
 }
 
-// Of the size of the mean block. Blocks that stand store next to nothing but the strain of their weight, the less the
-// stiffer they are, and a share of that says nothing of their motion: what came from nothing is held against no less
-// than the weight of all that moves does over this way, so that the limit of 0.01 is a lift of the whole by a millionth
-// of a block. Blocks that slid by more than this way, however slowly, are judged by the energy that they had.
-constexpr double kWayOfWeight = 1e-4;
-
-double work_of_weight(const Prepared& prepared, const Frame& first) {
-  const Model& model = prepared.scene.model;
-  double weight = 0;
-  for (const ElementIndex e : indices(model.elements)) {
-    const auto i = static_cast<std::size_t>(e.value);
-    if (i >= first.elements.size() || !model.elements[e].can_move()) continue;
-    weight +=
-        first.elements[i].area * weight_per_area(model.material_of(model.elements[e]), prepared.scene.settings).norm();
-  }
-  return weight * kWayOfWeight * std::sqrt(model.mean_area);
-}
-
+// Energy that came from nothing is held against no less than the work of weight over a small way: the limit of 0.01 is
+// then a lift of the whole by a millionth of a block. Blocks that slid by more than this way, however slowly, are judged
+// by the energy that they had.
 void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Frame& first,
                 const Place& place) {
   if (!keeps_energy(record)) return;
@@ -190,6 +171,55 @@ void add_closing(Warnings& remarks, const Prepared& prepared, const RunRecord& r
                    "where bodies on covers strike, that is of the step, and motions after the blow are too small; a "
                    "smaller time_step, or impact = springs, shows by how much",
                    taken / largest)});
+}
+
+// Of the steps: as many may be out of balance before a run is not trusted.
+constexpr double kUnbalancedSteps = 0.1;
+
+void add_imbalance(Warnings& found, const Prepared& prepared, const StepTotals& totals, const Place& place) {
+  if (prepared.scene.settings.dynamics != Dynamics::standard) return;
+  if (!(totals.unbalanced_steps > kUnbalancedSteps * totals.steps)) return;
+  found.push_back({"unbalanced_steps", place,
+                   fmt::format("forces are out of balance by more than {:.0e} of the load in {} of {} steps, the worst "
+                               "by {:.1e}; beyond {:g} % of the steps the run is not trusted",
+                               kUnbalanced, totals.unbalanced_steps, totals.steps, totals.greatest_residual,
+                               100 * kUnbalancedSteps)});
+}
+
+// Statics: an equilibrium is an answer about the drawing only if it lies near it.
+void add_distance(Judgement& judgement, const Prepared& prepared, const RunRecord& record, const Frame& last,
+                  const Place& place) {
+  const Settings& settings = prepared.scene.settings;
+  const bool seeks_equilibrium = record.is_static && settings.dynamics == Dynamics::standard &&
+                                 settings.standard.motion != MotionRule::dynamic && !prepared.scene.is_untouched;
+  if (!seeks_equilibrium || record.outcome.end != RunEnd::finished) return;
+  const Model& model = scenes_of(prepared.scene).back()->model;
+  const auto in_words = [&](const CarriedBlock& block) {
+    return fmt::format(
+        "{} near ({}, {}) moved by {}, {:.2g} of its width {}",
+        block.is_body ? fmt::format("the body of element {}", block.number + 1) : name_of(model, block.number),
+        plain(block.drawn.x), plain(block.drawn.y), plain(block.way, 3), block.share(), plain(block.width, 3));
+  };
+  const auto farthest = farthest_carried(model, last, record.outcome.field);
+  if (farthest && farthest->share() > kFarFromDrawing) {
+    judgement.doubts.push_back(
+        {"equilibrium_far_away", place,
+         fmt::format(
+             "the equilibrium lies far from the drawing: {}; beyond {:g} it says nothing of the scene as drawn, "
+             "which may be unstable (motion=dynamic shows the motion, keyblock fos the factor of safety)",
+             in_words(*farthest), kFarFromDrawing)});
+    return;
+  }
+  const auto loose = farthest_carried(model, last, record.outcome.field, true);
+  if (farthest && farthest->share() > kSeenFromDrawing)
+    judgement.remarks.push_back(
+        {"equilibrium_moved", place,
+         fmt::format("the equilibrium is not quite that of the drawing: {}; gaps closed, parts are soft, or the scene "
+                     "is near its limit (keyblock fos: how near)",
+                     in_words(*farthest))});
+  else if (loose && loose->share() > kFarFromDrawing)
+    judgement.remarks.push_back(
+        {"equilibrium_moved", place, fmt::format("a small loose block found another place: {}", in_words(*loose))});
 }
 
 // What a stage was to come to before the next began.
@@ -256,6 +286,11 @@ void add_factors(Warnings& remarks, const Prepared& prepared, const Frame& last,
 
 }  // namespace
 
+bool keeps_energy(const RunRecord& record) {
+  if (record.is_static || !record.ledger_sums.is_begun) return false;
+  return record.outcome.ledger_scope.has_flows || record.outcome.ledger_scope.has_work;
+}
+
 Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
                  const Place& place) {
   Judgement judgement;
@@ -264,6 +299,8 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
   add_crushing(found, prepared, record.totals, place);
   add_start(found, prepared, first, place);
   add_energy(found, prepared, record, first, place);
+  add_imbalance(found, prepared, record.totals, place);
+  add_distance(judgement, prepared, record, last, place);
   add_stages(found, record.outcome, place);
   add_plastic_work(judgement.remarks, record, place);
   add_closing(judgement.remarks, prepared, record, place);

@@ -8,6 +8,9 @@
 
 namespace keyblock {
 
+/// Whether the ledger knows the work of all that pushes, of a run in time.
+bool keeps_energy(const RunRecord& record);
+
 struct Judgement {
   Warnings doubts;   ///< why the results are not to be trusted
   Warnings remarks;  ///< what could not be looked at

@@ -34,15 +34,16 @@ std::vector<int> numbers_of(const std::vector<ElementIndex>& elements) {
 }
 
 // As the legend of the picture has it.
-std::string what_failed_does(const RunOutcome& outcome, Dynamics dynamics) {
-  const std::string blocks = outcome.elements.size() == 1 ? fmt::format("block {}", outcome.numbers.front())
-                                                          : counted(outcome.elements.size(), "block");
+std::string what_failed_does(const RunOutcome& outcome, const Scene& scene) {
+  const char* const noun = scene.model.nodes.empty() ? "block" : "element";
+  const std::string blocks = outcome.elements.size() == 1 ? fmt::format("{} {}", noun, outcome.numbers.front())
+                                                          : counted(outcome.elements.size(), noun);
   const bool is_inside_out =
       outcome.failure != FailureKind::accelerates && outcome.reason.find("turned inside out") != std::string::npos;
-  const char* const does = is_inside_out                       ? "turned inside out"
-                           : dynamics == Dynamics::shi         ? "too far for a step"
-                           : !is_of_the_scene(outcome.failure) ? "no rest"
-                                                               : "no equilibrium";
+  const char* const does = is_inside_out                              ? "turned inside out"
+                           : scene.settings.dynamics == Dynamics::shi ? "too far for a step"
+                           : !is_of_the_scene(outcome.failure)        ? "no rest"
+                                                                      : "no equilibrium";
   return fmt::format("{}: {}", blocks, does);
 }
 
@@ -163,7 +164,11 @@ void RunJob::write_tables(const LedgerScope& scope) {
 }
 
 Observer RunJob::observer(const RunListener& listener) {
-  return {[&](const Frame& frame) { folder_.add(frame, std::exchange(field_, {}), std::exchange(contacts_, {})); },
+  return {[&](const Frame& frame) {
+            const Model& model = stepping_ != nullptr ? stepping_->model() : prepared_.scene.model;
+            watch_.blocks().add(frame, contacts_, model, prepared_.scene.settings);
+            folder_.add(frame, std::exchange(field_, {}), std::exchange(contacts_, {}));
+          },
           [&](const StepReport& report) {
             record_.totals.add(report);
             record_.steps.add(report);
@@ -176,6 +181,7 @@ Observer RunJob::observer(const RunListener& listener) {
           [&](const LedgerRow& row) {
             record_.ledger_sums.add(row);
             record_.ledger.add(row);
+            watch_.blocks().add(row);
           },
           [&](Stepper& stepper) {
             if (!history_.rows.empty()) write_tables(stepper.ledger_scope());
@@ -188,7 +194,10 @@ Observer RunJob::observer(const RunListener& listener) {
             joints_.name(contacts_, model);
             joints_of_edges_ = joints_of_edges(model);
           },
-          [&](const Stepper& stepper) { follow(stepper); }};
+          [&](const Stepper& stepper) {
+            watch_.blocks().add(stepper);
+            follow(stepper);
+          }};
 }
 
 bool RunJob::run(const RunListener& listener) {
@@ -243,8 +252,13 @@ void RunJob::judge() {
   record_.is_static = watch_.is_static();
   const Judgement judgement = judged(prepared_, record_, folder_.first_frame(), folder_.last_frame(), place);
   record_.doubts = judgement.doubts;
+  if (record_.outcome.end == RunEnd::finished)
+    record_.doubts =
+        joined(record_.doubts, watch_.blocks().doubts(prepared_.scene.settings, keeps_energy(record_), place));
   record_.warnings = joined(joined(record_.warnings, judgement.remarks), record_.doubts);
   if (record_.outcome.end != RunEnd::failed) record_.equilibrium_way = watch_.equilibrium_way();
+  if (record_.totals.steps > 0)
+    record_.motion = end_of_motion(prepared_, record_, folder_.first_frame(), folder_.last_frame());
 }
 
 std::string RunJob::finish(const std::string& title, double seconds) {
@@ -258,7 +272,7 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                                      record_.outcome.field,
                                      !prepared_.scene.is_untouched,
                                      numbers_of(record_.outcome.elements),
-                                     what_failed_does(record_.outcome, prepared_.scene.settings.dynamics),
+                                     what_failed_does(record_.outcome, prepared_.scene),
                                      !followed_.is_empty(),
                                      joints_of_edges_,
                                      options_.names.rocks,

@@ -22,6 +22,12 @@ struct PathMeasure {
 
 constexpr auto kPaths = std::to_array<PathMeasure>({
     {"outcome.time", m::kTime},
+    {"outcome.motion.fastest.speed", m::kVelocity},
+    {"outcome.motion.fastest.x", m::kLength},
+    {"outcome.motion.fastest.y", m::kLength},
+    {"outcome.motion.farthest.displacement", m::kLength},
+    {"outcome.motion.farthest.x", m::kLength},
+    {"outcome.motion.farthest.y", m::kLength},
     {"extremes.greatest_displacement.value", m::kLength},
     {"extremes.least_principal_stress.value", m::kStress},
     {"extremes.greatest_principal_stress.value", m::kStress},

@@ -110,6 +110,7 @@ Json outcome_json(const RunRecord& record, const Prepared& prepared) {
   for (std::size_t c : outcome.contacts) contacts.push_back(c + 1);
   Json json = {{"end", word_for(outcome.end)}, {"steps", outcome.steps}, {"time", outcome.time}};
   if (!outcome.why_early.empty()) json["ended_early"] = outcome.why_early;
+  if (record.motion) json["motion"] = motion_json(prepared, record, *record.motion);
   if (outcome.end == RunEnd::failed) {
     json["reason"] = outcome.reason;
     json["failure"] = word_for(outcome.failure);

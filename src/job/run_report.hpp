@@ -9,6 +9,7 @@
 
 #include "base/counted.hpp"
 #include "formats/case.hpp"
+#include "job/verdict/end_of_motion.hpp"
 #include "result/extremes.hpp"
 #include "result/reaction_curve.hpp"
 #include "result/step_record.hpp"
@@ -38,6 +39,9 @@ struct EquilibriumWay {
   double last_step_ratio = 0;  ///< the last step over the one before; 0 where each step is an equilibrium
 };
 
+/// A static run that has come this far is in equilibrium.
+inline constexpr double kNearEquilibrium = 0.99;
+
 struct RunRecord {
   std::string profile;
   std::string profile_because;  ///< why it is the one
@@ -54,6 +58,7 @@ struct RunRecord {
   std::vector<ReactionCurve> reactions = {};    ///< of edges that load steps of such rock drive
   bool is_static = false;
   std::optional<EquilibriumWay> equilibrium_way;  ///< of static runs that came to their end
+  std::optional<EndOfMotion> motion = {};         ///< none of a run without a step
   Timings timings;
   Warnings warnings;
   Warnings doubts;  ///< why a run that came to its end is not trusted; among `warnings` too

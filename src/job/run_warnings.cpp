@@ -30,8 +30,6 @@ constexpr double kLargeMisfit = 1e-6;
 // A load step that finds equilibrium only in as many parts is where little more load is borne, or where rock that bore
 // it lets go.
 constexpr int kManyParts = 4;
-// A static run that has come this far is said to be in equilibrium.
-constexpr double kNearEquilibrium = 0.99;
 // A step that is this share of the way before it is round-off: it need not shrink any more.
 constexpr double kNoStep = 1e-9;
 
@@ -51,11 +49,11 @@ std::vector<std::string> start_complaints(const StartReport& start) {
 }
 
 /// Where forces are most out of balance, and among how many contacts.
-std::string worst_contact(const StepReport& step) {
+std::string worst_contact(const StepReport& step, const char* noun) {
   if (step.residual_element == 0) return {};
-  return fmt::format(", where block {} touches block {} at {}, {} ({} contacts in all, {} closed)",
-                     step.residual_element, step.residual_other, plain(step.residual_at.x), plain(step.residual_at.y),
-                     step.contacts, step.closed);
+  return fmt::format(", where {} {} touches {} {} at {}, {} ({} contacts in all, {} closed)", noun,
+                     step.residual_element, noun, step.residual_other, plain(step.residual_at.x),
+                     plain(step.residual_at.y), step.contacts, step.closed);
 }
 
 /// What the steps of a run are held against.
@@ -67,6 +65,7 @@ struct StepLimits {
   bool is_standard = true;
   bool is_moving = true;  ///< in time, under `standard`
   bool searches_pairs = true;
+  const char* noun = "block";
   double allowed = 0;     ///< displacement of a step
   double block_size = 0;  ///< of the mean block
   double deep = 0;        ///< penetration
@@ -84,6 +83,7 @@ StepLimits limits_of(const Scene& first, bool balances) {
   limits.cut_stays = settings.quirks.cut_step_stays;
   limits.is_standard = settings.dynamics == Dynamics::standard;
   limits.is_moving = limits.is_standard && settings.standard.motion == MotionRule::dynamic;
+  limits.noun = model.nodes.empty() ? "block" : "element";
   limits.searches_pairs = model.nodes.empty() && model.elements.size() > 1 && !balances;
   limits.allowed = settings.allowed_displacement_ratio * model.scale;
   limits.block_size = std::sqrt(model.mean_area);
@@ -153,7 +153,7 @@ std::vector<StepKind> kinds_by_solution(const StepLimits& l) {
                     ? fmt::format(
                           "forces are out of balance by more than {:.0e} of the load in {} of {} steps; the worst is "
                           "step {} (time {:.6g}), by {:.1e}{}",
-                          kLargeImbalance, concerned, steps, s.step, s.time, s.residual, worst_contact(s))
+                          kLargeImbalance, concerned, steps, s.step, s.time, s.residual, worst_contact(s, l.noun))
                     : fmt::format(
                           "the equations of {} of {} steps are solved to a relative residual of more than "
                           "{:.0e}; the worst is step {} (time {:.6g}), to {:.1e}",
@@ -217,6 +217,7 @@ void StepWatch::describe(Archive& archive) {
   archive.value("way", way_);
   archive.value("before", before_);
   archive.value("last", last_);
+  archive.group("blocks", [&] { blocks_.describe(archive); });
   archive.table("kinds", seen_, [&](Seen& seen) {
     keyblock::describe(archive, seen.told);
     archive.value("concerned", seen.count);

@@ -9,6 +9,7 @@
 
 #include "base/archive.hpp"
 #include "job/run_report.hpp"
+#include "job/verdict/block_watch.hpp"
 #include "run/prepare.hpp"
 #include "run/run.hpp"
 
@@ -33,6 +34,7 @@ class StepWatch {
   /// At the place of the analysis.
   Warnings warnings(const Place& place) const;
 
+  BlockWatch& blocks() { return blocks_; }
   bool is_static() const { return is_static_; }
   /// None for dynamics, for blocks under the old rules, where points are driven, and before two steps that creep.
   std::optional<EquilibriumWay> equilibrium_way() const;
@@ -45,6 +47,7 @@ class StepWatch {
 
   Warnings far_from_equilibrium(const Place& place) const;
 
+  BlockWatch blocks_;
   std::vector<StepKind> kinds_;
   std::vector<Seen> seen_;  ///< one a kind
   int steps_ = 0;

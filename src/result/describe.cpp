@@ -209,6 +209,7 @@ void describe(Archive& a, StepTotals& totals) {
   a.value("crushed_element", totals.crushed_element);
   a.value("greatest_displacement_ratio", totals.greatest_displacement_ratio);
   a.value("greatest_residual", totals.greatest_residual);
+  a.value("unbalanced_steps", totals.unbalanced_steps);
   a.value("least_dt", totals.least_dt);
   a.value("greatest_dt", totals.greatest_dt);
 }

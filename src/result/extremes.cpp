@@ -8,27 +8,42 @@
 namespace keyblock {
 namespace {
 
+/// The greatest displacement in an element, and the place that it began from.
+struct Displaced {
+  double way = 0;
+  Point from;
+
+  void look_at(Point start, Point displacement) {
+    if (length(displacement) <= way) return;
+    way = length(displacement);
+    from = start;
+  }
+};
+
 // Of its vertices, or of the centroid of a piece that was not there, or had other corners.
-double greatest_displacement(const ElementFrame* start, const ElementFrame& after) {
+Displaced greatest_displacement(const ElementFrame* start, const ElementFrame& after) {
   const auto sizes_of = [](const ElementFrame& element) {
     std::vector<std::size_t> sizes;
     for (const auto& loop : element.loops) sizes.push_back(loop.size());
     return sizes;
   };
+  Displaced greatest;
   const bool is_whole = start != nullptr && start->mass == after.mass && sizes_of(*start) == sizes_of(after);
-  if (!is_whole) return length(after.displacement);
+  if (!is_whole) {
+    greatest.look_at(after.centroid - after.displacement, after.displacement);
+    return greatest;
+  }
   const ElementFrame& before = *start;
-  double greatest = 0;
   for (std::size_t l = 0; l < before.loops.size(); ++l)
     for (std::size_t v = 0; v < before.loops[l].size(); ++v)
-      greatest = std::max(greatest, length(after.loops[l][v] - before.loops[l][v]));
+      greatest.look_at(before.loops[l][v], after.loops[l][v] - before.loops[l][v]);
   return greatest;
 }
 
-double greatest_displacement(const FieldElement& element) {
-  double greatest = 0;
+Displaced greatest_displacement(const FieldElement& element) {
+  Displaced greatest;
   for (const auto& loop : element.loops)
-    for (const FieldCorner& corner : loop) greatest = std::max(greatest, length(corner.displacement));
+    for (const FieldCorner& corner : loop) greatest.look_at(corner.position, corner.displacement);
   return greatest;
 }
 
@@ -51,11 +66,12 @@ Extremes extremes_of(const Frame& start, const Frame& end, const FieldFrame& fie
   for (std::size_t e = 0; e < end.elements.size(); ++e) {
     const int index = number_of(end, e);
     const ElementFrame* first = before.find(index);
-    const double displacement =
+    const Displaced displaced =
         is_from_drawing ? greatest_displacement(field.elements[e]) : greatest_displacement(first, end.elements[e]);
     const auto [least, greatest] = principal(end.elements[e].stress);
-    if (displacement > found.displacement) {
-      found.displacement = displacement;
+    if (displaced.way > found.displacement) {
+      found.displacement = displaced.way;
+      found.displaced_from = displaced.from;
       found.displaced_element = index;
     }
     // What a cut leaves is less for another reason.

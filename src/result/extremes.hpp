@@ -20,6 +20,7 @@ double principal_angle(const Stress& stress);
 struct Extremes {
   double displacement = 0;     ///< greatest of a corner
   int displaced_element = 0;   ///< whose vertex that is, its number from 0
+  Point displaced_from = {};   ///< where that vertex was drawn, or began; of a piece without a start its centroid
   double least_stress = 0;     ///< principal, tension positive, of the mean stresses of elements
   int compressed_element = 0;  ///< number from 0
   double greatest_stress = 0;

@@ -23,7 +23,8 @@ void StepTotals::add(const StepReport& step) {
   penetration_share = worse(penetration_share, step.penetration_share);
   greatest_displacement_ratio = worse(greatest_displacement_ratio, step.displacement_ratio);
   greatest_residual = worse(greatest_residual, step.residual);
-  if (!(step.area_share >= area_share)) {  // NaN too
+  if (!(step.residual <= kUnbalanced)) ++unbalanced_steps;  // NaN too
+  if (!(step.area_share >= area_share)) {                   // NaN too
     area_share = step.area_share;
     crushed_element = step.crushed_element;
   }

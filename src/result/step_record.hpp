@@ -11,6 +11,10 @@
 
 namespace keyblock {
 
+/// Residual of a step whose forces count as out of balance: under `standard` a share of the largest load. The solver
+/// finds forces to 1e-6 and better.
+inline constexpr double kUnbalanced = 1e-4;
+
 /// Of all steps told so far.
 struct StepTotals {
   int steps = 0;
@@ -30,6 +34,7 @@ struct StepTotals {
   int crushed_element = 0;  ///< number of the element that had it
   double greatest_displacement_ratio = 0;
   double greatest_residual = 0;
+  int unbalanced_steps = 0;  ///< with a residual above `kUnbalanced`
   double least_dt = std::numeric_limits<double>::max();
   double greatest_dt = 0;
 

@@ -25,6 +25,7 @@
 #include "model/shared_covers.hpp"
 #include "problem/lines/outline_graph.hpp"
 #include "problem/units/unit_conversion.hpp"
+#include "run/ahead/spring_impacts.hpp"
 #include "step/scene/enforcement.hpp"
 
 namespace keyblock {
@@ -73,6 +74,29 @@ std::string points_outside(const Blocks& blocks, const std::vector<std::vector<P
       found.front().point->block + 1, at(found.front().point->position), plain(found.front().off, 3));
 }
 
+// By the parity of crossings of a level ray with the outline; lines drawn twice count once.
+bool is_inside(const std::vector<Segment>& outline, Point p) {
+  bool inside = false;
+  for (const Segment& line : outline) {
+    if ((line.start.y > p.y) == (line.end.y > p.y)) continue;
+    const double x = line.start.x + (p.y - line.start.y) / (line.end.y - line.start.y) * (line.end.x - line.start.x);
+    if (x > p.x) inside = !inside;
+  }
+  return inside;
+}
+
+bool lies_along(const std::vector<Point>& loop, Point from, Point along, double size, double tolerance) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Point a = loop[i] - from;
+    const Point b = loop[(i + 1) % loop.size()] - from;
+    const double off = std::max(std::abs(a.x * along.y - a.y * along.x), std::abs(b.x * along.y - b.y * along.x));
+    if (off > tolerance) continue;
+    const auto [low, high] = std::minmax({a.x * along.x + a.y * along.y, b.x * along.x + b.y * along.y});
+    if (std::min(high, size) - std::max(low, 0.0) > tolerance) return true;
+  }
+  return false;
+}
+
 /// The blocks of a scene as cut, and who touches whom.
 class Blocky {
  public:
@@ -104,6 +128,7 @@ class Blocky {
     if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) put("block_outside_outline", outside(*drawing));
     if (std::holds_alternative<Blocks>(problem.geometry))  // in others the program says whose a point is
       put("point_outside_its_block", points_outside(blocks_, loops_, kStray * std::sqrt(mean_)));
+    put("free_blocks", flying());
     put("unheld_blocks", unheld());
     put("unsupported_blocks", unsupported());
     put("block_cannot_bend", cannot_bend());
@@ -154,17 +179,6 @@ class Blocky {
         plain(shapes_[thinnest].width(), 3), plain(shapes_[thinnest].length, 3));
   }
 
-  // By the parity of crossings of a level ray with the outline; lines drawn twice count once.
-  static bool is_inside(const std::vector<Segment>& outline, Point p) {
-    bool inside = false;
-    for (const Segment& line : outline) {
-      if ((line.start.y > p.y) == (line.end.y > p.y)) continue;
-      const double x = line.start.x + (p.y - line.start.y) / (line.end.y - line.start.y) * (line.end.x - line.start.x);
-      if (x > p.x) inside = !inside;
-    }
-    return inside;
-  }
-
   std::string outside(const Drawing& drawing) const {
     if (drawing.boundary_count < 3) return {};
     const OutlineGraph graph(std::span(drawing.joints).first(drawing.boundary_count));
@@ -199,11 +213,31 @@ class Blocky {
     return hangs;
   }
 
+  // In motion a block that touches nothing is meant to fall or to fly.
+  bool flies(std::size_t i) const {
+    const auto is_it = [&](ElementIndex e) { return e == index(i); };
+    return !is_static(settings_, model_) && settings_.standard.motion == MotionRule::dynamic &&
+           std::ranges::none_of(touching_, [&](const ElementPair& p) { return is_it(p.lower) || is_it(p.upper); }) &&
+           std::ranges::none_of(model_.bolts,
+                                [&](const Bolt& b) { return is_it(b.first.element) || is_it(b.second.element); });
+  }
+
+  std::string flying() const {
+    const std::vector<bool> hangs = hanging_on_held();
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      if (!hangs[i] && flies(i)) found.push_back(i);
+    if (found.empty()) return {};
+    return fmt::format("{} touch{} nothing at the start and move{} freely, the first is {}",
+                       counted(found.size(), "block"), found.size() == 1 ? "es" : "", found.size() == 1 ? "s" : "",
+                       named(found.front()));
+  }
+
   std::string unheld() const {
     const std::vector<bool> hangs = hanging_on_held();
     std::vector<std::size_t> loose;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
-      if (!hangs[i]) loose.push_back(i);
+      if (!hangs[i] && !flies(i)) loose.push_back(i);
     if (loose.empty()) return {};
     return fmt::format(
         "{} of {} {} connected to nothing that is held, the first is {}: {}", counted(loose.size(), "block"),
@@ -230,18 +264,6 @@ class Blocky {
     }
     const Point way = shapes_[lower].centroid - shapes_[upper].centroid;
     return !shares_a_face && way.x * down.x + way.y * down.y > 0;  // corner on face
-  }
-
-  static bool lies_along(const std::vector<Point>& loop, Point from, Point along, double size, double tolerance) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Point a = loop[i] - from;
-      const Point b = loop[(i + 1) % loop.size()] - from;
-      const double off = std::max(std::abs(a.x * along.y - a.y * along.x), std::abs(b.x * along.y - b.y * along.x));
-      if (off > tolerance) continue;
-      const auto [low, high] = std::minmax({a.x * along.x + a.y * along.y, b.x * along.x + b.y * along.y});
-      if (std::min(high, size) - std::max(low, 0.0) > tolerance) return true;
-    }
-    return false;
   }
 
   std::string unsupported() const {
@@ -519,6 +541,7 @@ Warnings contradictions_of(const BlockMaterial& material, const Units& units) {
 Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
   Warnings found =
       joined(contradictions(problem, prepared.scene.settings, prepared.scene.model), sudden_starts(problem, prepared));
+  found = joined(std::move(found), spring_impacts(prepared, problem.analysis->place));
   if (!is_of_blocks(prepared)) return found;
   return joined(std::move(found), Blocky(prepared).warnings(problem));
 }

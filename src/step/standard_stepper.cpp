@@ -175,6 +175,19 @@ StartPlaces places_at(const StandardScene& scene, const Motion& motion) {
   return places;
 }
 
+// As `impossible` has it, under the number and the noun of the part.
+std::string impossible_part(const StandardScene& scene, const State& end) {
+  const bool is_in_time = scene.settings.standard.motion == MotionRule::dynamic;
+  for (const ElementIndex e : indices(end.elements))
+    if (!(end.elements[e].moments.area > 0))
+      return fmt::format(
+          "{} is turned inside out or no longer finite{}", part_name(scene, e),
+          is_in_time || !scene.model.elements[e].is_on_covers()
+              ? ""
+              : ": its body may snap through or buckle under this load (more steps show at which load it does)");
+  return impossible(end);
+}
+
 }  // namespace
 
 State state_of(const StandardScene& scene, const Motion& motion) {
@@ -353,7 +366,7 @@ std::variant<StepReport, StepFailure> StandardStepper::advance() {
     return failure_of(scene_, motion_, state_, made.step);
   }
   State end = state_of(scene_, made.step.motion);
-  made.step.failure = impossible(end);
+  made.step.failure = impossible_part(scene_, end);
   if (!made.step.failure.empty())
     made.step.failure += crushed_before(scene_, state_of(scene_, start_motion(scene_)), state_, end);
   if (made.step.failure.empty()) made.step.failure = too_deep(scene_, made.step.motion, end);

@@ -9,6 +9,7 @@
 
 #include "contact/rows/gap.hpp"
 #include "material/elastic.hpp"
+#include "step/scene/equilibrium.hpp"
 
 namespace keyblock {
 namespace {
@@ -77,9 +78,9 @@ StepFailure failure_of(const StandardScene& scene, const Motion& motion, const S
   for (std::size_t i : step.undecided) {
     if (i >= step.touches.size() || ++named > kMostNamed) continue;  // behind the touches: bolts and held points
     const Touch& touch = step.touches[i];
-    names += fmt::format("{}{} (block {} on block {})", names.empty() ? "" : ", ", i + 1,
-                         scene.model.number_of(scene.model.vertices[touch.vertex].element),
-                         scene.model.number_of(scene.model.vertices[touch.start].element));
+    names += fmt::format("{}{} ({} on {})", names.empty() ? "" : ", ", i + 1,
+                         part_name(scene, scene.model.vertices[touch.vertex].element),
+                         part_name(scene, scene.model.vertices[touch.start].element));
   }
   const bool of_contact = step.end == RoundsEnd::no_contact_forces || !step.touches.empty();
   const std::string why =
@@ -120,10 +121,9 @@ std::string too_deep(const StandardScene& scene, const Motion& motion, const Sta
     const double depth = -gap_of(touch, end.vertices) - memory.compression;
     if (!(depth > scene.settings.trust.penetration * size)) continue;
     return fmt::format(
-        "block {} and block {} lie {:.3g} deep in one another, {:.2g} of the size of the smaller; beyond {:.2g} "
+        "{} and {} lie {:.3g} deep in one another, {:.2g} of the size of the smaller; beyond {:.2g} "
         "(penetration_limit) nothing that follows can be trusted",
-        scene.model.number_of(vertex), scene.model.number_of(edge), depth, depth / size,
-        scene.settings.trust.penetration);
+        part_name(scene, vertex), part_name(scene, edge), depth, depth / size, scene.settings.trust.penetration);
   }
   return {};
 }

@@ -113,6 +113,31 @@ TEST(RunDoubts, energy_is_held_against_what_weight_does_over_a_small_way_where_l
       << "without weight";
 }
 
+// Of 100 steps 11 out of balance by more than 1e-4 are a doubt, 10 are not; the old rules have no such residual.
+TEST(RunDoubts, forces_out_of_balance_in_more_than_a_tenth_of_the_steps_are_doubted) {
+  const auto doubt = [](int unbalanced, const std::string& profile) -> std::string {
+    Problem problem;
+    Blocks blocks;
+    blocks.blocks = {support::rectangle({0, 0}, {1, 1})};
+    problem.geometry = blocks;
+    problem.analysis = support::plain_analysis(0.01, 100);
+    RunRecord record;
+    for (int i = 0; i < 100; ++i) {
+      StepReport report;
+      report.residual = i < unbalanced ? 2e-4 : 5e-5;
+      record.totals.add(report);
+    }
+    Frame frame;
+    frame.elements.resize(1);
+    frame.elements[0].area = 1;
+    const Warnings doubts = judged(prepare(problem, profile, {}), record, frame, {}, {}).doubts;
+    return doubts.empty() ? "" : doubts.front().name;
+  };
+  EXPECT_EQ(doubt(11, "standard"), "unbalanced_steps");
+  EXPECT_EQ(doubt(10, "standard"), "");
+  EXPECT_EQ(doubt(11, "legacy"), "");
+}
+
 // Slid by a millimetre, 10 J/m: one part in fifty is told of, however slow it was.
 TEST(RunDoubts, energy_of_what_slid_is_held_against_the_largest_there_was) {
   EXPECT_EQ(

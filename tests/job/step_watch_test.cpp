@@ -69,7 +69,7 @@ TEST(StepWatch, forces_out_of_balance_are_told_by_the_worst_step_with_its_contac
   ASSERT_NE(told, found.end());
   EXPECT_EQ(told->sentence,
             "forces are out of balance by more than 1e-06 of the load in 3 of 4 steps; the worst is step 3 (time 1.5), "
-            "by 7.0e-04, where block 12 touches block 22 at 1.5, -2 (40 contacts in all, 30 closed)");
+            "by 7.0e-04, where element 12 touches element 22 at 1.5, -2 (40 contacts in all, 30 closed)");
 }
 
 TEST(StepWatch, bolts_that_break_on_the_way_are_named) {

@@ -228,6 +228,8 @@ void print_summary(const Prepared& prepared, const RunRecord& record, std::size_
   if (record.totals.steps > 0) spdlog::info("{}", passes_in_words(prepared.scene.settings, record.totals));
   if (!record.outcome.why_early.empty())
     spdlog::info("ended before step {}: {}", record.outcome.steps + 1, record.outcome.why_early);
+  if (record.motion)
+    for (const std::string& sentence : sentences(prepared, record, *record.motion)) spdlog::info("{}", sentence);
   spdlog::info("{}, time {:.6g}{}{}; results in {}", counted(record.outcome.steps, "step"), record.outcome.time,
                record.units.time.empty() ? "" : " ", record.units.time, folder);
   if (record.outcome.end == RunEnd::finished && !record.doubts.empty())

@@ -85,19 +85,20 @@ class Relaxation {
     const auto after = vertices_at(scene_.model, scene_.reference, result_.motion.q);
     double farthest = 0;
     Point way;
-    int number = 0;
+    ElementIndex gone = travel.far.front();
     for (const ElementIndex e : travel.far)
       for (const VertexIndex v : scene_.model.elements[e].vertices()) {
         const double share = distance(before[v], after[v]) / scene_.bodies()[e].size;
         if (share <= farthest) continue;
         farthest = share;
         way = after[v] - before[v];
-        number = scene_.model.number_of(e);
+        gone = e;
       }
     result_.failure = fmt::format(
-        "{}; dynamic relaxation followed it for {} steps: block {} has gone {:.3g} times its size, by ({}, {}), "
+        "{}; dynamic relaxation followed it for {} steps: {} has gone {:.3g} times its size, by ({}, {}), "
         "and comes to no rest near where it was",
-        no_equilibrium(scene_, travel.far), steps_, number, farthest, plain(way.x, 3), plain(way.y, 3));
+        no_equilibrium(scene_, travel.far), steps_, part_name(scene_, gone), farthest, plain(way.x, 3),
+        plain(way.y, 3));
   }
 
   void make_step() {

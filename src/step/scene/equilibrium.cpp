@@ -46,6 +46,11 @@ std::vector<int> numbers_of(const StandardScene& scene, const std::vector<Elemen
   return numbers;
 }
 
+std::string_view noun_of(const StandardScene& scene, const std::vector<ElementIndex>& parts) {
+  const auto is_block = [&](ElementIndex e) { return !scene.model.elements[e].is_on_covers(); };
+  return std::ranges::any_of(parts, is_block) ? "block" : "element";
+}
+
 // Slivers are what most often finds no rest.
 std::string smallest_in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
   const auto area_of = [&](ElementIndex e) { return scene.reference.moments[e].area; };
@@ -104,9 +109,13 @@ Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const Un
   return travel;
 }
 
+std::string part_name(const StandardScene& scene, ElementIndex e) {
+  return fmt::format("{} {}", noun_of(scene, {e}), scene.model.number_of(e));
+}
+
 std::string in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
-  return fmt::format("block{} {} ({})", blocks.size() > 1 ? "s" : "", listed(numbers_of(scene, blocks)),
-                     smallest_in_words(scene, blocks));
+  return fmt::format("{}{} {} ({})", noun_of(scene, blocks), blocks.size() > 1 ? "s" : "",
+                     listed(numbers_of(scene, blocks)), smallest_in_words(scene, blocks));
 }
 
 std::string no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
@@ -115,8 +124,8 @@ std::string no_equilibrium(const StandardScene& scene, const std::vector<Element
   std::string_view why;
   for (const ElementIndex e : blocks)
     if (why.empty()) why = scene.groups.of(e).why_unheld();
-  return fmt::format("no equilibrium: block{} {} accelerate{} ({}){}", several ? "s" : "", listed(numbers),
-                     several ? "" : "s", smallest_in_words(scene, blocks), why);
+  return fmt::format("no equilibrium: {}{} {} accelerate{} ({}){}", noun_of(scene, blocks), several ? "s" : "",
+                     listed(numbers), several ? "" : "s", smallest_in_words(scene, blocks), why);
 }
 
 }  // namespace keyblock

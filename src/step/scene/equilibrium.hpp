@@ -35,6 +35,9 @@ struct Travel {
 };
 Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const UnknownsTable& to);
 
+/// "block 3", or "element 3" of an NMM body, as tables number them.
+std::string part_name(const StandardScene& scene, ElementIndex e);
+
 /// "block 3 (at 2.5, 1; area 0.04, 0.312 % of the mean)": which of them, and where they lay at the start.
 std::string in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks);
 

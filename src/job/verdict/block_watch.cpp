@@ -1,0 +1,235 @@
+// Kinetic energy of a block over its mass against the work of weight, loads and strains; tension against weight.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/verdict/block_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "base/words/plain_number.hpp"
+#include "model/body_load.hpp"
+#include "model/scene/scene.hpp"
+
+namespace keyblock {
+namespace {
+
+// Levers and chains of falling masses pass energy on to lighter blocks: ten times the speed of what drives them is more
+// than rock does.
+constexpr double kPassedOn = 100;
+// Of the size of a block: a speed that lifts it by less is none.
+constexpr double kLift = 1e-3;
+// Rotation within a step, rad, that contacts give: the places of a lever as long as the block are then unresolved.
+constexpr double kTurned = 0.5;
+// Of its weight: what hangs on as much tension hangs.
+constexpr double kHangs = 0.5;
+
+struct BlockMotion {
+  Point velocity;
+  double spin = 0;
+};
+
+BlockMotion motion_of(const Model& model, const State& state, const Settings& settings, ElementIndex e) {
+  const Element& element = model.elements[e];
+  const ElementState& now = state.elements[e];
+  const Unknowns rates = end_velocity(now, state, settings, element.material);
+  const Eigen::Vector2d velocity = element.basis->constant * rates;  // of the centroid
+  const int spin = element.basis->rotation_unknown;
+  return {{velocity.x() + now.carried.x, velocity.y() + now.carried.y},
+          now.carried.rotation + (spin < 0 ? 0 : rates[spin])};
+}
+
+double kinetic_over_mass(const BlockMotion& motion, const Moments& start) {
+  const Point& v = motion.velocity;
+  return (v.x * v.x + v.y * v.y + motion.spin * motion.spin * (start.xx + start.yy) / start.area) / 2;
+}
+
+// At most: the square of all stresses.
+double strain_over_mass(const Stress& s, const BlockMaterial& material) {
+  const double squares = s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2 * s.xy * s.xy;
+  return squares * (1 + material.poissons_ratio) / (2 * material.youngs_modulus * material.density);
+}
+
+std::set<int> driven_elements(const Model& model) {
+  std::set<int> driven;
+  for (const CarriedPoint& point : model.fixed_points) driven.insert(point.element.value);
+  return driven;
+}
+
+}  // namespace
+
+double BlockWatch::strain_released(const Stepper& stepper) {
+  const Model& model = stepper.model();
+  double released = 0;
+  for (const ElementIndex e : indices(model.elements)) {
+    const BlockMaterial& material = model.material_of(model.elements[e]);
+    const double strain = strain_over_mass(stepper.state().elements[e].stress, material);
+    const auto number = static_cast<std::size_t>(model.identities.of_element(e.value).number);
+    if (number >= strained_.size()) strained_.resize(number + 1, 0);
+    strained_[number] = std::max(strained_[number], strain);
+    released = std::max(released, strained_[number] - strain);
+  }
+  return released;
+}
+
+void BlockWatch::look_at_turns(const Stepper& stepper) {
+  const Model& model = stepper.model();
+  const State& state = stepper.state();
+  for (const ElementIndex e : indices(model.elements)) {
+    const double rotation = state.elements[e].rotation;
+    const int number = model.identities.of_element(e.value).number;
+    const auto i = static_cast<std::size_t>(number);
+    if (i >= expected_.size()) expected_.resize(i + 1, rotation);
+    if (const double angle = std::abs(rotation - expected_[i]);
+        angle > turned_.angle && !model.elements[e].is_on_covers())
+      turned_ = {angle, number, state.step, state.elements[e].centroid};
+    expected_[i] = rotation + stepper.settings().time_step * motion_of(model, state, stepper.settings(), e).spin;
+  }
+}
+
+void BlockWatch::add(const Stepper& stepper) {
+  const Model& model = stepper.model();
+  const State& state = stepper.state();
+  const Settings& settings = stepper.settings();
+  if (settings.standard.motion == MotionRule::dynamic) look_at_turns(stepper);
+  if (settings.ledger == Bookkeeping::off) return;
+  const std::set<int> driven = driven_elements(model);
+  released_ = std::max(released_, strain_released(stepper));
+  struct Mover {
+    ElementIndex element;
+    double kinetic, mass, weight;
+  };
+  std::vector<Mover> movers;
+  for (const ElementIndex e : indices(model.elements)) {
+    const BlockMaterial& material = model.material_of(model.elements[e]);
+    const Placement& start = stepper.unloaded().elements[e];
+    const Eigen::Vector2d weight = weight_per_area(material, settings) / material.density;
+    const Point way = state.elements[e].centroid - start.centroid;
+    fallen_ = std::max(fallen_, weight.x() * way.x + weight.y() * way.y);
+    const double kinetic = kinetic_over_mass(motion_of(model, state, settings, e), start.moments);
+    const bool gives = state.step == 0 || driven.contains(e.value) || model.elements[e].is_on_covers();
+    if (gives)
+      begun_ = std::max(begun_, kinetic);
+    else
+      movers.push_back({e, kinetic, material.density * start.moments.area, weight.norm()});
+  }
+  for (const Mover& mover : movers) {
+    const ElementState& now = state.elements[mover.element];
+    const double sources = kPassedOn * (begun_ + fallen_ + released_) + work_ / mover.mass +
+                           kLift * mover.weight * std::sqrt(now.moments.area);
+    if (!(mover.kinetic > worst_.excess * sources)) continue;
+    const double excess = sources > 0 ? mover.kinetic / sources : 0;
+    worst_ = {excess,
+              model.identities.of_element(mover.element.value).number,
+              state.step,
+              now.centroid,
+              std::sqrt(2 * mover.kinetic),
+              std::sqrt(2 * sources)};
+  }
+}
+
+void BlockWatch::add(const LedgerRow& row) {
+  const double tight = has_row_ ? 0 : row.stored.contact;
+  has_row_ = true;
+  work_ = std::max(work_ + tight, row.flow.external + row.flow.change + tight);
+}
+
+void BlockWatch::add(const Frame& frame, const ContactFrames& contacts, const Model& model, const Settings& settings) {
+  if (settings.dynamics != Dynamics::shi || frame.step == 0) return;
+  ++frames_;
+  last_ = {};
+  std::map<int, Hanging> hanging;  // by number; `share` is a force until it is divided by the weight
+  std::map<int, Point> weights;
+  for (std::size_t i = 0; i < frame.elements.size(); ++i) {
+    const ElementFrame& element = frame.elements[i];
+    const BlockMaterial& material = model.block_materials[static_cast<std::size_t>(element.material)];
+    const Eigen::Vector2d weight = element.mass / material.density * weight_per_area(material, settings);
+    weights[number_of(frame, i)] = {weight.x(), weight.y()};
+  }
+  const auto pull = [&](int number, int other, Point at, Point force) {
+    const Point weight = weights[number];
+    if (length(weight) == 0) return;
+    Hanging& block = hanging[number];
+    block.share -= dot(force, weight) / dot(weight, weight);
+    block.number = number;
+    block.other = other;
+    block.at = at;
+  };
+  for (const ContactFrame& contact : contacts) {
+    if (!(contact.normal_force < 0) || model.joint_material(contact.joint_material).tensile_strength > 0) continue;
+    const Point force = contact.normal_force * contact.normal;
+    pull(contact.element, contact.other, contact.position, force);
+    pull(contact.other, contact.element, contact.position, -1 * force);
+  }
+  std::set<int> held;
+  for (const PointFrame& point : frame.fixed_points) held.insert(point.element);
+  for (const auto& [number, block] : hanging)
+    if (!held.contains(number) && block.share > std::max(kHangs, last_.share)) last_ = block;
+  if (last_.share > kHangs) ++hanging_;
+}
+
+void BlockWatch::describe(Archive& archive) {
+  archive.value("begun", begun_);
+  archive.value("fallen", fallen_);
+  archive.value("released", released_);
+  archive.value("work", work_);
+  archive.value("has_row", has_row_);
+  archive.numbers("strained", strained_);
+  archive.group("thrown", [&] {
+    archive.value("excess", worst_.excess);
+    archive.value("number", worst_.number);
+    archive.value("step", worst_.step);
+    archive.value("x", worst_.at.x);
+    archive.value("y", worst_.at.y);
+    archive.value("speed", worst_.speed);
+    archive.value("accounted", worst_.accounted);
+  });
+  archive.numbers("expected_rotations", expected_);
+  archive.group("turned", [&] {
+    archive.value("angle", turned_.angle);
+    archive.value("number", turned_.number);
+    archive.value("step", turned_.step);
+    archive.value("x", turned_.at.x);
+    archive.value("y", turned_.at.y);
+  });
+  archive.value("frames", frames_);
+  archive.value("hanging", hanging_);
+  archive.group("hanging_last", [&] {
+    archive.value("share", last_.share);
+    archive.value("number", last_.number);
+    archive.value("other", last_.other);
+    archive.value("x", last_.at.x);
+    archive.value("y", last_.at.y);
+  });
+}
+
+Warnings BlockWatch::doubts(const Settings& settings, bool keeps_energy, const Place& place) const {
+  Warnings found;
+  if (keeps_energy && std::isfinite(settings.trust.energy) && worst_.excess > 1)
+    found.push_back(
+        {"block_thrown", place,
+         fmt::format("energy of one block came from nothing: in step {} block {} near ({}, {}) moves at {}, "
+                     "while weight, loads and strains of all account for {} at most",
+                     worst_.step, worst_.number + 1, plain(worst_.at.x), plain(worst_.at.y), plain(worst_.speed, 3),
+                     plain(worst_.accounted, 3))});
+  if (turned_.angle > kTurned)
+    found.push_back(
+        {"turned_in_a_step", place,
+         fmt::format("contacts turned block {} near ({}, {}) by {:.3g} degrees in step {}: beyond {:.2g} the "
+                     "step does not resolve what it met; a smaller time_step does",
+                     turned_.number + 1, plain(turned_.at.x), plain(turned_.at.y),
+                     turned_.angle * 180 / std::numbers::pi, turned_.step, kTurned * 180 / std::numbers::pi)});
+  if (last_.share > kHangs && 2 * hanging_ > frames_)
+    found.push_back({"tension_without_strength", place,
+                     fmt::format("block {} near ({}, {}) hangs on block {}: contacts without tensile strength carry "
+                                 "{:.2g} of its weight as tension in {} of {} frames, as the rules of the old program "
+                                 "let them; --profile standard does not",
+                                 last_.number + 1, plain(last_.at.x), plain(last_.at.y), last_.other + 1, last_.share,
+                                 hanging_, frames_)});
+  return found;
+}
+
+}  // namespace keyblock
