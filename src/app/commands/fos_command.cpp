@@ -37,6 +37,7 @@ ExitCode find_factor(FosOptions options) {
     if (!reduction.from) reduction.from = asked->from;
     if (!reduction.to) reduction.to = asked->to;
     if (!reduction.within) reduction.within = asked->within;
+    if (reduction.exempt.empty()) reduction.exempt = asked->exempt;
   }
   if (reduction.what.empty()) reduction.what = "joints";
   std::vector<std::string> files = options.paths;
@@ -66,7 +67,7 @@ Action configure_fos(CLI::App& options) {
   add_reduction_options(options, *chosen);
   options.add_option("-o,--output", chosen->folder, "folder for fos.json, trials.csv, picture.svg and fos.svg")
       ->type_name("FOLDER");
-  options.add_flag("--json", chosen->as_json, "print fos.json in place of the table");
+  options.add_flag("--json", chosen->as_json, "print fos.json instead of the table");
   options.add_flag("--force", chosen->force, "overwrite the files of an earlier search");
   add_thread_option(options);
   return [chosen] { return find_factor(*chosen); };

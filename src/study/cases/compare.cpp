@@ -76,9 +76,12 @@ ComparedCase reduced_and_picked(const Loaded& loaded, ComparedCase compared, con
   const ReductionAsked& asked = *loaded.file.reduction;
   Problem problem = with_named_files(loaded.input.problem, overrides, loaded.folder.folder);
   std::vector<Override> left = set_plan(problem, overrides);
-  const StrengthTrials trials(std::move(problem), compared.profile, std::move(left), asked.what);
+  const StrengthTrials trials(std::move(problem), compared.profile, std::move(left), asked.what,
+                              exempt_of(asked.exempt));
   compared.warnings = joined(loaded.input.warnings, trials.prepared().warnings);
-  FactorOfSafety found = factor_of_safety(trials, {asked.from, asked.to, asked.within});
+  SearchOptions search{asked.from, asked.to, asked.within};
+  search.seeks_knee = false;
+  FactorOfSafety found = factor_of_safety(trials, search);
   if (found.end != SearchEnd::bracketed) {
     compared.outcome.end = RunEnd::failed;
     compared.outcome.reason = fmt::format("no bracket of the factor of safety: {}", name_of(found.end));
