@@ -24,9 +24,14 @@ double extent(const Manifold& manifold) {
 
 }  // namespace
 
-const BlockMaterial& Continuum::material(int element) const {
+int Continuum::material_number(int element) const {
+  if (!element_materials.empty()) return element_materials[static_cast<std::size_t>(element)];
   const int body = manifold.elements[static_cast<std::size_t>(element)].body;
-  return materials[static_cast<std::size_t>(manifold.body_materials[static_cast<std::size_t>(body)])];
+  return manifold.body_materials[static_cast<std::size_t>(body)];
+}
+
+const BlockMaterial& Continuum::material(int element) const {
+  return materials[static_cast<std::size_t>(material_number(element))];
 }
 
 Point Continuum::force_at(int element, Point x) const {
@@ -46,9 +51,7 @@ Stress Continuum::initial_stress_at(int element, Point x) const {
 }
 
 ElasticLaw Continuum::law(int element) const {
-  if (laws.empty()) return ElasticLaw::st_venant_kirchhoff;
-  const int body = manifold.elements[static_cast<std::size_t>(element)].body;
-  return laws[static_cast<std::size_t>(manifold.body_materials[static_cast<std::size_t>(body)])];
+  return laws.empty() ? ElasticLaw::st_venant_kirchhoff : laws[static_cast<std::size_t>(material_number(element))];
 }
 
 Eigen::Matrix3d Continuum::modulus(int element) const {

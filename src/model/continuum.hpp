@@ -47,8 +47,9 @@ struct PointSpring {
 
 struct Continuum {
   Manifold manifold;
-  std::vector<BlockMaterial> materials;  ///< `manifold.body_materials` are places in it
-  std::vector<ElasticLaw> laws = {};     ///< one a material; none: that of St. Venant and Kirchhoff
+  std::vector<BlockMaterial> materials;     ///< `manifold.body_materials` are places in it
+  std::vector<int> element_materials = {};  ///< of each element, a place in `materials`; none: that of its body
+  std::vector<ElasticLaw> laws = {};        ///< one a material; none: that of St. Venant and Kirchhoff
   Plane plane = Plane::stress;
   CoverFunctions functions = CoverFunctions::derived;
   TipFunctionPlan tip_functions = {};
@@ -63,6 +64,8 @@ struct Continuum {
   bool faces_touch = false;            ///< those of cracks press and rub in linear statics; else they pass each other
   std::vector<CrackPlan> cracks = {};  ///< of the case file: a run then reports the stress intensity of all tips
 
+  /// A place in `materials`.
+  int material_number(int element) const;
   const BlockMaterial& material(int element) const;
   ElasticLaw law(int element) const;
   /// D, 3 × 3, of an element.

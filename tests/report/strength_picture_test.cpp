@@ -43,18 +43,42 @@ TEST(StrengthPicture, shows_both_states_and_what_slips) {
                                 "stands at 1", two_squares(1, {0, 0}), two_squares(1, {0.3, 0.1}),
                                 "falls at 1.1"};
   const std::string svg = strength_picture(picture);
-  for (const char* part :
-       {"stands at 1", "falls at 1.1", "plastic strain, 0 to 0.01", "slip 0.3, opening 0.1", "</svg>"})
+  for (const char* part : {"stands at 1", "falls at 1.1", "0.01  plastic strain", "slip 0.3, opening 0.1", "</svg>"})
     EXPECT_NE(svg.find(part), std::string::npos) << part;
   StrengthPicture standing = picture;
   standing.falling.reset();
   EXPECT_EQ(strength_picture(standing).find("slip 0.3"), std::string::npos);
 }
 
-TEST(StrengthPicture, the_chart_names_both_ends_of_the_bracket) {
-  const std::string svg = strength_chart({"a case", {{1, 0.01, true}, {1.25, 0.02, true}, {1.3, 7, false}}, 1.25, 1.3});
-  EXPECT_NE(svg.find("stands up to 1.25"), std::string::npos);
-  EXPECT_NE(svg.find("falls from 1.3"), std::string::npos);
+// What falls has no displacement: where its search was given up says nothing.
+TEST(StrengthPicture, the_chart_shows_what_falls_without_a_height_and_never_green) {
+  using Kind = StrengthPoint::Kind;
+  const StrengthChart chart{
+      "a case", {{1, 0.01, Kind::stands}, {1.25, 0.02, Kind::stands}, {1.3, 7, Kind::falls}}, 1.25, 1.3};
+  const std::string svg = strength_chart(chart);
+  EXPECT_NE(svg.find("stands up to 1.25, falls from 1.3"), std::string::npos);
+  for (const char* green : {"#009e73", "#b8ddc4", "green"}) EXPECT_EQ(svg.find(green), std::string::npos);
+  StrengthChart higher = chart;
+  higher.points[2].displacement = 0.001;
+  EXPECT_EQ(strength_chart(higher), svg);
+  EXPECT_NE(svg.find("F = 1.3<"), std::string::npos) << "its cross";
+}
+
+TEST(StrengthPicture, the_chart_says_from_where_displacements_grow) {
+  StrengthChart chart{"a case", {{1, 0.01}, {1.25, 0.2}}, 1.25, {}};
+  EXPECT_EQ(strength_chart(chart).find("displacements grow"), std::string::npos);
+  chart.service = 1.2;
+  EXPECT_NE(strength_chart(chart).find("displacements grow from 1.2"), std::string::npos);
+}
+
+TEST(StrengthPicture, bolts_are_there_with_what_they_carry) {
+  StrengthPicture picture{"a case",      two_squares(1, {0, 0}), {0, 0.01},
+                          "stands at 1", two_squares(1, {0, 0}), two_squares(1, {0.3, 0.1}),
+                          "falls at 1.1"};
+  picture.bolts = {{{{0, 0}, {0.5, 1.5}}, 12.5, false}, {{{0.2, 0}, {0.7, 1.5}}, 40, true}};
+  const std::string svg = strength_picture(picture);
+  for (const char* part : {"2 bolts, 1 at full strength", ">12.5<", ">40 (at its strength)<"})
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
 }
 
 }  // namespace keyblock::report::strength_picture_test

@@ -90,21 +90,38 @@ TEST(FactorOfSafety, a_stop_keeps_the_trials_made) {
 }
 
 // A coarse mesh, whose slope slides far before it finds no equilibrium (tests/run/yielding_rock_test.cpp).
-TEST(FactorOfSafety, the_knee_and_the_loss_of_equilibrium_are_both_told) {
+TEST(FactorOfSafety, rock_is_judged_by_equilibrium_and_its_knee_is_told) {
   const FactorOfSafety found = factor_of_safety(slope(20), {});
   ASSERT_EQ(found.end, SearchEnd::bracketed);
-  ASSERT_TRUE(found.equilibrium.is_closed());
-  EXPECT_GE(*found.equilibrium.stands, *found.bracket.stands);
-  EXPECT_LE(found.equilibrium.width(), 0.01 + 1e-9);
-  const bool differ = *found.equilibrium.stands >= *found.bracket.falls;
+  for (const StrengthTrial& trial : found.trials) EXPECT_EQ(trial.verdict == Verdict::stands, trial.is_balanced);
   bool is_said = false;
-  for (const std::string& note : found.notes) is_said |= note.find("passes its knee") != std::string::npos;
-  EXPECT_EQ(is_said, differ);
+  for (const std::string& note : found.notes) is_said |= note.find("serviceability") != std::string::npos;
+  EXPECT_EQ(is_said, found.grows_before_it_falls());
   EXPECT_FALSE(found.is_lower_estimate);
   EXPECT_TRUE(found.standing->plastic_strains.size() == found.standing->field.elements.size());
   double most = 0;
   for (const double strain : found.standing->plastic_strains) most = std::max(most, strain);
   EXPECT_GT(most, 0);
+}
+
+// More than trials take whose contact forces settle, or where trials are seen to take longer; 0 is none.
+TEST(FactorOfSafety, a_trial_has_a_limit_unless_none_is_asked_for) {
+  EXPECT_EQ(trial_limit(std::nullopt, 0), 20000);
+  EXPECT_EQ(trial_limit(std::nullopt, 5000), 50000);
+  EXPECT_EQ(trial_limit(7, 5000), 7);
+  EXPECT_EQ(trial_limit(0, 5000), std::nullopt);
+}
+
+// The verdict is that of the count alone.
+TEST(FactorOfSafety, a_trial_is_given_up_after_its_linear_systems) {
+  const StrengthTrials trials = block_on_plane();
+  const auto runs = [] { return false; };
+  const long long systems = trials.run(1.2, runs).told.systems;
+  ASSERT_GT(systems, 1);
+  EXPECT_EQ(trials.run(1.2, runs, systems).told.verdict, Verdict::stands);
+  const StrengthTrial given_up = trials.run(1.2, runs, systems - 1).told;
+  EXPECT_EQ(given_up.verdict, Verdict::undecided);
+  EXPECT_EQ(given_up.systems, systems - 1);
 }
 
 }  // namespace keyblock::study::factor_of_safety_test

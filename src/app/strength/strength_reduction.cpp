@@ -23,6 +23,7 @@
 #include "report/rock/strength_picture.hpp"
 #include "run/look_ahead.hpp"
 #include "study/strength/factor_of_safety.hpp"
+#include "study/strength/mesh_error.hpp"
 
 namespace keyblock {
 namespace {
@@ -43,6 +44,8 @@ struct ReducedCase {
   std::vector<Override> overrides;
 };
 
+constexpr double kWithin = 0.01;  // width of the bracket unless asked otherwise
+constexpr double kLower = 20;     // of what a message proposes to begin at
 constexpr std::array<const char*, 4> kFiles{"fos.json", "trials.csv", "picture.svg", "fos.svg"};
 
 Json number_or_none(const std::optional<double>& value) {
@@ -60,20 +63,42 @@ Json blocks_json(const std::vector<int>& blocks) {
 }
 
 std::string kind_of(const StrengthTrial& trial) {
-  return trial.is_past_knee ? "past the knee" : study::name_of(trial.verdict);
+  return trial.is_far ? "far away" : study::name_of(trial.verdict);
 }
 
 Json trial_json(const StrengthTrial& trial) {
   return {{"factor", trial.factor},
           {"verdict", study::name_of(trial.verdict)},
           {"balanced", trial.is_balanced},
+          {"far", trial.is_far},
           {"past_knee", trial.is_past_knee},
           {"why", trial.why},
           {"largest_displacement", trial.displacement},
-          {"rounds", trial.rounds}};
+          {"largest_over_width", trial.is_balanced ? Json(trial.farthest.share()) : Json()},
+          {"rounds", trial.rounds},
+          {"systems", trial.systems}};
 }
 
-Json json_of(const ReducedCase& chosen, const FactorOfSafety& found) {
+// Of displacements: none if they do not grow before the case falls.
+Json service_json(const FactorOfSafety& found) {
+  if (!found.grows_before_it_falls()) return {};
+  Json json = bracket_json(found.service);
+  json["factor"] = found.service.middle();
+  return json;
+}
+
+Json mesh_error_json(const std::optional<study::MeshError>& error) {
+  if (!error) return {};
+  if (!error->coarse) return {{"why_none", error->why_none}};
+  return {{"coarse_mesh_times", study::kCoarserTimes},
+          {"coarse_factor", error->coarse->middle()},
+          {"coarse_bracket", bracket_json(*error->coarse)},
+          {"relative_error", error->share},
+          {"uncertainty", error->uncertainty},
+          {"extrapolated_factor", error->extrapolated}};
+}
+
+Json json_of(const ReducedCase& chosen, const ReductionOptions& options, const FactorOfSafety& found) {
   Json trials = Json::array();
   for (const StrengthTrial& trial : found.trials) trials.push_back(trial_json(trial));
   return {{"program", "keyblock"},
@@ -85,8 +110,11 @@ Json json_of(const ReducedCase& chosen, const FactorOfSafety& found) {
           {"factor_of_safety", found.end == SearchEnd::bracketed ? Json(found.bracket.middle()) : Json()},
           {"bracket", bracket_json(found.bracket)},
           {"to_within", found.within},
-          {"equilibrium", bracket_json(found.equilibrium)},
+          {"far_over_width", kFarFromDrawing},
+          {"serviceability", service_json(found)},
           {"knee_times", study::kKnee},
+          {"mesh_error", mesh_error_json(found.mesh_error)},
+          {"exempt", options.exempt},
           {"lower_estimate", found.is_lower_estimate},
           {"left_out", blocks_json(found.left_out)},
           {"notes", found.notes},
@@ -94,11 +122,11 @@ Json json_of(const ReducedCase& chosen, const FactorOfSafety& found) {
 }
 
 std::string csv_of(const FactorOfSafety& found, const Units& units) {
-  std::string csv = fmt::format("factor,verdict,balanced,past_knee,{},rounds,why\n",
+  std::string csv = fmt::format("factor,verdict,balanced,far,past_knee,{},rounds,systems,why\n",
                                 with_declared("largest_displacement", measures::kLength, units));
   for (const StrengthTrial& t : found.trials)
-    csv += fmt::format("{},{},{},{},{},{},{}\n", t.factor, study::name_of(t.verdict), t.is_balanced, t.is_past_knee,
-                       t.displacement, t.rounds, csv_cell(t.why));
+    csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", t.factor, study::name_of(t.verdict), t.is_balanced, t.is_far,
+                       t.is_past_knee, t.displacement, t.rounds, t.systems, csv_cell(t.why));
   return csv;
 }
 
@@ -110,16 +138,21 @@ std::string sentence_of(const FactorOfSafety& found) {
       return fmt::format("factor of safety{} {:.4g}: stands at {:.6g}, falls at {:.6g}", kind, at.middle(), *at.stands,
                          *at.falls);
     case SearchEnd::falls:
-      return fmt::format("no bracket: it falls at {:.6g}, the least factor tried", *at.falls);
+      return fmt::format("no bracket: it falls at {:.6g}, the least factor tried; --from {:.3g} begins lower",
+                         *at.falls, *at.falls / kLower);
     case SearchEnd::stands:
-      return fmt::format("no bracket: it stands at {:.6g}, the largest factor tried", *at.stands);
+      return fmt::format("no bracket: it stands at {:.6g}, the largest factor tried; --to {:.3g} goes on", *at.stands,
+                         *at.stands * kLower);
     case SearchEnd::undecided:
     case SearchEnd::stopped:
       break;
   }
-  return fmt::format("no bracket to {:g}{}{}", found.within,
-                     at.stands ? fmt::format(": stands at {:.6g}", *at.stands) : "",
-                     at.falls ? fmt::format("; falls at {:.6g}", *at.falls) : "");
+  const std::string known = at.stands && at.falls
+                                ? fmt::format("stands at {:.6g}, falls at {:.6g}", *at.stands, *at.falls)
+                            : at.stands ? fmt::format("stands at {:.6g}, no factor is known to fall", *at.stands)
+                            : at.falls  ? fmt::format("falls at {:.6g}, no factor is known to stand", *at.falls)
+                                        : std::string("no factor is known to stand or to fall");
+  return fmt::format("{}: {}", found.end == SearchEnd::stopped ? "stopped" : "no factor of safety", known);
 }
 
 std::string table_of(const ReducedCase& chosen, const FactorOfSafety& found) {
@@ -146,13 +179,29 @@ FieldFrame as_drawn(FieldFrame field) {
   return field;
 }
 
-report::StrengthPicture picture_of(const ReducedCase& chosen, const FactorOfSafety& found) {
+// As drawn; a bolt at its strength is one that the frame calls broken, for it can carry no more.
+std::vector<report::StrengthBolt> bolts_of(const Model& model, const FactorOfSafety& found) {
+  std::vector<report::StrengthBolt> bolts;
+  for (std::size_t i = 0; i < model.bolts.size(); ++i) {
+    const Bolt& bolt = model.bolts[i];
+    report::StrengthBolt& out = bolts.emplace_back();
+    out.at = {bolt.first.start, bolt.second.start};
+    if (!found.standing || i >= found.standing->frame.bolts.size()) continue;
+    const BoltFrame& now = found.standing->frame.bolts[i];
+    out.is_at_strength = now.is_broken;
+    out.force = now.is_broken ? bolt.strength : now.force;
+  }
+  return bolts;
+}
+
+report::StrengthPicture picture_of(const ReducedCase& chosen, const Model& model, const FactorOfSafety& found) {
   report::StrengthPicture picture;
   picture.title = fmt::format("{}: {}", chosen.name, sentence_of(found));
   picture.falling_words =
       found.bracket.falls ? fmt::format("falls at F = {:.6g}", *found.bracket.falls) : "nothing falls";
   picture.falling = found.falling;
   picture.units = chosen.input.problem.units;
+  picture.bolts = bolts_of(model, found);
   if (found.standing) {
     picture.standing = found.standing->field;
     picture.plastic_strains = found.standing->plastic_strains;
@@ -166,18 +215,23 @@ report::StrengthPicture picture_of(const ReducedCase& chosen, const FactorOfSafe
 }
 
 report::StrengthChart chart_of(const ReducedCase& chosen, const FactorOfSafety& found) {
+  using Kind = report::StrengthPoint::Kind;
   report::StrengthChart chart{fmt::format("{}: largest displacement over F", chosen.name),
                               {},
                               found.bracket.stands,
                               found.bracket.falls,
                               chosen.input.problem.units};
+  if (found.grows_before_it_falls()) chart.service = found.service.falls;
   for (const StrengthTrial& trial : found.trials)
-    chart.points.push_back({trial.factor, trial.displacement, trial.verdict == Verdict::stands});
+    chart.points.push_back({trial.factor, trial.displacement,
+                            trial.verdict == Verdict::stands  ? Kind::stands
+                            : trial.verdict == Verdict::falls ? Kind::falls
+                                                              : Kind::undecided});
   return chart;
 }
 
-void write_files(const ReducedCase& chosen, const ReductionOptions& options, const FactorOfSafety& found,
-                 const std::string& json) {
+void write_files(const ReducedCase& chosen, const ReductionOptions& options, const Model& model,
+                 const FactorOfSafety& found, const std::string& json) {
   const std::filesystem::path folder = options.folder;
   std::filesystem::create_directories(folder);
   const auto write = [&](const char* name, const std::string& text) {
@@ -185,7 +239,7 @@ void write_files(const ReducedCase& chosen, const ReductionOptions& options, con
   };
   write(kFiles[0], json + "\n");
   write(kFiles[1], csv_of(found, chosen.input.problem.units));
-  write(kFiles[2], report::strength_picture(picture_of(chosen, found)));
+  write(kFiles[2], report::strength_picture(picture_of(chosen, model, found)));
   write(kFiles[3], report::strength_chart(chart_of(chosen, found)));
 }
 
@@ -204,12 +258,36 @@ void require_options(const ReducedCase& chosen, const ReductionOptions& options)
 
 study::StrengthTrials trials_of(const ReducedCase& chosen, const ReductionOptions& options) {
   study::ConfiguredProblem made = study::configured(chosen.input.problem, chosen.overrides);
-  return {std::move(made.problem), chosen.profile, std::move(made.overrides), study::reduced_of(options.what)};
+  return {std::move(made.problem), chosen.profile, std::move(made.overrides), study::reduced_of(options.what),
+          study::exempt_of(options.exempt)};
 }
 
 ExitCode exit_code(const FactorOfSafety& found) {
   if (found.end != SearchEnd::stopped) return found.is_safe() ? ExitCode::ok : ExitCode::check_failed;
   return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
+}
+
+CLI::Validator count_of_systems() {
+  const auto refused = [](const std::string& text) -> std::string {
+    const bool is_count =
+        !text.empty() && text.find_first_not_of("0123456789") == std::string::npos && text.size() < 16;
+    if (is_count) return {};
+    return fmt::format(
+        "expected a whole number of linear systems, 0 for no limit, found {}; the limit is not in seconds, "
+        "so that it does not depend on the machine",
+        text);
+  };
+  return {refused, ""};
+}
+
+void add_mesh_error(const study::StrengthTrials& trials, FactorOfSafety& found, study::SearchOptions search) {
+  if (found.end != SearchEnd::bracketed || !trials.depends_on_mesh()) return;
+  search.on_trial = [told = search.on_trial](const StrengthTrial& trial) {
+    spdlog::info("on a coarser mesh, for the error of the mesh:");
+    told(trial);
+  };
+  found.mesh_error = study::mesh_error(trials, found, search);
+  found.notes.push_back(study::in_words(*found.mesh_error));
 }
 
 ReducedCase reduced_case(const study::AskedCase& asked) {
@@ -226,6 +304,7 @@ ReductionOptions with_those_of_case(ReductionOptions options, const study::CaseF
     if (!options.from) options.from = asked->from;
     if (!options.to) options.to = asked->to;
     if (!options.within) options.within = asked->within;
+    if (options.exempt.empty()) options.exempt = asked->exempt;
   }
   if (options.what.empty()) options.what = "joints";
   return options;
@@ -243,10 +322,19 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
       options.add_option("--to-within", chosen.within, "width of the bracket (default: 0.01)")->check(above_zero()),
       options
           .add_option("--trial-limit", chosen.trial_limit,
-                      "seconds after which a trial is given up as undecided, which ends the search with the bracket "
-                      "that is known by then; 0: none (default: 60, beyond 6,000 unknowns one for each 100; or 10 "
-                      "times the longest trial before, where that is more)")
-          ->check(zero_or_above())};
+                      "linear systems after which a trial is given up as undecided, which ends the search with the "
+                      "bracket known by then; 0: none (default: 20,000, or 10 times the longest trial before if that "
+                      "is more)")
+          ->type_name("SYSTEMS")
+          ->check(count_of_systems()),
+      options
+          .add_option("--exempt", chosen.exempt,
+                      "what keeps its strength: material:N, joint_material:N, box:x1,y1,x2,y2 or "
+                      "polygon:x1,y1,x2,y2,x3,y3,…; may be repeated")
+          ->type_name("WHAT")
+          ->take_all(),
+      options.add_flag("!--no-mesh-error", chosen.seeks_mesh_error,
+                       "do not estimate the error of the mesh by a search on a coarser one")};
 }
 
 ExitCode reduce_strength(const study::AskedCase& asked, const ReductionOptions& given) {
@@ -257,28 +345,24 @@ ExitCode reduce_strength(const study::AskedCase& asked, const ReductionOptions& 
   log_warnings(joined(joined(chosen.input.warnings, trials.prepared().warnings),
                       look_ahead(chosen.input.problem, trials.prepared())));
   listen_for_stops();
-  study::SearchOptions search{options.from, options.to, options.within.value_or(0.01)};
+  study::SearchOptions search{options.from, options.to, options.within.value_or(kWithin)};
   search.wants_stop = [] { return stop_signal() != 0 || is_stop_requested(); };
-  TrialWatch watch(options.trial_limit, trials.prepared().requirements.unknowns);
+  search.trial_limit = options.trial_limit;
+  TrialWatch watch;
   search.on_begin = [&](double factor) { watch.begin(factor); };
-  search.why_given_up = [&]() -> std::string {
-    if (stop_signal() != 0 || !watch.takes_back_stop()) return {};
-    if (options.trial_limit) return fmt::format("given up after {:g} s (--trial-limit)", *options.trial_limit);
-    return fmt::format("given up after {:.0f} s, the default of --trial-limit: --trial-limit 0 lets it go on",
-                       *watch.limit());
-  };
   search.on_trial = [&](const StrengthTrial& trial) {
     watch.end();
     spdlog::info("F = {:.6g}: {}{}{}", trial.factor, kind_of(trial), trial.why.empty() ? "" : ": ", trial.why);
   };
   search.on_loose = [](const std::string& sentence) { spdlog::info("{}; the search begins anew", sentence); };
-  const FactorOfSafety found = study::factor_of_safety(trials, search);
-  const std::string json = json_of(chosen, found).dump(1, ' ', false, Json::error_handler_t::replace);
+  FactorOfSafety found = study::factor_of_safety(trials, search);
+  if (options.seeks_mesh_error) add_mesh_error(trials, found, search);
+  const std::string json = json_of(chosen, options, found).dump(1, ' ', false, Json::error_handler_t::replace);
   if (options.as_json)
     fmt::print("{}\n", json);
   else
     fmt::print("{}", table_of(chosen, found));
-  if (!options.folder.empty()) write_files(chosen, options, found, json);
+  if (!options.folder.empty()) write_files(chosen, options, trials.prepared().scene.model, found, json);
   if (found.end == SearchEnd::stopped)
     spdlog::warn("stopped {}", is_at_time_limit() ? "at the limit of processor time" : "by request");
   return exit_code(found);

@@ -17,13 +17,15 @@ struct ReductionOptions {
   std::optional<double> from;
   std::optional<double> to;
   std::optional<double> within;
-  std::optional<double> trial_limit;  ///< seconds
+  std::optional<long long> trial_limit;  ///< linear systems; 0: none
+  std::vector<std::string> exempt;       ///< as `study::exempt_of` reads them
+  bool seeks_mesh_error = true;
   std::string folder;
   bool as_json = false;
   bool force = false;
 };
 
-/// `--from`, `--to`, `--to-within`, `--trial-limit`.
+/// `--from`, `--to`, `--to-within`, `--trial-limit`, `--exempt`, `--no-mesh-error`.
 std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOptions& chosen);
 
 /// Searches, prints and writes; what the options leave open is taken from `case.json`. The profile is `standard` for old

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/stop.hpp"
+#include "base/progress/system_limit.hpp"
 #include "contact/solve/active_forces.hpp"
 #include "contact/solve/contended_pairs.hpp"
 #include "contact/solve/friction_sweeps.hpp"
@@ -114,7 +114,7 @@ class Newton {
     bool is_loose = true;
     const int most = problem_.has_many() ? kMostSetsOfMany : kMostSets;
     for (int i = 0; i < most && has_systems_left(); ++i) {
-      leave_if_stopped();
+      begin_system();
       visited.push_back(grips);
       factorise(grips, proximal.weights);
       const double left = is_loose && system().iterates() ? kForcing * residual(problem_, tried_) : 0;

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/counted.hpp"
 #include "problem/units/measure.hpp"
-#include "report/drawing/chart.hpp"
 #include "report/drawing/colours.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/drawing/scene.hpp"
@@ -26,8 +26,8 @@ constexpr std::size_t kMostArrows = 240;
 constexpr double kArrow = 34;        // page units, of the largest increment
 constexpr double kShownSlip = 0.02;  // of the largest increment: less is not drawn
 constexpr double kSameLine = 1e-6;   // of the extent
-constexpr double kShownRise = 1.25;  // of the largest displacement that stands: what falls is drawn no higher
 constexpr std::size_t kMostEdges = 6'000;
+constexpr double kBarFromCaption = 240;
 constexpr std::string_view kSlipColour = "#b2182b";
 constexpr std::string_view kArrowColour = "#222222";
 
@@ -60,11 +60,39 @@ std::string heat(double share) {
   return fmt::format("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2));
 }
 
-void draw_heat_bar(SvgPage& page, Point corner, const std::string& words) {
+// The least value, the bar, the greatest value and what they are, in one line.
+void draw_heat_bar(SvgPage& page, Point corner, const std::string& most, const std::string& words) {
   constexpr int kParts = 30;
+  page.text(corner + Point{-6, 10}, "0", {.size = 12, .anchor = Anchor::end});
   for (int i = 0; i < kParts; ++i)
     page.rectangle(corner + Point{4.0 * i, 0}, 4.4, 10, {.fill = heat((i + 0.5) / kParts)});
-  page.text(corner + Point{4.0 * kParts + 8, 10}, words, {.size = 12});
+  page.text(corner + Point{4.0 * kParts + 8, 10}, most + "  " + words, {.size = 12});
+}
+
+std::string force_words(double force, const Units& units) {
+  const bool is_named = is_declared(measures::kForce, units);
+  return is_named ? fmt::format("{:.3g} {}", force, unit_of(measures::kForce, units)) : fmt::format("{:.3g}", force);
+}
+
+// With the force where they stand; few numbers only, or they hide each other.
+void draw_bolts(SvgPage& page, const PageMap& map, const StrengthPicture& picture, bool with_forces) {
+  constexpr std::size_t kMostNumbers = 12;
+  constexpr std::string_view kAtStrength = "#b2182b";
+  const bool has_numbers = with_forces && picture.bolts.size() <= kMostNumbers;
+  for (const StrengthBolt& bolt : picture.bolts) {
+    const bool is_red = with_forces && bolt.is_at_strength;
+    page.line(map(bolt.at.start), map(bolt.at.end), {.stroke = is_red ? kAtStrength : kBoltColour, .stroke_width = 2});
+    if (!has_numbers) continue;
+    page.text(map(bolt.at.start) + Point{0, -6},
+              force_words(bolt.force, picture.units) + (is_red ? " (at its strength)" : ""),
+              {.size = 11, .anchor = Anchor::middle, .fill = is_red ? kAtStrength : kBoltColour, .bold = true});
+  }
+}
+
+std::string bolts_in_words(const StrengthPicture& picture) {
+  if (picture.bolts.empty()) return {};
+  const auto spent = static_cast<std::size_t>(std::ranges::count_if(picture.bolts, &StrengthBolt::is_at_strength));
+  return fmt::format("; {}, {} at full strength (red)", counted(picture.bolts.size(), "bolt"), spent);
 }
 
 /// An edge of an element as it lay at the start.
@@ -142,8 +170,10 @@ void draw_standing(SvgPage& page, const PageMap& map, const StrengthPicture& pic
         has_flow ? heat(picture.plastic_strains.at(e) / most) : std::string(area_colour(element.material));
     page.polygon(map(outline(element, 0)), {.fill = colour, .stroke = "#777777", .stroke_width = width});
   }
-  page.text(caption, picture.standing_words, {.size = 13, .bold = true});
-  if (has_flow) draw_heat_bar(page, caption + Point{230, -10}, fmt::format("plastic strain, 0 to {:.2g}", most));
+  draw_bolts(page, map, picture, true);
+  page.text(caption, picture.standing_words + bolts_in_words(picture), {.size = 13, .bold = true});
+  if (has_flow)
+    draw_heat_bar(page, caption + Point{kBarFromCaption, -10}, fmt::format("{:.2g}", most), "plastic strain");
 }
 
 void draw_falling(SvgPage& page, const PageMap& map, const StrengthPicture& picture, Point caption) {
@@ -172,7 +202,71 @@ void draw_falling(SvgPage& page, const PageMap& map, const StrengthPicture& pict
     const Point way = (kArrow / most) * increment(e);
     draw_arrow(page, map(before.elements[e].middle.position), {way.x, -way.y});
   }
-  draw_heat_bar(page, caption + Point{230, -10}, "increment over the largest; red lines: joints that slip or open");
+  draw_bolts(page, map, picture, false);
+  draw_heat_bar(page, caption + Point{kBarFromCaption, -10}, "1",
+                "displacement increment over the largest; red lines: joints that slip or open");
+}
+
+constexpr double kStrip = 22;  // above the axes, of trials without a displacement
+constexpr std::string_view kStandsColour = "#0072b2";
+constexpr std::string_view kFallsColour = "#b2182b";
+constexpr std::string_view kUndecidedColour = "#777777";
+constexpr std::string_view kServiceColour = "#8a6d3b";
+constexpr std::string_view kBracketColour = "#fde3d3";
+
+std::string_view colour_of(StrengthPoint::Kind kind) {
+  if (kind == StrengthPoint::Kind::stands) return kStandsColour;
+  return kind == StrengthPoint::Kind::falls ? kFallsColour : kUndecidedColour;
+}
+
+std::vector<LegendEntry> chart_legend(const std::vector<StrengthPoint>& points, const StrengthChart& chart) {
+  using Kind = StrengthPoint::Kind;
+  const auto has = [&](Kind kind) { return std::ranges::count(points, kind, &StrengthPoint::kind) > 0; };
+  using Sign = LegendEntry::Sign;
+  std::vector<LegendEntry> legend;
+  if (has(Kind::stands)) legend.push_back({.sign = Sign::dots, .colour = kStandsColour, .words = "stands"});
+  if (has(Kind::falls))
+    legend.push_back({.sign = Sign::line, .colour = kFallsColour, .words = "× falls (no displacement)"});
+  if (has(Kind::undecided)) legend.push_back({.sign = Sign::line, .colour = kUndecidedColour, .words = "× undecided"});
+  if (chart.stands && chart.falls)
+    legend.push_back({.sign = Sign::area,
+                      .colour = kBracketColour,
+                      .words = fmt::format("stands up to {:.4g}, falls from {:.4g}", *chart.stands, *chart.falls)});
+  if (chart.service)
+    legend.push_back({.sign = Sign::dashed_line,
+                      .colour = kServiceColour,
+                      .words = fmt::format("displacements grow from {:.4g}", *chart.service)});
+  return legend;
+}
+
+void draw_bracket(SvgPage& page, const Plot& plot, const StrengthChart& chart) {
+  const double top = plot.corner.y - kStrip;
+  if (chart.stands && chart.falls) {
+    const double left = plot({*chart.stands, 0}).x, right = plot({*chart.falls, 0}).x;
+    page.rectangle({left, top}, std::max(1.5, right - left), plot.size.y + kStrip, {.fill = kBracketColour});
+  }
+  if (!chart.service) return;
+  const double x = plot({*chart.service, 0}).x;
+  page.line({x, top}, {x, plot.corner.y + plot.size.y}, {.stroke = kServiceColour, .stroke_width = 1.2, .dash = "4 3"});
+}
+
+// What stands lies at its displacement, on a line; the others are crosses in the strip above the axes.
+void draw_trials(SvgPage& page, const Plot& plot, const std::vector<StrengthPoint>& points) {
+  std::vector<Point> line;
+  for (const StrengthPoint& point : points)
+    if (point.kind == StrengthPoint::Kind::stands) line.push_back(plot({point.factor, point.displacement}));
+  page.polyline(line, {.stroke = kStandsColour, .stroke_width = 2});
+  for (const Point p : line) page.circle(p, 3.2, {.fill = "#ffffff", .stroke = kStandsColour, .stroke_width = 1.5});
+  constexpr double kArm = 3.5;
+  for (const StrengthPoint& point : points) {
+    if (point.kind == StrengthPoint::Kind::stands) continue;
+    const Point p{plot({point.factor, 0}).x, plot.corner.y - kStrip / 2};
+    const Style style{.stroke = colour_of(point.kind), .stroke_width = 2};
+    page.begin_group(fmt::format("F = {:.6g}", point.factor));
+    page.line(p - Point{kArm, kArm}, p + Point{kArm, kArm}, style);
+    page.line(p + Point{-kArm, kArm}, p + Point{kArm, -kArm}, style);
+    page.end_group();
+  }
 }
 
 }  // namespace
@@ -210,27 +304,24 @@ std::string strength_chart(const StrengthChart& chart) {
   constexpr double kWidth = 700, kHeight = 460, kTop = 50;
   SvgPage page(kWidth, kHeight);
   page.text({kMargin, 28}, chart.title, {.size = 17, .bold = true});
+  if (chart.points.empty()) return page.str();
   std::vector<StrengthPoint> points = chart.points;
   std::ranges::sort(points, {}, &StrengthPoint::factor);
-  Curve line{"equilibrium", {}, {}}, stands{"stands", {}, {}, Curve::Style::points},
-      falls{"falls", {}, {}, Curve::Style::points};
+  const std::vector<LegendEntry> legend = chart_legend(points, chart);
+  const double width = kWidth - 2 * kMargin - kPlotLeft - kPlotRight;
+  const double strip = kTop + legend_height(legend, width) + 6;
   double most = 0;
-  for (const StrengthPoint& point : points) {
-    if (point.stands) line.x.push_back(point.factor), line.y.push_back(point.displacement);
-    if (point.stands) most = std::max(most, point.displacement);
-  }
-  for (const StrengthPoint& point : points) {
-    Curve& of = point.stands ? stands : falls;
-    of.x.push_back(point.factor);
-    of.y.push_back(point.stands ? point.displacement : std::min(point.displacement, kShownRise * most));
-  }
-  std::vector<Curve> curves{line, stands, falls};
-  for (const auto& [end, words] : {std::pair{chart.stands, "stands up to"}, std::pair{chart.falls, "falls from"}})
-    if (end) curves.push_back({fmt::format("{} {:.4g}", words, *end), {*end, *end}, {0, kShownRise * most}});
-  if (has_points(curves))
-    draw_chart(
-        page, {kMargin, kTop}, {kWidth - 2 * kMargin, kHeight - kTop - 14}, curves,
-        {"factor that strength is divided by", with_unit("largest displacement", measures::kLength, chart.units)});
+  for (const StrengthPoint& point : points)
+    if (point.kind == StrengthPoint::Kind::stands) most = std::max(most, point.displacement);
+  const Plot plot{.corner = {kMargin + kPlotLeft, strip + kStrip},
+                  .size = {width, kHeight - strip - kStrip - kPlotBottom - 14},
+                  .x = make_axis(points.front().factor, points.back().factor, static_cast<int>(width / 90)),
+                  .y = make_axis(0, most > 0 ? most : 1, 5)};
+  draw_legend(page, {kMargin + kPlotLeft, kTop}, width, legend);
+  draw_bracket(page, plot, chart);
+  draw_axes(page, plot, "factor that strength is divided by",
+            with_unit("largest displacement", measures::kLength, chart.units));
+  draw_trials(page, plot, points);
   return page.str();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/point.hpp"
 #include "problem/run_choices.hpp"
 #include "result/field_frame.hpp"
 
@@ -13,9 +14,10 @@ namespace keyblock::report {
 
 /// A run at one factor.
 struct StrengthPoint {
+  enum class Kind { stands, falls, undecided };
   double factor = 1;
-  double displacement = 0;
-  bool stands = true;
+  double displacement = 0;  ///< of one that stands; others have none that means anything
+  Kind kind = Kind::stands;
 };
 
 struct StrengthChart {
@@ -24,9 +26,11 @@ struct StrengthChart {
   std::optional<double> stands;  ///< the bracket
   std::optional<double> falls;
   Units units = {};
+  std::optional<double> service = {};  ///< factor from which displacements grow, if that is below the bracket
 };
 
-/// An SVG document: the largest displacement over the factor, and the bracket as a band.
+/// An SVG document: the largest displacement of the trials that stand over the factor, and the bracket as a band.
+/// Trials that fall or are undecided have no displacement: they are crosses in a strip above the axes.
 std::string strength_chart(const StrengthChart& chart);
 
 /// A stretch of a joint whose sides move against each other between two states.
@@ -41,6 +45,13 @@ struct SlipLine {
 /// have the same elements. Ends are told apart to 1e-6 of the extent.
 std::vector<SlipLine> slip_lines(const FieldFrame& before, const FieldFrame& after);
 
+/// A bolt as drawn, and what it carries in the last state that stands.
+struct StrengthBolt {
+  Segment at;
+  double force = 0;
+  bool is_at_strength = false;  ///< it carries no more
+};
+
 struct StrengthPicture {
   std::string title;
   FieldFrame standing;
@@ -50,10 +61,12 @@ struct StrengthPicture {
   std::optional<FieldFrame> falling;    ///< with the same elements
   std::string falling_words;            ///< "falls at 1.4"
   Units units = {};
+  std::vector<StrengthBolt> bolts = {};
 };
 
-/// An SVG document of two panels: the last state that stands, coloured by plastic strain where there is any; and the
-/// displacement increments of what moves, coloured by their size over the largest, with arrows, and joints that slip.
+/// An SVG document of two panels: the last state that stands, coloured by plastic strain if there is any, with the
+/// forces of bolts; and the displacement increments of what moves, coloured by their size over the largest, with
+/// arrows, and joints that slip.
 std::string strength_picture(const StrengthPicture& picture);
 
 }  // namespace keyblock::report

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/loaded_tangent.hpp"
 
+#include "base/progress/system_limit.hpp"
 #include "step/bodies/linear_static.hpp"
 
 namespace keyblock {
@@ -14,6 +15,7 @@ LoadedTangent::LoadedTangent(const LoadedBodies& bodies)
       tangent_(bodies.tangent()) {}
 
 const LinearFactor& LoadedTangent::factor_at(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share) {
+  begin_system();
   bodies_->put_tangent(from, d, elastic_share, tangent_);
   if (is_symmetric_) {
     try {

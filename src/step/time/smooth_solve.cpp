@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/progress/system_limit.hpp"
 #include "step/newton/newton.hpp"
 #include "step/time/free_motion.hpp"
 #include "step/time/smooth_contacts.hpp"
@@ -54,6 +55,7 @@ class SmoothSolve {
     const bool falls_slowly = !free_.is_linear() && round > 1 && change_ > of_smooth_motion::kWorstGain * before_;
     is_new_tangent_ = round == 0 || (falls_slowly && may_be_tangent());
     if (is_new_tangent_) {
+      begin_system();
       result_.converged = free_.linearise(increments_);
       tangent_at_ = increments_;
     }

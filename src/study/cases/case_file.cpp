@@ -133,8 +133,20 @@ Variant variant_of(const Node& node) {
   return variant;
 }
 
+std::vector<std::string> exempt_words(const Node& list) {
+  if (!list.json.is_array()) list.refuse("a list of texts");
+  std::vector<std::string> words;
+  for (const Json& word : list.json) words.push_back(Node{list.folder, list.file, list.key, word}.text());
+  try {
+    exempt_of(words);
+  } catch (const std::invalid_argument& error) {
+    throw InputError({list.file, 0, 0}, error.what());
+  }
+  return words;
+}
+
 ReductionAsked reduction_of(const Node& node) {
-  node.require_keys({"what", "from", "to", "to_within"});
+  node.require_keys({"what", "from", "to", "to_within", "exempt"});
   if (!node.json.contains("what")) node.refuse("the key \"what\" in it");
   ReductionAsked asked;
   try {
@@ -146,6 +158,7 @@ ReductionAsked reduction_of(const Node& node) {
   if (node.json.contains("to")) asked.to = positive(node.at("to"));
   if (asked.to && *asked.to <= asked.from.value_or(1)) node.at("to").refuse("a number greater than that of \"from\"");
   if (node.json.contains("to_within")) asked.within = positive(node.at("to_within"));
+  if (node.json.contains("exempt")) asked.exempt = exempt_words(node.at("exempt"));
   return asked;
 }
 

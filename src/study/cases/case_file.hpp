@@ -3,7 +3,8 @@
 //
 // Layout, every key optional:
 //   {"about": "one sentence", "slow": false,
-//    "reduce_strength": {"what": "joints", "from": 1, "to": 2, "to_within": 0.01},     in place of a run: `fos`
+//    "reduce_strength": {"what": "joints", "from": 1, "to": 2, "to_within": 0.01,
+//                        "exempt": ["joint_material:2"]},                        instead of a run: `fos`
 //    "set": {"both": {"SETTING": "VALUE"}, "legacy": {…}, "standard": {…}},      as by `run --set`
 //    "variants": [{"name": "10 ms, rigid", "profile": "standard", "set": {"SETTING": "VALUE"},
 //                  "tolerance": 2e-3, "reason": "why this tolerance"}],
@@ -38,6 +39,7 @@ struct ReductionAsked {
   std::optional<double> from;
   std::optional<double> to;
   double within = 0.01;
+  std::vector<std::string> exempt = {};  ///< as `exempt_of` reads them
 };
 
 struct CaseFile {

@@ -81,9 +81,12 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
 ComparedCase reduced_and_picked(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
   const ReductionAsked& asked = *loaded.file.reduction;
   ConfiguredProblem made = configured(loaded.input.problem, overrides);
-  const StrengthTrials trials(std::move(made.problem), compared.profile, std::move(made.overrides), asked.what);
+  const StrengthTrials trials(std::move(made.problem), compared.profile, std::move(made.overrides), asked.what,
+                              exempt_of(asked.exempt));
   compared.warnings = joined(loaded.input.warnings, trials.prepared().warnings);
-  FactorOfSafety found = factor_of_safety(trials, {asked.from, asked.to, asked.within});
+  SearchOptions search{asked.from, asked.to, asked.within};
+  search.seeks_knee = false;
+  FactorOfSafety found = factor_of_safety(trials, search);
   if (found.end != SearchEnd::bracketed) {
     compared.outcome.end = RunEnd::failed;
     compared.outcome.reason = fmt::format("no bracket of the factor of safety: {}", name_of(found.end));

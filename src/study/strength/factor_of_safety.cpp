@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "base/stop.hpp"
@@ -15,7 +17,6 @@
 namespace keyblock::study {
 namespace {
 
-constexpr double kUp = 1.25;
 constexpr double kDown = 0.8;
 constexpr double kFarthest = 16;  // times the first factor, or its part
 // Of half the scene's extent: displacements below it are none, as those of rigid blocks are.
@@ -25,13 +26,16 @@ constexpr double kNoDisplacement = 1e-5;
 constexpr double kSlid = 0.01;
 constexpr double kAsFar = 0.95;
 constexpr double kWeakest = 0.45;
+// Of the limit of a trial: a slope of 100 blocks whose contact forces settle by relaxation takes some thousands.
+constexpr long long kFewestSystems = 20'000;
+constexpr long long kTimesLongest = 10;
 
 using Trials = std::map<double, TrialOutcome>;  // by factor
 
 class FactorSearch {
  public:
   FactorSearch(const StrengthTrials& trials, const SearchOptions& options) : trials_(trials), options_(options) {
-    first_ = options.from.value_or(1);
+    first_ = options.from.value_or(options.guess);
     most_ = options.to.value_or(std::max(1.0, first_) * kFarthest);
   }
 
@@ -56,20 +60,23 @@ class FactorSearch {
     double factor = first_;
     if (verdict == Verdict::falls && options_.from && !bracket_of(verdict_).stands) return SearchEnd::falls;
     while (verdict == Verdict::stands && factor < most_)
-      verdict = made_at(factor = std::min(most_, options_.to && options_.from ? most_ : factor * kUp));
-    if (verdict == Verdict::stands) return SearchEnd::stands;
+      verdict = made_at(factor = std::min(most_, options_.to && options_.from ? most_ : factor * options_.up));
+    if (verdict == Verdict::stands) {
+      close_service();
+      return SearchEnd::stands;
+    }
     while (verdict == Verdict::falls && !bracket_of(verdict_).stands && factor > first_ / kFarthest)
       verdict = made_at(factor *= kDown);
     if (verdict == Verdict::stands) verdict = seek_reference(factor);
     if (verdict == Verdict::falls && !bracket_of(verdict_).stands) return SearchEnd::falls;
     if (verdict == Verdict::undecided || !bisect(verdict_)) return SearchEnd::undecided;
-    // What is past the knee may stand well beyond it.
-    while (bracket_of(balance_).stands && !bracket_of(balance_).falls && bracket_of(balance_).stands < most_) {
-      if (made_at(std::min(most_, *bracket_of(balance_).stands * kUp)) == Verdict::undecided)
-        return SearchEnd::bracketed;
-    }
-    if (bracket_of(balance_).is_closed()) bisect(balance_);
+    close_service();
     return SearchEnd::bracketed;
+  }
+
+  void close_service() {
+    const Bracket service = bracket_of(service_);
+    if (options_.seeks_knee && service.is_closed() && *service.falls <= *bracket_of(verdict_).stands) bisect(service_);
   }
 
   /// Goes down while the trial at `first`, though in equilibrium, is one of a case that slid before it found that. What
@@ -126,31 +133,32 @@ class FactorSearch {
   }
 
   TrialOutcome tried_at(double factor) {
-    try {
-      return trials_.run(factor, options_.wants_stop);
-    } catch (const StopRequested&) {
-      TrialOutcome given_up;
-      given_up.told.factor = factor;
-      given_up.told.why = options_.why_given_up();
-      if (given_up.told.why.empty()) throw;
-      return given_up;
-    }
+    long long longest = 0;
+    for (const auto& [_, made] : made_)
+      if (made.told.verdict != Verdict::undecided) longest = std::max(longest, made.told.systems);
+    return trials_.run(factor, options_.wants_stop, trial_limit(options_.trial_limit, longest));
   }
 
   void judge() {
     const double none = kNoDisplacement * trials_.prepared().scene.model.scale;
     const auto first = std::ranges::find_if(made_, [](const auto& entry) { return entry.second.told.is_balanced; });
     if (first == made_.end()) return;
-    const double allowed = kKnee * std::max(none, first->second.told.displacement);
+    const StrengthTrial& least = first->second.told;
+    const double still = std::max(none, least.displacement);
     for (auto& [factor, made] : made_) {
       StrengthTrial& told = made.told;
       if (!told.is_balanced) continue;
-      told.is_past_knee = told.displacement > allowed;
-      told.verdict = told.is_past_knee ? Verdict::falls : Verdict::stands;
-      told.why = told.is_past_knee
-                     ? fmt::format("in equilibrium, but {:.3g} times as far from the start as at {:.4g}",
-                                   told.displacement / std::max(none, first->second.told.displacement), first->first)
-                     : std::string();
+      told.is_far = told.farthest.share() - least.farthest.share() > kFarFromDrawing;
+      told.is_past_knee = told.displacement > kKnee * still;
+      told.verdict = told.is_far ? Verdict::falls : Verdict::stands;
+      told.why.clear();
+      if (told.is_past_knee)
+        told.why = fmt::format("displacements {:.3g} times those at {:.4g}", told.displacement / still, least.factor);
+      if (told.is_far)
+        told.why =
+            fmt::format("in equilibrium, but far from the drawing: {} {} has moved by {:.3g}, {:.2g} of its width",
+                        told.farthest.is_body ? "the body of element" : "block", told.farthest.number + 1,
+                        told.farthest.way, told.farthest.share());
     }
   }
 
@@ -172,10 +180,11 @@ class FactorSearch {
   void put_trials() {
     for (const double factor : order_) result_.trials.push_back(made_.at(factor).told);
     result_.bracket = bracket_of(verdict_);
-    result_.equilibrium = bracket_of(balance_);
+    result_.service = bracket_of(service_);
+    result_.has_bolts = !trials_.prepared().scene.model.bolts.empty();
     result_.what = trials_.what();
     result_.within = options_.within;
-    result_.is_lower_estimate = flows_below_friction(trials_.problem(), trials_.what());
+    result_.is_lower_estimate = flows_below_friction(trials_.problem(), trials_.what(), trials_.exempt());
     result_.notes = trials_.notes();
     result_.left_out = trials_.left_out();
   }
@@ -186,7 +195,7 @@ class FactorSearch {
     if (previous_ && previous_ != at.stands) result_.standing_before = std::move(made_.at(*previous_).state);
     if (!at.falls) return;
     TrialOutcome& fallen = made_.at(*at.falls);
-    if (fallen.told.is_past_knee)
+    if (fallen.told.is_far)
       result_.falling = std::move(fallen.state.field);
     else
       result_.falling = std::move(fallen.attempt);
@@ -203,10 +212,7 @@ class FactorSearch {
   std::vector<int> loose_;
   FactorOfSafety result_;
   Sign verdict_ = [](const StrengthTrial& told) { return told.verdict; };
-  Sign balance_ = [](const StrengthTrial& told) {
-    if (told.is_balanced) return Verdict::stands;
-    return told.verdict;
-  };
+  Sign service_ = [](const StrengthTrial& told) { return told.is_past_knee ? Verdict::falls : told.verdict; };
 };
 
 /// With what is known on either side of the trial that was not decided.
@@ -233,17 +239,35 @@ void add_notes(FactorOfSafety& result) {
     notes.emplace_back(
         "a lower estimate: rock flows with a dilation angle below its friction angle, so that no theorem bounds the "
         "factor, and equilibrium may be lost by the search before it is by the rock");
-  const Bracket& knee = result.bracket;
-  const Bracket& balance = result.equilibrium;
-  if (knee.is_closed() && balance.stands && *balance.stands >= *knee.falls)
-    notes.push_back(fmt::format(
-        "displacement passes its knee ({:g} times that of the first trial) between {:.4g} and {:.4g}, but equilibrium "
-        "is found up to {:.4g}: the factor is that of the knee",
-        kKnee, *knee.stands, *knee.falls, *balance.stands));
+  if (result.grows_before_it_falls()) {
+    const StrengthTrial& after = result.trial_at(*result.service.falls);
+    notes.push_back(
+        fmt::format("serviceability: displacements grow from F = {:.4g} on, where they are {} ({:.3g}), though "
+                    "equilibrium is found "
+                    "up to {:.4g}{}",
+                    *result.service.falls, after.why.substr(std::string_view("displacements ").size()),
+                    after.displacement, *result.bracket.stands,
+                    result.has_bolts ? "; joints slip there until bolts, which stretch, carry the rest" : ""));
+  }
   if (result.end == SearchEnd::undecided) notes.push_back(why_undecided(result));
 }
 
 }  // namespace
+
+std::optional<long long> trial_limit(std::optional<long long> asked, long long longest_before) {
+  if (asked) return *asked > 0 ? asked : std::nullopt;
+  return std::max(kFewestSystems, kTimesLongest * longest_before);
+}
+
+const StrengthTrial& FactorOfSafety::trial_at(double factor) const {
+  const auto found = std::ranges::find(trials, factor, &StrengthTrial::factor);
+  if (found == trials.end()) throw std::out_of_range(fmt::format("no trial at {}", factor));
+  return *found;
+}
+
+bool FactorOfSafety::grows_before_it_falls() const {
+  return bracket.stands && service.is_closed() && *service.falls <= *bracket.stands;
+}
 
 std::string name_of(SearchEnd end) {
   constexpr std::array<const char*, 5> kNames{"bracketed", "falls", "stands", "undecided", "stopped"};

@@ -11,23 +11,31 @@
 
 namespace keyblock::study {
 
-/// Displacements grow without bound as strength nears the limit: a trial is past the knee where its largest is more
-/// than so many times that of the trial of the least factor. Griffiths & Lane (1999) ask for both signs of failure, a
-/// search that finds no equilibrium and displacements that rise; the number is ours: on the slopes of
-/// legacy_cases/strength_reduction any from 3 to 10 gives a factor within 0.01 of it.
+/// Displacements have grown if the largest is more than this many times that of the trial of the least factor: the
+/// knee. Griffiths & Lane (1999) take both signs together, a search that finds no equilibrium and displacements that
+/// rise. The factor of safety is that of equilibrium. The knee alone is a matter of service: bolts stretch, and blocks
+/// slide within their joints, long before equilibrium ends.
 inline constexpr double kKnee = 5;
 
 struct SearchOptions {
-  std::optional<double> from;  ///< where the search begins, > 0; none: 1, and below where that falls
+  std::optional<double> from;  ///< where the search begins, > 0; none: `guess`, and below where that falls
   std::optional<double> to;    ///< the largest that is tried; none: 16 times the first
   double within = 0.01;        ///< width of the bracket
+  double guess = 1;            ///< where the search begins unless `from` says so
+  double up = 1.25;            ///< ratio of one factor to the one before on the way up to the first that falls
+  bool seeks_knee = true;      ///< the bracket of the knee is closed too
+  std::optional<long long> trial_limit = {};  ///< linear systems after which a trial is undecided; 0: none; none:
+                                              ///< `trial_limit`
   std::function<bool()> wants_stop = [] { return false; };
   std::function<void(double factor)> on_begin = [](double) {};  ///< before each trial
   std::function<void(const StrengthTrial&)> on_trial = [](const StrengthTrial&) {};
-  /// Why a trial was stopped that is to be given up as undecided; empty where the search is to stop.
-  std::function<std::string()> why_given_up = [] { return std::string(); };
   std::function<void(const std::string&)> on_loose = {};  ///< told that a block is left out, and the search begins anew
 };
+
+/// Linear systems after which a trial is given up as undecided; nothing: no limit. `asked`: 0 for none. By default it
+/// is more than trials take whose contact forces settle, and ten times the longest trial before that was decided, because
+/// trials near the factor of safety take longer than the first.
+std::optional<long long> trial_limit(std::optional<long long> asked, long long longest_before);
 
 /// The largest factor known to stand below the least that falls.
 struct Bracket {
@@ -50,31 +58,51 @@ enum class SearchEnd {
 /// A word for tables: "bracketed".
 std::string name_of(SearchEnd end);
 
+/// Of sides, on the coarser mesh that the error of a mesh is estimated by.
+inline constexpr double kCoarserTimes = 2;
+
+/// How far the factor of safety of NMM bodies lies above that of ever finer meshes.
+struct MeshError {
+  std::optional<Bracket> coarse;  ///< on the coarser mesh; none: there is no estimate
+  double share = 0;               ///< of the factor
+  double uncertainty = 0;         ///< of that share, from the widths of both brackets
+  double extrapolated = 0;        ///< the factor of ever finer meshes
+  std::string why_none = {};
+};
+
 struct FactorOfSafety {
   Reduced what = Reduced::joints;
   double within = 0.01;
   SearchEnd end = SearchEnd::bracketed;
   std::vector<StrengthTrial> trials;  ///< in the order they were made
-  Bracket bracket;                    ///< of what stands: in equilibrium, and not past the knee
-  Bracket equilibrium;                ///< of equilibrium alone
-  bool is_lower_estimate = false;     ///< rock that is reduced flows with ψ < φ
-  std::vector<std::string> notes;     ///< what is to be known of it, in sentences
-  std::vector<int> left_out = {};     ///< numbers, from 0, of loose blocks that the scene is taken without
+  Bracket bracket;                    ///< of equilibrium near the drawing: the factor of safety
+  Bracket service;                    ///< of displacements: above it they are past the knee
+  bool has_bolts = false;
+  bool is_lower_estimate = false;  ///< rock that is reduced flows with ψ < φ
+  std::vector<std::string> notes;  ///< what is to be known of it, in sentences
+  std::vector<int> left_out = {};  ///< numbers, from 0, of loose blocks that the scene is taken without
 
+  std::optional<MeshError> mesh_error = {};      ///< none if it was not sought
   std::optional<StrengthState> standing;         ///< of the last that stands
   std::optional<StrengthState> standing_before;  ///< of the one before it
-  /// Of the first that falls: where it had come to, or the far equilibrium past the knee.
+  /// Of the first that falls: where it had come to, or the equilibrium far from the drawing.
   std::optional<FieldFrame> falling;
+
+  /// The trial of this factor. Throws std::out_of_range.
+  const StrengthTrial& trial_at(double factor) const;
+  /// Whether a trial that stands is past the knee.
+  bool grows_before_it_falls() const;
 
   /// Whether a bracket was found, and the case stands at its lower end, which is 1 or more.
   bool is_safe() const { return end == SearchEnd::bracketed && *bracket.stands >= 1; }
 };
 
-/// Begins at `from`, or 1. Where a trial stands only after a slide of a hundredth of half the scene's extent, smaller
-/// factors are tried for what the knee is measured by. The search goes up by quarters, or down by fifths, to the first
-/// that ends differently, and bisects. Where the knee and the loss of equilibrium lie apart, the bracket of equilibrium
-/// is closed too. Where there is no equilibrium for loose blocks alone (`kLooseArea`, `kLooseInAll`), the search begins
-/// anew without them. Throws as the trials.
+/// Begins at `from`, or at the guess. A trial stands if it finds an equilibrium in which no body has come farther than
+/// in the trial of the least factor by a tenth of its width (`kFarFromDrawing`): farther away another scene is in
+/// equilibrium than the one that was drawn. If a trial stands only after a slide of a hundredth of half the scene's
+/// extent, smaller factors are tried for a reference. The search goes up by quarters, or down by fifths, to the first
+/// that ends differently, and bisects. If the knee lies below, its bracket is closed too. If there is no equilibrium
+/// for loose blocks alone (`kLooseArea`, `kLooseInAll`), the search begins anew without them. Throws as the trials.
 FactorOfSafety factor_of_safety(const StrengthTrials& trials, const SearchOptions& options);
 
 }  // namespace keyblock::study

@@ -3,13 +3,17 @@
 #include "study/strength/strength_trial.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "base/counted.hpp"
+#include "base/progress/system_limit.hpp"
 #include "base/stop.hpp"
 #include "base/words/plain_number.hpp"
 #include "geometry/polygon.hpp"
@@ -145,6 +149,7 @@ TrialOutcome stepped(std::unique_ptr<Stepper> stepper, const std::function<bool(
   made.told.is_balanced = true;
   made.told.displacement = largest_displacement(*stepper, stepper->state());
   made.state = state_of(*stepper);
+  made.told.farthest = farthest_carried(stepper->model(), made.state.frame, made.state.field).value_or(CarriedBlock());
   return made;
 }
 
@@ -160,9 +165,15 @@ std::string name_of(Verdict verdict) {
   return kNames.at(static_cast<std::size_t>(verdict));
 }
 
-StrengthTrials::StrengthTrials(Problem problem, std::string profile, std::vector<Override> overrides, Reduced what)
-    : problem_(std::move(problem)), profile_(std::move(profile)), overrides_(std::move(overrides)), what_(what) {
-  require_strength(problem_, what_);
+StrengthTrials::StrengthTrials(Problem problem, std::string profile, std::vector<Override> overrides, Reduced what,
+                               Exempt exempt)
+    : problem_(std::move(problem)),
+      profile_(std::move(profile)),
+      overrides_(std::move(overrides)),
+      what_(what),
+      exempt_(std::move(exempt)) {
+  require_exempt(exempt_, problem_);
+  require_strength(problem_, what_, exempt_);
   if (problem_.analysis) {
     const Settings settings = settings_of(problem_, profile_, overrides_);
     if (settings.dynamics != Dynamics::standard)
@@ -182,16 +193,39 @@ StrengthTrials::StrengthTrials(Problem problem, std::string profile, std::vector
   // Of elastic rock: the same at every factor.
   MeshByError found = with_mesh_found(problem_, profile_, overrides_);
   problem_ = found.problem;
-  prepared_ = prepared_at(1);
+  ExemptCount held;
+  prepared_ = prepared_at(1, &held);
   tell(found, prepared_);
+  note_exempt(held);
   if (what_ == Reduced::joints && prepared_.scene.is_untouched)
     throw InputError(problem_.analysis->place,
                      "expected bodies that touch, whose joints are to be reduced, found bodies on covers that do not "
                      "feel each other");
 }
 
-Prepared StrengthTrials::prepared_at(double factor) const {
-  Prepared prepared = prepare(with_reduced_strength(problem_, what_, factor), profile_, overrides_);
+void StrengthTrials::note_exempt(const ExemptCount& held) {
+  if (exempt_.is_empty()) return;
+  std::string words = fmt::format("exempt from reduction: {}", fmt::join(exempt_.words, ", "));
+  if (!exempt_.regions.empty()) {
+    if (held.elements == 0 && held.edges == 0)
+      throw std::invalid_argument(
+          fmt::format("--exempt: expected a region that holds the centre of a block or element, or the middle of a "
+                      "joint edge, found none in {}",
+                      exempt_.regions.front().words));
+    words += fmt::format("; the regions hold {} and {}", counted(held.elements, problem_.covers ? "element" : "block"),
+                         counted(held.edges, "joint edge"));
+  }
+  notes_.push_back(std::move(words));
+}
+
+Prepared StrengthTrials::prepared_at(double factor, ExemptCount* held) const {
+  Prepared prepared = prepare(with_reduced_strength(problem_, what_, exempt_, factor), profile_, overrides_);
+  if (!exempt_.regions.empty() && problem_.analysis) {
+    const ExemptCount count =
+        exempt_regions(prepared, exempt_, static_cast<int>(problem_.analysis->block_materials.size()),
+                       static_cast<int>(problem_.analysis->joint_materials.size()));
+    if (held != nullptr) *held = count;
+  }
   if (!whole_) return prepared;
   std::vector<Identity>& elements = prepared.scene.model.identities.elements;
   elements.clear();
@@ -237,7 +271,41 @@ bool StrengthTrials::may_yield() const {
                              [](const BlockMaterial& rock) { return rock.strength != nullptr; });
 }
 
-TrialOutcome StrengthTrials::run(double factor, const std::function<bool()>& wants_stop) const {
+bool StrengthTrials::depends_on_mesh() const {
+  return may_yield() && is_on_covers(problem_);
+}
+
+StrengthTrials StrengthTrials::on_coarser_mesh(double times) const {
+  StrengthTrials coarser = *this;
+  if (!problem_.covers || (problem_.covers->mesh.side == 0 && problem_.covers->mesh.half_rows < 2))
+    throw InputError(problem_.analysis->place, "expected a mesh whose side is given, found none");
+  MeshPlan& mesh = coarser.problem_.covers->mesh;
+  mesh.side *= times;
+  mesh.tip_side *= times;
+  mesh.half_rows = mesh.half_rows > 0 ? std::max(1, static_cast<int>(std::lround(mesh.half_rows / times))) : 0;
+  for (RefinedPoint& point : mesh.refined) point.side *= times;
+  coarser.prepared_ = coarser.prepared_at(1);
+  return coarser;
+}
+
+TrialOutcome StrengthTrials::run(double factor, const std::function<bool()>& wants_stop,
+                                 std::optional<long long> most_systems) const {
+  const SystemLimit limit(most_systems);
+  try {
+    TrialOutcome made = decided(factor, wants_stop);
+    made.told.systems = limit.solved();
+    return made;
+  } catch (const StopRequested&) {
+    if (!limit.is_reached() || is_stop_requested()) throw;
+    TrialOutcome given_up;
+    given_up.told.factor = factor;
+    given_up.told.systems = limit.solved();
+    given_up.told.why = fmt::format("given up after {} linear systems (--trial-limit)", limit.solved());
+    return given_up;
+  }
+}
+
+TrialOutcome StrengthTrials::decided(double factor, const std::function<bool()>& wants_stop) const {
   Scene scene = prepared_at(factor).scene;
   scene.load_cuts = kLoadCuts;
   TrialOutcome made = stepped(stepper_for(scene), wants_stop);

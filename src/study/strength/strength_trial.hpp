@@ -11,6 +11,8 @@
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 #include "run/prepare.hpp"
+#include "run/verdict/far_from_drawing.hpp"
+#include "study/strength/exempt.hpp"
 #include "study/strength/reduced_problem.hpp"
 
 namespace keyblock::study {
@@ -26,11 +28,14 @@ struct StrengthTrial {
   double factor = 1;
   Verdict verdict = Verdict::undecided;
   bool is_balanced = false;   ///< an equilibrium with all loads on was found
-  bool is_past_knee = false;  ///< it was, but too far away: see factor_of_safety.hpp
-  std::string why;            ///< in a sentence, where it does not stand
+  bool is_far = false;        ///< a body lies too far from the drawing in it: see factor_of_safety.hpp
+  bool is_past_knee = false;  ///< displacements have grown, whether or not it stands: see factor_of_safety.hpp
+  std::string why;            ///< in a sentence, if it does not stand or is past the knee
   /// Largest of a corner since the start; where there is no equilibrium, at the point where the search was given up.
   double displacement = 0;
-  int rounds = 0;  ///< solves of contact forces or rounds of Newton's method
+  CarriedBlock farthest = {};  ///< beside its width, in the equilibrium; without one its way is 0
+  int rounds = 0;              ///< solves of contact forces or Newton iterations
+  long long systems = 0;       ///< linear systems: the cost of the trial, whatever the machine
 };
 
 /// A state as pictures show it.
@@ -60,10 +65,16 @@ class StrengthTrials {
  public:
   /// Throws InputError for a problem that cannot be prepared, or has nothing to reduce; std::invalid_argument for a
   /// profile or an override that is none.
-  StrengthTrials(Problem problem, std::string profile, std::vector<Override> overrides, Reduced what);
+  StrengthTrials(Problem problem, std::string profile, std::vector<Override> overrides, Reduced what,
+                 Exempt exempt = {});
 
   const Problem& problem() const { return problem_; }
   Reduced what() const { return what_; }
+  const Exempt& exempt() const { return exempt_; }
+  /// Whether rock of NMM bodies is reduced that may yield, so that the factor depends on their mesh.
+  bool depends_on_mesh() const;
+  /// The same trials on a mesh whose sides are `times` as long. Throws InputError if there is no such mesh.
+  StrengthTrials on_coarser_mesh(double times) const;
   /// As at the factor 1.
   const Prepared& prepared() const { return prepared_; }
   /// Sentences on how the case was changed to be one of statics.
@@ -77,17 +88,22 @@ class StrengthTrials {
   const std::vector<int>& left_out() const { return left_out_; }
 
   /// From no load. Beginning at the equilibrium of another trial was tried on rock: what stands takes twice as many
-  /// rounds, what falls three times, and where ψ < φ the factor becomes another. Throws StopRequested.
-  TrialOutcome run(double factor, const std::function<bool()>& wants_stop) const;
+  /// rounds, what falls three times, and where ψ < φ the factor becomes another. Beyond `most_systems` linear systems
+  /// it is given up as undecided. Throws StopRequested.
+  TrialOutcome run(double factor, const std::function<bool()>& wants_stop,
+                   std::optional<long long> most_systems = std::nullopt) const;
 
  private:
-  Prepared prepared_at(double factor) const;
+  TrialOutcome decided(double factor, const std::function<bool()>& wants_stop) const;
+  void note_exempt(const ExemptCount& held);
+  Prepared prepared_at(double factor, ExemptCount* held = nullptr) const;
   bool may_yield() const;
 
   Problem problem_;
   std::string profile_;
   std::vector<Override> overrides_;
   Reduced what_;
+  Exempt exempt_;
   std::vector<std::string> notes_;
   Prepared prepared_;
   std::optional<Blocks> whole_;  ///< all blocks, once some are left out

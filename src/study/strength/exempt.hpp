@@ -1,0 +1,47 @@
+// Materials and regions whose strength stays as it is while the strength of all others is reduced.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "geometry/point.hpp"
+#include "problem/problem.hpp"
+#include "run/prepare.hpp"
+
+namespace keyblock::study {
+
+/// A polygon in the undeformed scene, in its unit of length.
+struct ExemptRegion {
+  std::string words;  ///< as the user wrote it
+  std::vector<Point> outline;
+};
+
+struct Exempt {
+  std::set<int> block_materials;  ///< numbers, from 0
+  std::set<int> joint_materials;  ///< numbers, from 0
+  std::vector<ExemptRegion> regions;
+  std::vector<std::string> words;  ///< of all, as the user wrote them
+
+  bool is_empty() const { return words.empty(); }
+};
+
+/// Reads "material:2", "joint_material:3" (numbers from 1), "box:x1,y1,x2,y2" and "polygon:x1,y1,x2,y2,x3,y3,…". Throws
+/// std::invalid_argument that names the word.
+Exempt exempt_of(const std::vector<std::string>& words);
+
+/// Throws InputError if a material does not exist, or if a region is given for a case with stages.
+void require_exempt(const Exempt& exempt, const Problem& problem);
+
+/// What a region was found to hold.
+struct ExemptCount {
+  std::size_t elements = 0;  ///< blocks or elements of NMM bodies whose centroid it holds
+  std::size_t edges = 0;     ///< edges with a joint material whose middle it holds
+};
+
+/// Gives the elements and joint edges inside the regions other materials: number n becomes n + `block_materials`, or
+/// n + `joint_materials` for edges. `prepared` must hold materials of these numbers.
+ExemptCount exempt_regions(Prepared& prepared, const Exempt& exempt, int block_materials, int joint_materials);
+
+}  // namespace keyblock::study

@@ -1,0 +1,17 @@
+// The error of the mesh in a factor of safety of NMM bodies, by a search on a coarser mesh.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "study/strength/factor_of_safety.hpp"
+
+namespace keyblock::study {
+
+/// Finds the factor F(2h) on a mesh with sides twice as long. Limit loads of elements of low order err in proportion to
+/// the side h, so that F(h) − F(0) is about F(2h) − F(h) (Richardson 1911). `found` must be bracketed. Throws as the
+/// trials; on a mesh that cannot be made, or without a bracket there, the result says why there is no estimate.
+MeshError mesh_error(const StrengthTrials& trials, const FactorOfSafety& found, SearchOptions options);
+
+/// "mesh error about +4.1 % …".
+std::string in_words(const MeshError& error);
+
+}  // namespace keyblock::study
