@@ -26,7 +26,8 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
      "Use a smaller time_step; under profile legacy draw no block much smaller than the others, or use profile "
      "standard."},
     {"chain_off_boundary", warning, "A chain of loads leaves the boundary",
-     "Part of a chain of tractions or prescribed displacements lies on no edge of a body; that part acts on nothing.",
+     "Part of a chain of tractions or prescribed displacements lies on no edge of a body; that part acts on nothing. "
+     "Edges that the chain covers in part are loaded or held on exactly that part.",
      "Move the points of the chain onto the outline, or end the chain where the body ends."},
     {"crushed_beyond_limit", error, "A body was compressed too far",
      "An element lost more of its area than the setting crushing_limit allows; elastic laws do not hold there.",
@@ -81,6 +82,11 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
      "A mark lay outside all blocks, but within the merging distance of one: it was moved onto the outline of that "
      "block.",
      "Nothing, if the mark belongs to that block; else move it."},
+    {"rotated_beyond_linear", error, "Linear statics was used for a large rotation",
+     "An element of a body on covers rotates by more than 0.1 rad. Linear statics adds "
+     "displacements "
+     "as if nothing rotated, and stretches what does by half the square of the angle.",
+     "Use the large-strain steps: --set motion=relaxation, with enough steps to come to equilibrium."},
     {"sunk_beyond_limit", error, "Blocks lie too deep in one another",
      "The depth or the common area of two blocks exceeds the setting penetration_limit.",
      "Use a smaller time_step or stiffer contacts."},

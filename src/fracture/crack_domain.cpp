@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
@@ -18,10 +19,16 @@ namespace {
 // Of the room about a tip: a domain that comes nearer to what is in the way is no longer one of a straight crack alone.
 constexpr double kShareOfRoom = 0.95;
 
-double nearest_distance(const std::array<Point, 3>& triangle, Point p) {
-  if (side(triangle, p) != Side::outside) return 0;
+// Of the size of an element: how far ahead of the tip the element is sought that the crack would go on in, and how near
+// a point on a side is to both elements.
+constexpr double kAhead = 1e-6;
+constexpr double kOnSide = 1e-9;
+
+double nearest_distance(std::span<const Point> loop, Point p) {
+  if (side(loop, p) != Side::outside) return 0;
   double least = std::numeric_limits<double>::max();
-  for (std::size_t k = 0; k < 3; ++k) least = std::min(least, distance(Segment{triangle[k], triangle[(k + 1) % 3]}, p));
+  for (std::size_t k = 0; k < loop.size(); ++k)
+    least = std::min(least, distance(Segment{loop[k], loop[(k + 1) % loop.size()]}, p));
   return least;
 }
 
@@ -65,13 +72,16 @@ void CrackDomain::take_circle() {
       elements_.push_back(static_cast<int>(e));
 }
 
+// A node may lie on the tip: all elements about it hold the tip then, and one of them the way ahead.
 std::vector<char> CrackDomain::elements_at_tip() const {
   std::vector<char> has_tip(manifold_.elements.size(), 0);
-  for (std::size_t e = 0; e < has_tip.size(); ++e)
-    has_tip[e] = side(manifold_.polygon(manifold_.elements[e]).front(), tip_.at) != Side::outside ||
-                         side(manifold_.triangle(manifold_.elements[e]), tip_.at) == Side::inside
-                     ? 1
-                     : 0;
+  for (std::size_t e = 0; e < has_tip.size(); ++e) {
+    const std::array<Point, 3> triangle = manifold_.triangle(manifold_.elements[e]);
+    const double size = distance(triangle[0], triangle[1]);
+    const Point ahead = tip_.at + kAhead * size * tip_.ahead;
+    const std::vector<Point> loop = manifold_.polygon(manifold_.elements[e]).front();
+    has_tip[e] = nearest_distance(loop, ahead) <= kOnSide * size ? 1 : 0;
+  }
   return has_tip;
 }
 

@@ -12,7 +12,7 @@ namespace keyblock {
 
 enum class DomainKind {
   circle,          ///< between two radii about the tip
-  element_levels,  ///< levels of elements around those that hold the tip
+  element_levels,  ///< levels of elements around the one that the crack would go on in, two where it runs along a side
   node_levels,     ///< levels of elements around the cover nearest to the tip
 };
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "geometry/predicates.hpp"
 
@@ -16,6 +18,35 @@ bool boxes_meet(const Segment& a, const Segment& b) {
   const auto [ay0, ay1] = std::minmax(a.start.y, a.end.y);
   const auto [by0, by1] = std::minmax(b.start.y, b.end.y);
   return ax0 <= bx1 && bx0 <= ax1 && ay0 <= by1 && by0 <= ay1;
+}
+
+// Of the largest coordinate: points nearer than this cannot be told apart.
+constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
+
+double rounding_of(const Segment& s) {
+  return kRounding * std::max({std::fabs(s.start.x), std::fabs(s.start.y), std::fabs(s.end.x), std::fabs(s.end.y)});
+}
+
+/// A part of a segment, as distances from its start.
+struct Stretch {
+  double from = 0;
+  double to = 0;
+};
+
+/// The part of the segment (of this length, in this direction) that `other` runs along.
+std::optional<Stretch> stretch_along(const Segment& segment, Point direction, double size, const Segment& other,
+                                     double near) {
+  const Point a = other.start - segment.start, b = other.end - segment.start;
+  const double from_a = dot(a, direction), to_b = dot(b, direction);
+  const auto [low, high] = std::minmax(from_a, to_b);
+  const Stretch common{std::max(low, 0.0), std::min(high, size)};
+  if (!(common.to > common.from)) return {};
+  const auto is_near = [&](double at) {
+    const double share = (at - from_a) / (to_b - from_a);
+    return std::fabs((1 - share) * cross(direction, a) + share * cross(direction, b)) <= near;
+  };
+  if (!is_near(common.from) || !is_near(common.to)) return {};
+  return common;
 }
 
 }  // namespace
@@ -51,6 +82,31 @@ Meeting meeting(const Segment& a, const Segment& b) {
   const int a_start = orientation(b.start, b.end, a.start);
   const int a_end = orientation(b.start, b.end, a.end);
   return a_start * a_end > 0 ? Meeting::none : Meeting::crossing;
+}
+
+std::vector<Segment> parts_along(const Segment& segment, std::span<const Segment> others, double near) {
+  const double size = distance(segment.start, segment.end);
+  if (!(size > 0)) return {};
+  const Point direction = (1 / size) * (segment.end - segment.start);
+  const double rounding = rounding_of(segment);
+  std::vector<Stretch> stretches;
+  for (const Segment& other : others)
+    if (const auto stretch = stretch_along(segment, direction, size, other, near)) stretches.push_back(*stretch);
+  std::ranges::sort(stretches, {}, &Stretch::from);
+  std::vector<Stretch> joined;
+  for (const Stretch& next : stretches) {
+    if (joined.empty() || next.from > joined.back().to + rounding)
+      joined.push_back(next);
+    else
+      joined.back().to = std::max(joined.back().to, next.to);
+  }
+  std::vector<Segment> parts;
+  for (const Stretch& part : joined) {
+    if (part.to - part.from <= rounding) continue;
+    parts.push_back({part.from <= rounding ? segment.start : point_at(segment, part.from / size),
+                     part.to >= size - rounding ? segment.end : point_at(segment, part.to / size)});
+  }
+  return parts;
 }
 
 }  // namespace keyblock

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "geometry/point.hpp"
 
 namespace keyblock {
@@ -23,5 +26,10 @@ double distance_to_carrier(const Segment& segment, Point p);
 enum class Meeting { none, crossing, overlapping };
 
 Meeting meeting(const Segment& a, const Segment& b);
+
+/// The parts of `segment` along which one of `others` runs, in order, joined where they overlap or meet. "Along" is
+/// within `near` on the whole of the common part; parts no longer than the rounding of coordinates are left out. A part
+/// that ends within that rounding of an end of `segment` ends at it, to the bit.
+std::vector<Segment> parts_along(const Segment& segment, std::span<const Segment> others, double near);
 
 }  // namespace keyblock

@@ -109,6 +109,24 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
                      may_yield(prepared.scene) ? "" : law_of(prepared, number), limit)});
 }
 
+// rad: linear statics stretches what rotates by half the square of the angle, 0.5 % here.
+constexpr double kLinearRotation = 0.1;
+
+void add_rotation(Warnings& found, const Prepared& prepared, const Frame& last, const Place& place) {
+  if (!prepared.scene.is_untouched || may_yield(prepared.scene) || last.elements.empty()) return;
+  const auto angle = [](const ElementFrame& element) { return std::abs(element.rotation); };
+  const auto most = std::ranges::max_element(last.elements, {}, angle);
+  if (angle(*most) <= kLinearRotation) return;
+  const int number = number_of(last, static_cast<std::size_t>(most - last.elements.begin()));
+  found.push_back(
+      {"rotated_beyond_linear", place,
+       fmt::format(
+           "{} rotates by {:.3g} rad under linear statics, which stretches it by {:.2g} %; beyond {:.3g} rad the "
+           "run is not trusted: --set motion=relaxation finds the equilibrium under large rotation, given enough "
+           "steps",
+           name_of(prepared.scene.model, number), angle(*most), 50 * angle(*most) * angle(*most), kLinearRotation)});
+}
+
 // Energy that came from nothing is held against no less than the work of weight over a small way: the limit of 0.01 is
 // then a lift of the whole by a millionth of a block. Blocks that slid by more than this way, however slowly, are judged
 // by the energy that they had.
@@ -297,6 +315,7 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
   Warnings& found = judgement.doubts;
   if (!prepared.scene.is_untouched) add_penetration(judgement, prepared, record.totals.penetration_share, last, place);
   add_crushing(found, prepared, record.totals, place);
+  add_rotation(found, prepared, last, place);
   add_start(found, prepared, first, place);
   add_energy(found, prepared, record, first, place);
   add_imbalance(found, prepared, record.totals, place);

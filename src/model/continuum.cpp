@@ -3,6 +3,8 @@
 #include "model/continuum.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "geometry/box.hpp"
 #include "geometry/segment.hpp"
@@ -14,13 +16,9 @@ namespace {
 
 // Cutting rounds crossings to some 1e-16 of the extent; the shortest edges of interest have 1e-8 of an element.
 constexpr double kAlong = 1e-10;
+// Of the largest coordinate: far from the origin, points of a file and of the cut round by this.
+constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 constexpr double kInside = 1e-9;  // of an element: its own side of a crack
-
-double extent(const Manifold& manifold) {
-  Box box;
-  for (const ElementCorner& corner : manifold.corners) box.add(corner.position);
-  return manifold.corners.empty() ? 0 : length(box.size());
-}
 
 }  // namespace
 
@@ -104,26 +102,39 @@ Point ElementSide::normal() const {
   return (1 / length(along)) * Point{along.y, -along.x};
 }
 
-std::vector<ElementSide> sides_along(const Manifold& manifold, const BoundaryPart& part) {
-  const double near = kAlong * extent(manifold);
+std::vector<ElementSide> boundary_sides(const Manifold& manifold) {
   std::vector<ElementSide> sides;
   for (const SlotRange& loop : manifold.boundary_loops) {
-    for (int i = 0; i < loop.size; ++i) {
-      const auto start_of = [&](int k) {
-        return manifold.boundary_edges[static_cast<std::size_t>(loop.first + k % loop.size)];
-      };
-      const auto position = [&](const BoundaryEdge& edge) {
-        return manifold.corners[static_cast<std::size_t>(edge.corner)].position;
-      };
-      const ElementSide side{start_of(i).element, {position(start_of(i)), position(start_of(i + 1))}};
-      for (std::size_t k = 0; k + 1 < part.size(); ++k) {
-        const Segment piece{part[k], part[k + 1]};
-        if (distance(piece, side.edge.start) > near || distance(piece, side.edge.end) > near) continue;
-        sides.push_back(side);
-        break;
-      }
-    }
+    const auto edge_at = [&](int k) {
+      return manifold.boundary_edges[static_cast<std::size_t>(loop.first + k % loop.size)];
+    };
+    const auto position = [&](int k) { return manifold.corners[static_cast<std::size_t>(edge_at(k).corner)].position; };
+    for (int i = 0; i < loop.size; ++i) sides.push_back({edge_at(i).element, {position(i), position(i + 1)}});
   }
+  return sides;
+}
+
+std::vector<Segment> pieces_of(const BoundaryPart& part) {
+  std::vector<Segment> pieces;
+  for (std::size_t k = 0; k + 1 < part.size(); ++k) pieces.push_back({part[k], part[k + 1]});
+  return pieces;
+}
+
+double reach_of_chains(const Manifold& manifold) {
+  Box box;
+  for (const ElementCorner& corner : manifold.corners) box.add(corner.position);
+  if (manifold.corners.empty()) return 0;
+  const double farthest =
+      std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+  return kAlong * length(box.size()) + kRounding * farthest;
+}
+
+std::vector<ElementSide> sides_along(const Manifold& manifold, const BoundaryPart& part) {
+  const double near = reach_of_chains(manifold);
+  const std::vector<Segment> pieces = pieces_of(part);
+  std::vector<ElementSide> sides;
+  for (const ElementSide& side : boundary_sides(manifold))
+    for (const Segment& covered : parts_along(side.edge, pieces, near)) sides.push_back({side.element, covered});
   return sides;
 }
 

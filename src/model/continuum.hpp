@@ -87,7 +87,7 @@ std::vector<AreaPoint> area_rule(const Manifold& manifold, int element, const El
 Continuum continuum_of(Manifold manifold, const std::vector<BlockMaterial>& materials, const Settings& settings,
                        CoverFunctions functions);
 
-/// An edge of an element on the boundary; the element lies to its left.
+/// An edge of an element on the boundary, or a part of one; the element lies to its left.
 struct ElementSide {
   int element = 0;
   Segment edge;
@@ -99,8 +99,17 @@ struct ElementSide {
 /// the element, which says on which face of the crack they lie.
 std::vector<EdgePoint> edge_rule(const ElementSide& side, const ElementShape& shape, int count);
 
-/// The boundary edges along a chain: both sides of it where it is a joint. "Along" is within 1e-10 of the manifold's
-/// extent.
+/// The boundary edges of a manifold, each with its element.
+std::vector<ElementSide> boundary_sides(const Manifold& manifold);
+
+/// The pieces of a chain.
+std::vector<Segment> pieces_of(const BoundaryPart& part);
+
+/// The distance within which a chain runs along the boundary: 1e-10 of the manifold's extent.
+double reach_of_chains(const Manifold& manifold);
+
+/// The boundary along a chain: edges, cut where the chain begins or ends inside one, both sides of a joint. What the
+/// chain passes twice is there once. All that goes by chains (tractions, prescribed displacements) goes by these.
 std::vector<ElementSide> sides_along(const Manifold& manifold, const BoundaryPart& part);
 
 }  // namespace keyblock

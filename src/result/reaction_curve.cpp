@@ -8,9 +8,11 @@
 namespace keyblock {
 namespace {
 
-constexpr double kSmallChange = 2e-4;  // of the reaction
+// Of the relative way of the edge, the relative change of the reaction: twice as far, it is 0.35 % more at most.
 constexpr double kSmallSlope = 0.005;
 constexpr std::size_t kFewest = 3;  // rows that make a plateau
+// Of the way at its begin, what the edge goes on a plateau at least: a shorter one may be a kink of the curve.
+constexpr double kFurther = 0.1;
 
 bool has(const HistoryRow& row, std::size_t number) {
   return number < row.driven.size() && number < row.reactions.size();
@@ -26,8 +28,7 @@ double relative_way(const ReactionCurve& curve, std::size_t i) {
 }
 
 bool stands(const ReactionCurve& curve, std::size_t i) {
-  const double change = relative_change(curve, i);
-  return change < kSmallChange || change < kSmallSlope * relative_way(curve, i);
+  return relative_change(curve, i) < kSmallSlope * relative_way(curve, i);
 }
 
 }  // namespace
@@ -67,6 +68,7 @@ std::optional<std::size_t> plateau_of(const ReactionCurve& curve) {
   std::size_t first = curve.driven.size() - 1;
   while (first > 0 && stands(curve, first)) --first;
   if (curve.driven.size() - 1 - first < kFewest) return std::nullopt;
+  if (curve.driven.back() < (1 + kFurther) * curve.driven[first]) return std::nullopt;
   return first;
 }
 

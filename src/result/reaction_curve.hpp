@@ -27,8 +27,9 @@ std::vector<ReactionCurve> reaction_curves(const History& history);
 /// not driven in it, or nothing pushes back.
 std::optional<double> end_slope(const ReactionCurve& curve);
 
-/// The row (of the curve) from which on the reaction stands: in each since, and in three at least, it changes by less
-/// than 2e-4 of itself or its slope is below 0.005. None where it does not stand at the end.
+/// The row (of the curve) from which on the reaction stands: in each since, and in three at least over which the edge
+/// goes a tenth further, its slope is below 0.005, however short the steps are. None where it does not stand at the
+/// end: a longer run might find more.
 std::optional<std::size_t> plateau_of(const ReactionCurve& curve);
 
 }  // namespace keyblock

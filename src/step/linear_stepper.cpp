@@ -44,6 +44,10 @@ Point LinearStepper::place_of(ElementIndex e, Point start) const {
   return solution_ ? start + solution_->displacement(e.value, start) : start;
 }
 
+double LinearStepper::rotation_of(ElementIndex e, Point start) const {
+  return solution_ ? solution_->rotation(e.value, start) : 0;
+}
+
 std::variant<StepReport, StepFailure> LinearStepper::advance() {
   const bool solves = !solution_;
   if (solves) {

@@ -35,6 +35,7 @@ class LinearStepper : public StaticStepper {
 
  private:
   Point place_of(ElementIndex e, Point start) const override;
+  double rotation_of(ElementIndex e, Point start) const override;
   void describe(Archive& archive) override;
   void describe_solution(Archive& archive);
   void describe_faces(Archive& archive);

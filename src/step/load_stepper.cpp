@@ -12,6 +12,13 @@
 #include "step/describe_memory.hpp"
 
 namespace keyblock {
+namespace {
+
+// Of the displacements at the last equilibrium: how much larger they are where a limit load is looked for.
+constexpr double kFurtherOn = 0.05;
+
+}  // namespace
+
 LoadStepper::LoadStepper(Scene scene)
     : StaticStepper(std::move(scene)),
       bodies_(std::make_unique<LoadedBodies>(*scene_.model.continuum)),
@@ -62,9 +69,7 @@ Stress LoadStepper::stress_at(ElementIndex e, Point start) const {
 
 std::optional<PlasticState> LoadStepper::plastic_at(ElementIndex e, Point start) const {
   if (!bodies_->continuum().material(e.value).strength) return std::nullopt;
-  const Eigen::Matrix2d f = bodies_->elasticity().deformation(now_.d, e.value, start);
-  const double angle = std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));  // of the polar decomposition
-  return bodies_->yield().plastic_state(now_.points, e.value, start, angle);
+  return bodies_->yield().plastic_state(now_.points, e.value, start, rotation_of(e, start));
 }
 
 std::optional<PlasticTotals> LoadStepper::plastic_totals() const {
@@ -85,6 +90,12 @@ void LoadStepper::keep_attempt(const Eigen::VectorXd& d) {
   now_.d = kept;
 }
 
+// Of the polar decomposition.
+double LoadStepper::rotation_of(ElementIndex e, Point start) const {
+  const Eigen::Matrix2d f = bodies_->elasticity().deformation(now_.d, e.value, start);
+  return std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));
+}
+
 Point LoadStepper::place_of(ElementIndex e, Point start) const {
   return bodies_->elasticity().position(now_.d, e.value, start);
 }
@@ -93,16 +104,37 @@ int LoadStepper::steps_of_scene() const {
   return std::max(1, scene_.end.steps > 0 ? scene_.end.steps : scene_.settings.step_count - first_step_);
 }
 
+// The loads at which displacements are a little larger, along the path of equilibria: a search by load that finds none
+// has met a limit only where these are no larger.
+std::optional<double> LoadStepper::share_further_on(const LoadedState& at, double reached,
+                                                    const Eigen::VectorXd& speed) const {
+  if (at.d.norm() == 0) return std::nullopt;
+  ArcLength path(*bodies_);
+  NewtonRounds rounds;
+  const std::optional<PathPoint> found = path.next({at, reached, speed, 1}, kFurtherOn * at.d.norm(), rounds);
+  return found ? std::optional(found->share) : std::nullopt;
+}
+
 // Where edges are driven, rock that bears less is pushed on, and what ends the search need not be a limit.
-std::string LoadStepper::no_equilibrium_beyond(double reached, const Work& work) const {
+std::string LoadStepper::no_equilibrium_beyond(const LoadedState& at, double reached, double tried,
+                                               const Eigen::VectorXd& speed, const Work& work) const {
   const bool is_driven = std::ranges::any_of(bodies_->driven(1), [](double way) { return way != 0; });
-  return fmt::format(
+  const std::string where = fmt::format(
       "no equilibrium beyond {:.4g} of the {} of this scene was found ({} rounds of Newton's method, {} cuts of the "
-      "step, the last by {}): {}",
-      reached, is_driven ? "displacements and loads" : "loads", work.rounds, work.cuts, in_words(work.cut_by),
-      is_driven ? "edges are driven, so that this need not be a limit load: more steps may go on, unless an element is "
-                  "turned over"
-                : "a limit load, or an element that is turned over");
+      "step, the last by {})",
+      reached, is_driven ? "displacements and loads" : "loads", work.rounds, work.cuts, in_words(work.cut_by));
+  if (is_driven)
+    return "stopped: " + where +
+           ": edges are driven, so that this need not be a limit load: more steps may go on, unless an element is "
+           "turned over";
+  PlasticTotals rock;
+  bodies_->yield().add_totals(at.points, rock);
+  if (rock.yielded == 0) return "stopped: " + where + ": this is no limit load, for no rock has yielded";
+  const std::optional<double> further = share_further_on(at, reached, speed);
+  if (further && *further <= tried)
+    return fmt::format("limit load of this mesh: {}; with displacements {:g} % larger it carries {:.4g}", where,
+                       100 * kFurtherOn, *further);
+  return "stopped: " + where + ": whether the rock carries more is not known";
 }
 
 // In halves of the way that is left where the whole of it finds no equilibrium, twice as far again after each that
@@ -133,7 +165,7 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
     ++work.cuts;
     work.cut_by = rounds.end;
     part = (to - reached) / 2;
-    if (part < least) return no_equilibrium_beyond(reached, work);
+    if (part < least) return no_equilibrium_beyond(at, reached, to, speed, work);
   }
   now_ = std::move(at);
   speed_ = std::move(speed);

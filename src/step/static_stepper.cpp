@@ -24,7 +24,7 @@ void StaticStepper::put_places() {
     const Point centroid = place(model, start, e, scene_.settings).centroid;
     const Unknowns none = Unknowns::Zero(model.elements[e].basis->unknown_count());
     state_.elements.push_back({place_of(e, centroid), place(model, vertices, e, scene_.settings).moments, none, none,
-                               stress_at(e, centroid), 0});
+                               stress_at(e, centroid), rotation_of(e, centroid)});
   }
   state_.vertices = std::move(vertices);
   state_.measured_points.clear();

@@ -86,6 +86,29 @@ TEST(SifCommand, prints_factors_of_every_domain_that_agree_with_theory) {
   EXPECT_GE(used, 12);
 }
 
+// With a node on the tip all elements about it hold the tip, and one of them the way ahead.
+TEST(SifCommand, levels_about_the_tip_element_and_about_the_nearest_node_are_two_choices_and_both_agree_with_theory) {
+  const double exact = 2.82357 * std::sqrt(std::numbers::pi / 2);
+  for (const char* mesh : {R"("tip_side": 0.0016)", R"("tip_side": 0.04, "tip_functions": "williams")"}) {
+    const std::string text = plate(R"("mesh": {"side": 0.1, "angle": 10, )" + std::string(mesh) +
+                                   R"(}, "cracks": [{"along": [[0, 0], [0.5, 0]]}], )" + kPulled);
+    const Json tip = tips_of(file_of("levels", text)).at(0);
+    const auto factor = [&](int levels, const char* about) {
+      const std::string name = fmt::format("{} levels about the {}", levels, about);
+      for (const Json& domain : tip.at("domains"))
+        if (domain.at("domain") == name && domain.contains("K_I")) return domain.at("K_I").get<double>();
+      return 0.0;
+    };
+    for (const int levels : {2, 3, 4}) {
+      const double element = factor(levels, "tip element"), node = factor(levels, "nearest node");
+      EXPECT_NE(element, node) << levels << mesh;
+      EXPECT_NEAR(element, exact, 0.008 * exact) << levels << mesh;
+      EXPECT_NEAR(node, exact, 0.008 * exact) << levels << mesh;
+      EXPECT_NEAR(element, node, 0.004 * exact) << levels << mesh;
+    }
+  }
+}
+
 // Two fields that share nothing at the tip: a mesh bisected towards it and near-tip functions. Whichever the case asks
 // for, the other is solved beside it.
 TEST(SifCommand, both_treatments_of_a_tip_agree) {

@@ -48,6 +48,17 @@ double least_angle(const TriangleMesh& mesh) {
   return least;
 }
 
+/// Of the triangles that hold a point.
+double longest_side_at(const TriangleMesh& mesh, const std::vector<Point>& points) {
+  double longest = 0;
+  for (const auto& t : mesh.triangles) {
+    const auto p = corners(mesh, t);
+    if (std::ranges::none_of(points, [&](Point at) { return side(p, at) != Side::outside; })) continue;
+    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, distance(p[k], p[(k + 1) % 3]));
+  }
+  return longest;
+}
+
 /// How often every directed side occurs: a side between two triangles has each direction once.
 bool is_conforming(const TriangleMesh& mesh, std::size_t boundary_sides) {
   std::map<std::pair<int, int>, int> sides;
@@ -98,6 +109,21 @@ TEST(BisectMesh, gives_points_nodes_without_bad_triangles) {
     EXPECT_EQ(mesh.triangles.size(), triangles);
     EXPECT_NEAR(area_of(mesh), before, 1e-12 * before);
     EXPECT_GT(least_angle(mesh), 15) << i;
+  }
+}
+
+TEST(BisectMesh, halves_what_holds_a_point_until_its_longest_side_is_as_short_as_asked_for) {
+  for (int i = 0; i < 50; ++i) {
+    TriangleMesh mesh = turned_mesh();
+    const double before = area_of(mesh);
+    const std::vector<Point> points{{0.5 + 0.013 * i, 1 + 0.0071 * i}, {3.5, 0.3 + 0.002 * i}};
+    if (i % 2 == 0) place_nodes(mesh, points);
+    const double longest = 0.1 + 0.01 * i;
+    bisect_at(mesh, points, longest, {std::cos(kAngle), std::sin(kAngle)});
+    EXPECT_NEAR(area_of(mesh), before, 1e-12 * before);
+    EXPECT_TRUE(is_conforming(mesh, 0));
+    EXPECT_GT(least_angle(mesh), 10) << i;
+    EXPECT_LE(longest_side_at(mesh, points), longest * (1 + 1e-9)) << i;
   }
 }
 

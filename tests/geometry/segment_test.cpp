@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace keyblock::segment_test {
 
 TEST(Segment, distance_counts_from_the_nearest_end_beyond_the_ends) {
@@ -30,6 +32,19 @@ TEST(Segment, meetings_are_told_apart) {
   EXPECT_EQ(meeting(s, {{5, 5}, {9, 9}}), Meeting::none);
   EXPECT_EQ(meeting(s, {{0, 1}, {4, 5}}), Meeting::none);
   EXPECT_EQ(meeting(s, {{3, 0}, {3, 2}}), Meeting::none);
+}
+
+TEST(Segment, parts_along_others_are_cut_at_their_ends_and_joined) {
+  const Segment s{{0, 0}, {4, 0}};
+  const auto parts = [&](const std::vector<Segment>& others) { return parts_along(s, others, 1e-9); };
+  const std::vector<Segment> two{{{0.5, 0}, {1.5, 0}}, {{3, 0}, {9, 0}}};
+  EXPECT_EQ(parts({{{-1, 0}, {7, 0}}}), std::vector<Segment>{s}) << "all of it, to the bit";
+  EXPECT_EQ(parts({two[1], two[0]}), (std::vector<Segment>{two[0], {{3, 0}, {4, 0}}}));
+  EXPECT_EQ(parts({{{1, 0}, {2, 0}}, {{3, 0}, {2, 0}}, {{1.5, 0}, {1.7, 0}}}), (std::vector<Segment>{{{1, 0}, {3, 0}}}))
+      << "end to end, over one another, either way";
+  EXPECT_TRUE(parts({{{1, 0}, {2, 1e-3}}}).empty()) << "leaves it";
+  EXPECT_TRUE(parts({{{1, -1}, {1, 1}}, {{4, 0}, {4, 3}}, {{4, 0}, {6, 0}}}).empty()) << "meets it in a point";
+  EXPECT_EQ(parts({{{1, 5e-10}, {2, -5e-10}}}).size(), 1U) << "near";
 }
 
 }  // namespace keyblock::segment_test

@@ -52,6 +52,24 @@ TEST(ReactionCurve, small_steps_alone_make_no_plateau) {
   EXPECT_TRUE(plateau_of(reaction_curves(history)[0]));
 }
 
+// Each step of 1 in 10,000 adds 1e-4 of the reaction: it grows as fast as the displacement does.
+TEST(ReactionCurve, many_small_steps_make_no_plateau_of_a_reaction_that_grows) {
+  std::vector<double> reactions;
+  for (int i = 0; i < 2000; ++i) reactions.push_back(10 + 1e-3 * i);
+  History history = history_of(reactions);
+  for (std::size_t i = 0; i < history.rows.size(); ++i) history.rows[i].driven[1] = 10000 + static_cast<double>(i);
+  EXPECT_FALSE(plateau_of(reaction_curves(history)[0]));
+}
+
+// A reaction that stands only while the edge goes a hundredth further may be at a kink of its curve.
+TEST(ReactionCurve, a_plateau_leads_a_tenth_further_at_least) {
+  History history = history_of({0, 2, 3, 3, 3, 3, 3});
+  for (std::size_t i = 2; i < history.rows.size(); ++i) history.rows[i].driven[1] = 2 + 0.02 * static_cast<double>(i);
+  EXPECT_FALSE(plateau_of(reaction_curves(history)[0]));
+  history.rows.back().driven[1] = 2.3;
+  EXPECT_TRUE(plateau_of(reaction_curves(history)[0]));
+}
+
 TEST(ReactionCurve, an_edge_that_is_held_at_the_end_has_no_plateau) {
   History history = history_of({0, 2, 3, 3, 3, 3});
   EXPECT_TRUE(plateau_of(reaction_curves(history)[0]));

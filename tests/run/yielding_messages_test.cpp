@@ -85,7 +85,7 @@ TEST(YieldingMessages, advice_after_a_load_step_can_be_followed) {
   const Done loaded = run_of("loaded", pillar("", R"("tractions": [{"along": [[1, 2], [0, 2]], "pressure": 8}], )"));
   ASSERT_EQ(loaded.exit_code, 4) << loaded.messages;
   EXPECT_TRUE(loaded.says("of the loads of this scene was found")) << loaded.messages;
-  EXPECT_TRUE(loaded.says("a limit load, or an element")) << loaded.messages;
+  EXPECT_TRUE(loaded.says("limit load of this mesh: ")) << loaded.messages;
   EXPECT_FALSE(loaded.says("legacy")) << loaded.messages;
   EXPECT_EQ(loaded.record["outcome"]["try"], nlohmann::json(kAlong));
   const Done along = run_of("along", pillar("", R"("tractions": [{"along": [[1, 2], [0, 2]], "pressure": 8}], )"),
@@ -100,6 +100,8 @@ TEST(YieldingMessages, a_driven_edge_is_not_said_to_have_a_limit_load) {
       run_of("driven", pillar(R"(, {"along": [[1, 2], [0, 2]], "held": "y", "y": -2.5})", ""), {"--set", "steps=4"});
   ASSERT_EQ(driven.exit_code, 4) << driven.messages;
   EXPECT_TRUE(driven.says("of the displacements and loads of this scene was found")) << driven.messages;
+  EXPECT_FALSE(driven.says("limit load of this mesh")) << driven.messages;
+  EXPECT_TRUE(driven.says("stopped: no equilibrium")) << driven.messages;
   EXPECT_TRUE(driven.says("edges are driven, so that this need not be a limit load: more steps may go on"))
       << driven.messages;
   EXPECT_EQ(driven.record["outcome"]["try"][0], "--set steps=20");

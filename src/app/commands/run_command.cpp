@@ -170,7 +170,7 @@ void print_stages(const std::vector<SceneReport>& stages) {
   }
 }
 
-// How much rock has yielded, and reactions that stand.
+// How much rock has yielded, and reactions that stand or still grow.
 void print_yielding(const RunRecord& record) {
   if (record.plastic && record.plastic->totals.yielded == 0)
     spdlog::info("no rock has yielded");
@@ -178,10 +178,19 @@ void print_yielding(const RunRecord& record) {
     spdlog::info("yielded: {:.3g} % of the rock that may; equivalent plastic strain up to {:.3g}, in element {}",
                  100 * record.plastic->totals.yielded_fraction(), record.plastic->equivalent,
                  record.plastic->element + 1);
-  for (const ReactionCurve& curve : record.reactions)
+  const bool yields = record.plastic && record.plastic->totals.yielded > 0;
+  for (const ReactionCurve& curve : record.reactions) {
     if (const std::optional<std::size_t> first = plateau_of(curve))
-      spdlog::info("limit load: reaction {} of displacement {} stands at {:.6g} since step {}, driven by {:.4g}",
-                   curve.component, curve.number + 1, curve.reaction.back(), curve.steps[*first], curve.driven[*first]);
+      spdlog::info(
+          "limit load of this mesh: reaction {} of displacement {} stands at {:.6g} since step {}, driven by {:.4g}",
+          curve.component, curve.number + 1, curve.reaction.back(), curve.steps[*first], curve.driven[*first]);
+    else if (const std::optional<double> slope = end_slope(curve); slope && yields)
+      spdlog::info(
+          "stopped at {:.6g}, reaction {} of displacement {}, driven by {:.4g}: no limit load, for the reaction {} by "
+          "{:.2g} % for each % that it is driven further",
+          curve.reaction.back(), curve.component, curve.number + 1, curve.driven.back(), *slope < 0 ? "falls" : "grows",
+          std::abs(*slope));
+  }
 }
 
 // Of what stress across the bodies would push with: resultants of loads that cancel are less.

@@ -6,10 +6,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <unordered_map>
 #include <vector>
+
+#include "geometry/polygon.hpp"
 
 namespace keyblock {
 namespace {
@@ -59,14 +62,14 @@ Triangle with_longest_side_first(const TriangleMesh& mesh, const Triangle& t, Po
 /// The first side of a triangle is the one that is halved next.
 class Bisection {
  public:
-  Bisection(TriangleMesh& mesh, const MeshSize& size) : mesh_(mesh), size_(size) {}
+  explicit Bisection(TriangleMesh& mesh) : mesh_(mesh) {}
 
-  bool mark_large() {
+  /// `longest_of`: the longest side that a triangle may have.
+  template <class Longest>
+  bool mark_large(Longest longest_of) {
     cut_.clear();
-    for (const Triangle& t : mesh_.triangles) {
-      const Point middle = (1.0 / 3) * (node(mesh_, t[0]) + node(mesh_, t[1]) + node(mesh_, t[2]));
-      if (longest_side(mesh_, t) > size_.at(middle)) cut_.emplace(key(t[0], t[1]), kUncut);
-    }
+    for (const Triangle& t : mesh_.triangles)
+      if (longest_side(mesh_, t) > longest_of(t)) cut_.emplace(key(t[0], t[1]), kUncut);
     return !cut_.empty();
   }
 
@@ -112,9 +115,19 @@ class Bisection {
   }
 
   TriangleMesh& mesh_;
-  const MeshSize& size_;
   std::unordered_map<std::uint64_t, int> cut_;  // sides to be halved, and the nodes in their middles
 };
+
+template <class Longest>
+int halve_while_large(TriangleMesh& mesh, Point rows, Longest longest_of) {
+  const auto before = static_cast<int>(mesh.nodes.size());
+  for (Triangle& t : mesh.triangles) t = with_longest_side_first(mesh, t, rows);
+  for (Bisection bisection(mesh); bisection.mark_large(longest_of);) {
+    bisection.close();
+    bisection.halve_all();
+  }
+  return static_cast<int>(mesh.nodes.size()) - before;
+}
 
 constexpr double kLeastAngle = 15 * std::numbers::pi / 180;
 
@@ -166,13 +179,18 @@ constexpr std::size_t kCandidates = 4;  // nodes nearest to a point
 }  // namespace
 
 int bisect(TriangleMesh& mesh, const MeshSize& size, Point rows) {
-  const auto before = static_cast<int>(mesh.nodes.size());
-  for (Triangle& t : mesh.triangles) t = with_longest_side_first(mesh, t, rows);
-  for (Bisection bisection(mesh, size); bisection.mark_large();) {
-    bisection.close();
-    bisection.halve_all();
-  }
-  return static_cast<int>(mesh.nodes.size()) - before;
+  return halve_while_large(mesh, rows, [&](const Triangle& t) {
+    return size.at((1.0 / 3) * (node(mesh, t[0]) + node(mesh, t[1]) + node(mesh, t[2])));
+  });
+}
+
+int bisect_at(TriangleMesh& mesh, std::span<const Point> points, double side, Point rows) {
+  return halve_while_large(mesh, rows, [&](const Triangle& t) {
+    const std::array<Point, 3> corners{node(mesh, t[0]), node(mesh, t[1]), node(mesh, t[2])};
+    const bool holds_one =
+        std::ranges::any_of(points, [&](Point p) { return keyblock::side(corners, p) != Side::outside; });
+    return holds_one ? (1 + kEqualSides) * side : std::numeric_limits<double>::infinity();
+  });
 }
 
 int place_nodes(TriangleMesh& mesh, std::span<const Point> points) {

@@ -83,11 +83,14 @@ std::vector<RefinedPoint> refined_points(const MeshPlan& plan, const Box& box, s
   return points;
 }
 
+Point direction_of_rows(const MeshPlan& plan) {
+  const double angle = plan.angle_deg * std::numbers::pi / 180;
+  return {std::cos(angle), std::sin(angle)};
+}
+
 TriangleMesh bisected(TriangleMesh mesh, const MeshPlan& plan, std::vector<RefinedPoint> refined) {
   if (refined.empty()) return mesh;
-  const double angle = plan.angle_deg * std::numbers::pi / 180;
-  bisect(mesh, {std::numeric_limits<double>::infinity(), std::move(refined), kMeshGrowth},
-         {std::cos(angle), std::sin(angle)});
+  bisect(mesh, {std::numeric_limits<double>::infinity(), std::move(refined), kMeshGrowth}, direction_of_rows(plan));
   return mesh;
 }
 
@@ -133,6 +136,8 @@ FittedMesh with_nodes_at_lines(TriangleMesh mesh, const MeshPlan& plan, const Bo
   if (plan.snap_ratio > 0) fitted.snapped = snap_nodes(fitted.mesh, graph, plan.snap_ratio * mesh_scale(box_of(graph)));
   // Else meshes stay as they are.
   if (plan.has_nodes_at_tips || plan.tip_side > 0 || plan.tip_functions.are_asked()) place_nodes(fitted.mesh, tips);
+  // Sides grow from a tip on, and a node that moved has drawn sides out.
+  if (plan.tip_side > 0) bisect_at(fitted.mesh, tips, plan.tip_side, direction_of_rows(plan));
   return fitted;
 }
 

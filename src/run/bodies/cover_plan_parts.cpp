@@ -6,12 +6,15 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <span>
 
 #include "cut/bodies/place_points.hpp"
 #include "cut/covers/to_cover.hpp"
 #include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
+#include "run/bodies/agreement.hpp"
 #include "terms/cover_loads.hpp"
 
 namespace keyblock {
@@ -37,21 +40,34 @@ PrescribedDisplacement displacement_of(const DisplacementPlan& plan) {
           }};
 }
 
-// A chain that covers less than this share of its length is told.
-constexpr double kAlmostAll = 1 - 1e-6;
+// Of the length of a chain: less than this off the boundary is rounding.
+constexpr double kLittleOff = 1e-6;
 // Points of an area and of a side at which loads are tried.
 constexpr int kTriedDegree = 2;
 
-double length_of(const BoundaryPart& part) {
-  double sum = 0;
-  for (std::size_t i = 0; i + 1 < part.size(); ++i) sum += distance(part[i], part[i + 1]);
-  return sum;
-}
+/// How much of a chain lies on no edge of these, and where that begins.
+struct OffBoundary {
+  double whole = 0;  ///< length of the chain
+  double off = 0;
+  Point first;
+};
 
-double length_found(const Manifold& manifold, const BoundaryPart& part) {
-  double sum = 0;
-  for (const ElementSide& side : sides_along(manifold, part)) sum += distance(side.edge.start, side.edge.end);
-  return sum;
+OffBoundary off_boundary(const BoundaryPart& part, std::span<const Segment> edges, double near) {
+  OffBoundary found;
+  for (const Segment& piece : pieces_of(part)) {
+    found.whole += distance(piece.start, piece.end);
+    Point at = piece.start;
+    const auto leave_out = [&](Point to) {
+      if (found.off == 0) found.first = at;
+      found.off += distance(at, to);
+    };
+    for (const Segment& covered : parts_along(piece, edges, near)) {
+      leave_out(covered.start);
+      at = covered.end;
+    }
+    leave_out(piece.end);
+  }
+  return found;
 }
 
 // Formulas complain of themselves.
@@ -130,21 +146,28 @@ int element_holding(const Manifold& manifold, int body, Point p, const char* nou
 Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>& scenes) {
   Warnings warnings;
   // A boundary may be dug free later.
+  std::vector<Segment> edges;
+  double near = 0;
+  for (const Continuum* scene : scenes) {
+    for (const ElementSide& side : boundary_sides(scene->manifold)) edges.push_back(side.edge);
+    near = std::max(near, reach_of_chains(scene->manifold));
+  }
   const auto look = [&](const BoundaryPart& part, const Place& place) {
-    double found = 0;
-    for (const Continuum* scene : scenes) found = std::max(found, length_found(scene->manifold, part));
-    if (found == 0)
+    const OffBoundary found = off_boundary(part, edges, near);
+    if (found.off == found.whole)
       throw InputError(place, fmt::format("expected a chain on the boundary of bodies on covers, found none of it "
                                           "there: ({:.9g}, {:.9g}), …",
                                           part.front().x, part.front().y));
-    if (found < kAlmostAll * length_of(part))
+    if (found.off > kLittleOff * found.whole)
       warnings.push_back({"chain_off_boundary", place,
-                          fmt::format("only {:.6g} of the {:.6g} of this chain lie on the boundary of the bodies",
-                                      found, length_of(part))});
+                          fmt::format("{:.6g} of the {:.6g} of this chain lies off the boundary of the bodies, first "
+                                      "from ({:.6g}, {:.6g}) on, and acts on nothing; move its points onto the outline",
+                                      found.off, found.whole, found.first.x, found.first.y)});
   };
   for (const TractionPlan& part : plan.tractions) look(part.along, part.place);
   for (const DisplacementPlan& part : plan.displacements) look(part.along, part.place);
   for (const Continuum* scene : scenes) try_formulas(*scene);
+  require_agreement(plan, scenes);
   return warnings;
 }
 

@@ -22,7 +22,8 @@ CoverPlan what_is_left_of(CoverPlan plan, const Manifold& bodies, const Blocks& 
 void put_points(Continuum& continuum, const CoverPlan& plan);
 
 /// What is to be said of the chains of a plan, and of its loads: `scenes` are the bodies of a run, one after another.
-/// Throws InputError for a chain that is on the boundary of none of them, and where a formula has no finite value.
+/// Throws InputError for a chain that is on the boundary of none of them, where a formula has no finite value, and
+/// where two prescribed displacements contradict each other.
 Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>& scenes);
 
 /// The element that holds the point, of `body` if that is not -1. Throws InputError, saying `noun`, where none does.

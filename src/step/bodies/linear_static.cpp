@@ -49,6 +49,16 @@ Eigen::Vector3d ContinuumSolution::strain(int element, Point x) const {
   return shape.strain(x) * unknowns_of(*this, shape);
 }
 
+double ContinuumSolution::rotation(int element, Point x) const {
+  const ElementShape shape = basis.shape(element);
+  const Eigen::Matrix2Xd gradients = shape.gradients(x);
+  const Eigen::VectorXd d = unknowns_of(*this, shape);
+  double twice = 0;
+  for (Eigen::Index a = 0; a < gradients.cols(); ++a)
+    twice += d(2 * a + 1) * gradients(0, a) - d(2 * a) * gradients(1, a);
+  return twice / 2;
+}
+
 void add_supports_and_loads(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system) {
   add_cover_body_force(continuum, basis, system);
   for (const PrescribedDisplacement& part : continuum.prescribed) add_prescribed(continuum, basis, part, system);

@@ -19,6 +19,8 @@ struct ContinuumSolution {
   Point displacement(int element, Point x) const;
   /// Engineering strain (ex, ey, gxy).
   Eigen::Vector3d strain(int element, Point x) const;
+  /// The skew part of the gradient of displacement, (∂v/∂x - ∂u/∂y)/2: rad, where it is small.
+  double rotation(int element, Point x) const;
 };
 
 /// What couples: the functions of each element, and of both elements of each pair.
