@@ -24,6 +24,7 @@
 #include "model/material_choices.hpp"
 #include "model/shared_covers.hpp"
 #include "problem/units/unit_conversion.hpp"
+#include "run/growth/bonded_faces.hpp"
 #include "step/scene/enforcement.hpp"
 
 namespace keyblock {
@@ -479,6 +480,7 @@ Warnings contradictions_of(const BlockMaterial& material, const Units& units) {
 
 Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
   Warnings found = joined(contradictions(problem, prepared.scene.settings), sudden_starts(problem, prepared));
+  if (problem.covers) found = joined(std::move(found), bonded_crack_faces(prepared.scene, problem.covers->place));
   if (!is_of_blocks(prepared)) return found;
   return joined(std::move(found), Blocky(prepared).warnings(problem));
 }
