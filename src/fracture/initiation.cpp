@@ -11,6 +11,7 @@
 #include <ranges>
 
 #include "fracture/growth.hpp"
+#include "fracture/rock_corners.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/quadrature.hpp"
 
@@ -32,7 +33,7 @@ class Starts {
       for (const AreaPoint& p : polygon_rule(polygon, kDegree))
         points.push_back({p.at, p.weight, stress_at(static_cast<int>(e), p.at)});
     }
-    seen_.assign(middles_.size(), -1);
+    seen_.assign(middles_.size(), 0);
   }
 
   std::vector<CrackStart> nearest() {
@@ -80,45 +81,79 @@ class Starts {
     return other && (!start || other->nearness() > start->nearness()) ? other : start;
   }
 
-  /// Its place, length and strength; none where a tip goes on instead.
-  std::optional<CrackStart> place_of(int e, double toughness, double strength) const {
+  /// A start without its stress, and the radius that this is averaged over.
+  struct Site {
+    CrackStart start;
+    double radius = 0;
+  };
+
+  /// None where a tip goes on instead.
+  std::optional<Site> site_of(int e, double toughness, double strength) {
     const double own = std::pow(toughness / strength, 2) / std::numbers::pi;
     const double side = side_of(e);
-    CrackStart start{middles_[static_cast<std::size_t>(e)], {}, own, 0, strength, toughness, side > own / 2};
-    if (start.is_coarse) start.half_length = std::max(own, 2 * side);
-    if (start.half_length > own) start.strength = toughness / std::sqrt(std::numbers::pi * start.half_length);
+    Site site{{.at = middles_[static_cast<std::size_t>(e)],
+               .half_length = own,
+               .strength = strength,
+               .toughness = toughness,
+               .side = side,
+               .length_of_rock = own,
+               .strength_of_rock = strength},
+              own};
+    if (site.start.is_coarse()) {
+      const double wide = std::max(own, 2 * side);
+      const double order = order_at(e, side, wide);
+      site.start.half_length = wide;
+      site.start.strength = strength * std::pow(own / wide, order);
+      site.radius = order > 0 ? wide : std::max(own, side / 2);
+    }
     for (const CrackTip& tip : manifold_.tips)
-      if (distance(tip.at, start.at) < kFreeOfTips * start.half_length) return std::nullopt;
-    return start;
+      if (distance(tip.at, site.start.at) < kFreeOfTips * site.start.half_length) return std::nullopt;
+    return site;
+  }
+
+  /// Of the stress at the sharpest corner within `near` of an element, through the rock within `reach` of it.
+  double order_at(int e, double near, double reach) {
+    double order = 0;
+    bool is_reached = false;
+    for (const RockCorner& corner : corners_) {
+      if (corner.order <= order || distance(corner.at, middles_[static_cast<std::size_t>(e)]) > near) continue;
+      if (!is_reached) mean_stress(e, reach);
+      is_reached = true;
+      if (std::ranges::find(reached_, corner.element) != reached_.end()) order = corner.order;
+    }
+    return order;
   }
 
   std::optional<CrackStart> in_tension(int e, double toughness, double strength) {
-    std::optional<CrackStart> start = place_of(e, toughness, strength);
-    if (!start) return std::nullopt;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(mean_stress(e, start->half_length));
-    start->stress = principal.eigenvalues()(1);
-    if (!(start->stress > 0)) return std::nullopt;
-    start->along = {principal.eigenvectors()(0, 0), principal.eigenvectors()(1, 0)};
+    std::optional<Site> site = site_of(e, toughness, strength);
+    if (!site) return std::nullopt;
+    CrackStart& start = site->start;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(mean_stress(e, site->radius));
+    start.stress = principal.eigenvalues()(1);
+    if (!(start.stress > 0)) return std::nullopt;
+    start.along = {principal.eigenvectors()(0, 0), principal.eigenvectors()(1, 0)};
     return start;
   }
 
   std::optional<CrackStart> in_shear(int e, double toughness, double cohesion, double friction) {
-    std::optional<CrackStart> start = place_of(e, toughness, cohesion);
-    if (!start) return std::nullopt;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(mean_stress(e, start->half_length));
+    std::optional<Site> site = site_of(e, toughness, cohesion);
+    if (!site) return std::nullopt;
+    CrackStart& start = site->start;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(mean_stress(e, site->radius));
     const double mean = principal.eigenvalues().mean();
     const double radius = (principal.eigenvalues()(1) - principal.eigenvalues()(0)) / 2;
-    start->stress = radius / std::cos(friction) + mean * std::tan(friction);
-    start->is_shear = true;
-    if (!(start->stress > 0) || mean + radius * std::sin(friction) > 0) return std::nullopt;  // its faces would open
+    start.stress = radius / std::cos(friction) + mean * std::tan(friction);
+    start.is_shear = true;
+    if (!(start.stress > 0) || mean + radius * std::sin(friction) > 0) return std::nullopt;  // its faces would open
     const Point pressed{principal.eigenvectors()(0, 0), principal.eigenvectors()(1, 0)};
     const double angle = std::numbers::pi / 4 - friction / 2;
     const std::array<Point, 2> planes{turned_to_left(pressed, angle), turned_to_left(pressed, -angle)};
     std::array<double, 2> at_ends{};
+    mean_stress(e, start.half_length);  // reaches their ends
     for (std::size_t i = 0; i < 2; ++i)
       for (const double way : {-1.0, 1.0})
-        at_ends[i] += left_by_friction(e, start->at + way * start->half_length * planes[i], planes[i], friction);
-    start->along = planes[at_ends[1] > (1 + kStartsTogether) * at_ends[0] ? 1 : 0];
+        at_ends[i] += left_by_friction(e, start.at + way * start.half_length * planes[i], planes[i], friction);
+    start.along = planes[at_ends[1] > (1 + kStartsTogether) * at_ends[0] ? 1 : 0];
     return start;
   }
 
@@ -140,7 +175,7 @@ class Starts {
     const Point about = middles_[static_cast<std::size_t>(first)];
     std::vector<int> open{first};
     reached_.clear();
-    seen_[static_cast<std::size_t>(first)] = first;
+    seen_[static_cast<std::size_t>(first)] = ++discs_;
     while (!open.empty()) {
       const int e = open.back();
       open.pop_back();
@@ -156,8 +191,8 @@ class Starts {
       }
       if (!is_near && e != first) continue;
       for (const ElementCorner& corner : manifold_.loop(manifold_.elements[static_cast<std::size_t>(e)].outer)) {
-        if (corner.neighbour < 0 || seen_[static_cast<std::size_t>(corner.neighbour)] == first) continue;
-        seen_[static_cast<std::size_t>(corner.neighbour)] = first;
+        if (corner.neighbour < 0 || seen_[static_cast<std::size_t>(corner.neighbour)] == discs_) continue;
+        seen_[static_cast<std::size_t>(corner.neighbour)] = discs_;
         open.push_back(corner.neighbour);
       }
     }
@@ -172,10 +207,12 @@ class Starts {
 
   const CoverSolution& solution_;
   const Manifold& manifold_;
+  std::vector<RockCorner> corners_;
   std::vector<Point> middles_;
   std::vector<std::vector<StressPoint>> points_;  // of each element
-  std::vector<int> seen_;                         // by which disc
-  std::vector<int> reached_;                      // by the last disc
+  std::vector<int> seen_;                         // by which disc, from 1
+  int discs_ = 0;
+  std::vector<int> reached_;  // by the last disc
 };
 
 }  // namespace

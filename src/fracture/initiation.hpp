@@ -11,27 +11,38 @@ namespace keyblock {
 /// A crack about to start: its middle, its direction (of length 1), and how near it is.
 struct CrackStart {
   Point at;
-  Point along;
+  Point along = {};
   double half_length = 0;
   double stress = 0;  ///< averaged over the disc, force / length²: the greatest principal stress, normal to the crack;
                       ///< in shear what friction leaves of the shear stress along it
-  double strength = 0;     ///< that it has to reach
-  double toughness = 0;    ///< K_Ic of the rock, in shear K_IIc, F/L^1.5
-  bool is_coarse = false;  ///< the mesh is coarser than half the length of the rock: strength is lowered, energy right
-  bool is_shear = false;   ///< its faces stay closed and rub
+  double strength = 0;          ///< that it has to reach
+  double toughness = 0;         ///< K_Ic of the rock, in shear K_IIc, F/L^1.5
+  bool is_shear = false;        ///< its faces stay closed and rub
+  double side = 0;              ///< of the mesh there
+  double length_of_rock = 0;    ///< L
+  double strength_of_rock = 0;  ///< f_t, in shear c
 
   double nearness() const { return stress / strength; }
+  /// The mesh is coarser than half the length of the rock.
+  bool is_coarse() const { return side > length_of_rock / 2; }
 };
 
 /// The one that starts first, and those within one per cent of it that lie apart from it; none where no rock has a
 /// toughness with a tensile strength, or nothing is pulled. The greatest principal stress is averaged, with the weight
 /// (1 - r²/R²)², over a disc of R = L = (K_Ic/f_t)²/π about the middle of each element, through rock that hangs
 /// together; a crack of half-length L under f_t has K = K_Ic (theory of critical distances, Taylor 2007; finite
-/// fracture mechanics, Leguillon 2002). Where the element's side h is above L/2: R = 2h and the strength K_Ic/√(2 π
-/// h) (crack band, Bažant & Oh 1983). Where rock has a cohesion, closed cracks start in shear likewise, with K_IIc, L =
-/// (K_IIc/c)²/π and c for the strength: along the plane on which |τ| + σ tan φ is greatest, at 45° - φ/2 to the
-/// greatest compression (Coulomb 1773; as the crack slides its drop of stress is c where it rubs as the rock did). Of
-/// the two such planes the one at whose ends, L away, that is greater. Within 2 R of a tip that tip goes on instead.
+/// fracture mechanics, Leguillon 2002).
+///
+/// Where the element's side h is above L/2, the mesh cannot show that average, and it is extrapolated. Stress that the
+/// mesh resolves varies little over an element: R = max(L, h/2), and the strength is f_t. Where a corner that opens
+/// into the rock lies within h (`rock_corners`), stress grows towards it as r^-α, and so does its average: R = 2h, and
+/// the strength is f_t (L/2h)^α, which is K_Ic/√(2πh) at a notch as sharp as a crack (crack band, Bažant & Oh 1983;
+/// notches, Seweryn 1994). The crack that starts has the half-length 2h.
+///
+/// Where rock has a cohesion, closed cracks start in shear likewise, with K_IIc, L = (K_IIc/c)²/π and c for the
+/// strength: along the plane on which |τ| + σ tan φ is greatest, at 45° - φ/2 to the greatest compression (Coulomb
+/// 1773; as the crack slides its drop of stress is c where it rubs as the rock did). Of the two such planes the one at
+/// whose ends, L away, that is greater. Within two half-lengths of a tip that tip goes on instead.
 std::vector<CrackStart> crack_starts(const CoverSolution& solution);
 
 }  // namespace keyblock

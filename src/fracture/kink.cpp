@@ -131,7 +131,7 @@ StressIntensity behind_kink(const StressIntensity& k, double angle) {
 }
 
 double equivalent_of(const Kink& by_criterion, const Toughness& toughness, const StressIntensity& k) {
-  if (!toughness.mode_2) return by_criterion.equivalent;
+  if (!toughness.mode_2 || by_criterion.equivalent == 0) return by_criterion.equivalent;
   return std::hypot(std::max(k.mode_1, 0.0), k.mode_2 * toughness.mode_1 / *toughness.mode_2);
 }
 
@@ -139,6 +139,7 @@ Kink kink(GrowthCriterion criterion, const PlaneElasticity& rock, const StressIn
   const StressIntensity open{std::max(k.mode_1, 0.0), k.mode_2};
   const double size = std::hypot(open.mode_1, open.mode_2);
   if (!(size > 0) || !std::isfinite(size)) return {};
+  if (size <= kNoiseOfFactors * -k.mode_1) return {};  // faces pressed together; the rest is noise
   const StressIntensity unit{open.mode_1 / size, open.mode_2 / size};
   Kink found;
   switch (criterion) {

@@ -15,7 +15,8 @@ struct Kink {
 /// hoop_stress: greatest σθθ (Erdogan & Sih 1963), K_eq = cos²(θ/2) (K_I cos(θ/2) - 3 K_II sin(θ/2)). strain_energy:
 /// least density of strain energy r w (Sih 1974) of the minima that have hoop tension, K_eq² = 8 π μ S / (κ - 1).
 /// energy_release: greatest energy release rate of a short kink, by the expansion of Amestoy & Leblond (1992) to the
-/// twentieth order of the angle, K_eq = √(K1*² + K2*²). A closed tip has K_I = 0 here: a negative one is taken for 0.
+/// twentieth order of the angle, K_eq = √(K1*² + K2*²). A closed tip has K_I = 0 here: a negative one is
+/// taken for 0, and goes nowhere where K_II is no more than the noise of K_I.
 Kink kink(GrowthCriterion criterion, const PlaneElasticity& rock, const StressIntensity& k);
 
 /// K_eq where the rock has a toughness of mode II: K_Ic √((K_I/K_Ic)² + (K_II/K_IIc)²), K_I below 0 taken for 0

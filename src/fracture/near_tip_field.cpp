@@ -44,6 +44,10 @@ double PlaneElasticity::kolosov() const {
   return is_plane_strain ? 3 - 4 * poissons_ratio : (3 - poissons_ratio) / (1 + poissons_ratio);
 }
 
+bool faces_overlap(const StressIntensity& k) {
+  return k.mode_1 < -kNoiseOfFactors * std::hypot(k.mode_1, k.mode_2);
+}
+
 double energy_release(const PlaneElasticity& rock, const StressIntensity& k) {
   return (k.mode_1 * k.mode_1 + k.mode_2 * k.mode_2) / rock.effective_modulus();
 }

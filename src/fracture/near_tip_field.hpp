@@ -27,6 +27,12 @@ struct StressIntensity {
   double mode_2 = 0;
 };
 
+/// Of K: what two good treatments of a tip may differ by, and below which a factor is noise.
+inline constexpr double kNoiseOfFactors = 0.03;
+
+/// K_I below 0 by more than noise: the faces lie in one another at the tip, for nothing holds them apart.
+bool faces_overlap(const StressIntensity& k);
+
 /// G = (K_I² + K_II²)/E' of a tip that goes straight on (Irwin 1957); F/L.
 double energy_release(const PlaneElasticity& rock, const StressIntensity& k);
 

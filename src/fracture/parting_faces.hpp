@@ -11,32 +11,48 @@ namespace keyblock {
 
 /// A point of both faces.
 struct PartingPoint {
-  Point at;    ///< undeformed
-  Point pull;  ///< on the left face when the rock parted there, force per unit thickness; the right has the opposite
-  Point apart = {};  ///< displacement of the left face less that of the right when last looked at
-  int left = -1;     ///< elements of the manifold; -1: none is there
+  Point at;            ///< undeformed
+  Point pull;          ///< on the left face when the rock parted there, force per unit thickness; the right: opposite
+  Point opening = {};  ///< displacement of the left face less that of the right, length
+  int left = -1;       ///< elements of the manifold; -1: none is there
   int right = -1;
 };
 
+/// Displacement, length, of a point of an element of the manifold.
+using DisplacementAt = std::function<Point(int, Point)>;
+
 /// A piece that a crack gained in one increment. At first its faces pull each other as the rock did there, so that
-/// nothing jumps when the scene is cut. All points let go together: their pulls have the share
-///     f = √((1 - s) (1 - W/Γ)),
-/// W the work that the pulls have taken and Γ the energy of fracture of the piece. Where points open in proportion this
-/// is a traction that falls linearly with the opening and takes Γ in all (nodal release, Kobayashi, Emery & Mall 1976;
-/// linear cohesive law, Hillerborg, Modéer & Petersson 1976). A little of the pull, s, goes at once: a balance that
-/// nothing disturbs would last. Faces that close again are pulled no more than before. Where rock was pressed across a
-/// piece as it parted, its faces hold each other by little or nothing and would never take Γ: what lies wide open has
-/// parted too.
+/// nothing jumps when the scene is cut. The pull P of a point then points against x = δ + δ0 P/P, where δ is the
+/// opening of the point and δ0 that of a tip at its toughness: faces that come to part in another direction than the
+/// rock pulled are pulled against that one. What the full pulls would do as the faces part,
+///     D = Σ P (|x| - δ0),
+/// measures how far the piece has parted. All points together have the share f of their pulls, which falls linearly
+/// with D from 1 - s to 0, so that the piece takes Γ in all (nodal release, Kobayashi, Emery & Mall 1976; linear
+/// cohesive law, Hillerborg, Modéer & Petersson 1976). Faces that close again have a share that falls linearly to 0 at
+/// D = 0 and give back what it did (Camacho & Ortiz 1996); the work that a piece has taken is never below 0. A little
+/// of the pull, s, goes at once: a balance that nothing disturbs would last. Where rock was pressed across a piece as
+/// it parted, its faces hold each other by little or nothing and would never take Γ: what lies wide open has parted
+/// too.
 struct PartingFaces {
   Point from;
-  Point to;           ///< the left face lies to the left of the way to it
-  double energy = 0;  ///< Γ, per unit thickness
-  double wide = 0;    ///< farther apart than this all along, faces have parted
-  double taken = 0;   ///< W
-  double share = 1;   ///< f; 0: they have parted
+  Point to;             ///< the left face lies to the left of the way to it
+  double energy = 0;    ///< Γ, per unit thickness
+  double wide = 0;      ///< farther apart than this all along, faces have parted
+  double taken = 0;     ///< work that the pulls have done against the faces, per unit thickness
+  double parted = 0;    ///< D, per unit thickness
+  double farthest = 0;  ///< the greatest D so far
   std::vector<PartingPoint> points = {};
 
-  bool have_parted() const { return share == 0; }
+  /// D at which nothing is left to be taken.
+  double end() const;
+  bool have_parted() const { return farthest >= end(); }
+  /// f at D.
+  double share(double at) const;
+  /// Work of the pulls from the present D to another, per unit thickness.
+  double work_to(double at) const;
+  /// Of a step over which a point opens from its present opening to another: against this, of a length up to 1, a pull
+  /// does the work that D says (discrete gradient, Gonzalez 1996).
+  Point way(const PartingPoint& point, Point opening) const;
 };
 
 /// A piece with its pulls by the tractions of the rock before it parts. `energy`: Γ; `modulus`: E'. `traction`: on the
@@ -49,11 +65,41 @@ PartingFaces parting_faces(Point from, Point to, double energy, double modulus, 
 /// Puts the elements on both sides of the points, as bodies are cut now.
 void put_elements(PartingFaces& faces, const Manifold& manifold);
 
-/// Adds the work of openings since last looked at, lets the pulls go accordingly. `displacement`: of a point of an
-/// element of the manifold.
-void let_go(PartingFaces& faces, const std::function<Point(int, Point)>& displacement);
-
 /// Takes the present openings for those last looked at.
-void look_at_openings(PartingFaces& faces, const std::function<Point(int, Point)>& displacement);
+void look_at_openings(PartingFaces& faces, const DisplacementAt& displacement);
+
+/// On the left faces of all pieces, in the order of their points, force per unit thickness.
+using Pulls = std::vector<std::vector<Point>>;
+
+/// Finds the pulls of a step in time: constant over it, with the share that does the work of the law between its start
+/// and its end. With the share at its start instead a step in which faces open far takes many times Γ.
+class PullsOfStep {
+ public:
+  /// Begins with the pulls at the start of the step. Views the faces.
+  explicit PullsOfStep(const std::vector<PartingFaces>& faces);
+
+  const Pulls& pulls() const { return pulls_; }
+  /// Of a step that was made with these pulls and ends with these displacements: true where they did the work of the
+  /// law. Otherwise puts pulls that come nearer to it. A piece for which none are found pulls no more in the step.
+  bool are_found(const DisplacementAt& displacement);
+
+ private:
+  /// Shares between which that of a piece lies, and by how much each is more than the law asks for there.
+  struct Search {
+    double share = 0;
+    double low = 0, high = 1;
+    double off_at_low = 0, off_at_high = 0;  ///< 0: not tried
+  };
+  bool looks_right(std::size_t piece, const DisplacementAt& displacement);
+  void choose(Search& search, double asked) const;
+
+  const std::vector<PartingFaces>& faces_;
+  Pulls pulls_;
+  std::vector<Search> searches_;
+  int round_ = 0;
+};
+
+/// Ends a step that was made with these pulls of the faces: adds their work and puts the openings.
+void part(PartingFaces& faces, const std::vector<Point>& pulls, const DisplacementAt& displacement);
 
 }  // namespace keyblock

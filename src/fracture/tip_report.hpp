@@ -10,10 +10,6 @@
 
 namespace keyblock {
 
-/// Share of J and of (K_I² + K_II²)/E' by which they may differ. Benchmarks fra-01 to 12, closed faces with friction
-/// aside, stay below two hundredths.
-inline constexpr double kMostDifferenceOfJ = 0.1;
-
 /// What one domain says, or why it is refused.
 struct DomainResult {
   DomainChoice choice;

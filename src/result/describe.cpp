@@ -149,6 +149,30 @@ void describe(Archive& a, TipState& tip) {
   a.value("is_shear", tip.is_shear);
 }
 
+void describe(Archive& a, CrackNotes& notes) {
+  const auto at_tip = [&](const char* name, CrackNotes::AtTip& tip) {
+    a.group(name, [&] {
+      a.value("step", tip.step);
+      a.value("crack", tip.crack);
+      describe(a, tip.at);
+      a.value("increment", tip.increment);
+      a.value("ratio", tip.ratio);
+    });
+  };
+  at_tip("bent", notes.bent);
+  at_tip("overlapping", notes.overlapping);
+  a.group("coarse_start", [&] {
+    CrackNotes::Start& start = notes.coarse_start;
+    a.value("step", start.step);
+    a.value("count", start.count);
+    describe(a, start.at);
+    a.value("side", start.side);
+    a.value("length", start.length);
+    a.value("strength", start.strength);
+    a.value("of_rock", start.of_rock);
+  });
+}
+
 void describe(Archive& a, LedgerRow& row) {
   a.value("step", row.step);
   a.value("time", row.time);

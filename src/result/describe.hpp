@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/archive.hpp"
+#include "result/crack_notes.hpp"
 #include "result/force_balance.hpp"
 #include "result/frame.hpp"
 #include "result/history.hpp"
@@ -14,6 +15,7 @@ namespace keyblock {
 void describe(Archive& archive, Frame& frame);
 void describe(Archive& archive, HistoryRow& row);
 void describe(Archive& archive, TipState& tip);
+void describe(Archive& archive, CrackNotes& notes);
 void describe(Archive& archive, LedgerRow& row);
 void describe(Archive& archive, LedgerSums& sums);
 void describe(Archive& archive, StepTotals& totals);

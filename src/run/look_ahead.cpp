@@ -26,6 +26,7 @@
 #include "problem/lines/outline_graph.hpp"
 #include "problem/units/unit_conversion.hpp"
 #include "run/ahead/spring_impacts.hpp"
+#include "run/growth/bonded_faces.hpp"
 #include "step/scene/enforcement.hpp"
 
 namespace keyblock {
@@ -542,6 +543,7 @@ Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
   Warnings found =
       joined(contradictions(problem, prepared.scene.settings, prepared.scene.model), sudden_starts(problem, prepared));
   found = joined(std::move(found), spring_impacts(prepared, problem.analysis->place));
+  if (problem.covers) found = joined(std::move(found), bonded_crack_faces(prepared.scene, problem.covers->place));
   if (!is_of_blocks(prepared)) return found;
   return joined(std::move(found), Blocky(prepared).warnings(problem));
 }

@@ -71,6 +71,7 @@ class Loop {
     outcome.field = field_of(stepper_.model(), stepper_);
     outcome.forces = stepper_.forces();
     outcome.scenes = stepper_.scenes();
+    outcome.cracks = stepper_.crack_notes();
     return outcome;
   }
 

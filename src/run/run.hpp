@@ -52,6 +52,7 @@ struct RunOutcome {
   LedgerScope ledger_scope;
   StartReport start;
   std::vector<SceneReport> scenes = {};     ///< where there is more than one
+  CrackNotes cracks;                        ///< as they grew
   FieldFrame field;                         ///< the end, within the elements
   std::optional<ForceBalance> forces = {};  ///< at the end, where the steps sum them
 };

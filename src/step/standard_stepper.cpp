@@ -318,10 +318,14 @@ bool StandardStepper::is_at_rest(double share) const {
 }
 
 std::optional<CoverDisplacement> StandardStepper::on_covers() const {
+  return on_covers(motion_);
+}
+
+std::optional<CoverDisplacement> StandardStepper::on_covers(const Motion& motion) const {
   for (const auto& group : scene_.groups)
     if (const CoverBasis* basis = group->shared_basis()) {
       const bool is_in_time = scene_.settings.standard.motion == MotionRule::dynamic;
-      return CoverDisplacement{*basis, motion_.q.shared, true, is_in_time ? &motion_.a.shared : nullptr};
+      return CoverDisplacement{*basis, motion.q.shared, true, is_in_time ? &motion.a.shared : nullptr};
     }
   return std::nullopt;
 }
@@ -351,14 +355,16 @@ ContactFrames StandardStepper::contacts() const {
                         is_in_time ? vertices_before_ : Table<VertexIndex, Point>());
 }
 
-std::variant<StepReport, StepFailure> StandardStepper::advance() {
+std::variant<StepReport, StepFailure> StandardStepper::advance(const BetterPulls& better) {
   if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
   const double load_share = scene_.load_share;
+  const std::vector<FacePull> pulls = scene_.pulls;
   ControlledStep made;
   try {
-    made = make_step();
+    made = make_step(better);
   } catch (const StopRequested&) {
     scene_.load_share = load_share;
+    scene_.pulls = pulls;
     throw;
   }
   if (!made.step.converged || !made.step.failure.empty()) {
@@ -396,6 +402,18 @@ ControlledStep StandardStepper::make_step() {
                             ? whole(scene_, motion_.q, standard_step(scene_, start, state_.time, dt), dt)
                             : controlled_step(scene_, start, state_.time, dt, next_part_);
   made.step.account.flow.damping += kinetic_energy(scene_, motion_.v) - kinetic_energy(scene_, start.v);
+  return made;
+}
+
+ControlledStep StandardStepper::make_step(const BetterPulls& better) {
+  ControlledStep made = make_step();
+  while (better && made.step.converged && made.step.failure.empty()) {
+    const std::optional<CoverDisplacement> end = on_covers(made.step.motion);
+    if (!end || !better(*end, scene_.pulls)) break;
+    const int solves = made.step.solves;
+    made = make_step();
+    made.step.solves += solves;
+  }
   return made;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "step/stepper.hpp"
@@ -27,7 +28,11 @@ class StandardStepper : public SceneStepper {
   Stress stress_at(ElementIndex e, Point start) const override;
   std::optional<PlasticState> plastic_at(ElementIndex e, Point start) const override;
   std::optional<PlasticTotals> plastic_totals() const override;
-  std::variant<StepReport, StepFailure> advance() override;
+  std::variant<StepReport, StepFailure> advance() override { return advance({}); }
+  /// A step in time whose pulls depend on where it ends: is asked after each trial, and puts other pulls and returns
+  /// true where it wants another.
+  using BetterPulls = std::function<bool(const CoverDisplacement& end, std::vector<FacePull>& pulls)>;
+  std::variant<StepReport, StepFailure> advance(const BetterPulls& better);
   LedgerRow ledger() const override { return ledger_; }
   ContactFrames contacts() const override;
   StartReport start_report() const override { return start_report_; }
@@ -48,6 +53,8 @@ class StandardStepper : public SceneStepper {
   void describe_installed(Archive& archive);
   void book_change(const LedgerRow& before);
   ControlledStep make_step();
+  ControlledStep make_step(const BetterPulls& better);
+  std::optional<CoverDisplacement> on_covers(const Motion& motion) const;
   void book(const StandardStep& step);
 
   StandardScene scene_;

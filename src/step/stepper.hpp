@@ -13,6 +13,7 @@
 #include "model/scene/scene.hpp"
 #include "model/state.hpp"
 #include "result/contact_frame.hpp"
+#include "result/crack_notes.hpp"
 #include "result/force_balance.hpp"
 #include "result/frame.hpp"
 #include "result/ledger.hpp"
@@ -106,6 +107,8 @@ class Stepper {
   /// Crack tips after the last accepted step, where the run follows them, and the factor of all loads there.
   virtual std::vector<TipState> tips() const { return {}; }
   virtual double load_factor() const { return 1; }
+  /// What was met so far as cracks grew.
+  virtual CrackNotes crack_notes() const { return {}; }
   /// Of each prescribed displacement: the mean of its length along the edge, where steps follow it.
   virtual std::vector<double> driven() const { return {}; }
   /// Of the scene's loads and displacements, after the last accepted step; none where steps do not seek it.

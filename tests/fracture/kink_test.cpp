@@ -78,5 +78,23 @@ TEST(Kink, all_criteria_are_symmetric) {
   }
 }
 
+// Faces pressed together by K_I < 0, whose K_II is what two good meshes differ by, go nowhere; with more they slide.
+TEST(Kink, a_tip_pressed_together_goes_nowhere_by_noise) {
+  const Toughness toughness{.mode_1 = 1, .mode_2 = 2.0};
+  for (const GrowthCriterion criterion :
+       {GrowthCriterion::hoop_stress, GrowthCriterion::strain_energy, GrowthCriterion::energy_release}) {
+    const Kink noise = kink(criterion, kRock, {-1, 0.02});
+    EXPECT_EQ(noise.angle, 0);
+    EXPECT_EQ(noise.equivalent, 0);
+    EXPECT_EQ(equivalent_of(noise, toughness, {-1, 0.02}), 0);
+    EXPECT_GT(kink(criterion, kRock, {-1, 0.5}).equivalent, 0);
+    EXPECT_GT(kink(criterion, kRock, {0.01, 0.02}).equivalent, 0);
+  }
+  EXPECT_TRUE(faces_overlap({-1, 0.02}));
+  EXPECT_TRUE(faces_overlap({-0.5, 0.5}));
+  EXPECT_FALSE(faces_overlap({-0.02, 1}));
+  EXPECT_FALSE(faces_overlap({0, 0}));
+}
+
 }  // namespace
 }  // namespace keyblock::kink_test

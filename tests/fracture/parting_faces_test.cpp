@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace keyblock::parting_faces_test {
 namespace {
@@ -22,29 +24,97 @@ PartingFaces faces_under(Point traction) {
   return faces;
 }
 
-/// Apart by `opening`, the left face upward.
-void open(PartingFaces& faces, double opening) {
-  let_go(faces, [&](int element, Point) { return Point{0, element == 0 ? opening : 0}; });
+DisplacementAt apart_by(Point opening) {
+  return [opening](int element, Point) { return element == 0 ? opening : Point{}; };
+}
+
+/// A body of the left face that moves freely but for the pulls; the right one stands still.
+struct Mover {
+  double mass = 1;
+  Point at = {};
+  Point speed = {};
+
+  double energy() const { return mass * dot(speed, speed) / 2; }
+};
+
+/// One step under a constant force; returns the work that the pulls took of it.
+double step(PartingFaces& faces, Mover& mover, double dt) {
+  std::vector<PartingFaces> all{faces};
+  PullsOfStep search(all);
+  const auto end_under = [&](const std::vector<Point>& pulls) {
+    Point force;
+    for (const Point pull : pulls) force = force + pull;
+    Mover end = mover;
+    end.at = mover.at + dt * mover.speed + (dt * dt / (2 * mover.mass)) * force;
+    end.speed = mover.speed + (dt / mover.mass) * force;
+    return end;
+  };
+  Mover end = end_under(search.pulls().front());
+  while (!search.are_found(apart_by(end.at))) end = end_under(search.pulls().front());
+  const double before = faces.taken;
+  part(faces, search.pulls().front(), apart_by(end.at));
+  mover = end;
+  return faces.taken - before;
 }
 
 // The opening of a tip at its toughness, 8 K/E' √(r/2π), with K = √(E' Γ/l) and r = l (Irwin 1957).
 const double kAtToughness = 8 * std::sqrt(kEnergy / kModulus / (2 * std::numbers::pi));
+// A traction that the linear law lets go at the opening of a tip: t δ l / 2 = Γ.
+const Point kTraction{0, -2 * kEnergy / (kAtToughness * 0.3)};
 
-TEST(PartingFaces, take_their_energy_long_before_they_lie_wide_open) {
-  // A traction that the linear law lets go at the opening of a tip: t δ l / 2 = Γ.
-  PartingFaces faces = faces_under({0, -2 * kEnergy / (kAtToughness * 0.3)});
-  double opening = 0;
-  while (!faces.have_parted() && opening < 2 * kAtToughness) open(faces, opening += kAtToughness / 500);
-  EXPECT_TRUE(faces.have_parted());
-  EXPECT_NEAR(faces.taken, kEnergy, 0.01 * kEnergy);
-  EXPECT_LT(opening, 1.2 * kAtToughness);
+// With three times Γ a body leaves with two; from steps of a hundredth of the way to one that goes far beyond it.
+TEST(PartingFaces, take_their_energy_whatever_the_step) {
+  for (const Point direction : {Point{0, 1}, Point{0.8, 0.6}, Point{-1, 0}})
+    for (const double way : {0.01, 0.1, 0.4, 1.0, 3.0}) {
+      PartingFaces faces = faces_under(kTraction);
+      Mover mover{1, {}, std::sqrt(6 * kEnergy) * direction};
+      double least = 0;
+      for (int i = 0; i < 4000 && !faces.have_parted(); ++i) {
+        step(faces, mover, way * kAtToughness / length(mover.speed));
+        least = std::min(least, faces.taken);
+      }
+      EXPECT_TRUE(faces.have_parted());
+      EXPECT_NEAR(faces.taken, kEnergy, 2e-3 * kEnergy) << way << " " << direction.x;
+      EXPECT_LE(faces.taken, (1 + 1e-8) * kEnergy) << way << " " << direction.x;
+      EXPECT_NEAR(mover.energy(), 3 * kEnergy - faces.taken, 1e-9 * kEnergy);
+      EXPECT_GE(least, -1e-8 * kEnergy);
+      EXPECT_LT(length(mover.at), (way + 2) * kAtToughness) << "long before they lie wide open";
+    }
+}
+
+// With half of Γ they hold it; it swings and never has more energy than it began with.
+TEST(PartingFaces, that_swing_make_no_energy) {
+  for (const double way : {0.02, 0.3, 2.0}) {
+    PartingFaces faces = faces_under(kTraction);
+    Mover mover{1, {}, {0, std::sqrt(kEnergy)}};
+    for (int i = 0; i < 300; ++i) {
+      step(faces, mover, way * kAtToughness / std::sqrt(kEnergy));
+      ASSERT_GE(faces.taken, -1e-8 * kEnergy) << way << " " << i;
+      ASSERT_LE(mover.energy(), 0.5 * kEnergy * (1 + 1e-8));
+    }
+  }
+}
+
+// Faces that slide the way they are pulled are not driven on.
+TEST(PartingFaces, that_move_with_their_pull_are_given_no_energy) {
+  for (const double way : {0.02, 0.3, 2.0}) {
+    PartingFaces faces = faces_under({kTraction.y, 0});
+    Mover mover{1, {}, {-std::sqrt(kEnergy) / 10, 0}};
+    const double first = mover.energy();
+    for (int i = 0; i < 100; ++i) {
+      step(faces, mover, way * kAtToughness / std::sqrt(kEnergy));
+      ASSERT_LE(mover.energy(), first * (1 + 1e-8)) << way << " " << i;
+    }
+    EXPECT_GE(faces.taken, -1e-8 * kEnergy);
+  }
 }
 
 TEST(PartingFaces, that_were_pressed_as_they_parted_are_free_once_they_lie_wide_open) {
   PartingFaces faces = faces_under({0, 1});
-  open(faces, kAtToughness);
+  const std::vector<Point> none(faces.points.size());
+  part(faces, none, apart_by({0, kAtToughness}));
   EXPECT_FALSE(faces.have_parted());
-  open(faces, 5 * kAtToughness);
+  part(faces, none, apart_by({0, 5 * kAtToughness}));
   EXPECT_TRUE(faces.have_parted());
   EXPECT_EQ(faces.taken, 0);
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/continuum.hpp"
 #include "result/describe.hpp"
@@ -63,6 +64,33 @@ std::vector<double> kink_corrections(const CrackFront& front, const std::vector<
       if (now.crack == tip.crack && now.at_end == tip.at_end && now.has_room) more[i] = now.kink / 2;
   }
   return more;
+}
+
+void note_front(CrackNotes& notes, int step, const CrackFront& front) {
+  for (const TipState& tip : front.tips) {
+    const StressIntensity k{tip.mode_1, tip.mode_2};
+    const double ratio = tip.mode_1 / std::hypot(k.mode_1, k.mode_2);
+    if (tip.goes_on && tip.has_room && faces_overlap(k) && ratio < notes.overlapping.ratio)
+      notes.overlapping = {step, tip.crack, tip.at, 0, ratio};
+  }
+  for (const CrackStart& start : front.starts) {
+    if (!start.is_coarse()) continue;
+    CrackNotes::Start& first = notes.coarse_start;
+    if (first.count++ == 0)
+      first = {step, 1, start.at, start.side, start.length_of_rock, start.strength, start.strength_of_rock};
+  }
+}
+
+void note_bends(CrackNotes& notes, int step, const CrackFront& before, const CrackFront& now) {
+  for (const TipState& tip : now.tips) {
+    const auto was = std::ranges::find_if(before.tips, [&](const TipState& t) {
+      return t.goes_on && t.has_room && t.crack == tip.crack && t.at_end == tip.at_end;
+    });
+    if (was == before.tips.end() || !tip.has_room || !(tip.mode_1 > 0)) continue;
+    const double ratio = tip.mode_2 / tip.mode_1;
+    if (std::abs(ratio) > std::abs(notes.bent.ratio))
+      notes.bent = {step, tip.crack, tip.at, distance(was->at, tip.at), ratio};
+  }
 }
 
 std::string words_of(const TipState& tip, std::size_t number) {

@@ -10,6 +10,7 @@
 #include "fracture/growth.hpp"
 #include "fracture/initiation.hpp"
 #include "problem/cover_plan.hpp"
+#include "result/crack_notes.hpp"
 
 namespace keyblock {
 
@@ -35,6 +36,14 @@ std::vector<CrackPlan> prolonged(const CrackFront& front, const Manifold& manifo
 /// Half of the kink (rad) that a trial of a step finds at each tip of the front that went on by its own kink; 0 of the
 /// others.
 std::vector<double> kink_corrections(const CrackFront& front, const std::vector<TipState>& found);
+
+/// Notes of a step what its front shows: tips that go on though their faces overlap, cracks that start where the mesh is
+/// coarse for them.
+void note_front(CrackNotes& notes, int step, const CrackFront& front);
+
+/// Notes the tips of a front at rest that went on from the front before: K_II is 0 behind an increment that is short
+/// for how the path bends (local symmetry, Goldstein & Salganik 1974).
+void note_bends(CrackNotes& notes, int step, const CrackFront& before, const CrackFront& now);
 
 /// "tip 2 (crack 1) at (3, 4)".
 std::string words_of(const TipState& tip, std::size_t number);

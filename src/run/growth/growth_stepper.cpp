@@ -59,6 +59,13 @@ Next next_of(const std::vector<TipState>& tips, const std::vector<CrackStart>& s
   return next;
 }
 
+std::string why_none(const std::vector<TipState>& tips) {
+  const auto is_pressed = [](const TipState& tip) { return tip.has_room && tip.mode_1 < 0; };
+  if (std::ranges::any_of(tips, is_pressed))
+    return "the faces of cracks are pressed together (K_I below 0), and slide by no more than the error of K";
+  return "nothing pulls at any, or the rock there has no toughness";
+}
+
 }  // namespace
 
 GrowthStepper::GrowthStepper(Scene first) : first_(std::move(first)), cracks_(first_.growth->cracks) {
@@ -89,6 +96,7 @@ void GrowthStepper::describe_growth(Archive& archive) {
   archive.value("is_done", is_done_);
   describe(archive, "cracks", cracks_);
   describe(archive, front_);
+  archive.group("notes", [&] { describe(archive, notes_); });
 }
 
 Scene GrowthStepper::scene_with(const std::vector<CrackPlan>& cracks, double factor) const {
@@ -200,7 +208,7 @@ std::variant<StepReport, StepFailure> GrowthStepper::advance() {
   const bool goes_through = std::ranges::any_of(under_unit.tips, &TipState::goes_on);
   Next next = next_of(under_unit.tips, under_unit.starts);
   if (!goes_through && next.tips.empty() && next.starts.empty())
-    return failure("no tip goes on and no crack starts: nothing pulls at any, or the rock there has no toughness");
+    return failure(fmt::format("no tip goes on and no crack starts: {}", why_none(under_unit.tips)));
   const bool is_loaded = !next.tips.empty() || !next.starts.empty();
   double factor = is_loaded ? next.factor : load_factor_;
   auto loaded = solved_at_toughness(factor, next.tips);
@@ -213,9 +221,11 @@ std::variant<StepReport, StepFailure> GrowthStepper::advance() {
   StepReport report = under_load.report;
   report.passes += under_unit.report.passes;
   now_ = std::move(under_load.stepper);
-  front_ = {cracks_, std::move(under_load.tips), next.starts};
-  load_factor_ = factor;
   const int step = state_.step + 1;
+  const CrackFront before = std::exchange(front_, {cracks_, std::move(under_load.tips), next.starts});
+  note_bends(notes_, step, before, front_);
+  note_front(notes_, step, front_);
+  load_factor_ = factor;
   state_ = now_->state();
   state_.step = step;
   state_.time = step * first_.settings.time_step;

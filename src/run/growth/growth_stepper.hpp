@@ -32,6 +32,7 @@ class GrowthStepper : public StepperOfScenes {
   LedgerScope ledger_scope() const override { return {}; }
   std::vector<TipState> tips() const override { return front_.tips; }
   double load_factor() const override { return load_factor_; }
+  CrackNotes crack_notes() const override { return notes_; }
   void save(Archive& archive) override;
 
  private:
@@ -65,6 +66,7 @@ class GrowthStepper : public StepperOfScenes {
   std::vector<CrackPlan> cracks_;  ///< those of the step to come
   CrackFront front_;               ///< at the end of the last step; where cracks start no tip goes on
   double load_factor_ = 1;
+  CrackNotes notes_;
   bool is_done_ = false;
 };
 

@@ -12,8 +12,10 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "fracture/tip_report.hpp"
+#include "geometry/box.hpp"
 #include "model/continuum.hpp"
+#include "model/setup/free_pieces.hpp"
+#include "result/describe.hpp"
 #include "run/growth/parents.hpp"
 #include "run/growth/solution_of.hpp"
 #include "run/stages/chain.hpp"
@@ -79,16 +81,25 @@ PartingFaces new_faces(const StandardStepper& now, int first_on_covers, const Pl
 }
 
 /// Elements on covers are numbered on from `first`.
-std::vector<FacePull> pulls_of(const std::vector<PartingFaces>& parting, int first) {
-  std::vector<FacePull> pulls;
-  for (const PartingFaces& faces : parting)
-    for (const PartingPoint& point : faces.points) {
+std::vector<FacePull> pulls_of(const std::vector<PartingFaces>& parting, const Pulls& pulls, int first) {
+  std::vector<FacePull> all;
+  for (std::size_t i = 0; i < parting.size(); ++i)
+    for (std::size_t k = 0; k < parting[i].points.size(); ++k) {
+      const PartingPoint& point = parting[i].points[k];
       if (point.left < 0) continue;
-      const Point pull = faces.share * point.pull;
-      pulls.push_back({{first + point.left}, point.at, pull});
-      pulls.push_back({{first + point.right}, point.at, -1.0 * pull});
+      all.push_back({{first + point.left}, point.at, pulls[i][k]});
+      all.push_back({{first + point.right}, point.at, -1.0 * pulls[i][k]});
     }
-  return pulls;
+  return all;
+}
+
+/// Those at the start of the coming step.
+std::vector<FacePull> first_pulls(const std::vector<PartingFaces>& parting, int first) {
+  return pulls_of(parting, PullsOfStep(parting).pulls(), first);
+}
+
+DisplacementAt displacement_in(const CoverDisplacement& moved) {
+  return [moved](int e, Point p) { return displacement_at(moved, e, p); };
 }
 
 void describe_point(Archive& archive, const char* x, const char* y, Point& p) {
@@ -102,11 +113,12 @@ void describe_faces(Archive& archive, PartingFaces& faces) {
   archive.value("energy", faces.energy);
   archive.value("wide", faces.wide);
   archive.value("taken", faces.taken);
-  archive.value("share", faces.share);
+  archive.value("parted", faces.parted);
+  archive.value("farthest", faces.farthest);
   archive.list("points", faces.points, [&](PartingPoint& p) {
     describe_point(archive, "x", "y", p.at);
     describe_point(archive, "pull_x", "pull_y", p.pull);
-    describe_point(archive, "apart_x", "apart_y", p.apart);
+    describe_point(archive, "opening_x", "opening_y", p.opening);
   });
 }
 
@@ -117,16 +129,9 @@ void describe_names(Archive& archive, std::vector<Identity>& names) {
   });
 }
 
-/// What a tip that goes on takes per length: G, at the load under which its equivalent reaches the toughness. It is J
-/// as far as (K_I² + K_II²)/E' bears it out: the error of J goes with the square of the stress along the crack, of
-/// which K has no part, and of faces that rub J has what friction takes. In a disc pressed along its crack a mesh of
-/// six sides across found 0.37 of it, and less than none beside the rim, where new faces took nothing.
+/// What a tip that goes on takes per length, K_Ic²/E': behind its kink it is one of mode I at the toughness.
 double energy_of(const Continuum& continuum, const TipState& tip) {
-  const PlaneElasticity rock = rock_at(continuum, tip_of(continuum.manifold, tip));
-  if (!tip.has_room || !(tip.equivalent > 0)) return energy_release(rock, {tip.toughness, 0});
-  const double by_k = energy_release(rock, {std::max(0.0, tip.mode_1), tip.mode_2});  // closed faces have no K_I
-  const double over = tip.toughness / tip.equivalent;
-  return over * over * std::clamp(tip.energy_release, (1 - kMostDifferenceOfJ) * by_k, by_k / (1 - kMostDifferenceOfJ));
+  return energy_release(rock_at(continuum, tip_of(continuum.manifold, tip)), {tip.toughness, 0});
 }
 
 [[noreturn]] void refuse(const PartingFaces& faces, const Place& place) {
@@ -156,6 +161,25 @@ StepFailure cannot_go_on(int step, const std::exception& error) {
   return {why, {}, FailureKind::cracks};
 }
 
+/// A part that a crack cut off, and that accelerates at rest, says more than the numbers of its elements.
+StepFailure parted(StepFailure failure, const StandardStepper& now) {
+  if (failure.kind != FailureKind::accelerates || failure.elements.empty()) return failure;
+  Box moving;
+  for (const ElementIndex e : failure.elements) moving.add(now.unloaded().elements[e].centroid);
+  const FreePiece* nearest = nullptr;
+  const std::vector<FreePiece> pieces = free_pieces(*now.model().continuum);
+  for (const FreePiece& piece : pieces)
+    if (piece.cut && (!nearest || distance(piece.middle, moving.middle()) < distance(nearest->middle, moving.middle())))
+      nearest = &piece;
+  if (nearest)
+    failure.reason = fmt::format(
+        "step {}: cracks part a body, and there is no equilibrium under the given loads: the piece about ({:.6g}, "
+        "{:.6g}), cut off along the way from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}), moves away",
+        now.state().step + 1, nearest->middle.x, nearest->middle.y, nearest->cut->start.x, nearest->cut->start.y,
+        nearest->cut->end.x, nearest->cut->end.y);
+  return failure;
+}
+
 }  // namespace
 
 GrowthUnderLoads::GrowthUnderLoads(Scene first) : first_(std::move(first)) {
@@ -177,7 +201,7 @@ GrowthUnderLoads::GrowthUnderLoads(Scene first, Archive& saved) : first_(std::mo
     now_ = std::make_unique<StandardStepper>(std::move(scene), saved);
   });
   place_parting(model().continuum->manifold);
-  now_->put_pulls(pulls_of(parting_, first_on_covers()));
+  now_->put_pulls(first_pulls(parting_, first_on_covers()));
 }
 
 void GrowthUnderLoads::save(Archive& archive) {
@@ -192,6 +216,7 @@ void GrowthUnderLoads::save(Archive& archive) {
 void GrowthUnderLoads::describe(Archive& archive) {
   keyblock::describe(archive, "cracks", next_);
   keyblock::describe(archive, front_);
+  archive.group("notes", [&] { keyblock::describe(archive, notes_); });
   archive.list("pieces", pieces_, [&](Piece& piece) {
     describe_point(archive, "x", "y", piece.from);
     archive.value("energy", piece.energy);
@@ -268,7 +293,7 @@ std::unique_ptr<StandardStepper> GrowthUnderLoads::recut() {
     const Manifold& manifold = change->scene.model.continuum->manifold;
     const int first = static_cast<int>(change->scene.model.elements.size() - manifold.elements.size());
     place_parting(manifold);
-    now_.swap(of_before = std::make_unique<StandardStepper>(*now_, *change, pulls_of(parting_, first)));
+    now_.swap(of_before = std::make_unique<StandardStepper>(*now_, *change, first_pulls(parting_, first)));
   } catch (...) {
     next_ = wanted;
     front_ = std::move(before);
@@ -276,9 +301,7 @@ std::unique_ptr<StandardStepper> GrowthUnderLoads::recut() {
     refined_ = refined_before;
     throw;
   }
-  const CoverDisplacement moved = *now_->on_covers();
-  for (PartingFaces& faces : parting_)
-    look_at_openings(faces, [&](int e, Point p) { return displacement_at(moved, e, p); });
+  for (PartingFaces& faces : parting_) look_at_openings(faces, displacement_in(*now_->on_covers()));
   pieces_.clear();
   return of_before;
 }
@@ -354,6 +377,7 @@ void GrowthUnderLoads::look_at_tips() {
 }
 
 std::variant<StepReport, StepFailure> GrowthUnderLoads::advance() {
+  const CrackFront before = front_;
   std::optional<std::variant<StepReport, StepFailure>> tried;
   if (!next_.empty()) try {
       const bool may_turn = std::ranges::any_of(front_.tips, &TipState::goes_on);
@@ -364,13 +388,24 @@ std::variant<StepReport, StepFailure> GrowthUnderLoads::advance() {
     } catch (const std::invalid_argument& error) {
       return cannot_go_on(state().step + 1, error);
     }
-  std::variant<StepReport, StepFailure> made = tried ? std::move(*tried) : now_->advance();
-  if (std::holds_alternative<StepFailure>(made)) return made;
-  const CoverDisplacement moved = *now_->on_covers();
-  for (PartingFaces& faces : parting_) let_go(faces, [&](int e, Point p) { return displacement_at(moved, e, p); });
+  PullsOfStep pulls(parting_);
+  const auto better = [&](const CoverDisplacement& end, std::vector<FacePull>& on_faces) {
+    if (pulls.are_found(displacement_in(end))) return false;
+    on_faces = pulls_of(parting_, pulls.pulls(), first_on_covers());
+    return true;
+  };
+  std::variant<StepReport, StepFailure> made = tried ? std::move(*tried) : now_->advance(better);
+  if (std::holds_alternative<StepFailure>(made)) {
+    now_->put_pulls(first_pulls(parting_, first_on_covers()));
+    return parted(std::get<StepFailure>(made), *now_);
+  }
+  for (std::size_t i = 0; i < parting_.size(); ++i)
+    part(parting_[i], pulls.pulls()[i], displacement_in(*now_->on_covers()));
   look_at_tips();
+  if (!is_in_time()) note_bends(notes_, state().step, before, front_);
+  note_front(notes_, state().step, front_);
   std::erase_if(parting_, &PartingFaces::have_parted);
-  now_->put_pulls(pulls_of(parting_, first_on_covers()));
+  now_->put_pulls(first_pulls(parting_, first_on_covers()));
   return made;
 }
 

@@ -30,6 +30,7 @@ class GrowthUnderLoads : public StepperOfScenes {
   std::variant<StepReport, StepFailure> advance() override;
   LedgerScope ledger_scope() const override;
   std::vector<TipState> tips() const override { return front_.tips; }
+  CrackNotes crack_notes() const override { return notes_; }
   void save(Archive& archive) override;
 
  private:
@@ -70,7 +71,8 @@ class GrowthUnderLoads : public StepperOfScenes {
   std::vector<PartingFaces> parting_;  ///< in time
   std::vector<RefinedPoint> refined_;  ///< of the present mesh: where faces parted, the field is still that of a tip
   std::vector<Arrival> arrivals_;      ///< of tips that went on
-  int next_number_ = 0;                ///< of an element that is new
+  CrackNotes notes_;
+  int next_number_ = 0;  ///< of an element that is new
 };
 
 }  // namespace keyblock

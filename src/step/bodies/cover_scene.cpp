@@ -9,6 +9,7 @@
 #include <span>
 
 #include "model/body_load.hpp"
+#include "model/shared_covers.hpp"
 #include "step/bodies/cover_flexibility.hpp"
 #include "step/bodies/linear_static.hpp"
 #include "terms/ghost_force.hpp"
@@ -33,15 +34,20 @@ std::vector<double> carry_over_of(const std::vector<int>& body_materials, const 
   return shares;
 }
 
-std::vector<bool> supported_bodies(const Continuum& continuum) {
-  const Manifold& manifold = continuum.manifold;
-  std::vector<bool> supported(manifold.body_materials.size());
-  const auto put = [&](int element) {
-    supported[static_cast<std::size_t>(manifold.elements[static_cast<std::size_t>(element)].body)] = true;
+/// Of each element on covers, numbered on from `first`.
+std::vector<bool> supported_elements(const Model& model, ElementIndex first) {
+  const Continuum& continuum = *model.continuum;
+  const std::vector<int> pieces = body_numbers(model);
+  const auto piece_of = [&](std::size_t element) {
+    return static_cast<std::size_t>(pieces[static_cast<std::size_t>(first.value) + element]);
   };
+  std::vector<bool> holds(pieces.size());
+  const auto put = [&](int element) { holds[piece_of(static_cast<std::size_t>(element))] = true; };
   for (const PrescribedDisplacement& held : continuum.prescribed)
-    for (const ElementSide& side : sides_along(manifold, held.along)) put(side.element);
+    for (const ElementSide& side : sides_along(continuum.manifold, held.along)) put(side.element);
   for (const PointSpring& spring : continuum.point_springs) put(spring.element);
+  std::vector<bool> supported;
+  for (std::size_t e = 0; e < continuum.manifold.elements.size(); ++e) supported.push_back(holds[piece_of(e)]);
   return supported;
 }
 
@@ -84,7 +90,7 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
       first_(first_on_covers(model)),
       kinematics_(std::make_shared<CoverKinematics>(model, first_, bodies_.basis())),
       carry_(carry_over_of(made_of_->manifold.body_materials, settings)),
-      supported_(supported_bodies(*made_of_)),
+      supported_(supported_elements(model, first_)),
       mass_inverse_(mass_flexibility_of(bodies_)) {
   if (definiteness_of(bodies_.continuum.functions) == Definiteness::semidefinite)
     at_corners_ = values_at_corners(bodies_.continuum, bodies_.basis());

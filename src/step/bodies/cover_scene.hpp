@@ -45,7 +45,8 @@ class CoverScene : public Groundwork {
   const Eigen::VectorXd& initial_force() const { return initial_force_; }
   /// Whether supports of the problem itself, not fixed points, hold a body.
   bool has_supports() const;
-  bool is_supported(int body) const { return supported_[static_cast<std::size_t>(body)]; }  ///< by them
+  /// Whether they hold the piece of an element on covers: what a crack cuts off from a held part of its body is not.
+  bool is_supported(ElementIndex e) const { return supported_[static_cast<std::size_t>(e.value - first_.value)]; }
   /// M times a uniform field.
   Eigen::VectorXd inertia_of(Point acceleration) const;
 
@@ -101,7 +102,7 @@ class CoverScene : public Groundwork {
   ElementIndex first_;
   std::shared_ptr<const CoverKinematics> kinematics_;
   std::vector<double> carry_;    ///< of each body
-  std::vector<bool> supported_;  ///< bodies that supports of the problem hold
+  std::vector<bool> supported_;  ///< of each element, whether supports of the problem hold what it hangs together with
   std::vector<WholeBody> at_start_;
   double size_ = 0;
   double slow_frequency_ = 0;

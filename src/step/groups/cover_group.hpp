@@ -23,7 +23,7 @@ class CoverGroup final : public BodyGroup {
   double mass_of(ElementIndex e) const override { return bodies_->body_at_start(e).mass; }
   bool are_one_body(ElementIndex a, ElementIndex b) const override { return bodies_->are_one_body(a, b); }
   bool has_supports() const override { return bodies_->has_supports(); }
-  bool is_supported(ElementIndex e) const override { return bodies_->is_supported(bodies_->body_of(e)); }
+  bool is_supported(ElementIndex e) const override { return bodies_->is_supported(e); }
   bool is_linear() const override { return false; }
   bool may_yield() const override { return !bodies_->yield().is_empty(); }
   bool resolves_impacts() const override { return true; }

@@ -8,6 +8,7 @@
 #include "base/stop.hpp"
 #include "model/continuum.hpp"
 #include "run/bodies/planned_bodies.hpp"
+#include "run/growth/bonded_faces.hpp"
 #include "run/growth/solution_of.hpp"
 #include "run/prepare.hpp"
 #include "run/steppers.hpp"
@@ -34,7 +35,7 @@ CaseIntensity intensity_by_one(Problem problem, const std::string& profile, cons
   if (!prepared.scene.model.continuum)
     throw InputError(place_of(problem), "expected bodies on covers, in which cracks end, found blocks alone");
   CaseIntensity result;
-  result.warnings = std::move(prepared.warnings);
+  result.warnings = joined(std::move(prepared.warnings), bonded_crack_faces(prepared.scene, place_of(problem)));
   result.unknowns = prepared.requirements.unknowns;
   const std::unique_ptr<Stepper> stepper = stepper_for(std::move(prepared.scene));
   while (stepper->state().step < stepper->settings().step_count && !stepper->is_done()) {

@@ -1,0 +1,25 @@
+// Corners that open into the rock: there stress has no limit, and how fast it grows towards them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "problem/manifold.hpp"
+
+namespace keyblock {
+
+/// A corner of the boundary at which rock lies on more than a half plane.
+struct RockCorner {
+  Point at;
+  int element = 0;   ///< of the manifold, one that has the corner
+  double order = 0;  ///< stress grows as r^-order towards it
+};
+
+/// Order of the stress at a corner with free faces and this angle of rock (rad), 1 - λ with the least root of
+/// sin λω + λ sin ω = 0, that of opening (Williams 1952): 0 up to π, 0.4555 at 3π/2, 0.5 at 2π.
+double stress_order(double angle);
+
+/// Those of outlines, holes and joints, where the order is not 0. The ends of cracks are none of them.
+std::vector<RockCorner> rock_corners(const Manifold& manifold);
+
+}  // namespace keyblock

@@ -1,0 +1,33 @@
+// What a run met as its cracks grew, by which their paths and the loads of their starts are judged.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/point.hpp"
+
+namespace keyblock {
+
+/// The worst of a kind, over all steps so far; `step` 0: none was met.
+struct CrackNotes {
+  struct AtTip {
+    int step = 0;
+    int crack = 0;         ///< its number, from 0
+    Point at;              ///< undeformed
+    double increment = 0;  ///< length of the last piece
+    double ratio = 0;
+  };
+  AtTip bent;         ///< greatest |K_II/K_I| behind an increment at rest; `ratio` is K_II/K_I
+  AtTip overlapping;  ///< a tip that went on though its faces overlap: `ratio` is the least K_I/|K|
+
+  struct Start {
+    int step = 0;  ///< of the first
+    int count = 0;
+    Point at;
+    double side = 0;      ///< of the mesh there
+    double length = 0;    ///< of the rock, L = (K_Ic/f_t)²/π
+    double strength = 0;  ///< that was asked for, force / length²
+    double of_rock = 0;   ///< f_t, in shear c
+  };
+  Start coarse_start;  ///< a crack that started where the mesh is coarser than L/2
+};
+
+}  // namespace keyblock
