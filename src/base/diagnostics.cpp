@@ -12,6 +12,11 @@ namespace {
 using enum DiagnosticLevel;
 
 constexpr auto kDiagnostics = std::to_array<Diagnostic>({
+    {"block_thrown", error, "Energy of one block came from nothing",
+     "A block moves faster than ten times what the fall of blocks, their first speeds, released strain and the work of "
+     "loads on it account for. The energy balance of the whole scene does not show it where the block is small.",
+     "Use a smaller time_step; under profile legacy draw no block much smaller than the others, or use profile "
+     "standard."},
     {"bolt_in_one_block", warning, "Both ends of a bolt lie in one block",
      "A bolt acts between two blocks; with both ends in one it carries nothing. Lines of a bolt symbol (a plate, a "
      "head) on the layer of bolts are read as bolts too.",
@@ -20,19 +25,14 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
      "The drawing shows bolts, and neither it nor the analysis says how stiff and strong they are: they carry no "
      "force, and the run is one without bolts.",
      "Give `bolt_properties` in `analysis` of the case file: stiffness, strength and pretension."},
-    {"block_thrown", error, "Energy of one block came from nothing",
-     "A block moves faster than ten times what the fall of blocks, their first speeds, released strain and the work of "
-     "loads on it account for. The energy balance of the whole scene does not show it where the block is small.",
-     "Use a smaller time_step; under profile legacy draw no block much smaller than the others, or use profile "
-     "standard."},
-    {"chain_off_boundary", warning, "A chain of loads leaves the boundary",
-     "Part of a chain of tractions or prescribed displacements lies on no edge of a body; that part acts on nothing. "
-     "Edges that the chain covers in part are loaded or held on exactly that part.",
-     "Move the points of the chain onto the outline, or end the chain where the body ends."},
     {"bonded_crack_faces", warning, "The faces of a crack are bonded",
      "The joint material of a crack, or of a joint that ends in rock, has cohesion or tensile strength, and contact is "
      "felt: its faces hold each other, and K is that of a bonded crack.",
      "Give the crack a joint material without cohesion and tensile strength (joint_material of the crack)."},
+    {"chain_off_boundary", warning, "A chain of loads leaves the boundary",
+     "Part of a chain of tractions or prescribed displacements lies on no edge of a body; that part acts on nothing. "
+     "Edges that the chain covers in part are loaded or held on exactly that part.",
+     "Move the points of the chain onto the outline, or end the chain where the body ends."},
     {"crack_start_on_coarse_mesh", error, "A crack started where the mesh is coarse",
      "Sides of the mesh are longer than half of (K_Ic/strength)²/π, the length over which stress is averaged before it "
      "is compared with the strength.",
@@ -73,14 +73,14 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
      "The equilibrium that statics found lies more than 0.005 of the width of a block away from the drawing, more than "
      "elastic settlement of rock. Scenes near their limit move so; so do gaps that close.",
      "Find out by keyblock fos how near the limit is."},
+    {"faces_overlap_at_tip", error, "The faces of a crack lie in one another at its tip",
+     "K_I is below 0 by more than 3 % of K: the crack is pressed, and contact is ignored or does not act there.",
+     "Set contact to felt in the section covers: the faces then touch, K_I is 0 and friction has its part in K_II."},
     {"free_blocks", note, "Blocks move freely at the start",
      "These blocks touch nothing and hang on no bolt. In a run of motion they fall or fly, which is what such cases "
      "are "
      "drawn for.",
      "Nothing, if they are meant to. Otherwise close the gaps of the drawing."},
-    {"faces_overlap_at_tip", error, "The faces of a crack lie in one another at its tip",
-     "K_I is below 0 by more than 3 % of K: the crack is pressed, and contact is ignored or does not act there.",
-     "Set contact to felt in the section covers: the faces then touch, K_I is 0 and friction has its part in K_II."},
     {"increments_too_long", warning, "The increments of a crack are too long for its path",
      "Behind an increment K_II is more than 8 % of K_I; on the true path it is 0.",
      "Halve growth.increment until the path stays where it is."},
@@ -101,16 +101,6 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
      "displacements "
      "as if nothing rotated, and stretches what does by half the square of the angle.",
      "Use the large-strain steps: --set motion=relaxation, with enough steps to come to equilibrium."},
-    {"sunk_beyond_limit", error, "Blocks lie too deep in one another",
-     "The depth or the common area of two blocks exceeds the setting penetration_limit.",
-     "Use a smaller time_step or stiffer contacts."},
-    {"tables_large", warning, "Tables will be large",
-     "The tables of histories and measured points will take more than 100 MB, by the number of steps.",
-     "Follow fewer points, or make fewer steps."},
-    {"units_contradict", warning, "A value is not plausible in the declared units",
-     "A size, density, modulus, gravity or angle is far from what rock, soil and masonry have. Mostly it is in another "
-     "unit than the declared one.",
-     "Correct the value or `units`; --unit says in which unit a DXF drawing is."},
     {"springs_unresolved", warning, "The step is too long for the contact springs",
      "With impact=springs the lightest free body swings on the springs of two corners with the frequency omega = "
      "sqrt(2 contact_penalty / mass). If omega dt exceeds 1, a blow lasts fewer than four steps, and its rebound and "
@@ -123,6 +113,9 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
     {"sunk_beyond_limit", error, "Blocks lie too deep in one another",
      "The depth or the common area of two blocks exceeds the setting penetration_limit.",
      "Use a smaller time_step or stiffer contacts."},
+    {"tables_large", warning, "Tables will be large",
+     "The tables of histories and measured points will take more than 100 MB, by the number of steps.",
+     "Follow fewer points, or make fewer steps."},
     {"tension_without_strength", error, "Contacts without tensile strength carry tension",
      "In more than half of the frames a block hangs on contacts whose joint material has no tensile strength. The "
      "rules "
@@ -136,6 +129,10 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
     {"unbalanced_steps", error, "Forces are out of balance in many steps",
      "Contact forces were left out of balance by more than 1e-4 of the largest load in more than a tenth of the steps.",
      "Use a smaller time_step or softer contacts, and remove slivers (slivers=glue)."},
+    {"units_contradict", warning, "A value is not plausible in the declared units",
+     "A size, density, modulus, gravity or angle is far from what rock, soil and masonry have. Mostly it is in another "
+     "unit than the declared one.",
+     "Correct the value or `units`; --unit says in which unit a DXF drawing is."},
 });
 
 }  // namespace
