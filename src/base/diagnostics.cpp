@@ -100,7 +100,8 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
      "An element of a body on covers rotates by more than 0.1 rad. Linear statics adds "
      "displacements "
      "as if nothing rotated, and stretches what does by half the square of the angle.",
-     "Use the large-strain steps: --set motion=relaxation, with enough steps to come to equilibrium."},
+     "Let the body come to rest in time: --set motion=dynamic --set start=sudden, with mass_damping and a short "
+     "time_step."},
     {"springs_unresolved", warning, "The step is too long for the contact springs",
      "With impact=springs the lightest free body swings on the springs of two corners with the frequency omega = "
      "sqrt(2 contact_penalty / mass). If omega dt exceeds 1, a blow lasts fewer than four steps, and its rebound and "

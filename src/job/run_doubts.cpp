@@ -124,8 +124,8 @@ void add_rotation(Warnings& found, const Prepared& prepared, const Frame& last, 
       {"rotated_beyond_linear", place,
        fmt::format(
            "{} rotates by {:.3g} rad under linear statics, which stretches it by {:.2g} %; beyond {:.3g} rad the "
-           "run is not trusted: --set motion=relaxation finds the equilibrium under large rotation, given enough "
-           "steps",
+           "run is not trusted: --set motion=dynamic --set start=sudden, with mass_damping and a short time_step, "
+           "comes to rest under large rotation",
            name_of(prepared.scene.model, number), angle(*most), 50 * angle(*most) * angle(*most), kLinearRotation)});
 }
 
