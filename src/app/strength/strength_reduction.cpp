@@ -94,6 +94,8 @@ Json mesh_error_json(const std::optional<study::MeshError>& error) {
           {"coarse_factor", error->coarse->middle()},
           {"coarse_bracket", bracket_json(*error->coarse)},
           {"relative_error", error->share},
+          {"least_error", error->least},
+          {"greatest_error", error->most},
           {"uncertainty", error->uncertainty},
           {"extrapolated_factor", error->extrapolated}};
 }

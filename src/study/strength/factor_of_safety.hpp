@@ -33,7 +33,7 @@ struct SearchOptions {
 };
 
 /// Linear systems after which a trial is given up as undecided; nothing: no limit. `asked`: 0 for none. By default it
-/// is more than trials take whose contact forces settle, and ten times the longest trial before that was decided, because
+/// is more than trials take whose contact forces settle, and ten times the longest trial before that was decided:
 /// trials near the factor of safety take longer than the first.
 std::optional<long long> trial_limit(std::optional<long long> asked, long long longest_before);
 
@@ -64,8 +64,10 @@ inline constexpr double kCoarserTimes = 2;
 /// How far the factor of safety of NMM bodies lies above that of ever finer meshes.
 struct MeshError {
   std::optional<Bracket> coarse;  ///< on the coarser mesh; none: there is no estimate
-  double share = 0;               ///< of the factor
-  double uncertainty = 0;         ///< of that share, from the widths of both brackets
+  double share = 0;               ///< of the factor, if the error grows with the power 1.5 of the side
+  double least = 0;               ///< the same with the power 2
+  double most = 0;                ///< and with the power 1
+  double uncertainty = 0;         ///< of these shares, from the widths of both brackets
   double extrapolated = 0;        ///< the factor of ever finer meshes
   std::string why_none = {};
 };

@@ -35,9 +35,12 @@ MeshError mesh_error(const StrengthTrials& trials, const FactorOfSafety& found, 
     error.coarse = coarse.bracket;
     const double fine = found.bracket.middle();
     const double difference = coarse.bracket.middle() - fine;
-    error.share = difference / fine;
-    error.uncertainty = (found.bracket.width() + coarse.bracket.width() / 2) / fine;
-    error.extrapolated = fine - difference;
+    const auto of_power = [&](double power) { return difference / fine / (std::pow(kCoarserTimes, power) - 1); };
+    error.share = of_power(1.5);
+    error.least = of_power(2);
+    error.most = of_power(1);
+    error.uncertainty = (found.bracket.width() + coarse.bracket.width()) / 2 / fine;
+    error.extrapolated = fine * (1 - error.share);
     return error;
   } catch (const InputError& error) {
     return none(fmt::format("no coarser mesh can be made ({})", error.what()));
@@ -48,11 +51,11 @@ std::string in_words(const MeshError& error) {
   if (!error.coarse) return fmt::format("mesh error not estimated: {}", error.why_none);
   const std::string because =
       fmt::format("sides {:g} times as long give {:.4g}", kCoarserTimes, error.coarse->middle());
-  if (std::abs(error.share) <= error.uncertainty)
+  if (std::abs(error.most) <= error.uncertainty)
     return fmt::format("mesh error below {:.2g} %: {}", 100 * error.uncertainty, because);
-  return fmt::format("mesh error about {:+.2g} % (to ± {:.1g} %): {}; finer meshes are {}, towards {:.4g}",
-                     100 * error.share, 100 * error.uncertainty, because, error.share > 0 ? "lower" : "higher",
-                     error.extrapolated);
+  return fmt::format("mesh error about {:+.2g} % ({:+.2g} to {:+.2g} %): {}; finer meshes are {}, towards {:.4g}",
+                     100 * error.share, 100 * error.least, 100 * error.most, because,
+                     error.share > 0 ? "lower" : "higher", error.extrapolated);
 }
 
 }  // namespace keyblock::study
