@@ -33,7 +33,8 @@ sources_of_release() {
 
 make_base() {
   command -v debootstrap >/dev/null || apt-get -qq install -y debootstrap >/dev/null 2>&1 ||
-    { apt-get -qq update && apt-get -qq install -y debootstrap; } >/dev/null 2>&1 || cannot "debootstrap cannot be installed"
+    { apt-get -qq update && apt-get -qq install -y debootstrap; } >/dev/null 2>&1 ||
+    cannot "debootstrap cannot be installed"
   local release sources mirror extra=()
   release=$(. /etc/os-release && [ "$ID" = debian ] && echo "${VERSION_CODENAME:-}")
   sources=$(sources_of_release "${release:=bookworm}")
@@ -65,7 +66,8 @@ make_root() {
   mkdir -p "$root$home"
   cat /etc/resolv.conf >"$root/etc/resolv.conf"
   cat /etc/hosts >"$root/etc/hosts"
-  [ ! -e "$root/etc/ssl/certs/ca-certificates.crt" ] || cat /etc/ssl/certs/ca-certificates.crt >"$root/etc/ssl/certs/ca-certificates.crt"
+  local certificates=/etc/ssl/certs/ca-certificates.crt  # of an https mirror
+  [ ! -e "$root$certificates" ] || cat $certificates >"$root$certificates"
   git clone --quiet --no-hardlinks "$checkout" "$root$home/main" || cannot "the checkout cannot be cloned"
   for folder in proc dev sys; do
     mount --rbind "/$folder" "$root/$folder" || cannot "/$folder cannot be mounted"
