@@ -18,7 +18,6 @@ constexpr double kRow = 20;
 constexpr double kSignWidth = 26;
 constexpr double kEntryGap = 18;
 constexpr double kNameGap = 5;  // from the end of a bolt
-constexpr std::string_view kBoltColour = "#5e3c99";
 constexpr std::string_view kIdleBoltColour = "#777777";
 constexpr std::string_view kBrokenColour = "#d00000";
 constexpr double kPlate = 4;  // half of the plate at an end of a bolt

@@ -16,6 +16,8 @@ namespace keyblock::report {
 /// A bolt that carries or may, one that broke, and one that has no properties and carries nothing.
 enum class BoltState { carries, broken, idle };
 
+inline constexpr std::string_view kBoltColour = "#5e3c99";
+
 enum class Mark { fixed_point, loading_point, measured_point };
 
 /// Draws the sign of a point of the scene at a place of the page.
