@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::size_t kHeadSize = 8;
 constexpr std::size_t kManyNumbers = 1000000;  // some milliseconds of work: worth a thread
+constexpr std::size_t kFewElements = 20000;    // whose places take some hundredths of a second
 constexpr int kSlotsAnElement = 4;             // three corners and the first again
 
 struct Head {
@@ -82,7 +83,7 @@ class CoverReader {
     read_points("loading point", head_.loading, 1, cover_.loading_points);
     read_points("measured point", head_.measured, 0, cover_.measured_points);
     read_lists();
-    place_odd_elements();
+    place_elements();
     cursor_.leave();
     Reading reading;
     reading.content.cover = std::move(cover_);
@@ -191,11 +192,12 @@ class CoverReader {
     }
   }
 
-  /// Of those that a check will name: places of all would take longer than reading them.
-  void place_odd_elements() {
+  /// Of many elements those that a check will name: places of all would take longer than reading them.
+  void place_elements() {
     const std::size_t points = cover_points();
+    const bool are_few = cover_.elements.size() <= kFewElements;
     for (std::size_t i = 0; i < cover_.elements.size(); ++i)
-      if (!(area(cover_.polygon(cover_.elements[i])) > 0))
+      if (are_few || !(area(cover_.polygon(cover_.elements[i])) > 0))
         cover_.elements[i].place = tokens_.place_of(kHeadSize + 3 * (points + i));
   }
 

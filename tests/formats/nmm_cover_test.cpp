@@ -33,6 +33,7 @@ TEST(NmmCover, every_record_lands_in_its_place) {
   EXPECT_EQ(cover.loop_vertices, two_triangles().loop_vertices);
   EXPECT_EQ(cover.fixed_points.at(0).place, (Place{"f", 3, 1}));
   EXPECT_EQ(cover.loading_points.at(0).element, 1);
+  EXPECT_EQ(cover.elements.at(0).place, (Place{"f", 7, 1})) << "an edge of it that is in no loop is named there";
   EXPECT_EQ(cover.measured_points.at(1).position, (Point{0.25, 0.75}));
 }
 

@@ -187,9 +187,13 @@ class FromCover {
   void add_boundary_edge(const LoopVertex& vertex, Point to, std::size_t loop) {
     const int corner = corner_of_slot_[vertex.slot];
     if (corner < 0 || manifold_.corners[next_corner_[corner]].position != to ||
-        manifold_.corners[corner].joint_material >= 0)
-      fail(fmt::format("expected each edge of loop {} of {} once among the edges of the elements, found another {}",
-                       loop + 1, cover_.loops.size(), text_of(position(vertex.slot), to)));
+        manifold_.corners[corner].joint_material >= 0) {
+      const std::string what =
+          fmt::format("expected each edge of loop {} of {} once among the edges of the elements, found another {}",
+                      loop + 1, cover_.loops.size(), text_of(position(vertex.slot), to));
+      if (corner < 0) fail(what);
+      fail(static_cast<std::size_t>(element_of_corner_[corner]), what);
+    }
     manifold_.corners[corner].joint_material = std::max(vertex.joint_material, 0);
     manifold_.boundary_edges.push_back({element_of_corner_[corner], corner});
   }
