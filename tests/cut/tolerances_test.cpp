@@ -60,7 +60,7 @@ TEST(Tolerances, a_line_that_reaches_a_hundred_times_too_far_is_named) {
 
 TEST(Tolerances, lines_shorter_than_the_merging_distance_are_refused_whatever_reaches_farthest) {
   std::vector<Segment> lines = rectangle_sides({0, 0}, {1000, 1000});
-  for (int i = 0; i < 10; ++i) lines.push_back({{500.0 + i, 500}, {500.5 + i, 500}});
+  for (int i = 0; i < 60; ++i) lines.push_back({{500.0 + i, 500}, {500.5 + i, 500}});
   EXPECT_NE(refusal(drawing_of(lines, 0.001)), "");
   EXPECT_EQ(refusal(drawing_of(lines, 0.0001)), "");
   EXPECT_EQ(refusal(drawing_of(lines, 0)), "") << "nothing is merged";

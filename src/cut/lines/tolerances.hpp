@@ -23,7 +23,7 @@ struct CutTolerances {
 CutTolerances cut_tolerances(const Drawing& drawing);
 
 /// Throws InputError, at the line that reaches farthest, if the merging distance is not small beside the lines: above
-/// their median length, or above a twentieth of it if one point alone makes the scale 20 times as large.
+/// nine of ten lengths, or above a twentieth of their median if one point alone makes the scale 20 times as large.
 void require_small_merging(const Drawing& drawing, const CutTolerances& tolerances);
 
 }  // namespace keyblock
