@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <tuple>
 #include <utility>
 
 #include "formats/dxf/curves/dxf_curves.hpp"
 #include "formats/dxf/entities/curve_entities.hpp"
+#include "formats/dxf/entities/insertion.hpp"
 #include "formats/dxf/entities/record_values.hpp"
 #include "geometry/box.hpp"
 
@@ -223,40 +223,6 @@ class EntityReader {
     return *definition.shapes;
   }
 
-  /// How an INSERT puts the shapes of its block into the drawing: scaled, turned, moved, and in rows and columns.
-  struct Insertion {
-    Point base;
-    Point at;
-    double x = 1, y = 1, z = 1;  ///< scales
-    double cosine = 1, sine = 0;
-    double height = 0;  ///< that is added to z
-    Point array;        ///< distance of columns, of rows, before turning
-    int columns = 1, rows = 1;
-
-    Point turned(Point p) const { return {cosine * p.x - sine * p.y, sine * p.x + cosine * p.y}; }
-    Point placed(Point p, int column, int row) const {
-      return at + turned(Point{x * (p.x - base.x), y * (p.y - base.y)} + Point{column * array.x, row * array.y});
-    }
-  };
-
-  Insertion insertion_of(const DxfRecord& record, const DxfDefinition& definition) const {
-    Insertion made;
-    made.base = definition.base;
-    made.at = of_.point(record, 10, "x", "y");
-    made.x = of_.real_or(1, record, 41, "the scale in x");
-    made.y = of_.real_or(1, record, 42, "the scale in y");
-    made.z = of_.real_or(1, record, 43, "the scale in z");
-    const double angle = std::numbers::pi / 180 * std::fmod(of_.real_or(0, record, 50, "the angle"), 360);
-    made.cosine = std::cos(angle);
-    made.sine = std::sin(angle);
-    made.height = of_.real_or(0, record, 30, "z") - made.z * definition.base_height;
-    made.columns = std::max(1, of_.integer_or(1, record, 70, "the count"));
-    made.rows = std::max(1, of_.integer_or(1, record, 71, "the count"));
-    made.array = {of_.real_or(0, record, 44, "the distance of columns"),
-                  of_.real_or(0, record, 45, "the distance of rows")};
-    return made;
-  }
-
   /// The shapes of a block, from its base point to the point of the INSERT. What lies on layer 0 comes to the layer of
   /// the INSERT, what has no colour gets its colour.
   void read_insert(const DxfRecord& record) {
@@ -267,7 +233,7 @@ class EntityReader {
     if (definition == nullptr) return skip("INSERT of a block that is not there", record);
     const int side = of_.side_seen(record);
     if (side == 0) return skip("INSERT in a tilted plane", record);
-    const Insertion made = insertion_of(record, *definition);
+    const DxfInsertion made(of_, record, *definition);
     const std::vector<DxfShape>& shapes = shapes_of(*definition, record).shapes;
     if (shapes.empty()) return;
     const DxfShape own = of_.shape_of(record, {}, {});
@@ -276,7 +242,7 @@ class EntityReader {
         for (const DxfShape& shape : shapes) insert(shape, own, made, {column, row}, side);
   }
 
-  void insert(DxfShape shape, const DxfShape& own, const Insertion& made, std::pair<int, int> cell, int side) {
+  void insert(DxfShape shape, const DxfShape& own, const DxfInsertion& made, std::pair<int, int> cell, int side) {
     if (shape.layer == "0" && layers_.is_hidden(own.layer)) return hide(own.layer, shape.place);
     definitions_.points += shape.points.size();
     if (definitions_.points > DxfDefinitions::kMostPoints)

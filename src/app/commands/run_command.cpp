@@ -491,8 +491,7 @@ Action configure_run(CLI::App& options) {
   options
       .add_option("--checkpoint-every", chosen->checkpoint_every,
                   "seconds between checkpoints in the folder (default: 30; the first after 3 at most); 0: none but at "
-                  "the start and where the run "
-                  "is stopped")
+                  "the start and where the run is stopped")
       ->check(zero_or_above());
   CLI::Option* resume =
       options

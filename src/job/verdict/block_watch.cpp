@@ -20,6 +20,8 @@ namespace {
 // Levers and chains of falling masses pass energy on to lighter blocks: ten times the speed of what drives them is more
 // than rock does.
 constexpr double kPassedOn = 100;
+// Loads may do all of their work on one block; books of work are of first order in the step.
+constexpr double kBooks = 2;
 // Of the size of a block: a speed that lifts it by less is none.
 constexpr double kLift = 1e-3;
 // Rotation within a step, rad, that contacts give: the places of a lever as long as the block are then unresolved.
@@ -118,7 +120,7 @@ void BlockWatch::add(const Stepper& stepper) {
   }
   for (const Mover& mover : movers) {
     const ElementState& now = state.elements[mover.element];
-    const double sources = kPassedOn * (begun_ + fallen_ + released_) + work_ / mover.mass +
+    const double sources = kPassedOn * (begun_ + fallen_ + released_) + kBooks * work_ / mover.mass +
                            kLift * mover.weight * std::sqrt(now.moments.area);
     if (!(mover.kinetic > worst_.excess * sources)) continue;
     const double excess = sources > 0 ? mover.kinetic / sources : 0;

@@ -43,6 +43,14 @@ bool is_in(const std::vector<Point>& outline, Point p) {
   return side(outline, p) != Side::outside;
 }
 
+/// Of coordinates that are computed: a point on a face may lie outside by it.
+double round_off_of(const std::vector<BlockPolygon>& blocks) {
+  Box box;
+  for (const BlockPolygon& block : blocks)
+    for (const BlockVertex& vertex : block.outer) box.add(vertex.position);
+  return kPointRoundOff * std::max(box.size().x, box.size().y);
+}
+
 class Changing {
  public:
   Changing(const Rock& rock, const Stage& stage) : stage_(stage), rock_(rock) {
@@ -73,19 +81,11 @@ class Changing {
     require(index, rock_.analysis.joint_materials.size(), "joint material", place);
   }
 
-  // Of coordinates that are computed: a point on a face may lie outside by it.
-  double round_off() const {
-    Box box;
-    for (const BlockPolygon& block : rock_.blocks.blocks)
-      for (const BlockVertex& vertex : block.outer) box.add(vertex.position);
-    return kPointRoundOff * std::max(box.size().x, box.size().y);
-  }
-
   int block_at(Point p, const char* what, const Place& place) const {
     const std::vector<BlockPolygon>& blocks = rock_.blocks.blocks;
     const auto found = std::ranges::find_if(blocks, [&](const BlockPolygon& block) { return holds(block, p); });
     if (found == blocks.end()) {
-      if (const auto beside = block_beside(blocks, p, round_off())) return beside->block;
+      if (const auto beside = block_beside(blocks, p, round_off_of(blocks))) return beside->block;
       throw InputError(place, fmt::format("expected {} in a block, found none at ({:.9g}, {:.9g})", what, p.x, p.y));
     }
     return static_cast<int>(found - blocks.begin());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <span>
 
 #include "model/body_load.hpp"
@@ -94,6 +95,7 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
       mass_inverse_(mass_flexibility_of(bodies_)) {
   if (definiteness_of(bodies_.continuum.functions) == Definiteness::semidefinite)
     at_corners_ = values_at_corners(bodies_.continuum, bodies_.basis());
+  find_pieces(body_numbers(model));
   weight_ = bodies_.supports.load();
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(bodies_.unknown_count());
   initial_force_ = -bodies_.elasticity.force(still, still, 1);
@@ -110,6 +112,17 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
   for (const int number : bodies_.continuum.manifold.body_materials) {
     const BlockMaterial& material = bodies_.continuum.materials[static_cast<std::size_t>(number)];
     slow_frequency_ = std::min(slow_frequency_, std::sqrt(material.youngs_modulus / material.density) / size_);
+  }
+}
+
+void CoverScene::find_pieces(const std::vector<int>& numbers) {
+  piece_of_function_.assign(static_cast<std::size_t>(basis().function_count()), 0);
+  std::map<int, int> pieces;
+  for (int e = 0; e < basis().element_count(); ++e) {
+    const auto [piece, is_new] =
+        pieces.try_emplace(numbers[static_cast<std::size_t>(first_.value + e)], static_cast<int>(pieces.size()));
+    if (is_new) first_of_piece_.push_back({first_.value + e});
+    for (const int f : basis().shape(e).functions) piece_of_function_[static_cast<std::size_t>(f)] = piece->second;
   }
 }
 
@@ -207,13 +220,12 @@ double CoverScene::largest_load(const Eigen::VectorXd& forces) const {
 }
 
 std::vector<std::pair<ElementIndex, double>> CoverScene::largest_forces(const Eigen::VectorXd& forces) const {
-  std::vector<std::pair<ElementIndex, double>> largest(at_start_.size());
-  const Functions& functions = bodies_.rigid.functions();
-  for (std::size_t b = 0; b < functions.size(); ++b)
-    for (const int f : functions[b]) largest[b].second = std::max(largest[b].second, forces.segment<2>(2 * f).norm());
-  for (std::size_t i = bodies_.continuum.manifold.elements.size(); i-- > 0;)
-    largest[static_cast<std::size_t>(bodies_.continuum.manifold.elements[i].body)].first = {first_.value +
-                                                                                            static_cast<int>(i)};
+  std::vector<std::pair<ElementIndex, double>> largest;
+  for (const ElementIndex e : first_of_piece_) largest.emplace_back(e, 0);
+  for (std::size_t f = 0; f < piece_of_function_.size(); ++f) {
+    double& force = largest[static_cast<std::size_t>(piece_of_function_[f])].second;
+    force = std::max(force, forces.segment<2>(2 * static_cast<Eigen::Index>(f)).norm());
+  }
   return largest;
 }
 

@@ -66,7 +66,7 @@ class CoverScene : public Groundwork {
   /// The greatest of a body: the sum over its functions, whatever the directions.
   double largest_load(const Eigen::VectorXd& forces) const;
   double greatest_momentum(const Eigen::VectorXd& v) const { return largest_load(momentum(v)); }
-  /// On one function of each body, with an element of it.
+  /// On one function of each piece that hangs together, with the first element of it.
   std::vector<std::pair<ElementIndex, double>> largest_forces(const Eigen::VectorXd& forces) const;
 
   double kinetic_energy(const Eigen::VectorXd& v) const { return v.dot(momentum(v)) / 2; }
@@ -96,6 +96,8 @@ class CoverScene : public Groundwork {
   std::shared_ptr<const SharedFlexibility> mass_inverse() const { return mass_inverse_; }
 
  private:
+  void find_pieces(const std::vector<int>& numbers);
+
   std::shared_ptr<const Continuum> made_of_;
   CoverDamping damping_;
   ElasticBodies bodies_;
@@ -103,6 +105,8 @@ class CoverScene : public Groundwork {
   std::shared_ptr<const CoverKinematics> kinematics_;
   std::vector<double> carry_;    ///< of each body
   std::vector<bool> supported_;  ///< of each element, whether supports of the problem hold what it hangs together with
+  std::vector<int> piece_of_function_;        ///< that hangs together; a crack may part a body in several
+  std::vector<ElementIndex> first_of_piece_;  ///< ascending
   std::vector<WholeBody> at_start_;
   double size_ = 0;
   double slow_frequency_ = 0;

@@ -100,7 +100,7 @@ TEST(EndOfMotion, elements_of_bodies_are_called_elements) {
 
 // The first step fails: nothing has moved, and nothing is said of motion.
 TEST(EndOfMotion, a_run_without_a_step_says_nothing_of_motion) {
-  const Ended falls = ended(block_over_floor("0.5", "1", R"(, "run": {"set": {"motion": "static"}})"));
+  const Ended falls = ended(block_over_floor("5", "1", R"(, "run": {"set": {"motion": "static"}})"));
   EXPECT_EQ(falls.run.exit_code, 4) << falls.run.messages;
   EXPECT_TRUE(falls.motion.is_null()) << falls.motion;
 }
