@@ -25,7 +25,8 @@ constexpr int kDegree = 2;                // of the stress in an element
 
 class Starts {
  public:
-  explicit Starts(const CoverSolution& solution) : solution_(solution), manifold_(solution.continuum.manifold) {
+  explicit Starts(const CoverSolution& solution)
+      : solution_(solution), manifold_(solution.continuum.manifold), corners_(rock_corners(manifold_)) {
     for (std::size_t e = 0; e < manifold_.elements.size(); ++e) {
       const auto polygon = manifold_.polygon(manifold_.elements[e]);
       middles_.push_back(centroid(polygon.front()));

@@ -14,7 +14,6 @@
 #include "app/command.hpp"
 #include "app/commands/both_profiles.hpp"
 #include "app/messages.hpp"
-#include "app/messages.hpp"
 #include "app/option_checks.hpp"
 #include "app/output_options.hpp"
 #include "app/progress.hpp"
