@@ -205,10 +205,12 @@ void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourSca
     const std::string colour = scale.colour(std::lerp(scale.high, scale.low, share));
     page.rectangle({corner.x, corner.y + height * i / kSteps}, 14, height / kSteps + 0.4, {.fill = colour});
   }
+  const double round_off = kRoundOff * std::max(std::abs(scale.low), std::abs(scale.high));
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const std::string_view beyond = share == 0 && scale.has_above ? "≥ " : share == 1 && scale.has_below ? "≤ " : "";
+    const double value = std::lerp(scale.high, scale.low, share);
     page.text({corner.x + 20, corner.y + share * height + 4},
-              fmt::format("{}{:.3g}", beyond, shown.factor * std::lerp(scale.high, scale.low, share)), {.size = 11});
+              fmt::format("{}{:.3g}", beyond, std::abs(value) > round_off ? shown.factor * value : 0), {.size = 11});
   }
   page.text({corner.x, corner.y - 8}, shown.label(quantity.name), {.size = 12, .bold = true});
 }
