@@ -80,6 +80,8 @@ Warnings clip_joints(Drawing& drawing) {
   if (pairs > kMostPairs)
     return {{"dxf_not_clipped", first, "too many boundary lines and joints to cut joints off at the boundary"}};
   const OutlineGraph outline(std::span(drawing.joints).first(drawing.boundary_count));
+  if (outline.is_tangled())
+    return {{"dxf_not_clipped", first, "too many boundary lines lie along one another to cut joints off at them"}};
   if (const auto fault = outline.fault()) return not_clipped(drawing, *fault);
   const std::vector<std::vector<Outline>> regions = regions_of(outline.loops(), drawing);
   std::size_t cut = 0;

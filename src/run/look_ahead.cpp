@@ -183,6 +183,7 @@ class Blocky {
   std::string outside(const Drawing& drawing) const {
     if (drawing.boundary_count < 3) return {};
     const OutlineGraph graph(std::span(drawing.joints).first(drawing.boundary_count));
+    if (graph.is_tangled()) return {};
     const std::vector<Segment> outline = graph.pieces();
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < shapes_.size(); ++i) {

@@ -16,8 +16,9 @@
 namespace keyblock {
 namespace {
 
-constexpr double kSameEnd = 1e-9;  // over the extent
-constexpr double kUlps = 64;       // of the greatest coordinate: a drawing far from the origin has fewer digits
+constexpr double kSameEnd = 1e-9;               // over the extent
+constexpr std::size_t kMostTries = 5'000'000;  // points beside lines that are looked at
+constexpr double kUlps = 64;  // of the greatest coordinate: a drawing far from the origin has fewer digits
 
 /// Points nearer than a distance get one number.
 class PointNumbers {
@@ -78,11 +79,19 @@ void OutlineGraph::make_pieces(std::span<const JointLine> lines) {
   for (const Point p : nodes_) points.push_back({p, p});
   SegmentGrid grid(points, same_);
   std::set<std::pair<int, int>> met;
+  std::size_t tries = 0;
   for (std::size_t line = 0; line < lines.size(); ++line) {
     const auto [start, end] = ends_[line];
     const Segment& segment = lines[line].segment;
     std::vector<std::pair<double, int>> stops{{0, start}, {1, end}};
-    for (const int node : grid.near(segment, static_cast<int>(nodes_.size()))) {
+    const std::vector<int>& beside = grid.near(segment, static_cast<int>(nodes_.size()));
+    tries += beside.size();
+    if (tries > kMostTries) {
+      is_tangled_ = true;
+      pieces_.clear();
+      return;
+    }
+    for (const int node : beside) {
       const Point p = nodes_[static_cast<std::size_t>(node)];
       if (node == start || node == end || distance(segment, p) > same_) continue;
       stops.emplace_back(foot(segment, p), node);

@@ -24,6 +24,8 @@ class OutlineGraph {
   /// Ends nearer than 1e-9 of the extent are one. Coordinates are finite.
   explicit OutlineGraph(std::span<const JointLine> lines);
 
+  /// Too many lines lie along one another to tell them apart within a second: there are no pieces.
+  bool is_tangled() const { return is_tangled_; }
   /// Parts of lines between points where they meet, each once.
   std::vector<Segment> pieces() const;
   /// Nothing where the outline is a set of closed loops.
@@ -43,6 +45,7 @@ class OutlineGraph {
   void link();
 
   double same_ = 0;
+  bool is_tangled_ = false;
   std::vector<Point> nodes_;
   std::vector<std::pair<int, int>> ends_;  ///< nodes of each line
   std::vector<Piece> pieces_;
