@@ -474,7 +474,8 @@ Warnings contradictions(const Problem& problem, const Settings& settings, const 
   const double gravity = length(settings.gravity);
   const std::string unlikely = implausible(kGravity, gravity, problem.units);
   put(unlikely.empty() ? gravity_of_another_unit(gravity, problem.units) : unlikely, problem.analysis->place);
-  put(implausible_size(model, problem.units), problem.place);
+  const auto* drawing = std::get_if<Drawing>(&problem.geometry);
+  put(implausible_size(model, problem.units), drawing != nullptr ? drawing->place : problem.analysis->place);
   for (const BlockMaterial& material : problem.analysis->block_materials)
     found = joined(std::move(found), contradictions_of(material, problem.units));
   if (settings.gravity.y > 0)
