@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "geometry/polygon.hpp"
+#include "report/drawing/ticks.hpp"
 
 namespace keyblock::report {
 namespace {
@@ -20,6 +21,7 @@ constexpr double kExtreme = 0.005;  // share of patches, or of their area, beyon
 
 // Of the value farthest from 0: where the nearest is beyond it, 0 is not on the scale.
 constexpr double kNearShare = 0.5;
+constexpr double kBarRoom = 104;  // page units from a colour bar to the edge of the page
 constexpr double kPalest = 0.08;  // of all colours: from white to the palest of a scale without 0
 
 using Stops = std::array<std::array<double, 3>, 5>;
@@ -205,14 +207,20 @@ void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourSca
     const std::string colour = scale.colour(std::lerp(scale.high, scale.low, share));
     page.rectangle({corner.x, corner.y + height * i / kSteps}, 14, height / kSteps + 0.4, {.fill = colour});
   }
+  const int exponent = make_axis(shown.factor * scale.low, shown.factor * scale.high, 4).exponent;
   const double round_off = kRoundOff * std::max(std::abs(scale.low), std::abs(scale.high));
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const std::string_view beyond = share == 0 && scale.has_above ? "≥ " : share == 1 && scale.has_below ? "≤ " : "";
     const double value = std::lerp(scale.high, scale.low, share);
     page.text({corner.x + 20, corner.y + share * height + 4},
-              fmt::format("{}{:.3g}", beyond, std::abs(value) > round_off ? shown.factor * value : 0), {.size = 11});
+              fmt::format("{}{:.3g}", beyond,
+                          std::abs(value) > round_off ? value * shown.factor / std::pow(10, exponent) : 0),
+              {.size = 11});
   }
-  page.text({corner.x, corner.y - 8}, shown.label(quantity.name), {.size = 12, .bold = true});
+  const std::string label = with_exponent(shown.label(quantity.name), exponent);
+  const bool is_long = text_width(label, 12) > kBarRoom;  // it ends where the page does
+  page.text({corner.x + (is_long ? kBarRoom : 0), corner.y - 8}, label,
+            {.size = 12, .anchor = is_long ? Anchor::end : Anchor::start, .bold = true});
 }
 
 }  // namespace keyblock::report

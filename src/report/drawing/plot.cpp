@@ -2,16 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/plot.hpp"
 
-#include <fmt/format.h>
-
 namespace keyblock::report {
-namespace {
-
-std::string with_exponent(const std::string& label, int exponent) {
-  return exponent == 0 ? label : fmt::format("{}  × 1e{}", label, exponent);
-}
-
-}  // namespace
 
 void draw_axes(SvgPage& page, const Plot& plot, const std::string& x_label, const std::string& y_label) {
   const Style grid{.stroke = "#dddddd", .stroke_width = 0.8};

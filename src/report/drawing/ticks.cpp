@@ -41,6 +41,10 @@ double round_down(double value) {
   return power;
 }
 
+std::string with_exponent(const std::string& label, int exponent) {
+  return exponent == 0 ? label : fmt::format("{}  × 1e{}", label, exponent);
+}
+
 Axis make_axis(double low, double high, int wanted) {
   low = std::clamp(low, -kGreatestDrawn, kGreatestDrawn);
   high = std::clamp(high, -kGreatestDrawn, kGreatestDrawn);

@@ -20,6 +20,9 @@ struct Axis {
   double high() const { return ticks.back(); }
 };
 
+/// "displacement [L]  × 1e-3"; of exponent 0 the label alone.
+std::string with_exponent(const std::string& label, int exponent);
+
 /// What is greater has no place on an axis: its span would overflow.
 inline constexpr double kGreatestDrawn = 1e300;
 
