@@ -140,8 +140,9 @@ TEST(Malformed, hostile_inputs_are_refused_or_named_at_their_place) {
     const bool is_doubted = row.outcome == "doubt";
     EXPECT_EQ(run.exit_code, is_error ? 3 : is_doubted ? 1 : 0) << run.messages;
     const std::string all = run.messages + run.output;
-    if (row.outcome != "ok")
+    if (row.outcome != "ok") {
       EXPECT_TRUE(contains(all, file + (is_error ? ": error: expected " : ": warning: "))) << all;
+    }
     EXPECT_TRUE(contains(all, row.says)) << all;
     EXPECT_FALSE(has_control_characters(all)) << all;
     EXPECT_FALSE(is_error && std::filesystem::exists(out)) << "nothing is written for input that cannot be used";
