@@ -130,8 +130,8 @@ void add_rotation(Warnings& found, const Prepared& prepared, const Frame& last, 
 }
 
 // Energy that came from nothing is held against no less than the work of weight over a small way: the limit of 0.01 is
-// then a lift of the whole by a millionth of a block. Blocks that slid by more than this way, however slowly, are judged
-// by the energy that they had.
+// then a lift of the whole by a millionth of a block. Blocks that slid by more than this way, however slowly, are
+// judged by the energy that they had.
 void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Frame& first,
                 const Place& place) {
   if (!keeps_energy(record)) return;

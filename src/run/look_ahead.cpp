@@ -544,7 +544,7 @@ Warnings contradictions_of(const BlockMaterial& material, const Units& units) {
 Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
   Warnings found =
       joined(contradictions(problem, prepared.scene.settings, prepared.scene.model), sudden_starts(problem, prepared));
-  found = joined(std::move(found), spring_impacts(prepared, problem.analysis->place));
+  found = joined(std::move(found), spring_impacts(prepared.scene, problem.analysis->place));
   if (problem.covers) found = joined(std::move(found), bonded_crack_faces(prepared.scene, problem.covers->place));
   if (!is_of_blocks(prepared)) return found;
   return joined(std::move(found), Blocky(prepared).warnings(problem));

@@ -9,8 +9,9 @@
 namespace keyblock {
 
 /// Named warnings with numbers and places, in the units of the input. Names: `slivers`, `block_outside_outline`,
-/// `point_outside_its_block`, `free_blocks`, `unheld_blocks`, `unsupported_blocks`, `block_cannot_bend`, `springs_stiff_for_step`,
-/// `units_contradict`, `sudden_start_undamped`, `springs_unresolved`, `strain_damping_takes_rebound`. Of bodies on covers, only units and how they start are looked at.
+/// `point_outside_its_block`, `free_blocks`, `unheld_blocks`, `unsupported_blocks`, `block_cannot_bend`,
+/// `springs_stiff_for_step`, `units_contradict`, `sudden_start_undamped`, `springs_unresolved`,
+/// `strain_damping_takes_rebound`. NMM bodies are looked at for units, their start and impacts alone.
 Warnings look_ahead(const Problem& problem, const Prepared& prepared);
 
 /// `units_contradict` of a block material.

@@ -46,8 +46,8 @@ struct EndOfMotion {
 };
 
 /// Judges the end of the run: `last` is its last frame. Rest: the kinetic energy was below 1e-6 of the largest stored
-/// energy in the last tenth of the steps, and no block would move by a thousandth of its size in as much time again. The
-/// largest stored energy counts as no less than `work_of_weight` of `first`.
+/// energy in the last tenth of the steps, and no block would move by a thousandth of its size in as much time again.
+/// The largest stored energy counts as no less than `work_of_weight` of `first`.
 EndOfMotion end_of_motion(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last);
 
 /// Two sentences without a full stop: the state with the greatest speed; the greatest displacement. Lengths and speeds

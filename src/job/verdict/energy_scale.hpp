@@ -8,8 +8,8 @@
 namespace keyblock {
 
 // Blocks that stand store next to nothing but the strain of their weight, the less the stiffer they are, and a share of
-// that says nothing of their motion: energies are held against no less than the weight of all free blocks does over this
-// share of the size of the mean block.
+// that says nothing of their motion: energies are held against no less than the work of all weights over this share of
+// the size of the mean block.
 inline constexpr double kWayOfWeight = 1e-4;
 
 /// Work of the weight of all free elements of `first` over `kWayOfWeight` of the size of the mean block, per unit

@@ -66,8 +66,8 @@ std::optional<Striker> lightest(const Model& model, const Settings& settings) {
   return found;
 }
 
-// Of a square of unit thickness: strain stiffness 4 E' between corners and centroid, and 2/ω of its slowest strain mode,
-// simple shear, for critical damping.
+// Takes a square of unit thickness: strain stiffness 4 E' between corners and centroid; critical damping is 2/ω of its
+// slowest strain mode, simple shear.
 SpringImpact impact_of(const Model& model, const Settings& settings, const Striker& striker) {
   const Element& element = model.elements[ElementIndex{striker.element}];
   const BlockMaterial& material = model.material_of(element);
@@ -111,9 +111,9 @@ double SpringImpact::rebound() const {
   return std::max(0.0, v);
 }
 
-Warnings spring_impacts(const Prepared& prepared, const Place& place) {
-  const Settings& settings = prepared.scene.settings;
-  const Model& model = prepared.scene.model;
+Warnings spring_impacts(const Scene& scene, const Place& place) {
+  const Settings& settings = scene.settings;
+  const Model& model = scene.model;
   const bool springs_stop = settings.dynamics == Dynamics::standard &&
                             settings.standard.motion == MotionRule::dynamic &&
                             settings.standard.impact == ImpactLaw::springs;

@@ -1,15 +1,15 @@
-// Looks at impacts that contact springs stop (impact = springs) before the run: what damping takes, and whether the step
-// resolves the springs.
+// Looks before the run at impacts that contact springs stop (impact = springs): the rebound that damping takes, and
+// whether the step resolves the springs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include "base/error.hpp"
-#include "run/prepare.hpp"
+#include "model/scene/scene.hpp"
 
 namespace keyblock {
 
-/// Speed after over speed before an impact of a square block on a rigid floor, as the springs of its two corners and its
-/// own strain have it, by integration of both in time.
+/// Impact of a square block on a rigid floor. `rebound` is the speed after over the speed before it, as the springs of
+/// two corners and the strain of the block have it, by integration of both in time.
 struct SpringImpact {
   double mass = 0;              ///< per unit thickness
   double stiffness = 0;         ///< of both springs [force/length]
@@ -21,6 +21,6 @@ struct SpringImpact {
 
 /// Warnings `springs_unresolved` and `strain_damping_takes_rebound` at `place`; none unless springs stop impacts in
 /// time.
-Warnings spring_impacts(const Prepared& prepared, const Place& place);
+Warnings spring_impacts(const Scene& scene, const Place& place);
 
 }  // namespace keyblock

@@ -10,8 +10,8 @@
 
 namespace keyblock {
 
-/// Displacement over the width of a block, beyond which an equilibrium is not that of the drawing. A block that leans on
-/// one corner overturns when its centroid has moved by half its width, so that a tenth takes a fifth of its resistance.
+/// Displacement over the width of a block, beyond which an equilibrium is not that of the drawing. A block that leans
+/// on one corner overturns when its centroid has moved by half its width: a tenth takes a fifth of its resistance.
 inline constexpr double kFarFromDrawing = 0.1;
 
 /// Displacement over the width of a block that deserves a word: elastic settlement of rock is smaller.

@@ -1,5 +1,5 @@
-// Statics whose equilibrium lies far from the drawing: ten columns on a base at 28 degrees, which stand at friction above
-// 33.983 degrees by a limit analysis of rigid blocks (linear programme, no tension, Coulomb).
+// Statics whose equilibrium lies far from the drawing: ten columns on a base at 28 degrees. They stand at friction
+// above 33.983 degrees by a limit analysis of rigid blocks (linear programme, no tension, Coulomb).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "formats/case.hpp"
+#include "run/prepare.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
@@ -24,7 +25,7 @@ Warnings told(const std::vector<Override>& settings, double time_step) {
                                 R"(, "allowed_displacement_ratio": 0.1, "gravity": 9.81, "penalty_factor": 10,
     "block_materials": [{"density": 1000, "unit_weight": 9810, "youngs_modulus": 1e9, "poissons_ratio": 0}],
     "joint_materials": [{}]}})");
-  return spring_impacts(prepare(formats::load_case({file}).problem, "standard", settings), {});
+  return spring_impacts(prepare(formats::load_case({file}).problem, "standard", settings).scene, {});
 }
 
 bool has(const Warnings& warnings, const std::string& name) {
