@@ -1,6 +1,6 @@
 // The table of diagnostics is in order, complete, and names codes that the program uses.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/diagnostics.hpp"
+#include "base/words/diagnostics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/command.hpp"
-#include "base/diagnostics.hpp"
+#include "base/words/diagnostics.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 

@@ -1,7 +1,7 @@
 // The rows of the table, by the alphabet of their codes. To add one: put it in its place; `keyblock explain CODE` and
 // the tests take it from here.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/diagnostics.hpp"
+#include "base/words/diagnostics.hpp"
 
 #include <algorithm>
 #include <array>
