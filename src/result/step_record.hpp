@@ -7,7 +7,7 @@
 
 #include "result/ledger.hpp"
 #include "result/step_report.hpp"
-#include "result/thinned.hpp"
+#include "result/rows/thinned.hpp"
 
 namespace keyblock {
 

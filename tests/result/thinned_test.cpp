@@ -1,6 +1,6 @@
 // Which rows of a long run are kept, and that an interruption changes none.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "result/thinned.hpp"
+#include "result/rows/thinned.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "app/case_options.hpp"
 #include "app/command.hpp"
+#include "app/input/case_options.hpp"
 #include "app/option_checks.hpp"
 #include "app/progress.hpp"
 #include "base/counted.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/command.hpp"
-#include "app/drawing_options.hpp"
+#include "app/input/drawing_options.hpp"
 #include "base/error.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"

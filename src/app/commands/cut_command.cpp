@@ -12,7 +12,7 @@
 
 #include "app/command.hpp"
 #include "app/commands/mesh_options.hpp"
-#include "app/drawing_options.hpp"
+#include "app/input/drawing_options.hpp"
 #include "app/picture_name.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
-#include "app/case_options.hpp"
 #include "app/command.hpp"
+#include "app/input/case_options.hpp"
 #include "app/option_checks.hpp"
 #include "app/strength/strength_reduction.hpp"
 

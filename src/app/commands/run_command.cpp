@@ -10,9 +10,9 @@
 #include <memory>
 #include <optional>
 
-#include "app/case_options.hpp"
 #include "app/command.hpp"
 #include "app/commands/both_profiles.hpp"
+#include "app/input/case_options.hpp"
 #include "app/messages.hpp"
 #include "app/option_checks.hpp"
 #include "app/output_options.hpp"

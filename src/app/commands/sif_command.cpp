@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "app/case_options.hpp"
 #include "app/command.hpp"
+#include "app/input/case_options.hpp"
 #include "base/stop.hpp"
 #include "formats/case.hpp"
 #include "job/run_report.hpp"

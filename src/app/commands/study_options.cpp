@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "app/case_options.hpp"
+#include "app/input/case_options.hpp"
 #include "app/option_checks.hpp"
 #include "app/stop_request.hpp"
 #include "base/error.hpp"

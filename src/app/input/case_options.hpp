@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing_options.hpp"
+#include "app/input/drawing_options.hpp"
 #include "study/cases/asked_case.hpp"
 
 namespace keyblock {

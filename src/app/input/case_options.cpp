@@ -1,6 +1,6 @@
 // One option after the other.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/case_options.hpp"
+#include "app/input/case_options.hpp"
 
 #include <fmt/format.h>
 

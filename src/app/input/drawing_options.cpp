@@ -1,6 +1,6 @@
 // The table is an input like others, recognised by its first line.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/drawing_options.hpp"
+#include "app/input/drawing_options.hpp"
 
 #include "app/option_checks.hpp"
 #include "base/error.hpp"
