@@ -25,6 +25,23 @@ constexpr int kMostNamed = 1000;   // materials: no legend lists more
 constexpr int kMostColours = 256;  // the AutoCAD colour index; the last is that of the layer
 constexpr int kByLayer = 256;
 
+/// Each material is named after the first layer that holds it; joints before outlines, which share their numbers.
+MaterialNames names_of_layers(const std::map<std::string_view, DxfLayer>& layers) {
+  MaterialNames all;
+  const auto put = [&](std::vector<std::string>& names, DxfRole role) {
+    for (const auto& [name, layer] : layers) {
+      if (layer.role != role || layer.index < 0 || layer.index >= kMostNamed) continue;
+      const auto at = static_cast<std::size_t>(layer.index);
+      if (names.size() <= at) names.resize(at + 1);
+      if (names[at].empty()) names[at] = name;
+    }
+  };
+  put(all.rocks, DxfRole::material);
+  put(all.joints, DxfRole::joint);
+  put(all.joints, DxfRole::boundary);
+  return all;
+}
+
 class DrawingMaker {
  public:
   DrawingMaker(DxfShapes shapes, double scale, const LayerTable& table)
@@ -33,7 +50,7 @@ class DrawingMaker {
   DxfDrawing make() {
     for (DxfShape& shape : shapes_.shapes) to_metres(shape);
     name_layers();
-    name_materials();
+    result_.names = names_of_layers(layers_);
     for (const DxfShape& shape : shapes_.shapes) add(shape);
     Drawing& drawing = result_.drawing;
     drawing.boundary_count = boundaries_.size();
@@ -104,21 +121,6 @@ class DrawingMaker {
                        in_quotes(layer.name), layer.entities, index + 1, hint_for_layer(layer.name))});
       ++index;
     }
-  }
-
-  /// After the first layer that holds them; joints before outlines, which share their numbers.
-  void name_materials() {
-    const auto put = [&](std::vector<std::string>& names, DxfRole role) {
-      for (const auto& [name, layer] : layers_) {
-        if (layer.role != role || layer.index < 0 || layer.index >= kMostNamed) continue;
-        const auto at = static_cast<std::size_t>(layer.index);
-        if (names.size() <= at) names.resize(at + 1);
-        if (names[at].empty()) names[at] = name;
-      }
-    };
-    put(result_.names.rocks, DxfRole::material);
-    put(result_.names.joints, DxfRole::joint);
-    put(result_.names.joints, DxfRole::boundary);
   }
 
   void warn_of_unused_rows() {

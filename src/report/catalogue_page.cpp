@@ -16,7 +16,8 @@ namespace {
 constexpr std::string_view kStyle = R"(
 body { font: 14px/1.4 "DejaVu Sans", Helvetica, Arial, sans-serif; margin: 1.5em; color: #222 }
 table { border-collapse: collapse; table-layout: fixed; width: 100% }
-th, td { border-bottom: 1px solid #ddd; padding: 4px 6px; text-align: left; vertical-align: top; overflow-wrap: anywhere }
+th, td { border-bottom: 1px solid #ddd; padding: 4px 6px; text-align: left; vertical-align: top }
+td { overflow-wrap: anywhere }
 td small { color: #666 }
 th { background: #f4f4f4; cursor: pointer; position: sticky; top: 0 }
 td.number { text-align: right; font-variant-numeric: tabular-nums }

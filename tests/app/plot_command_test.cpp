@@ -107,7 +107,8 @@ TEST(PlotCommand, the_frame_of_a_step_may_be_chosen) {
 TEST(PlotCommand, pictures_of_steps_make_a_film) {
   const std::string out = run_of("far", "s3", with_a_small_block_that_falls());
   const auto scale_of = [&](const std::string& step, const std::vector<std::string>& more) {
-    std::vector<std::string> words{"plot", out, "--field", "syy", "--step", step, "-o", out + "/x.svg", "--force"};
+    std::vector<std::string> words{"plot", out,  "--field",      "displacement", "--step",
+                                   step,   "-o", out + "/x.svg", "--force"};
     words.insert(words.end(), more.begin(), more.end());
     EXPECT_EQ(run_keyblock(words).exit_code, 0);
     const std::string svg = read_text(out + "/x.svg");

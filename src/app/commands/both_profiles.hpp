@@ -24,8 +24,8 @@ struct ProfileAnswer {
   double modulus = 0;  ///< greatest Young's modulus
 };
 
-/// A sentence for each quantity that differs by more than a hundredth of the largest of its kind in either run; empty if
-/// none does. Round-off is no difference: displacements below 1e-12 of the scene, stresses below 1e-12 of the modulus.
+/// A sentence for each quantity that differs by more than a hundredth of the largest of its kind in either run; empty
+/// if none does. Round-off is no difference: displacements below 1e-12 of the scene, stresses below 1e-12 of the modulus.
 /// Runs that end at different times are not compared by their displacements and stresses; the sentence gives the times.
 std::vector<std::string> differences(const ProfileAnswer& one, const ProfileAnswer& other);
 

@@ -28,9 +28,9 @@ struct ReductionOptions {
 /// `--from`, `--to`, `--to-within`, `--trial-limit`, `--exempt`, `--no-mesh-error`.
 std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOptions& chosen);
 
-/// Searches, prints and writes; what the options leave open is taken from `case.json`. The profile is `standard` for old
-/// files too, unless one is asked for: the search is one of statics. Throws UsageError for options that do not fit and
-/// for a profile that `case.json` does not run, InputError for a case that cannot be reduced.
+/// Searches, prints and writes; what the options leave open is taken from `case.json`. The profile is `standard` for
+/// old files too, unless one is asked for: the search is one of statics. Throws UsageError for options that do not fit
+/// and for a profile that `case.json` does not run, InputError for a case that cannot be reduced.
 ExitCode reduce_strength(const study::AskedCase& asked, const ReductionOptions& given);
 
 }  // namespace keyblock
