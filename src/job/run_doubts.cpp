@@ -114,19 +114,18 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
 // rad: linear statics stretches what rotates by half the square of the angle, 0.5 % here.
 constexpr double kLinearRotation = 0.1;
 
-void add_rotation(Warnings& found, const Prepared& prepared, const Frame& last, const Place& place) {
+void add_rotation(Warnings& remarks, const Prepared& prepared, const Frame& last, const Place& place) {
   if (!prepared.scene.is_untouched || may_yield(prepared.scene) || last.elements.empty()) return;
   const auto angle = [](const ElementFrame& element) { return std::abs(element.rotation); };
   const auto most = std::ranges::max_element(last.elements, {}, angle);
   if (angle(*most) <= kLinearRotation) return;
   const int number = number_of(last, static_cast<std::size_t>(most - last.elements.begin()));
-  found.push_back(
+  remarks.push_back(
       {"rotated_beyond_linear", place,
-       fmt::format(
-           "{} rotates by {:.3g} rad under linear statics, which stretches it by {:.2g} %; beyond {:.3g} rad the "
-           "run is not trusted: --set motion=dynamic --set start=sudden, with mass_damping and a short time_step, "
-           "comes to rest under large rotation",
-           name_of(prepared.scene.model, number), angle(*most), 50 * angle(*most) * angle(*most), kLinearRotation)});
+       fmt::format("{} rotates by {:.3g} rad, and these statics are linear: they stretch it by {:.2g} %, and the "
+                   "results are those of small displacements; --set motion=dynamic --set start=sudden, with "
+                   "mass_damping and a short time_step, comes to rest under large rotation",
+                   name_of(prepared.scene.model, number), angle(*most), 50 * angle(*most) * angle(*most))});
 }
 
 // Energy that came from nothing is held against no less than the work of weight over a small way: the limit of 0.01 is
@@ -360,12 +359,12 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
   Warnings& found = judgement.doubts;
   if (!prepared.scene.is_untouched) add_penetration(judgement, prepared, record.totals.penetration_share, last, place);
   add_crushing(found, prepared, record.totals, place);
-  add_rotation(found, prepared, last, place);
   add_start(found, prepared, first, place);
   add_energy(found, prepared, record, first, place);
   add_imbalance(found, prepared, record.totals, place);
   add_distance(judgement, prepared, record, last, place);
   add_stages(found, record.outcome, place);
+  add_rotation(judgement.remarks, prepared, last, place);
   add_plastic_work(judgement.remarks, record, place);
   add_closing(judgement.remarks, prepared, record, place);
   add_tips(judgement, prepared, last, place);

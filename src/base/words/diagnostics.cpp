@@ -96,10 +96,9 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
      "A mark lay outside all blocks, but within the merging distance of one: it was moved onto the outline of that "
      "block.",
      "Nothing, if the mark belongs to that block; else move it."},
-    {"rotated_beyond_linear", error, "Linear statics was used for a large rotation",
-     "An element of a body on covers rotates by more than 0.1 rad. Linear statics adds "
-     "displacements "
-     "as if nothing rotated, and stretches what does by half the square of the angle.",
+    {"rotated_beyond_linear", warning, "Linear statics was used for a large rotation",
+     "An element of an NMM body rotates by more than 0.1 rad. Linear statics adds displacements as if nothing rotated, "
+     "and stretches what does by half the square of the angle: 0.5 % at 0.1 rad.",
      "Let the body come to rest in time: --set motion=dynamic --set start=sudden, with mass_damping and a short "
      "time_step."},
     {"springs_unresolved", warning, "The step is too long for the contact springs",

@@ -160,7 +160,10 @@ void BlockWatch::add(const Frame& frame, const ContactFrames& contacts, const Mo
     block.other = other;
     block.at = at;
   };
+  std::map<int, double> pressed;  // by number: sum of the compressive contact forces
   for (const ContactFrame& contact : contacts) {
+    if (contact.normal_force > 0)
+      for (const int number : {contact.element, contact.other}) pressed[number] += contact.normal_force;
     if (!(contact.normal_force < 0) || model.joint_material(contact.joint_material).tensile_strength > 0) continue;
     const Point force = contact.normal_force * contact.normal;
     pull(contact.element, contact.other, contact.position, force);
@@ -168,8 +171,10 @@ void BlockWatch::add(const Frame& frame, const ContactFrames& contacts, const Mo
   }
   std::set<int> held;
   for (const PointFrame& point : frame.fixed_points) held.insert(point.element);
-  for (const auto& [number, block] : hanging)
-    if (!held.contains(number) && block.share > std::max(kHangs, last_.share)) last_ = block;
+  for (const auto& [number, block] : hanging) {
+    const bool is_wedged = pressed[number] > kHangs * length(weights[number]);  // other blocks may bear it
+    if (!held.contains(number) && !is_wedged && block.share > std::max(kHangs, last_.share)) last_ = block;
+  }
   if (last_.share > kHangs) ++hanging_;
 }
 
