@@ -182,7 +182,7 @@ std::string impossible_part(const StandardScene& scene, const State& end) {
     if (!(end.elements[e].moments.area > 0))
       return fmt::format(
           "{} is turned inside out or no longer finite{}", part_name(scene, e),
-          is_in_time || !scene.model.elements[e].is_on_covers()
+          is_in_time || scene.groups.of(e).shared_basis() == nullptr
               ? ""
               : ": its body may snap through or buckle under this load (more steps show at which load it does)");
   return impossible(end);

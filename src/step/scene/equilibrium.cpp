@@ -47,7 +47,7 @@ std::vector<int> numbers_of(const StandardScene& scene, const std::vector<Elemen
 }
 
 std::string_view noun_of(const StandardScene& scene, const std::vector<ElementIndex>& parts) {
-  const auto is_block = [&](ElementIndex e) { return !scene.model.elements[e].is_on_covers(); };
+  const auto is_block = [&](ElementIndex e) { return scene.groups.of(e).shared_basis() == nullptr; };
   return std::ranges::any_of(parts, is_block) ? "block" : "element";
 }
 
