@@ -42,6 +42,36 @@ MaterialNames names_of_layers(const std::map<std::string_view, DxfLayer>& layers
   return all;
 }
 
+/// Counts curves and the chords that they became.
+class ChordCount {
+ public:
+  void add(const DxfShape& shape) {
+    if (shape.curves == 0) return;
+    if (curves_ == 0) first_ = shape.place;
+    has_others_ = has_others_ || shape.type == "ELLIPSE" || shape.type == "SPLINE";
+    curves_ += shape.curves;
+    chords_ += shape.chords;
+  }
+
+  /// One, or none.
+  Warnings warnings() const {
+    if (curves_ == 0) return {};
+    const std::string of_others =
+        has_others_
+            ? fmt::format(" (of an ellipse: its greater half axis), or {} of the size of a spline", kSplineRatio)
+            : "";
+    return {{"dxf_curves_as_chords", first_,
+             fmt::format("{} {} are {} chords; none leaves its curve by more than {} of the radius{}", curves_,
+                         has_others_ ? "curves" : "arcs, circles and bulges", chords_, kSagittaRatio, of_others)}};
+  }
+
+ private:
+  std::size_t curves_ = 0;
+  std::size_t chords_ = 0;
+  bool has_others_ = false;  ///< ellipses or splines
+  Place first_;
+};
+
 class DrawingMaker {
  public:
   DrawingMaker(DxfShapes shapes, double scale, const LayerTable& table)
@@ -59,7 +89,7 @@ class DrawingMaker {
     drawing.joints = std::move(boundaries_);
     result_.warnings = joined(std::move(shapes_.warnings), result_.warnings);
     result_.warnings = joined(std::move(result_.warnings), shapes_.hidden.warnings());
-    warn_of_chords();
+    result_.warnings = joined(std::move(result_.warnings), chords_.warnings());
     result_.warnings = joined(std::move(result_.warnings), shapes_.skipped.warnings());
     return std::move(result_);
   }
@@ -183,12 +213,12 @@ class DrawingMaker {
     const bool is_block = found->second.role == DxfRole::block;
     if (holds_points_only(found->second.role) || (is_block && !shape.is_closed)) return skip(shape);
     if (!is_block) return add_sides(shape, found->second);
-    count_chords(shape);
+    chords_.add(shape);
     add_block(shape, found->second);
   }
 
   void add_sides(const DxfShape& shape, const DxfLayer& layer) {
-    count_chords(shape);
+    chords_.add(shape);
     const std::size_t sides = shape.points.size() - (shape.is_closed ? 0 : 1);
     if (layer.role == DxfRole::boundary) make_room(boundaries_, sides);
     if (layer.role == DxfRole::joint) make_room(result_.drawing.joints, sides);
@@ -259,24 +289,6 @@ class DrawingMaker {
       result_.drawing.material_lines.push_back({{*inside, *inside}, layer.index, shape.place});
   }
 
-  void count_chords(const DxfShape& shape) {
-    if (shape.curves > 0 && curves_ == 0) first_curve_ = shape.place;
-    has_others_ = has_others_ || (shape.curves > 0 && (shape.type == "ELLIPSE" || shape.type == "SPLINE"));
-    curves_ += shape.curves;
-    chords_ += shape.chords;
-  }
-
-  void warn_of_chords() {
-    if (curves_ == 0) return;
-    result_.warnings.push_back(
-        {"dxf_curves_as_chords", first_curve_,
-         fmt::format("{} {} are {} chords; none leaves its curve by more than {} of the radius{}", curves_,
-                     has_others_ ? "curves" : "arcs, circles and bulges", chords_, kSagittaRatio,
-                     has_others_ ? fmt::format(" (of an ellipse: its greater half axis), or {} of the size of a spline",
-                                               kSplineRatio)
-                                 : "")});
-  }
-
   DxfShapes shapes_;
   double scale_;
   const LayerTable& table_;
@@ -284,11 +296,8 @@ class DrawingMaker {
   std::map<std::string_view, DxfLayer> layers_;
   std::vector<JointLine> boundaries_;
   std::vector<Point> outline_;  ///< of the last block
-  std::size_t curves_ = 0;      ///< of shapes that are not skipped
-  std::size_t chords_ = 0;
-  bool has_others_ = false;  ///< ellipses or splines
-  Place first_curve_;
-  bool has_marks_ = false;  ///< of the old Windows program
+  ChordCount chords_;           ///< of shapes that are not skipped
+  bool has_marks_ = false;      ///< of the old Windows program
   DxfDrawing result_;
 };
 

@@ -25,7 +25,7 @@ const std::string kAnalysis =
        "poissons_ratio": 0.2}], "joint_materials": [{"friction_angle_deg": 30}]}})";
 
 std::string written(const std::string& name, const std::string& text) {
-  const std::string file = support::fresh_folder("drawing_options") + "/" + name;
+  const std::string file = support::fresh_folder("drawing_options_of_" + name) + "/" + name;
   support::write_text(file, text);
   return file;
 }
@@ -102,7 +102,7 @@ TEST(DrawingOptions, options_that_fit_no_input_are_refused) {
 TEST(DrawingOptions, a_run_that_goes_on_joins_again) {
   const std::string file = written("short.json", kShortJoint + kAnalysis);
   const std::string out = support::fresh_folder("drawing_options_resume") + "/out";
-  const std::vector<std::string> run{"run", file, "--join", "0.003", "-o", out, "--set", "step_count=100000"};
+  const std::vector<std::string> run{"run", file, "--join", "0.003", "-o", out, "--set", "steps=100000"};
   support::interrupt_keyblock(run, out + "/checkpoint.h5");
   const support::ProgramRun again = support::interrupt_keyblock({"run", "--resume", out}, out + "/run.json");
   EXPECT_TRUE(contains(again.messages, "2 blocks")) << again.messages;
