@@ -60,7 +60,8 @@ std::string name_of(const Choice& choice) {
                          : fmt::format("penalty {} E", choice.penalty_over_modulus));
 }
 
-Scene slope_scene(double slope_deg, double friction_deg, double dt, const Choice& choice, double speed = 0) {
+Scene slope_scene(double slope_deg, double friction_deg, double dt, const Choice& choice, double speed = 0,
+                  double gap = 0) {
   Analysis analysis = plain_analysis(dt, 1);
   analysis.block_materials[0].density = 2600;
   analysis.penalty_factor = choice.penalty_over_modulus;
@@ -70,7 +71,10 @@ Scene slope_scene(double slope_deg, double friction_deg, double dt, const Choice
   Settings settings = standard_settings(analysis);
   settings.basis = choice.basis;
   settings.standard.enforcement = choice.enforcement;
-  return standard_scene_of(block_on_slope(a), analysis, settings);
+  Blocks blocks = block_on_slope(a);
+  for (BlockVertex& corner : blocks.blocks[1].outer)
+    corner.position = corner.position + gap * Point{std::sin(a), std::cos(a)};
+  return standard_scene_of(blocks, analysis, settings);
 }
 
 double down_slope(Point p, double slope_deg) {
@@ -122,6 +126,42 @@ TEST(StandardSlide, a_block_that_goes_on_with_the_acceleration_it_has_takes_one_
       const auto* report = std::get_if<StepReport>(&made);
       ASSERT_NE(report, nullptr) << name_of(choice);
       EXPECT_LE(report->passes, 1) << name_of(choice) << ", step " << report->step;
+    }
+  }
+}
+
+namespace {
+
+constexpr double kHalfGravity = kGravity / 2;
+
+// Falls freely until the gap is closed at time c, then slides as if it had always done so: the impulse that takes the
+// normal speed g cos α c has friction too.
+double way_after_closing(double gap, double slope_deg, double friction_deg) {
+  const double a = radians(slope_deg);
+  const double sliding = kGravity * (std::sin(a) - std::cos(a) * std::tan(radians(friction_deg)));
+  const double closing = std::sqrt(gap / (kHalfGravity * std::cos(a)));
+  const double left = 1 - closing;
+  return kHalfGravity * std::sin(a) * closing * closing + sliding * (closing * left + left * left / 2);
+}
+
+}  // namespace
+
+// Multipliers, at closing speeds below those of an impact, three steps of free fall.
+TEST(StandardSlide, a_block_drawn_above_its_slope_loses_no_friction_while_the_gap_closes) {
+  for (const Choice& choice : kChoices) {
+    if (choice.enforcement != Enforcement::lagrange) continue;
+    for (double dt : {1e-2, 2e-3, 5e-4}) {
+      for (double gap : {1e-6, 1e-5, 1e-4, 1e-3}) {
+        if (gap > 5 * kGravity * dt * dt) continue;  // struck
+        const Scene scene = slope_scene(30, 20, dt, choice, 0, gap);
+        StandardStepper stepper(scene);
+        const State start = stepper.state();
+        run_to(stepper, 1);
+        const double closing_speed = std::sqrt(2 * kGravity * std::cos(radians(30)) * gap);
+        EXPECT_NEAR(slip(stepper, start, 30), way_after_closing(gap, 30, 20),
+                    1e-5 + std::tan(radians(20)) * closing_speed * dt)
+            << name_of(choice) << ", dt " << dt << ", gap " << gap;
+      }
     }
   }
 }

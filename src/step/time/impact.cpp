@@ -314,29 +314,38 @@ UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, 
 
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
                                    const Touches& closed, const std::vector<HeldSlip>& slips, double time, double dt,
-                                   const Flexibility& flexibility) {
+                                   const Flexibility& flexibility, double per_force) {
   if (closed.empty() && scene.held.empty()) return v;
   const ContactRows rows = rows_with_points(scene, q, closed);
   FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, v), {}, 0, 0, {}};
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())) -= wanted_velocities(scene.held, time, dt);
-  for (const HeldSlip& slip : slips) problem.laws.push_back(slip.sticks ? kHeld : kBilateral);
+  Eigen::VectorXd had = Eigen::VectorXd::Zero(problem.w.rows());  // where the law is one of the whole impulse
+  for (std::size_t i = 0; i < slips.size(); ++i) {
+    problem.laws.push_back(slips[i].sticks ? kHeld : kBilateral);
+    if (!slips[i].coulomb) continue;
+    problem.laws.back().friction = *slips[i].coulomb;
+    had.segment<2>(static_cast<Eigen::Index>(2 * i)) = per_force * slips[i].force;
+  }
+  const bool has_coulomb = std::ranges::any_of(slips, [](const HeldSlip& slip) { return slip.coulomb.has_value(); });
+  if (has_coulomb) problem.b -= problem.w * had;
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
   problem.goal = of_impacts::kImpulseTolerance * largest_momentum(scene, v) / (dt * dt) + of_impacts::kSmallest;
   problem.acceptable = of_impacts::kLooser * problem.goal;
   const Eigen::VectorXd asked = problem.b;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(problem.w.rows());
-  Eigen::VectorXd pushes = none;
+  Eigen::VectorXd pushes = had;
   Eigen::VectorXd smooth;  // pushes without friction
   Eigen::VectorXd friction = none;
   double first_change = 0;
   double change = 0;
   for (int round = 0; round < of_impacts::kMostFrictionRounds; ++round) {
-    pushes = newton(problem, pushes).forces;  // nothing opens: sweeps would change nothing that Newton leaves
+    // Where nothing slips by its law sweeps would change nothing that Newton leaves.
+    pushes = (has_coulomb ? solve(problem, pushes) : newton(problem, pushes)).forces;
     if (round == 0) smooth = pushes;
     change = 0;
     for (std::size_t i = 0; i < closed.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
-      if (slips[i].sticks) continue;
+      if (slips[i].sticks || slips[i].coulomb) continue;
       const double before = std::exchange(friction[n + 1], slips[i].friction * pushes[n]);
       change = std::max(change, std::abs(friction[n + 1] - before));
     }
@@ -346,7 +355,7 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
   }
   // Where slivers slide, friction may drive the pushes that it follows from, more in each round.
   const bool grows = change > std::max(first_change, problem.acceptable);
-  return plus(v, 1, answer(rows, flexibility, grows ? smooth : pushes + friction));
+  return plus(v, 1, answer(rows, flexibility, (grows ? smooth : pushes + friction) - had));
 }
 
 }  // namespace keyblock

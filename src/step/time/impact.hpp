@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "step/bodies/integrator.hpp"
 #include "step/scene/standard_scene.hpp"
 
@@ -65,19 +67,23 @@ UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, 
 /// Velocities without the strain rates of blocks.
 UnknownsTable rigid_part(UnknownsTable v);
 
-/// What a touch whose normal velocity is held does along its edge: it slides freely, with friction, or sticks.
+/// What a touch whose normal velocity is held does along its edge: it slides freely, with friction, or sticks; or
+/// Coulomb's law says it of the impulse of the whole step.
 struct HeldSlip {
   double friction = 0;  ///< over the normal force
   bool sticks = false;
+  std::optional<double> coulomb = std::nullopt;     ///< tangent of the angle of friction
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< coulomb: that the touch had in the step
 };
 
 /// Makes the normal velocity of closed touches zero and that of held points what their motion wants: both are kept in
 /// positions, and without this their rates would change sign each step. `flexibility` is that of the step, A⁻¹: what
 /// answers is the inertia that a step reaches, M + θ dt² K up to a factor, so that strains too stiff for the step are
 /// not struck by round-off of gaps. Where a contact slides with friction, so does the impulse: else what the
-/// impulses bear of the normal force would be without.
+/// impulses bear of the normal force would be without. `per_force`: impulse, in the unit of which the flexibility makes
+/// velocity, over a force of the step.
 UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
                                    const Touches& closed, const std::vector<HeldSlip>& slips, double time, double dt,
-                                   const Flexibility& flexibility);
+                                   const Flexibility& flexibility, double per_force);
 
 }  // namespace keyblock

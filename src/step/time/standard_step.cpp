@@ -203,14 +203,14 @@ class Attempt {
   // answers it falls, and contacts have no velocity either: where it would rise by more than contacts took as they
   // closed, and the step before gave up, there is as much of that as keeps it.
   UnknownsTable cleaned_up(const Touches& held, const std::vector<HeldSlip>& slips, double at_most) const {
-    const auto answered_by = [&](const Flexibility& answer) {
-      return with_held_velocities(scene_, smooth_.q, smooth_.v, held, slips, time_, dt_, answer);
+    const auto answered_by = [&](const Flexibility& answer, double per_force) {
+      return with_held_velocities(scene_, smooth_.q, smooth_.v, held, slips, time_, dt_, answer, per_force);
     };
-    UnknownsTable cleaned = answered_by(smooth_.flexibility);
+    UnknownsTable cleaned = answered_by(smooth_.flexibility, rule_.end_velocity.increment);
     if (!one_resolves_impact(held)) return cleaned;
     const double most = kinetic_energy(scene_, smooth_.v) + at_most;
     if (kinetic_energy(scene_, cleaned) <= most) return cleaned;
-    const UnknownsTable calm = answered_by(mass_flexibility(scene_));
+    const UnknownsTable calm = answered_by(mass_flexibility(scene_), dt_);
     const double left = most - kinetic_energy(scene_, calm);
     if (left <= 0) return calm;  // friction of slivers, or driven points
     const UnknownsTable change = plus(cleaned, -1, calm);
@@ -222,9 +222,14 @@ class Attempt {
 
   // Where friction is one of the way of the step, a contact that sticks keeps no velocity along its edge, which would
   // turn over in each step, and the impulse on one that slides rubs. Blocks, whose friction is one of the velocity at
-  // the end, come to rest against each other in a step or two.
+  // the end, have Coulomb's law on the impulse of the step in which they meet; those that had met come to rest against
+  // each other in a step or two.
   HeldSlip slip_held(std::size_t i) const {
-    if (!smooth_.way_laws[i]) return {};
+    if (!smooth_.way_laws[i]) {
+      if (smooth_.laws[i].is_bonded || start_.closed.of(parts_.smooth[i])) return {};
+      return {.coulomb = smooth_.laws[i].force.friction,
+              .force = smooth_.forces.segment<2>(static_cast<Eigen::Index>(2 * i))};
+    }
     if (smooth_.laws[i].is_bonded) return {.sticks = true};
     if (normal(i) <= 0) return {};
     const double tangential = smooth_.forces[static_cast<Eigen::Index>(2 * i + 1)];
