@@ -308,14 +308,14 @@ TEST(FosCommand, a_trial_without_limit_is_no_fault) {
   EXPECT_EQ(run.exit_code, 0) << run.messages;
 }
 
-// Friction of 3 degrees on a plane of 60: F = tan 3 / tan 60 = 0.03026, below all that is tried by itself.
+// Friction of 2 degrees on a plane of 40: F = tan 2 / tan 40 = 0.0416, below all that is tried by itself.
 TEST(FosCommand, what_falls_at_every_factor_tried_names_the_option_that_goes_lower) {
-  const std::string file = written("lower", block_on_plane(60, 3, 3));
+  const std::string file = written("lower", block_on_plane(40, 2, 2));
   const ProgramRun falls = run_keyblock({"fos", file});
   EXPECT_EQ(falls.exit_code, 1);
   EXPECT_NE(falls.output.find("the least factor tried; --from 0.00"), std::string::npos) << falls.output;
   const ProgramRun from = run_keyblock({"fos", file, "--from", "0.02", "--to-within", "0.001", "--json"});
-  EXPECT_NEAR(Json::parse(from.output)["factor_of_safety"].get<double>(), tangent(3) / tangent(60), 0.001)
+  EXPECT_NEAR(Json::parse(from.output)["factor_of_safety"].get<double>(), tangent(2) / tangent(40), 0.001)
       << from.output;
 }
 

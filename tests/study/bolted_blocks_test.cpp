@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kWeightPerArea = 2500 * 9.81;
+constexpr double kStiffness = 2e7;  // N/m for each metre of thickness
 
 /// A block of `length` along the plane and `height` across it. Points are given along the plane, upward, and across it;
 /// its lower corner is the origin. The bolt pulls the block from `from` towards `to`.
@@ -33,9 +35,20 @@ struct Bolted {
   double along() const { return (to - from).x / keyblock::length(to - from); }
   double inward() const { return -(to - from).y / keyblock::length(to - from); }
   double normal() const { return weight() * std::cos(plane) + strength * inward(); }
-  double driving() const { return weight() * std::sin(plane) - strength * along(); }
-  /// The bolt at its strength, friction and cohesion over F along the base.
-  double factor() const { return (normal() * std::tan(friction) + cohesion * length) / driving(); }
+  /// The bolt pulls with `pull` along `bolt`; friction and `bond` over F resist along the base.
+  double factor_under(double pull, Point bolt, double bond) const {
+    const Point force = pull / keyblock::length(bolt) * bolt;
+    return ((weight() * std::cos(plane) - force.y) * std::tan(friction) + bond * length) /
+           (weight() * std::sin(plane) - force.x);
+  }
+  /// Before the block slips, with cohesion and the pretension; or after it, at the strength of the bolt, which the slip
+  /// has stretched and turned. A joint that slips has lost its cohesion.
+  double factor() const {
+    const Point bolt = to - from;
+    const double stretched = keyblock::length(bolt) + (strength - pretension) / kStiffness;
+    const Point at_strength{std::sqrt(stretched * stretched - bolt.y * bolt.y), bolt.y};
+    return std::max(factor_under(pretension, bolt, cohesion), factor_under(strength, at_strength, 0));
+  }
   /// Of the pressure on the base at the limit, from its middle over half its length.
   double eccentricity() const {
     const Point centre{length / 2, height / 2}, middle{length / 2, 0};

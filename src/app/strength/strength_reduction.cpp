@@ -208,7 +208,7 @@ report::StrengthPicture picture_of(const ReducedCase& chosen, const Model& model
     picture.standing = found.standing->field;
     picture.plastic_strains = found.standing->plastic_strains;
     picture.standing_words = fmt::format("stands at F = {:.6g}", *found.bracket.stands);
-    picture.before = found.standing->field;
+    picture.before = found.before_fall.value_or(found.standing->field);
   } else {
     picture.standing_words = "as drawn; it stands at no factor that was tried";
     if (found.falling) picture.standing = picture.before = as_drawn(*found.falling);

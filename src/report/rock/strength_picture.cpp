@@ -83,9 +83,13 @@ void draw_bolts(SvgPage& page, const PageMap& map, const StrengthPicture& pictur
     const bool is_red = with_forces && bolt.is_at_strength;
     page.line(map(bolt.at.start), map(bolt.at.end), {.stroke = is_red ? kAtStrength : kBoltColour, .stroke_width = 2});
     if (!has_numbers) continue;
-    page.text(map(bolt.at.start) + Point{0, -6},
+    const bool goes_left = bolt.at.end.x < bolt.at.start.x;
+    page.text(map(bolt.at.start) + Point{goes_left ? 5.0 : -5.0, 4},
               force_words(bolt.force, picture.units) + (is_red ? " (at its strength)" : ""),
-              {.size = 11, .anchor = Anchor::middle, .fill = is_red ? kAtStrength : kBoltColour, .bold = true});
+              {.size = 11,
+               .anchor = goes_left ? Anchor::start : Anchor::end,
+               .fill = is_red ? kAtStrength : kBoltColour,
+               .bold = true});
   }
 }
 

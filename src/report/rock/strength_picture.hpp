@@ -57,9 +57,9 @@ struct StrengthPicture {
   FieldFrame standing;
   std::vector<double> plastic_strains;  ///< of its elements
   std::string standing_words;           ///< "stands at 1.39"
-  FieldFrame before;                    ///< what increments are counted from; the standing state, or one before it
-  std::optional<FieldFrame> falling;    ///< with the same elements
-  std::string falling_words;            ///< "falls at 1.4"
+  FieldFrame before;  ///< increments count from it: the standing state, or the last of the trial that falls
+  std::optional<FieldFrame> falling;  ///< with the same elements
+  std::string falling_words;          ///< "falls at 1.4"
   Units units = {};
   std::vector<StrengthBolt> bolts = {};
 };

@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "base/error.hpp"
 #include "geometry/polygon.hpp"
@@ -76,11 +77,13 @@ void copy_behind(PerMaterial<T>& choice, int count) {
 
 // Elements on covers are the last ones of a model; the continuum has its own list of them.
 void exempt_elements(Continuum& continuum, const std::vector<bool>& is_exempt, int materials) {
+  std::vector<int> numbers;
   for (std::size_t e = 0; e < continuum.manifold.elements.size(); ++e) {
     const int own = continuum.material_number(static_cast<int>(e));
     const std::size_t in_model = is_exempt.size() - continuum.manifold.elements.size() + e;
-    continuum.element_materials.push_back(is_exempt[in_model] ? own + materials : own);
+    numbers.push_back(is_exempt[in_model] ? own + materials : own);
   }
+  continuum.element_materials = std::move(numbers);
   for (int i = 0; i < materials && !continuum.laws.empty(); ++i)
     continuum.laws[static_cast<std::size_t>(i + materials)] = continuum.laws[static_cast<std::size_t>(i)];
 }

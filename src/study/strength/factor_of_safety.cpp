@@ -76,7 +76,7 @@ class FactorSearch {
 
   void close_service() {
     const Bracket service = bracket_of(service_);
-    if (options_.seeks_knee && service.is_closed() && *service.falls <= *bracket_of(verdict_).stands) bisect(service_);
+    if (options_.seeks_knee && service.is_closed() && *service.falls < *bracket_of(verdict_).stands) bisect(service_);
   }
 
   /// Goes down while the trial at `first`, though in equilibrium, is one of a case that slid before it found that. What
@@ -195,10 +195,12 @@ class FactorSearch {
     if (previous_ && previous_ != at.stands) result_.standing_before = std::move(made_.at(*previous_).state);
     if (!at.falls) return;
     TrialOutcome& fallen = made_.at(*at.falls);
-    if (fallen.told.is_far)
+    if (fallen.told.is_far) {
       result_.falling = std::move(fallen.state.field);
-    else
-      result_.falling = std::move(fallen.attempt);
+      return;
+    }
+    result_.falling = std::move(fallen.attempt);
+    result_.before_fall = std::move(fallen.state.field);
   }
 
   const StrengthTrials& trials_;
@@ -266,7 +268,7 @@ const StrengthTrial& FactorOfSafety::trial_at(double factor) const {
 }
 
 bool FactorOfSafety::grows_before_it_falls() const {
-  return bracket.stands && service.is_closed() && *service.falls <= *bracket.stands;
+  return bracket.stands && service.is_closed() && *service.falls < *bracket.stands;
 }
 
 std::string name_of(SearchEnd end) {

@@ -89,6 +89,8 @@ struct FactorOfSafety {
   std::optional<StrengthState> standing_before;  ///< of the one before it
   /// Of the first that falls: where it had come to, or the equilibrium far from the drawing.
   std::optional<FieldFrame> falling;
+  /// Its displacement increments count from here: the last equilibrium of that trial, or, of a far one, `standing`.
+  std::optional<FieldFrame> before_fall = {};
 
   /// The trial of this factor. Throws std::out_of_range.
   const StrengthTrial& trial_at(double factor) const;
