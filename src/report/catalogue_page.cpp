@@ -32,8 +32,8 @@ tr.listed { color: #777 }
 // As wide as the window; the words share what pictures and numbers leave.
 constexpr std::string_view kColumns =
     "<colgroup><col style=\"width: 174px\"><col><col style=\"width: 6em\"><col><col>"
-    "<col style=\"width: 4em\"><col style=\"width: 5em\"><col style=\"width: 4em\"><col>"
-    "<col style=\"width: 6em\"></colgroup>";
+    "<col style=\"width: 5em\"><col style=\"width: 6em\"><col style=\"width: 4em\"><col>"
+    "<col style=\"width: 7em\"></colgroup>";
 
 // Numbers sort as numbers, everything else as text; a second click turns the order round.
 constexpr std::string_view kScript = R"(
@@ -60,10 +60,13 @@ std::string number_cell(std::optional<int> number) {
 // Its files with their formats, and why they go together.
 std::string job_cell(const CatalogueRow& row) {
   std::string text;
-  for (const CatalogueFile& file : row.files)
-    text += fmt::format("<br><span title=\"SHA-256 {}\">{}</span>{}", file.sha256, escape_xml(file.path),
-                        file.format.empty() ? "" : fmt::format(" [{}]", escape_xml(file.format)));
-  if (!row.paired_by.empty()) text += fmt::format("<br>by {}", escape_xml(row.paired_by));
+  for (const CatalogueFile& file : row.files) {
+    const std::string format = file.format.empty() ? "" : fmt::format(" [{}]", escape_xml(file.format));
+    const std::string path = file.path == row.name ? "" : escape_xml(file.path);  // the name is said already
+    if (!path.empty() || !format.empty())
+      text += fmt::format("<br><span title=\"SHA-256 {}\">{}{}</span>", file.sha256, path, format);
+  }
+  if (!row.paired_by.empty()) text += fmt::format("<br>{}", escape_xml(row.paired_by));
   return fmt::format("<td data-value=\"{0}\">{0}<small>{1}</small></td>", escape_xml(row.name), text);
 }
 
