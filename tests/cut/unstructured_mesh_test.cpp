@@ -64,7 +64,7 @@ TEST(UnstructuredMesh, is_fine_at_refined_points_and_coarse_elsewhere) {
 // r cos(π/2) is 6e-17 r. Triangles between such a point and the line beside it have no area that coordinates resolve.
 TEST(UnstructuredMesh, refined_points_beside_lines_corners_and_one_another_refine_and_get_no_node_of_their_own) {
   for (const double angle : {0.0, 0.4, 1.1})
-    for (const double off : {0.0, 6e-17, -6e-17, 1e-14, 1e-10, 1e-8}) {
+    for (const double off : {0.0, 6e-17, -6e-17, 1e-14, 1e-10, 1e-8, 1e-6, 1e-4, 1e-3}) {
       const auto placed = [&](Point p) {
         return Point{5 + std::cos(angle) * p.x - std::sin(angle) * p.y,
                      3 + std::sin(angle) * p.x + std::cos(angle) * p.y};
@@ -84,6 +84,12 @@ TEST(UnstructuredMesh, refined_points_beside_lines_corners_and_one_another_refin
                           0.3);
       const TriangleMesh mesh = unstructured_mesh(box, size, sides);
       EXPECT_LT(mesh.triangles.size(), 20000U) << angle << ", " << off;
+      for (const auto& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+          EXPECT_GT(distance(mesh.nodes[static_cast<std::size_t>(t[k])],
+                             mesh.nodes[static_cast<std::size_t>(t[(k + 1) % 3])]),
+                    0.1 * 0.07)
+              << angle << ", " << off;
       EXPECT_GT(mesh.triangles.size(), 500U) << angle << ", " << off;
     }
 }

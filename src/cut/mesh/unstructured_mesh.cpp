@@ -105,9 +105,10 @@ TriangleMesh numbered(const Triangulation& triangulation) {
   return mesh;
 }
 
-/// Of the side wanted at a point: nearer than this to a line or to another point it gets no node of its own, for
-/// triangles between them would have no area that coordinates resolve.
-constexpr double kOwnNode = 1e-6;
+/// Of the side wanted at a point: nearer than this to a line or to another point it gets no node of its own. Triangles
+/// between them would have no area that coordinates resolve, or none that a balance of forces of all bodies sees: rock
+/// that may yield was turned over there in its elastic range.
+constexpr double kOwnNode = 0.1;
 
 /// The refined points that become nodes: those within the box that lie on lines exactly, or off them.
 std::vector<Point> nodes_at_points(const Box& box, const MeshSize& size, std::span<const Segment> along) {
