@@ -26,7 +26,7 @@ using Loop = std::vector<Point>;
 /// loop's, with the body to its left; the crack is one with both of its faces.
 const std::vector<Loop> kLoops{{{0, 0}, {3, 0}, {3, 1.7}, {1.9, 2.3}, {1.1, 1.2}, {0, 1.4}},
                                {{0.6, 0.4}, {0.7, 0.9}, {1.3, 0.8}, {1.1, 0.3}},
-                               {{2, 0.5}, {2.7, 0.9}, {2, 0.5}}};
+                               {{1.6, 0.4}, {2.8, 1}, {1.6, 0.4}}};
 constexpr std::size_t kCrack = 2;
 
 Point turned(Point p, double angle, Point shift) {
@@ -118,6 +118,10 @@ Chain random_chain(const std::vector<Loop>& loops, std::mt19937& random) {
   const auto first = std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
   const auto edges = std::uniform_int_distribution<std::size_t>(1, n)(random);
   double begin = share() < 0.2 ? 0 : share(), end = share() < 0.2 ? 1 : share();
+  if (k == kCrack) {  // of a tip without a node the last piece, inside an element, is no boundary
+    begin = 0.3 + 0.4 * share();
+    end = 0.3 + 0.4 * share();
+  }
   if (edges == 1 && begin > end) std::swap(begin, end);
   Chain chain;
   for (std::size_t i = 0; i < edges; ++i) {
