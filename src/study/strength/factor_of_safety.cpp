@@ -251,6 +251,10 @@ void add_notes(FactorOfSafety& result) {
                     after.displacement, *result.bracket.stands,
                     result.has_bolts ? "; joints slip there until bolts, which stretch, carry the rest" : ""));
   }
+  if (result.has_bolts)
+    notes.emplace_back(
+        "bolts break at their strength and carry nothing more, and joints that slip lose their cohesion: limit "
+        "analysis, in which all of them go on at full strength together, gives a factor as high or higher");
   if (result.end == SearchEnd::undecided) notes.push_back(why_undecided(result));
 }
 
