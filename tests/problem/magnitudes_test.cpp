@@ -62,7 +62,7 @@ TEST(Magnitudes, steps_loads_materials_and_coordinates_beyond_them_are_named_at_
 TEST(Magnitudes, a_geometry_whose_areas_underflow_is_refused) {
   Problem problem = sound();
   for (JointLine& line : std::get<Drawing>(problem.geometry).joints) line.segment.end = 1e-160 * line.segment.end;
-  EXPECT_EQ(complaint(problem), "g: error: expected a geometry that extends over 1e-50 at least, found 1e-160");
+  EXPECT_EQ(complaint(problem), "g:2:1: error: expected a geometry that extends over 1e-50 at least, found 1e-160");
 }
 
 }  // namespace keyblock::magnitudes_test

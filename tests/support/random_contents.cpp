@@ -28,15 +28,15 @@ using formats::Content;
 using formats::GeometryKind;
 using formats::ReadHint;
 
-/// All orders of magnitude, both signs, and now and then 0 or a whole number.
+/// All orders of magnitude that readers take, both signs, and now and then 0 or a whole number.
 double any_real(Dice& dice) {
   if (dice.happens(0.1)) return 0;
-  const double size = dice.happens(0.2) ? dice.below(1000) + 1 : dice.magnitude_between(1e-150, 1e150);
+  const double size = dice.happens(0.2) ? dice.below(1000) + 1 : dice.magnitude_between(1e-50, 1e50);
   return dice.happens(0.5) ? size : 0.0 - size;
 }
 
 double positive_real(Dice& dice) {
-  return dice.magnitude_between(1e-150, 1e150);
+  return dice.magnitude_between(1e-50, 1e50);
 }
 
 double coordinate(Dice& dice) {
