@@ -106,7 +106,7 @@ double PartingFaces::share(double at) const {
   if (at < 0) return 0;
   const double last = 2 * energy / first_share();
   const auto envelope = [&](double d) { return first_share() * std::max(0.0, 1 - d / last); };
-  return at >= farthest ? envelope(at) : envelope(farthest) * at / farthest;
+  return envelope(std::max(at, farthest));
 }
 
 double PartingFaces::work_to(double at) const {
@@ -114,8 +114,7 @@ double PartingFaces::work_to(double at) const {
   const auto work = [&](double d) {
     const double most = std::clamp(std::max(d, farthest), 0.0, last);
     const double loaded = first_share() * most * (1 - most / (2 * last));
-    if (d >= farthest) return loaded;
-    return loaded - share(farthest) * (farthest - std::max(d, 0.0) * (std::max(d, 0.0) / farthest)) / 2;
+    return d >= farthest ? loaded : loaded - share(farthest) * (farthest - std::max(d, 0.0));
   };
   return work(at) - work(parted);
 }

@@ -28,8 +28,8 @@ using DisplacementAt = std::function<Point(int, Point)>;
 ///     D = Σ P (|x| - δ0),
 /// measures how far the piece has parted. All points together have the share f of their pulls, which falls linearly
 /// with D from 1 - s to 0, so that the piece takes Γ in all (nodal release, Kobayashi, Emery & Mall 1976; linear
-/// cohesive law, Hillerborg, Modéer & Petersson 1976). Faces that close again have a share that falls linearly to 0 at
-/// D = 0 and give back what it did (Camacho & Ortiz 1996); the work that a piece has taken is never below 0. A little
+/// cohesive law, Hillerborg, Modéer & Petersson 1976). Faces that close again are pulled no more than
+/// before, and not at all below D = 0: they give back less than they took. A little
 /// of the pull, s, goes at once: a balance that nothing disturbs would last. Where rock was pressed across a piece as
 /// it parted, its faces hold each other by little or nothing and would never take Γ: what lies wide open has parted
 /// too.
