@@ -188,12 +188,14 @@ void RunFolder::remove_checkpoint() {
 void RunFolder::describe(Archive& archive) {
   frame_files_.describe(archive);
   archive.list("frames", frames_, [&](Frame& frame) { keyblock::describe(archive, frame); });
+  if (archive.is_restoring()) {
+    if (frames_.empty()) archive.refuse("frames", "expected the first frame, found none");
+    frame_files_.require_unchanged(archive);
+  } else {
+    flush_histories();
+  }
   frame_tables_.describe(archive);
-  if (!archive.is_restoring()) flush_histories();
   archive.group("histories", [&] { histories_.describe(archive); });
-  if (!archive.is_restoring()) return;
-  if (frames_.empty()) archive.refuse("frames", "expected the first frame, found none");
-  frame_files_.require_unchanged(archive);
 }
 
 void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts) {
