@@ -105,7 +105,7 @@ TEST(PlotCommand, the_frame_of_a_step_may_be_chosen) {
 
 // The factor of displacements and the numbers on the bar are those of all steps; with --own-scale those of the step.
 TEST(PlotCommand, pictures_of_steps_make_a_film) {
-  const std::string out = run_of("far", "s3", with_a_small_block_that_falls());
+  const std::string out = run_of("block", "s3");
   const auto scale_of = [&](const std::string& step, const std::vector<std::string>& more) {
     std::vector<std::string> words{"plot", out,  "--field",      "displacement", "--step",
                                    step,   "-o", out + "/x.svg", "--force"};

@@ -25,8 +25,9 @@ struct ProfileAnswer {
 };
 
 /// A sentence for each quantity that differs by more than a hundredth of the largest of its kind in either run; empty
-/// if none does. Round-off is no difference: displacements below 1e-12 of the scene, stresses below 1e-12 of the modulus.
-/// Runs that end at different times are not compared by their displacements and stresses; the sentence gives the times.
+/// if none does. Round-off is no difference: a displacement below 1e-12 of the scene, a stress below 1e-12 of the
+/// modulus. Displacements and stresses of runs that end at different times are not compared; the sentence gives the
+/// times.
 std::vector<std::string> differences(const ProfileAnswer& one, const ProfileAnswer& other);
 
 /// What is known of why, a sentence each.
