@@ -128,6 +128,28 @@ void add_rotation(Warnings& remarks, const Prepared& prepared, const Frame& last
                    name_of(prepared.scene.model, number), angle(*most), 50 * angle(*most) * angle(*most))});
 }
 
+// The square of a strain, which linear statics leaves out, is a tenth of it here.
+constexpr double kLinearStrain = 0.1;
+
+void add_strain(Warnings& remarks, const Prepared& prepared, const Frame& last, const Place& place) {
+  if (!prepared.scene.is_untouched || may_yield(prepared.scene) || last.elements.empty()) return;
+  const auto strain = [&](const ElementFrame& element) {  // under uniaxial stress
+    const Stress& s = element.stress;
+    const double greatest = std::abs(s.xx + s.yy) / 2 + std::hypot((s.xx - s.yy) / 2, s.xy);
+    const auto& materials = prepared.scene.model.block_materials;
+    return greatest / materials[static_cast<std::size_t>(element.material)].youngs_modulus;
+  };
+  const auto most = std::ranges::max_element(last.elements, {}, strain);
+  if (!(strain(*most) > kLinearStrain)) return;
+  const int number = number_of(last, static_cast<std::size_t>(most - last.elements.begin()));
+  remarks.push_back(
+      {"strained_beyond_linear", place,
+       fmt::format("{} bears a stress of {:.2g} of its modulus, and these statics are linear: results are those of "
+                   "small strains; check the units of loads and modulus, or come to rest in time (motion = dynamic, "
+                   "start = sudden, mass_damping), where strains may be large",
+                   name_of(prepared.scene.model, number), strain(*most))});
+}
+
 // Energy that came from nothing is held against no less than the work of weight over a small way: the limit of 0.01 is
 // then a lift of the whole by a millionth of a block. Blocks that slid by more than this way, however slowly, are
 // judged by the energy that they had.
@@ -365,6 +387,7 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
   add_distance(judgement, prepared, record, last, place);
   add_stages(found, record.outcome, place);
   add_rotation(judgement.remarks, prepared, last, place);
+  add_strain(judgement.remarks, prepared, last, place);
   add_plastic_work(judgement.remarks, record, place);
   add_closing(judgement.remarks, prepared, record, place);
   add_tips(judgement, prepared, last, place);

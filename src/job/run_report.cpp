@@ -336,6 +336,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
     for (const int number : numbers) json[key].push_back(number + 1);
   };
   put_numbers("left_out", record.left_out);
+  json["held"] = Json::array();
   put_numbers("held", record.held);
   if (record.units != Units{}) json["units"] = json_of(record.units);
   if (record.outcome.forces) json["forces"] = json_of(*record.outcome.forces);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kShared = 1e-2;   // of the smaller block
 constexpr double kRounded = 1e-4;  // of the extent of an outline
+constexpr double kFolded = 1e-9;   // of the extent: an edge this near the one before that comes back along it
 
 Loops loops_of(const BlockPolygon& block) {
   Loops loops = {points_of(block.outer)};
@@ -31,6 +32,25 @@ std::string edge_words(const Loops& loops, const LoopEdge& edge) {
   const Point to = loop[edge.edge + 1 == loop.size() ? 0 : edge.edge + 1];
   return fmt::format("edge {}{} from ({:.9g}, {:.9g}) to ({:.9g}, {:.9g})", edge.edge + 1,
                      edge.loop == 0 ? "" : fmt::format(" of hole {}", edge.loop), from.x, from.y, to.x, to.y);
+}
+
+/// The first corner, by the edge that ends there, at which a loop turns back along that edge: a spike without width.
+std::optional<LoopEdge> first_fold(const Loops& loops, double extent) {
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    std::vector<std::size_t> corners;  // each point once
+    for (std::size_t i = 0; i < loops[l].size(); ++i)
+      if (corners.empty() || !(loops[l][i] == loops[l][corners.back()])) corners.push_back(i);
+    while (corners.size() > 1 && loops[l][corners.front()] == loops[l][corners.back()]) corners.pop_back();
+    for (std::size_t i = 0; i < corners.size() && corners.size() > 2; ++i) {
+      const std::size_t before = corners[(i + corners.size() - 1) % corners.size()];
+      const Point tip = loops[l][corners[i]];
+      const Point in = tip - loops[l][before];
+      const Point out = loops[l][corners[(i + 1) % corners.size()]] - tip;
+      const double off = std::abs(cross(in, out)) / std::max(length(in), length(out));
+      if (dot(in, out) < 0 && off <= kFolded * extent) return LoopEdge{l, before};
+    }
+  }
+  return std::nullopt;
 }
 
 /// The number, from 1, of a hole that holds a point of hole `h`, or all of it, earlier ones if they are the same; 0 for
@@ -56,6 +76,17 @@ void add_crossing(std::vector<InputError>& errors, const Loops& loops, const Pla
   errors.emplace_back(
       place, fmt::format("expected edges of {} that do not cross, found {} across {} at ({:.6g}, {:.6g})", whose,
                          edge_words(loops, found->one), edge_words(loops, found->other), found->at.x, found->at.y));
+}
+
+void add_fold(std::vector<InputError>& errors, const Loops& loops, const Place& place, const std::string& whose) {
+  Box box;
+  for (const Point p : loops.front()) box.add(p);
+  const auto found = first_fold(loops, std::max(box.size().x, box.size().y));
+  if (!found) return;
+  const LoopEdge back{found->loop, (found->edge + 1) % loops[found->loop].size()};
+  errors.emplace_back(place, fmt::format("expected edges of {} that enclose an area, found {} and {}, which comes back "
+                                         "along it",
+                                         whose, edge_words(loops, *found), edge_words(loops, back)));
 }
 
 }  // namespace
@@ -88,9 +119,12 @@ Warnings shared_ground(const Blocks& blocks) {
 
 std::vector<InputError> crossed_outlines(const Blocks& blocks) {
   std::vector<InputError> errors;
-  for (std::size_t i = 0; i < blocks.blocks.size(); ++i)
-    add_crossing(errors, loops_of(blocks.blocks[i]), place_of(blocks.blocks[i], blocks),
-                 fmt::format("block {} of {}", i + 1, blocks.blocks.size()));
+  for (std::size_t i = 0; i < blocks.blocks.size(); ++i) {
+    const Loops loops = loops_of(blocks.blocks[i]);
+    const std::string whose = fmt::format("block {} of {}", i + 1, blocks.blocks.size());
+    add_crossing(errors, loops, place_of(blocks.blocks[i], blocks), whose);
+    add_fold(errors, loops, place_of(blocks.blocks[i], blocks), whose);
+  }
   return errors;
 }
 

@@ -18,7 +18,8 @@ namespace keyblock {
 Warnings shared_ground(const Blocks& blocks);
 
 /// Outlines that cross themselves or a hole, one error a block (an element, a loop, an excavation) that names the two
-/// edges: areas and centroids would be wrong. Crossings narrower than 1e-4 of the size are rounding.
+/// edges: areas and centroids would be wrong. Crossings narrower than 1e-4 of the size are rounding. Of blocks also
+/// outlines that come back along an edge: contacts of such a spike without width are not found.
 std::vector<InputError> crossed_outlines(const Blocks& blocks);
 std::vector<InputError> crossed_outlines(const Cover& cover);
 std::vector<InputError> crossed_outlines(const std::vector<Stage>& stages);

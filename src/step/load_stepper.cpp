@@ -17,6 +17,45 @@ namespace {
 // Of the displacements at the last equilibrium: how much larger they are where a limit load is looked for.
 constexpr double kFurtherOn = 0.05;
 
+/// The last equilibrium of a search by load that found none beyond.
+struct LastEquilibrium {
+  const LoadedState& at;
+  double share;                  ///< of the loads, there
+  double tried;                  ///< the least share at which none was found
+  const Eigen::VectorXd& speed;  ///< displacement per share
+};
+
+// The loads at which displacements are a little larger, along the path of equilibria: a search by load that finds none
+// has met a limit only if these are no larger.
+std::optional<double> share_further_on(const LoadedBodies& bodies, const LastEquilibrium& last) {
+  if (last.at.d.norm() == 0) return std::nullopt;
+  ArcLength path(bodies);
+  NewtonRounds rounds;
+  const std::optional<PathPoint> found =
+      path.next({last.at, last.share, last.speed, 1}, kFurtherOn * last.at.d.norm(), rounds);
+  return found ? std::optional(found->share) : std::nullopt;
+}
+
+// Why: a limit load is said only if the path of equilibria leads on to no larger loads. Where edges are driven, rock
+// that bears less is pushed on, and the end of the search need not be a limit. `search`: what it took.
+std::string no_equilibrium_beyond(const LoadedBodies& bodies, const LastEquilibrium& last, const std::string& search) {
+  const bool is_driven = std::ranges::any_of(bodies.driven(1), [](double way) { return way != 0; });
+  const std::string where = fmt::format("no equilibrium beyond {:.4g} of the {} of this scene was found ({})",
+                                        last.share, is_driven ? "displacements and loads" : "loads", search);
+  if (is_driven)
+    return "stopped: " + where +
+           ": edges are driven, so that this need not be a limit load: more steps may go on, unless an element is "
+           "turned over";
+  PlasticTotals rock;
+  bodies.yield().add_totals(last.at.points, rock);
+  if (rock.yielded == 0) return "stopped: " + where + ": this is no limit load, for no rock has yielded";
+  const std::optional<double> further = share_further_on(bodies, last);
+  if (further && *further <= last.tried)
+    return fmt::format("limit load of this mesh: {}; with displacements {:g} % larger it carries {:.4g}", where,
+                       100 * kFurtherOn, *further);
+  return "stopped: " + where + ": whether the rock carries more is not known";
+}
+
 }  // namespace
 
 LoadStepper::LoadStepper(Scene scene)
@@ -104,39 +143,6 @@ int LoadStepper::steps_of_scene() const {
   return std::max(1, scene_.end.steps > 0 ? scene_.end.steps : scene_.settings.step_count - first_step_);
 }
 
-// The loads at which displacements are a little larger, along the path of equilibria: a search by load that finds none
-// has met a limit only where these are no larger.
-std::optional<double> LoadStepper::share_further_on(const LoadedState& at, double reached,
-                                                    const Eigen::VectorXd& speed) const {
-  if (at.d.norm() == 0) return std::nullopt;
-  ArcLength path(*bodies_);
-  NewtonRounds rounds;
-  const std::optional<PathPoint> found = path.next({at, reached, speed, 1}, kFurtherOn * at.d.norm(), rounds);
-  return found ? std::optional(found->share) : std::nullopt;
-}
-
-// Where edges are driven, rock that bears less is pushed on, and what ends the search need not be a limit.
-std::string LoadStepper::no_equilibrium_beyond(const LoadedState& at, double reached, double tried,
-                                               const Eigen::VectorXd& speed, const Work& work) const {
-  const bool is_driven = std::ranges::any_of(bodies_->driven(1), [](double way) { return way != 0; });
-  const std::string where = fmt::format(
-      "no equilibrium beyond {:.4g} of the {} of this scene was found ({} rounds of Newton's method, {} cuts of the "
-      "step, the last by {})",
-      reached, is_driven ? "displacements and loads" : "loads", work.rounds, work.cuts, in_words(work.cut_by));
-  if (is_driven)
-    return "stopped: " + where +
-           ": edges are driven, so that this need not be a limit load: more steps may go on, unless an element is "
-           "turned over";
-  PlasticTotals rock;
-  bodies_->yield().add_totals(at.points, rock);
-  if (rock.yielded == 0) return "stopped: " + where + ": this is no limit load, for no rock has yielded";
-  const std::optional<double> further = share_further_on(at, reached, speed);
-  if (further && *further <= tried)
-    return fmt::format("limit load of this mesh: {}; with displacements {:g} % larger it carries {:.4g}", where,
-                       100 * kFurtherOn, *further);
-  return "stopped: " + where + ": whether the rock carries more is not known";
-}
-
 // In halves of the way that is left where the whole of it finds no equilibrium, twice as far again after each that
 // does. Nothing of a step that fails is kept.
 std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
@@ -165,7 +171,10 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
     ++work.cuts;
     work.cut_by = rounds.end;
     part = (to - reached) / 2;
-    if (part < least) return no_equilibrium_beyond(at, reached, to, speed, work);
+    if (part < least)
+      return no_equilibrium_beyond(*bodies_, {at, reached, to, speed},
+                                   fmt::format("{} rounds of Newton's method, {} cuts of the step, the last by {}",
+                                               work.rounds, work.cuts, in_words(work.cut_by)));
   }
   now_ = std::move(at);
   speed_ = std::move(speed);

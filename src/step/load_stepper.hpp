@@ -14,9 +14,9 @@ namespace keyblock {
 
 /// Loads of a scene grow in equal parts to their full size in its last step. A step whose part finds no equilibrium is
 /// made in halves, quarters, …; where the least part finds none, the run ends: at a limit load, where larger
-/// displacements carry no more, else before one is known. Under `load_control = arc_length` a step goes along the path of equilibria instead, `path_step` times as far
-/// as an equal share would move elastic rock, and loads may fall; the scene ends at its full loads, wherever steps lead
-/// before.
+/// displacements carry no more, else before one is known. Under `load_control = arc_length` a step goes along the path
+/// of equilibria instead, `path_step` times as far as an equal share would move elastic rock, and loads may fall; the
+/// scene ends at its full loads, wherever steps lead before.
 class LoadStepper : public StaticStepper {
  public:
   explicit LoadStepper(Scene scene);
@@ -51,11 +51,6 @@ class LoadStepper : public StaticStepper {
   LoadedState carried(const LoadedBodies& next, const SceneChange& change) const;
   int steps_of_scene() const;
   std::optional<std::string> advance_to(double share, Work& work);
-  std::optional<double> share_further_on(const LoadedState& at, double reached, const Eigen::VectorXd& speed) const;
-  /// Why: a limit load is said only where the path of equilibria leads on to no larger loads. `tried`: the least share
-  /// at which none was found.
-  std::string no_equilibrium_beyond(const LoadedState& at, double reached, double tried, const Eigen::VectorXd& speed,
-                                    const Work& work) const;
   std::optional<std::string> advance_along(Work& work);
   void accept(PathPoint found, Work& work);
   /// Puts where the last search for an equilibrium ended, without finding one.

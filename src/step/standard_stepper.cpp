@@ -175,6 +175,15 @@ StartPlaces places_at(const StandardScene& scene, const Motion& motion) {
   return places;
 }
 
+std::optional<CoverDisplacement> displacement_of(const StandardScene& scene, const Motion& motion) {
+  for (const auto& group : scene.groups)
+    if (const CoverBasis* basis = group->shared_basis()) {
+      const bool is_in_time = scene.settings.standard.motion == MotionRule::dynamic;
+      return CoverDisplacement{*basis, motion.q.shared, true, is_in_time ? &motion.a.shared : nullptr};
+    }
+  return std::nullopt;
+}
+
 // As `impossible` has it, under the number and the noun of the part.
 std::string impossible_part(const StandardScene& scene, const State& end) {
   const bool is_in_time = scene.settings.standard.motion == MotionRule::dynamic;
@@ -318,16 +327,7 @@ bool StandardStepper::is_at_rest(double share) const {
 }
 
 std::optional<CoverDisplacement> StandardStepper::on_covers() const {
-  return on_covers(motion_);
-}
-
-std::optional<CoverDisplacement> StandardStepper::on_covers(const Motion& motion) const {
-  for (const auto& group : scene_.groups)
-    if (const CoverBasis* basis = group->shared_basis()) {
-      const bool is_in_time = scene_.settings.standard.motion == MotionRule::dynamic;
-      return CoverDisplacement{*basis, motion.q.shared, true, is_in_time ? &motion.a.shared : nullptr};
-    }
-  return std::nullopt;
+  return displacement_of(scene_, motion_);
 }
 
 Stress StandardStepper::stress_at(ElementIndex e, Point start) const {
@@ -408,7 +408,7 @@ ControlledStep StandardStepper::make_step() {
 ControlledStep StandardStepper::make_step(const BetterPulls& better) {
   ControlledStep made = make_step();
   while (better && made.step.converged && made.step.failure.empty()) {
-    const std::optional<CoverDisplacement> end = on_covers(made.step.motion);
+    const std::optional<CoverDisplacement> end = displacement_of(scene_, made.step.motion);
     if (!end || !better(*end, scene_.pulls)) break;
     const int solves = made.step.solves;
     made = make_step();

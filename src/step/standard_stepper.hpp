@@ -54,7 +54,6 @@ class StandardStepper : public SceneStepper {
   void book_change(const LedgerRow& before);
   ControlledStep make_step();
   ControlledStep make_step(const BetterPulls& better);
-  std::optional<CoverDisplacement> on_covers(const Motion& motion) const;
   void book(const StandardStep& step);
 
   StandardScene scene_;

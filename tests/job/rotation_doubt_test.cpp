@@ -75,8 +75,8 @@ TEST(RotationDoubt, a_beam_that_bends_far_under_linear_statics_is_told) {
   EXPECT_TRUE(run_of("more", cantilever(86)).tells_rotation());
 }
 
-// P L²/(E I) is 4: the tip of the elastica sinks by 0.670 of the length and comes back by 0.329 of it (Bisshopp & Drucker
-// 1945). The slowest frequency of the beam is 40 rad per unit of time.
+// P L²/(E I) is 4: the tip of the elastica sinks by 0.670 of the length and comes back by 0.329 of it (Bisshopp &
+// Drucker 1945). The slowest frequency of the beam is 40 rad per unit of time.
 TEST(RotationDoubt, what_the_doubt_names_gives_the_elastica) {
   const Done swung = run_of("swung", cantilever(1666.67),
                             {"--set", "motion=dynamic", "--set", "start=sudden", "--set", "mass_damping=60", "--set",
@@ -84,6 +84,23 @@ TEST(RotationDoubt, what_the_doubt_names_gives_the_elastica) {
   EXPECT_EQ(swung.exit_code, 0) << swung.messages;
   EXPECT_NEAR(swung.tip.y, -0.670 * 4, 0.005 * 4) << swung.messages;
   EXPECT_NEAR(swung.tip.x, -0.329 * 4, 0.005 * 4) << swung.messages;
+}
+
+/// A bar of 4 by 1, E 1e5, clamped at its left end and pulled by `pull` per area at the other.
+std::string pulled(double pull) {
+  return fmt::format(R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[0, 0, 1], [4, 0, 1], [4, 1, 1],
+    [0, 1, 1]]}}]}}, "covers": {{"contact": "ignored", "mesh": {{"side": 0.4}},
+    "tractions": [{{"along": [[4, 0], [4, 1]], "x": {}}}], "displacements": [{{"along": [[0, 1], [0, 0]]}}]}},
+    "analysis": {{"velocity_carry_over": 0, "step_count": 1, "time_step": 1, "allowed_displacement_ratio": 1,
+    "gravity": 0, "plane_strain": false, "joint_materials": [{{}}],
+    "block_materials": [{{"density": 1, "unit_weight": 0, "youngs_modulus": 1e5, "poissons_ratio": 0}}]}}}})",
+                     pull);
+}
+
+TEST(RotationDoubt, a_strain_beyond_a_tenth_is_told) {
+  for (const double pull : {-9e4, -1.1e4, 1.1e4, 3e4})
+    EXPECT_NE(run_of("pulled", pulled(pull)).messages.find("[strained_beyond_linear]"), std::string::npos) << pull;
+  EXPECT_EQ(run_of("pulled", pulled(9e3)).messages.find("[strained_beyond_linear]"), std::string::npos);
 }
 
 TEST(RotationDoubt, a_rigid_rotation_counts_as_much) {

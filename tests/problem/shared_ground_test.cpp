@@ -112,4 +112,25 @@ TEST(SharedGround, a_hole_lies_in_its_block_and_turns_the_other_way) {
       << outside.front().what();
 }
 
+// A spike without width hides the face on which a block lies.
+TEST(SharedGround, outlines_that_come_back_along_an_edge_are_refused) {
+  const auto errors_of = [](const std::vector<Point>& corners, double scale, Point at) {
+    BlockPolygon block;
+    for (const Point p : corners) block.outer.push_back({at + scale * p, 0});
+    return crossed_outlines(of({block}));
+  };
+  const std::vector<Point> spiked{{1, 1}, {2, 1}, {2, 2}, {3, 2}, {2, 2}, {1, 2}};
+  const std::vector<Point> short_spike{{1, 1}, {2, 1}, {2.01, 1}, {2, 1}, {2, 2}, {1, 2}};
+  const std::vector<Point> back_past_start{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {3, 1}, {0, 2}};
+  const std::vector<Point> thin{{0, 0}, {2, 0}, {2, 1}, {3, 1.0001}, {2, 1.0002}, {2, 2}, {0, 2}};
+  const std::vector<Point> in_line{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}};
+  for (const double scale : {1e-3, 1.0, 1e3})
+    for (const Point at : {Point{0, 0}, Point{1e3 * scale, -5e3 * scale}}) {
+      for (const auto& outline : {spiked, short_spike, back_past_start})
+        EXPECT_FALSE(errors_of(outline, scale, at).empty()) << scale << " " << at.x;
+      for (const auto& outline : {thin, in_line}) EXPECT_TRUE(errors_of(outline, scale, at).empty()) << scale;
+    }
+  EXPECT_NE(errors_of(spiked, 1, {}).front().sentence().find("which comes back along it"), std::string::npos);
+}
+
 }  // namespace keyblock::shared_ground_test

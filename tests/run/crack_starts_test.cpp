@@ -104,7 +104,8 @@ std::string bent_l(double side, double near) {
         [0, 2, 1]]}}]}},
       "covers": {{"contact": "ignored", "mesh": {{"side": {}, "angle": 10, "refined": [[1, 1, {}]]}},
         "growth": {{"increment": 0.2}},
-        "tractions": [{{"along": [[2, 0], [2, 1]], "y": -0.1}}], "displacements": [{{"along": [[0, 2], [1, 2]]}}]}}, {}}})",
+        "tractions": [{{"along": [[2, 0], [2, 1]], "y": -0.1}}],
+        "displacements": [{{"along": [[0, 2], [1, 2]]}}]}}, {}}})",
       side, near, analysis(std::sqrt(0.02 * std::numbers::pi), 1));
 }
 

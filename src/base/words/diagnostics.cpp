@@ -110,6 +110,10 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
      "With impact=springs a block that strikes strains as it rebounds. Damping of that strain takes energy which the "
      "springs would give back. The estimate is that of a square of the lightest block's mass on a rigid floor.",
      "Use strain_damping=none (or stiffness_damping=0) for rebounds, or impact=jump with restitution."},
+    {"strained_beyond_linear", warning, "Linear statics was used for a large strain",
+     "An element of an NMM body bears a stress above a tenth of its modulus. Linear statics knows small strains alone.",
+     "Check the units of loads and modulus. For large strains come to rest in time: --set motion=dynamic --set "
+     "start=sudden, with mass_damping."},
     {"sunk_beyond_limit", error, "Blocks lie too deep in one another",
      "The depth or the common area of two blocks exceeds the setting penetration_limit.",
      "Use a smaller time_step or stiffer contacts."},

@@ -16,8 +16,8 @@ namespace keyblock {
 /// Throws std::invalid_argument where there would be more triangles than `kMostTriangles`.
 int bisect(TriangleMesh& mesh, const MeshSize& size, Point rows);
 
-/// The same of the triangles that hold one of the points, inside or at their rim, until no side of theirs is longer than
-/// `side`. Sides elsewhere only as conformity asks for. Returns the number of nodes added.
+/// The same of the triangles that hold one of the points, inside or at their rim, until none of their sides is longer
+/// than `side`. Sides elsewhere only as conformity asks for. Returns the number of nodes added.
 int bisect_at(TriangleMesh& mesh, std::span<const Point> points, double side, Point rows);
 
 inline constexpr double kMostTriangles = 4e6;  ///< of any mesh: minutes and gigabytes

@@ -28,6 +28,8 @@ constexpr double kLift = 1e-3;
 constexpr double kTurned = 0.5;
 // Of its weight: what hangs on as much tension hangs.
 constexpr double kHangs = 0.5;
+// Of its size: a block that would fall by less in the time of the run is not yet seen to hang.
+constexpr double kFall = 0.1;
 
 struct BlockMotion {
   Point velocity;
@@ -145,11 +147,13 @@ void BlockWatch::add(const Frame& frame, const ContactFrames& contacts, const Mo
   last_ = {};
   std::map<int, Hanging> hanging;  // by number; `share` is a force until it is divided by the weight
   std::map<int, Point> weights;
+  std::map<int, double> falls;
   for (std::size_t i = 0; i < frame.elements.size(); ++i) {
     const ElementFrame& element = frame.elements[i];
     const BlockMaterial& material = model.block_materials[static_cast<std::size_t>(element.material)];
     const Eigen::Vector2d weight = element.mass / material.density * weight_per_area(material, settings);
     weights[number_of(frame, i)] = {weight.x(), weight.y()};
+    falls[number_of(frame, i)] = weight.norm() / element.mass * frame.time * frame.time / 2 / std::sqrt(element.area);
   }
   const auto pull = [&](int number, int other, Point at, Point force) {
     const Point weight = weights[number];
@@ -159,6 +163,7 @@ void BlockWatch::add(const Frame& frame, const ContactFrames& contacts, const Mo
     block.number = number;
     block.other = other;
     block.at = at;
+    block.fall = falls[number];
   };
   std::map<int, double> pressed;  // by number: sum of the compressive contact forces
   for (const ContactFrame& contact : contacts) {
@@ -206,6 +211,7 @@ void BlockWatch::describe(Archive& archive) {
   archive.value("hanging", hanging_);
   archive.group("hanging_last", [&] {
     archive.value("share", last_.share);
+    archive.value("fall", last_.fall);
     archive.value("number", last_.number);
     archive.value("other", last_.other);
     archive.value("x", last_.at.x);
@@ -229,7 +235,7 @@ Warnings BlockWatch::doubts(const Settings& settings, bool keeps_energy, const P
                      "step does not resolve what it met; a smaller time_step does",
                      turned_.number + 1, plain(turned_.at.x), plain(turned_.at.y),
                      turned_.angle * 180 / std::numbers::pi, turned_.step, kTurned * 180 / std::numbers::pi)});
-  if (last_.share > kHangs && 2 * hanging_ > frames_)
+  if (last_.share > kHangs && last_.fall > kFall && 2 * hanging_ > frames_)
     found.push_back({"tension_without_strength", place,
                      fmt::format("block {} near ({}, {}) hangs on block {}: contacts without tensile strength carry "
                                  "{:.2g} of its weight as tension in {} of {} frames, as the rules of the old program "

@@ -47,6 +47,7 @@ class BlockWatch {
   /// The block of the last frame that hung most.
   struct Hanging {
     double share = 0;  ///< tension that it hangs on, over its weight
+    double fall = 0;   ///< over its size, in the time of the run if nothing bore it
     int number = 0;
     int other = 0;
     Point at;

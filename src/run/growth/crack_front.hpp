@@ -37,8 +37,8 @@ std::vector<CrackPlan> prolonged(const CrackFront& front, const Manifold& manifo
 /// others.
 std::vector<double> kink_corrections(const CrackFront& front, const std::vector<TipState>& found);
 
-/// Notes of a step what its front shows: tips that go on though their faces overlap, cracks that start where the mesh is
-/// coarse for them.
+/// Notes what the front of a step shows: tips that go on though their faces overlap, cracks that start where the mesh
+/// is coarse for them.
 void note_front(CrackNotes& notes, int step, const CrackFront& front);
 
 /// Notes the tips of a front at rest that went on from the front before: K_II is 0 behind an increment that is short

@@ -156,6 +156,22 @@ Scene scene_with(const Scene& first, const std::vector<CrackPlan>& cracks, const
   return scene;
 }
 
+// Of faces that contact presses as well contact has its own.
+CoverSolution solution_with_pulls(const StandardStepper& now, int first_on_covers) {
+  CoverSolution solution = *solution_of(now);
+  for (const FacePull& pull : now.scene().pulls)
+    solution.face_forces.push_back({pull.element.value - first_on_covers, pull.start, pull.force});
+  return solution;
+}
+
+void place_on(const Manifold& manifold, std::vector<PartingFaces>& parting, const Place& place) {
+  for (PartingFaces& faces : parting) {
+    put_elements(faces, manifold);
+    if (std::ranges::none_of(faces.points, [](const PartingPoint& point) { return point.left >= 0; }))
+      refuse(faces, place);
+  }
+}
+
 StepFailure cannot_go_on(int step, const std::exception& error) {
   const std::string why = fmt::format("step {}: cracks cannot go on so: {}", step, error.what());
   return {why, {}, FailureKind::cracks};
@@ -200,7 +216,7 @@ GrowthUnderLoads::GrowthUnderLoads(Scene first, Archive& saved) : first_(std::mo
                                         names.size()));
     now_ = std::make_unique<StandardStepper>(std::move(scene), saved);
   });
-  place_parting(model().continuum->manifold);
+  place_on(model().continuum->manifold, parting_, first_.growth->plan.place);
   now_->put_pulls(first_pulls(parting_, first_on_covers()));
 }
 
@@ -248,22 +264,6 @@ int GrowthUnderLoads::first_on_covers() const {
   return static_cast<int>(model().elements.size() - model().continuum->manifold.elements.size());
 }
 
-// Of faces that contact presses as well contact has its own.
-CoverSolution GrowthUnderLoads::solution() const {
-  CoverSolution solution = *solution_of(*now_);
-  for (const FacePull& pull : now_->scene().pulls)
-    solution.face_forces.push_back({pull.element.value - first_on_covers(), pull.start, pull.force});
-  return solution;
-}
-
-void GrowthUnderLoads::place_parting(const Manifold& manifold) {
-  for (PartingFaces& faces : parting_) {
-    put_elements(faces, manifold);
-    if (std::ranges::none_of(faces.points, [](const PartingPoint& point) { return point.left >= 0; }))
-      refuse(faces, first_.growth->plan.place);
-  }
-}
-
 void GrowthUnderLoads::begin_to_part(const std::vector<CrackPlan>& after) {
   for (const auto& [from, to] : gained(front_.cracks, after)) {
     const auto piece = std::ranges::find(pieces_, from, &Piece::from);
@@ -292,7 +292,7 @@ std::unique_ptr<StandardStepper> GrowthUnderLoads::recut() {
     *change = change_between(model(), std::move(scene), parents, next_number_);
     const Manifold& manifold = change->scene.model.continuum->manifold;
     const int first = static_cast<int>(change->scene.model.elements.size() - manifold.elements.size());
-    place_parting(manifold);
+    place_on(manifold, parting_, first_.growth->plan.place);
     now_.swap(of_before = std::make_unique<StandardStepper>(*now_, *change, first_pulls(parting_, first)));
   } catch (...) {
     next_ = wanted;
@@ -325,7 +325,8 @@ std::optional<std::variant<StepReport, StepFailure>> GrowthUnderLoads::correct()
   try {
     std::variant<StepReport, StepFailure> trial = now_->advance();
     if (std::holds_alternative<StepFailure>(trial)) return trial;
-    more = kink_corrections(front, tips_of(solution(), front_.cracks, first_.growth->plan.criterion));
+    more = kink_corrections(
+        front, tips_of(solution_with_pulls(*now_, first_on_covers()), front_.cracks, first_.growth->plan.criterion));
     if (std::ranges::all_of(more, [](double turn) { return turn == 0; })) return trial;
   } catch (...) {  // a stop in the trial leaves the step unmade
     go_back();
@@ -359,7 +360,7 @@ bool GrowthUnderLoads::may_go_on(const TipState& tip, double speed) const {
 
 void GrowthUnderLoads::look_at_tips() {
   const GrowthPlan& plan = first_.growth->plan;
-  const CoverSolution now = solution();
+  const CoverSolution now = solution_with_pulls(*now_, first_on_covers());
   const Continuum& continuum = *model().continuum;
   front_.tips = tips_of(now, front_.cracks, plan.criterion);
   front_.starts = crack_starts(now);

@@ -48,9 +48,7 @@ class GrowthUnderLoads : public StepperOfScenes {
 
   bool is_in_time() const;
   void describe(Archive& archive);
-  CoverSolution solution() const;
   int first_on_covers() const;  ///< its index among the elements of the model
-  void place_parting(const Manifold& manifold);
   /// Cuts the scene with `next_` and returns the stepper of the scene before. Throws InputError where it cannot be cut
   /// so.
   std::unique_ptr<StandardStepper> recut();

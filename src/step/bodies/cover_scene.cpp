@@ -82,6 +82,19 @@ Eigen::SparseMatrix<double> values_at_corners(const Continuum& continuum, const 
   return matrix;
 }
 
+ConnectedPieces pieces_of(const CoverBasis& basis, ElementIndex first, const std::vector<int>& numbers) {
+  ConnectedPieces found;
+  found.of_function.assign(static_cast<std::size_t>(basis.function_count()), 0);
+  std::map<int, int> pieces;
+  for (int e = 0; e < basis.element_count(); ++e) {
+    const auto [piece, is_new] =
+        pieces.try_emplace(numbers[static_cast<std::size_t>(first.value + e)], static_cast<int>(pieces.size()));
+    if (is_new) found.first_elements.push_back({first.value + e});
+    for (const int f : basis.shape(e).functions) found.of_function[static_cast<std::size_t>(f)] = piece->second;
+  }
+  return found;
+}
+
 }  // namespace
 
 CoverScene::CoverScene(const Model& model, const Settings& settings)
@@ -95,7 +108,7 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
       mass_inverse_(mass_flexibility_of(bodies_)) {
   if (definiteness_of(bodies_.continuum.functions) == Definiteness::semidefinite)
     at_corners_ = values_at_corners(bodies_.continuum, bodies_.basis());
-  find_pieces(body_numbers(model));
+  pieces_ = pieces_of(basis(), first_, body_numbers(model));
   weight_ = bodies_.supports.load();
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(bodies_.unknown_count());
   initial_force_ = -bodies_.elasticity.force(still, still, 1);
@@ -112,17 +125,6 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
   for (const int number : bodies_.continuum.manifold.body_materials) {
     const BlockMaterial& material = bodies_.continuum.materials[static_cast<std::size_t>(number)];
     slow_frequency_ = std::min(slow_frequency_, std::sqrt(material.youngs_modulus / material.density) / size_);
-  }
-}
-
-void CoverScene::find_pieces(const std::vector<int>& numbers) {
-  piece_of_function_.assign(static_cast<std::size_t>(basis().function_count()), 0);
-  std::map<int, int> pieces;
-  for (int e = 0; e < basis().element_count(); ++e) {
-    const auto [piece, is_new] =
-        pieces.try_emplace(numbers[static_cast<std::size_t>(first_.value + e)], static_cast<int>(pieces.size()));
-    if (is_new) first_of_piece_.push_back({first_.value + e});
-    for (const int f : basis().shape(e).functions) piece_of_function_[static_cast<std::size_t>(f)] = piece->second;
   }
 }
 
@@ -221,9 +223,9 @@ double CoverScene::largest_load(const Eigen::VectorXd& forces) const {
 
 std::vector<std::pair<ElementIndex, double>> CoverScene::largest_forces(const Eigen::VectorXd& forces) const {
   std::vector<std::pair<ElementIndex, double>> largest;
-  for (const ElementIndex e : first_of_piece_) largest.emplace_back(e, 0);
-  for (std::size_t f = 0; f < piece_of_function_.size(); ++f) {
-    double& force = largest[static_cast<std::size_t>(piece_of_function_[f])].second;
+  for (const ElementIndex e : pieces_.first_elements) largest.emplace_back(e, 0);
+  for (std::size_t f = 0; f < pieces_.of_function.size(); ++f) {
+    double& force = largest[static_cast<std::size_t>(pieces_.of_function[f])].second;
     force = std::max(force, forces.segment<2>(2 * static_cast<Eigen::Index>(f)).norm());
   }
   return largest;

@@ -16,6 +16,12 @@
 
 namespace keyblock {
 
+/// Connected pieces of the bodies: a crack may part a body in several.
+struct ConnectedPieces {
+  std::vector<int> of_function;              ///< number of the piece of each function
+  std::vector<ElementIndex> first_elements;  ///< the first element of each piece, ascending
+};
+
 /// All bodies of a model that hang on covers. Vectors have the entries (dx, dy) of every cover function. It does not
 /// change once it is made, so that those who prepare a scene hand theirs on to those who step through it.
 class CoverScene : public Groundwork {
@@ -96,8 +102,6 @@ class CoverScene : public Groundwork {
   std::shared_ptr<const SharedFlexibility> mass_inverse() const { return mass_inverse_; }
 
  private:
-  void find_pieces(const std::vector<int>& numbers);
-
   std::shared_ptr<const Continuum> made_of_;
   CoverDamping damping_;
   ElasticBodies bodies_;
@@ -105,8 +109,7 @@ class CoverScene : public Groundwork {
   std::shared_ptr<const CoverKinematics> kinematics_;
   std::vector<double> carry_;    ///< of each body
   std::vector<bool> supported_;  ///< of each element, whether supports of the problem hold what it hangs together with
-  std::vector<int> piece_of_function_;        ///< that hangs together; a crack may part a body in several
-  std::vector<ElementIndex> first_of_piece_;  ///< ascending
+  ConnectedPieces pieces_;
   std::vector<WholeBody> at_start_;
   double size_ = 0;
   double slow_frequency_ = 0;
