@@ -52,10 +52,10 @@ make_base() {
   mv "$bare/base.part" "$bare/base"
 }
 
-# With the variables of a new login and those that name a proxy; nothing else of the caller's surroundings.
+# With the variables of a new login, those that name a proxy, and those by which OpenBLAS knows the processor.
 within() {
   local kept=()
-  for name in http_proxy https_proxy no_proxy; do [ -z "${!name:-}" ] || kept+=("$name=${!name}"); done
+  for name in http_proxy https_proxy no_proxy OPENBLAS_CORETYPE OPENBLAS_L2_SIZE; do [ -z "${!name:-}" ] || kept+=("$name=${!name}"); done
   chroot "$root" /usr/bin/env -i HOME=/root TERM="${TERM:-dumb}" "${kept[@]}" \
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin /bin/sh -c "cd $home/main && $1"
 }

@@ -212,6 +212,7 @@ double force_of_stress(const FieldFrame& field) {
 }
 
 void print_balance(const ForceBalance& forces, const FieldFrame& field) {
+  if (length(forces.loads.force) == 0 && forces.loads.moment == 0) return spdlog::info("no loads act");
   double largest = length(forces.loads.force);
   for (const Resultant& support : forces.supports) largest = std::max(largest, length(support.force));
   if (largest <= kNoResultant * force_of_stress(field))

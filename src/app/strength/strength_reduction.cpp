@@ -250,6 +250,13 @@ void require_options(const ReducedCase& chosen, const ReductionOptions& options)
     throw UsageError(fmt::format("--to: expected more than --from {}, found {}", *options.from, *options.to));
   if (!options.from && options.to && !(*options.to > 1))
     throw UsageError(fmt::format("--to: expected more than 1, where no --from is given, found {}", *options.to));
+  for (const std::string& exempt : options.exempt) {
+    const bool is_of_rock = exempt.starts_with("material:");
+    if (is_of_rock ? options.what == "joints" : options.what == "rock" && exempt.starts_with("joint_material:"))
+      throw UsageError(
+          fmt::format("--exempt {}: it has no effect, because only the strength of {} is reduced (--reduce)", exempt,
+                      options.what));
+  }
   if (options.folder.empty()) return;
   if (std::filesystem::exists(options.folder) && !std::filesystem::is_directory(options.folder))
     throw UsageError(fmt::format("{}: expected a folder, found a file", options.folder));

@@ -27,7 +27,7 @@ constexpr auto kDiagnostics = std::to_array<Diagnostic>({
      "Give `bolt_properties` in `analysis` of the case file: stiffness, strength and pretension."},
     {"bonded_crack_faces", warning, "The faces of a crack are bonded",
      "The joint material of a crack, or of a joint that ends in rock, has cohesion or tensile strength, and contact is "
-     "felt: its faces hold each other, and K is that of a bonded crack.",
+     "felt: its faces hold each other, and K is that of a bonded crack until the bonds break.",
      "Give the crack a joint material without cohesion and tensile strength (joint_material of the crack)."},
     {"chain_off_boundary", warning, "A chain of loads leaves the boundary",
      "Part of a chain of tractions or prescribed displacements lies on no edge of a body; that part acts on nothing. "

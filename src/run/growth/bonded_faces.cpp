@@ -35,8 +35,8 @@ Warnings bonded_crack_faces(const Scene& scene, const Place& place) {
     const JointMaterial& joint = model.joint_material(number);
     return Warnings{{"bonded_crack_faces", place,
                      fmt::format("the faces of {} are bonded: joint material {} has the cohesion {} and the tensile "
-                                 "strength {}, and K is that of bonded faces; a joint material without both leaves "
-                                 "the crack open",
+                                 "strength {}: K is that of bonded faces as long as the bonds hold; a joint material "
+                                 "without both leaves the crack open",
                                  which, number + 1, plain(joint.cohesion), plain(joint.tensile_strength))}};
   };
   for (const CrackTip& tip : model.continuum->manifold.tips)
