@@ -48,7 +48,8 @@ std::string no_equilibrium_beyond(const LoadedBodies& bodies, const LastEquilibr
            "turned over";
   PlasticTotals rock;
   bodies.yield().add_totals(last.at.points, rock);
-  if (rock.yielded == 0 && last.share > 0) return "stopped: " + where + ": this is no limit load, for no rock has yielded";
+  if (rock.yielded == 0 && last.share > 0)
+    return "stopped: " + where + ": this is no limit load, for no rock has yielded";
   const std::optional<double> further = share_further_on(bodies, last);
   if (further && *further <= last.tried)
     return fmt::format("limit load of this mesh: {}; with displacements {:g} % larger it carries {:.4g}", where,

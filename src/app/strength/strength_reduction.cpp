@@ -332,7 +332,7 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
       options
           .add_option("--trial-limit", chosen.trial_limit,
                       "linear systems after which a trial is given up as undecided, which ends the search with the "
-                      "bracket known by then; 0: none (default: 20,000, or 10 times the longest trial before if that "
+                      "bracket known by then; 0: none (default: 100,000, or 10 times the longest trial before if that "
                       "is more)")
           ->type_name("SYSTEMS")
           ->check(count_of_systems()),

@@ -27,7 +27,7 @@ constexpr double kSlid = 0.01;
 constexpr double kAsFar = 0.95;
 constexpr double kWeakest = 0.45;
 // Of the limit of a trial: a slope of 100 blocks whose contact forces settle by relaxation takes some thousands.
-constexpr long long kFewestSystems = 20'000;
+constexpr long long kFewestSystems = 100'000;
 constexpr long long kTimesLongest = 10;
 
 using Trials = std::map<double, TrialOutcome>;  // by factor
