@@ -17,6 +17,7 @@
 #include "model/setup/from_blocks.hpp"
 #include "model/setup/from_manifold.hpp"
 #include "model/setup/joint_strength.hpp"
+#include "run/bodies/agreement.hpp"
 #include "run/bodies/cover_model.hpp"
 #include "run/bodies/cover_plan_parts.hpp"
 #include "run/bodies/linear_case.hpp"
@@ -321,6 +322,7 @@ Warnings warnings_of_plan(const Problem& problem, const Scene& first) {
   std::vector<const Continuum*> bodies;
   for (const Scene* scene : scenes_of(first))
     if (scene->model.continuum) bodies.push_back(scene->model.continuum.get());
+  if (!first.is_untouched) require_agreement(*problem.covers, first.model);
   return look_at_plan(*problem.covers, bodies);
 }
 

@@ -105,4 +105,27 @@ TEST(Agreement, one_formula_in_two_chains_is_one_condition) {
             "");
 }
 
+// A fixed point stays; an edge that is driven through it contradicts it, and one that is held in place does not.
+TEST(Agreement, a_fixed_point_on_a_driven_edge_is_refused) {
+  const auto fault = [](Point fixed, DisplacementPlan displacement) {
+    Problem problem = plate({std::move(displacement)});
+    problem.covers->contact = CoverContact::felt;
+    std::get<Blocks>(problem.geometry).fixed_points = {{fixed, 0}};
+    try {
+      prepare(problem, "standard", {{"motion", "static"}});
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto edge = [](const char* x) { return held({{0, 2}, {0, 0}}, Held::x, x, "0"); };
+  for (const Point fixed : {Point{0, 0}, Point{0, 0.7}, Point{0, 2}})
+    EXPECT_NE(fault(fixed, edge("-1e-3")).find("case.json:1:1: error: expected a prescribed displacement of 0 at"),
+              std::string::npos)
+        << fixed.y << fault(fixed, edge("-1e-3"));
+  EXPECT_EQ(fault({5, 1}, edge("-1e-3")), "");
+  EXPECT_EQ(fault({0, 1}, edge("0")), "");
+  EXPECT_EQ(fault({0, 1}, edge("1e-3*(y-1)")), "") << "a rotation about it";
+}
+
 }  // namespace keyblock::agreement_test

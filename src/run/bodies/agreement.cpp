@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/error.hpp"
 #include "geometry/segment.hpp"
@@ -123,6 +124,20 @@ class Agreement {
   std::vector<double> largest_;  ///< length of the values of each
 };
 
+/// The projected value at a point of a piece of the chain; nothing if it is within rounding of 0.
+std::optional<Eigen::Vector2d> moved(const PrescribedDisplacement& prescribed, const Segment& piece, Point x) {
+  const Point along = piece.end - piece.start;
+  const Point normal = (1 / length(along)) * Point{along.y, -along.x};
+  const auto value = [&](Point p) {
+    const Point u = prescribed.value(p, normal);
+    return Eigen::Vector2d(held_projector(prescribed.held, normal) * Eigen::Vector2d(u.x, u.y));
+  };
+  double largest = 0;
+  for (const double at : {0.0, 0.5, 1.0}) largest = std::max(largest, value(point_at(piece, at)).norm());
+  const Eigen::Vector2d u = value(x);
+  return u.norm() > kSameValue * largest ? std::optional(u) : std::nullopt;
+}
+
 }  // namespace
 
 void require_agreement(const CoverPlan& plan, const std::vector<const Continuum*>& scenes) {
@@ -134,6 +149,26 @@ void require_agreement(const CoverPlan& plan, const std::vector<const Continuum*
       agreement.require_of_loop(first, static_cast<std::size_t>(loop.size));
       first += static_cast<std::size_t>(loop.size);
     }
+  }
+}
+
+void require_agreement(const CoverPlan& plan, const Model& model) {
+  if (!model.continuum || plan.displacements.empty() || model.fixed_points.empty()) return;
+  Continuum all;
+  put_loads(all, plan);
+  const double near = reach_of_chains(model.continuum->manifold);
+  for (const CarriedPoint& fixed : model.fixed_points) {
+    if (!model.elements[fixed.element].is_on_covers() || !fixed.curve.times.empty()) continue;
+    for (std::size_t i = 0; i < all.prescribed.size(); ++i)
+      for (const Segment& piece : pieces_of(all.prescribed[i].along)) {
+        if (distance(piece, fixed.start) > near) continue;
+        if (const auto u = moved(all.prescribed[i], piece, fixed.start))
+          throw InputError(plan.displacements[i].place,
+                           fmt::format("expected a prescribed displacement of 0 at the fixed point ({:.6g}, {:.6g}), "
+                                       "found ({:.6g}, {:.6g}) there; end the chain before that point, or do without "
+                                       "the fixed point",
+                                       fixed.start.x, fixed.start.y, u->x() + 0.0, u->y() + 0.0));
+      }
   }
 }
 

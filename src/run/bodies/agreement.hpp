@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/continuum.hpp"
+#include "model/model.hpp"
 #include "problem/cover_plan.hpp"
 
 namespace keyblock {
@@ -13,5 +14,8 @@ namespace keyblock {
 /// point of a body and prescribe different values there, by more than 1e-9 of the largest that either has. `scenes` are
 /// the bodies of a run, one after another. Bodies that lie side by side, and the two faces of a joint, share no point.
 void require_agreement(const CoverPlan& plan, const std::vector<const Continuum*>& scenes);
+
+/// Throws InputError at a prescribed displacement that moves a fixed point of an NMM body, which stays where it is.
+void require_agreement(const CoverPlan& plan, const Model& model);
 
 }  // namespace keyblock
