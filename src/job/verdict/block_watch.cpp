@@ -29,7 +29,7 @@ constexpr double kTurned = 0.5;
 // Of its weight: what hangs on as much tension hangs.
 constexpr double kHangs = 0.5;
 // Of its size: a block that would fall by less in the time of the run is not yet seen to hang.
-constexpr double kFall = 0.1;
+constexpr double kFall = 0.01;
 
 struct BlockMotion {
   Point velocity;
