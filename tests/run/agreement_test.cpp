@@ -110,7 +110,7 @@ TEST(Agreement, a_fixed_point_on_a_driven_edge_is_refused) {
   const auto fault = [](Point fixed, DisplacementPlan displacement) {
     Problem problem = plate({std::move(displacement)});
     problem.covers->contact = CoverContact::felt;
-    std::get<Blocks>(problem.geometry).fixed_points = {{fixed, 0}};
+    std::get<Blocks>(problem.geometry).fixed_points = {{fixed, 0, {}}};
     try {
       prepare(problem, "standard", {{"motion", "static"}});
     } catch (const InputError& error) {
