@@ -21,7 +21,7 @@ constexpr double kShareOfRoom = 0.95;
 
 // Of the size of an element: how far ahead of the tip the element is sought that the crack would go on in, and how near
 // a point on a side is to both elements.
-constexpr double kAhead = 1e-6;
+constexpr double kAheadOfTip = 1e-6;
 constexpr double kOnSide = 1e-9;
 
 double nearest_distance(std::span<const Point> loop, Point p) {
@@ -78,7 +78,7 @@ std::vector<char> CrackDomain::elements_at_tip() const {
   for (std::size_t e = 0; e < has_tip.size(); ++e) {
     const std::array<Point, 3> triangle = manifold_.triangle(manifold_.elements[e]);
     const double size = distance(triangle[0], triangle[1]);
-    const Point ahead = tip_.at + kAhead * size * tip_.ahead;
+    const Point ahead = tip_.at + kAheadOfTip * size * tip_.ahead;
     const std::vector<Point> loop = manifold_.polygon(manifold_.elements[e]).front();
     has_tip[e] = nearest_distance(loop, ahead) <= kOnSide * size ? 1 : 0;
   }
