@@ -62,13 +62,13 @@ within() {
 
 make_root() {
   rm -rf --one-file-system "$root"
-  cp -a --reflink=auto "$bare/base" "$root" || cannot "the system cannot be copied"
+  cp -a --reflink=auto "$bare/base" "$root" || exit 1
   mkdir -p "$root$home"
   cat /etc/resolv.conf >"$root/etc/resolv.conf"
   cat /etc/hosts >"$root/etc/hosts"
   local certificates=/etc/ssl/certs/ca-certificates.crt  # of an https mirror
   [ ! -e "$root$certificates" ] || cat $certificates >"$root$certificates"
-  git clone --quiet --no-hardlinks "$checkout" "$root$home/main" || cannot "the checkout cannot be cloned"
+  git clone --quiet --no-hardlinks "$checkout" "$root$home/main" || exit 1
   for folder in proc dev sys; do
     mount --rbind "/$folder" "$root/$folder" || cannot "/$folder cannot be mounted"
   done

@@ -16,7 +16,7 @@ if [ -n "$FEW_STEPS" ]; then
     rm -rf "$log.out"
     if [ $code = 124 ]; then
       echo "$2, $profile" >>"$FEW_STEPS/cut_off"
-    elif [ $code = 99 ] || [ $code -gt 128 ] || grep -q 'Sanitizer\|runtime error' "$log"; then
+    elif [ $code = 99 ] || [ $code -gt 125 ] || grep -q 'Sanitizer\|runtime error' "$log"; then
       echo "$2, $profile: exit code $code" >>"$FEW_STEPS/faults"
       continue
     else
@@ -27,9 +27,11 @@ if [ -n "$FEW_STEPS" ]; then
   exit 0
 fi
 
+[ -x "$1" ] || { echo "few_steps.sh: expected a program, found none: $1"; exit 1; }
 FEW_STEPS=$(mktemp -d)
 export FEW_STEPS
 find legacy_cases -name expected.csv -printf '%h\n' | sort | xargs -P "$2" -n 1 "$0" "$1"
+[ -e "$FEW_STEPS/codes" ] || { echo "few_steps.sh: expected cases in legacy_cases, found none that ran"; exit 1; }
 echo "three steps of every case under both profiles:"
 sort "$FEW_STEPS/codes" | uniq -c
 [ ! -e "$FEW_STEPS/cut_off" ] || { echo "cut off after two minutes:"; sort "$FEW_STEPS/cut_off"; }

@@ -243,11 +243,11 @@ class EntityReader {
   }
 
   void insert(DxfShape shape, const DxfShape& own, const DxfInsertion& made, std::pair<int, int> cell, int side) {
-    if (shape.layer == "0" && layers_.is_hidden(own.layer)) return hide(own.layer, shape.place);
     definitions_.points += shape.points.size();
     if (definitions_.points > DxfDefinitions::kMostPoints)
       throw InputError(own.place, fmt::format("expected at most {} points of blocks drawn by INSERT, found more",
                                               DxfDefinitions::kMostPoints));
+    if (shape.layer == "0" && layers_.is_hidden(own.layer)) return hide(own.layer, shape.place);
     for (Point& p : shape.points) p = made.placed(p, cell.first, cell.second);
     std::tie(shape.low, shape.high) =
         std::minmax({made.height + made.z * shape.low, made.height + made.z * shape.high});

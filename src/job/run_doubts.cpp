@@ -216,9 +216,12 @@ void add_closing(Warnings& remarks, const Prepared& prepared, const RunRecord& r
 
 // Of the steps: as many may be out of balance before a run is not trusted.
 constexpr double kUnbalancedSteps = 0.1;
+// Fewer say nothing of a run of few steps: the first ones after a start are the hardest.
+constexpr int kFewestUnbalanced = 4;
 
 void add_imbalance(Warnings& found, const Prepared& prepared, const StepTotals& totals, const Place& place) {
   if (prepared.scene.settings.dynamics != Dynamics::standard) return;
+  if (totals.unbalanced_steps < kFewestUnbalanced) return;
   if (!(totals.unbalanced_steps > kUnbalancedSteps * totals.steps)) return;
   found.push_back({"unbalanced_steps", place,
                    fmt::format("forces are out of balance by more than {:.0e} of the load in {} of {} steps, the worst "

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/counted.hpp"
 #include "geometry/box.hpp"
@@ -34,8 +35,8 @@ std::string edge_words(const Loops& loops, const LoopEdge& edge) {
                      edge.loop == 0 ? "" : fmt::format(" of hole {}", edge.loop), from.x, from.y, to.x, to.y);
 }
 
-/// The first corner, by the edge that ends there, at which a loop turns back along that edge: a spike without width.
-std::optional<LoopEdge> first_fold(const Loops& loops, double extent) {
+/// The first two edges of which the second comes back along the first: a spike without width.
+std::optional<std::pair<LoopEdge, LoopEdge>> first_fold(const Loops& loops, double extent) {
   for (std::size_t l = 0; l < loops.size(); ++l) {
     std::vector<std::size_t> corners;  // each point once
     for (std::size_t i = 0; i < loops[l].size(); ++i)
@@ -47,7 +48,7 @@ std::optional<LoopEdge> first_fold(const Loops& loops, double extent) {
       const Point in = tip - loops[l][before];
       const Point out = loops[l][corners[(i + 1) % corners.size()]] - tip;
       const double off = std::abs(cross(in, out)) / std::max(length(in), length(out));
-      if (dot(in, out) < 0 && off <= kFolded * extent) return LoopEdge{l, before};
+      if (dot(in, out) < 0 && off <= kFolded * extent) return std::pair{LoopEdge{l, before}, LoopEdge{l, corners[i]}};
     }
   }
   return std::nullopt;
@@ -83,10 +84,9 @@ void add_fold(std::vector<InputError>& errors, const Loops& loops, const Place& 
   for (const Point p : loops.front()) box.add(p);
   const auto found = first_fold(loops, std::max(box.size().x, box.size().y));
   if (!found) return;
-  const LoopEdge back{found->loop, (found->edge + 1) % loops[found->loop].size()};
   errors.emplace_back(place, fmt::format("expected edges of {} that enclose an area, found {} and {}, which comes back "
                                          "along it",
-                                         whose, edge_words(loops, *found), edge_words(loops, back)));
+                                         whose, edge_words(loops, found->first), edge_words(loops, found->second)));
 }
 
 }  // namespace
@@ -122,8 +122,9 @@ std::vector<InputError> crossed_outlines(const Blocks& blocks) {
   for (std::size_t i = 0; i < blocks.blocks.size(); ++i) {
     const Loops loops = loops_of(blocks.blocks[i]);
     const std::string whose = fmt::format("block {} of {}", i + 1, blocks.blocks.size());
+    const std::size_t before = errors.size();
     add_crossing(errors, loops, place_of(blocks.blocks[i], blocks), whose);
-    add_fold(errors, loops, place_of(blocks.blocks[i], blocks), whose);
+    if (errors.size() == before) add_fold(errors, loops, place_of(blocks.blocks[i], blocks), whose);
   }
   return errors;
 }

@@ -250,13 +250,6 @@ void require_options(const ReducedCase& chosen, const ReductionOptions& options)
     throw UsageError(fmt::format("--to: expected more than --from {}, found {}", *options.from, *options.to));
   if (!options.from && options.to && !(*options.to > 1))
     throw UsageError(fmt::format("--to: expected more than 1, where no --from is given, found {}", *options.to));
-  for (const std::string& exempt : options.exempt) {
-    const bool is_of_rock = exempt.starts_with("material:");
-    if (is_of_rock ? options.what == "joints" : options.what == "rock" && exempt.starts_with("joint_material:"))
-      throw UsageError(
-          fmt::format("--exempt {}: it has no effect, because only the strength of {} is reduced (--reduce)", exempt,
-                      options.what));
-  }
   if (options.folder.empty()) return;
   if (std::filesystem::exists(options.folder) && !std::filesystem::is_directory(options.folder))
     throw UsageError(fmt::format("{}: expected a folder, found a file", options.folder));
@@ -265,14 +258,28 @@ void require_options(const ReducedCase& chosen, const ReductionOptions& options)
   for (const std::string& file : chosen.files) require_not_below(file, options.folder);
 }
 
+// What the command line exempts; a case file may exempt for any reduction.
+void require_effect(const std::vector<std::string>& exempt, const std::string& what) {
+  for (const std::string& word : exempt) {
+    const bool is_of_rock = word.starts_with("material:");
+    if (is_of_rock ? what == "joints" : what == "rock" && word.starts_with("joint_material:"))
+      throw UsageError(fmt::format(
+          "--exempt {}: it has no effect, because only the strength of {} is reduced (--reduce)", word, what));
+  }
+}
+
 study::StrengthTrials trials_of(const ReducedCase& chosen, const ReductionOptions& options) {
   study::ConfiguredProblem made = study::configured(chosen.input.problem, chosen.overrides);
   return {std::move(made.problem), chosen.profile, std::move(made.overrides), study::reduced_of(options.what),
           study::exempt_of(options.exempt)};
 }
 
+bool was_stopped(const FactorOfSafety& found) {
+  return found.end == SearchEnd::stopped || (found.mesh_error && found.mesh_error->is_stopped);
+}
+
 ExitCode exit_code(const FactorOfSafety& found) {
-  if (found.end != SearchEnd::stopped) return found.is_safe() ? ExitCode::ok : ExitCode::check_failed;
+  if (!was_stopped(found)) return found.is_safe() ? ExitCode::ok : ExitCode::check_failed;
   return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
 }
 
@@ -291,10 +298,7 @@ CLI::Validator count_of_systems() {
 
 void add_mesh_error(const study::StrengthTrials& trials, FactorOfSafety& found, study::SearchOptions search) {
   if (found.end != SearchEnd::bracketed || !trials.depends_on_mesh()) return;
-  search.on_trial = [told = search.on_trial](const StrengthTrial& trial) {
-    spdlog::info("on a coarser mesh, for the error of the mesh:");
-    told(trial);
-  };
+  spdlog::info("on a coarser mesh, for the error of the mesh:");
   found.mesh_error = study::mesh_error(trials, found, search);
   found.notes.push_back(study::in_words(*found.mesh_error));
 }
@@ -350,6 +354,7 @@ ExitCode reduce_strength(const study::AskedCase& asked, const ReductionOptions& 
   const ReducedCase chosen = reduced_case(asked);
   const ReductionOptions options = with_those_of_case(given, asked.file);
   require_options(chosen, options);
+  require_effect(given.exempt, options.what);
   const study::StrengthTrials trials = trials_of(chosen, options);
   log_warnings(joined(joined(chosen.input.warnings, trials.prepared().warnings),
                       look_ahead(chosen.input.problem, trials.prepared())));
@@ -372,7 +377,7 @@ ExitCode reduce_strength(const study::AskedCase& asked, const ReductionOptions& 
   else
     fmt::print("{}", table_of(chosen, found));
   if (!options.folder.empty()) write_files(chosen, options, trials.prepared().scene.model, found, json);
-  if (found.end == SearchEnd::stopped)
+  if (was_stopped(found))
     spdlog::warn("stopped {}", is_at_time_limit() ? "at the limit of processor time" : "by request");
   return exit_code(found);
 }

@@ -19,7 +19,7 @@ class SystemLimit {
   bool is_reached() const;
 };
 
-/// Counts one linear system; to be called before it is solved. Throws StopRequested if a stop was requested, or if the
+/// Counts one linear system; to be called before it is solved, and not within base/loop, whose threads have own counts. Throws StopRequested if a stop was requested, or if the
 /// limit of this thread is reached.
 void begin_system();
 

@@ -86,11 +86,15 @@ void BlockWatch::look_at_turns(const Stepper& stepper) {
     const double rotation = state.elements[e].rotation;
     const int number = model.identities.of_element(e.value).number;
     const auto i = static_cast<std::size_t>(number);
-    if (i >= expected_.size()) expected_.resize(i + 1, rotation);
-    if (const double angle = std::abs(rotation - expected_[i]);
-        angle > turned_.angle && !model.elements[e].is_on_covers())
+    if (i >= rotations_.size()) {
+      rotations_.resize(i + 1, rotation);
+      spins_.resize(i + 1, 0);
+    }
+    const double angle = std::abs(rotation - (rotations_[i] + state.dt * spins_[i]));
+    if (angle > turned_.angle && !model.elements[e].is_on_covers())
       turned_ = {angle, number, state.step, state.elements[e].centroid};
-    expected_[i] = rotation + stepper.settings().time_step * motion_of(model, state, stepper.settings(), e).spin;
+    rotations_[i] = rotation;
+    spins_[i] = motion_of(model, state, stepper.settings(), e).spin;
   }
 }
 
@@ -178,9 +182,12 @@ void BlockWatch::add(const Frame& frame, const ContactFrames& contacts, const Mo
   for (const PointFrame& point : frame.fixed_points) held.insert(point.element);
   for (const auto& [number, block] : hanging) {
     const bool is_wedged = pressed[number] > kHangs * length(weights[number]);  // other blocks may bear it
-    if (!held.contains(number) && !is_wedged && block.share > std::max(kHangs, last_.share)) last_ = block;
+    if (held.contains(number) || is_wedged || !(block.share > kHangs)) continue;
+    const auto i = static_cast<std::size_t>(number);
+    if (i >= hung_.size()) hung_.resize(i + 1, 0);
+    ++hung_[i];
+    if (2 * hung_[i] > frames_ && block.share > last_.share) last_ = block;
   }
-  if (last_.share > kHangs) ++hanging_;
 }
 
 void BlockWatch::describe(Archive& archive) {
@@ -199,7 +206,8 @@ void BlockWatch::describe(Archive& archive) {
     archive.value("speed", worst_.speed);
     archive.value("accounted", worst_.accounted);
   });
-  archive.numbers("expected_rotations", expected_);
+  archive.numbers("rotations", rotations_);
+  archive.numbers("spins", spins_);
   archive.group("turned", [&] {
     archive.value("angle", turned_.angle);
     archive.value("number", turned_.number);
@@ -208,7 +216,7 @@ void BlockWatch::describe(Archive& archive) {
     archive.value("y", turned_.at.y);
   });
   archive.value("frames", frames_);
-  archive.value("hanging", hanging_);
+  archive.numbers("hung", hung_);
   archive.group("hanging_last", [&] {
     archive.value("share", last_.share);
     archive.value("fall", last_.fall);
@@ -235,13 +243,13 @@ Warnings BlockWatch::doubts(const Settings& settings, bool keeps_energy, const P
                      "step does not resolve what it met; a smaller time_step does",
                      turned_.number + 1, plain(turned_.at.x), plain(turned_.at.y),
                      turned_.angle * 180 / std::numbers::pi, turned_.step, kTurned * 180 / std::numbers::pi)});
-  if (last_.share > kHangs && last_.fall > kFall && 2 * hanging_ > frames_)
+  if (last_.share > kHangs && last_.fall > kFall)
     found.push_back({"tension_without_strength", place,
                      fmt::format("block {} near ({}, {}) hangs on block {}: contacts without tensile strength carry "
                                  "{:.2g} of its weight as tension in {} of {} frames, as the rules of the old program "
                                  "let them; --profile standard does not",
                                  last_.number + 1, plain(last_.at.x), plain(last_.at.y), last_.other + 1, last_.share,
-                                 hanging_, frames_)});
+                                 hung_[static_cast<std::size_t>(last_.number)], frames_)});
   return found;
 }
 

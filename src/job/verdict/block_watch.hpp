@@ -44,7 +44,7 @@ class BlockWatch {
     int step = 0;
     Point at;
   };
-  /// The block of the last frame that hung most.
+  /// The block of the last frame that hung most, of those that hung in more than half of the frames.
   struct Hanging {
     double share = 0;  ///< tension that it hangs on, over its weight
     double fall = 0;   ///< over its size, in the time of the run if nothing bore it
@@ -64,10 +64,11 @@ class BlockWatch {
   bool has_row_ = false;
   std::vector<double> strained_;  ///< by number, greatest strain energy so far
   Thrown worst_;
-  std::vector<double> expected_;  ///< by number, rotation at the end of the coming step if nothing turns it (rad)
+  std::vector<double> rotations_;  ///< by number, at the end of the last step (rad)
+  std::vector<double> spins_;      ///< by number, there [1/time]
   Turned turned_;
-  int frames_ = 0;   ///< but the start
-  int hanging_ = 0;  ///< frames in which a block hung
+  int frames_ = 0;            ///< but the start
+  std::vector<double> hung_;  ///< by number, frames in which the block hung
   Hanging last_;
 };
 

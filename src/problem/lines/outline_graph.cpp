@@ -16,7 +16,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double kSameEnd = 1e-9;               // over the extent
+constexpr double kSameEnd = 1e-9;              // over the extent
 constexpr std::size_t kMostTries = 5'000'000;  // points beside lines that are looked at
 constexpr double kUlps = 64;  // of the greatest coordinate: a drawing far from the origin has fewer digits
 

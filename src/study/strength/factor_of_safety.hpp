@@ -70,6 +70,7 @@ struct MeshError {
   double uncertainty = 0;         ///< of these shares, from the widths of both brackets
   double extrapolated = 0;        ///< the factor of ever finer meshes
   std::string why_none = {};
+  bool is_stopped = false;  ///< the search on the coarser mesh was: the factor was found before
 };
 
 struct FactorOfSafety {

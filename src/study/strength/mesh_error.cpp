@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <exception>
 
-#include "base/error.hpp"
+#include "base/stop.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -29,8 +30,11 @@ MeshError mesh_error(const StrengthTrials& trials, const FactorOfSafety& found, 
   options.seeks_knee = false;
   try {
     const FactorOfSafety coarse = factor_of_safety(trials.on_coarser_mesh(kCoarserTimes), options);
-    if (coarse.end != SearchEnd::bracketed)
-      return none(fmt::format("the search on a coarser mesh is {}", name_of(coarse.end)));
+    if (coarse.end != SearchEnd::bracketed) {
+      MeshError error = none(fmt::format("the search on a coarser mesh is {}", name_of(coarse.end)));
+      error.is_stopped = coarse.end == SearchEnd::stopped;
+      return error;
+    }
     MeshError error;
     error.coarse = coarse.bracket;
     const double fine = found.bracket.middle();
@@ -42,7 +46,11 @@ MeshError mesh_error(const StrengthTrials& trials, const FactorOfSafety& found, 
     error.uncertainty = (found.bracket.width() + coarse.bracket.width()) / 2 / fine;
     error.extrapolated = fine * (1 - error.share);
     return error;
-  } catch (const InputError& error) {
+  } catch (const StopRequested&) {
+    MeshError error = none("the search on a coarser mesh is stopped");
+    error.is_stopped = true;
+    return error;
+  } catch (const std::exception& error) {  // the factor that was found is not lost
     return none(fmt::format("no coarser mesh can be made ({})", error.what()));
   }
 }
