@@ -26,20 +26,32 @@ std::string at(Point p) {
   return fmt::format("({}, {})", plain(p.x, 6), plain(p.y, 6));
 }
 
+// Of the longest boundary line: a wider gap is a side that is not drawn, which joining would replace by another shape.
+constexpr double kJoinable = 0.1;
+
+double longest_side(const Drawing& drawing) {
+  double longest = 0;
+  for (std::size_t i = 0; i < drawing.boundary_count; ++i)
+    longest = std::max(longest, distance(drawing.joints[i].segment.start, drawing.joints[i].segment.end));
+  return longest;
+}
+
 Warnings not_clipped(const Drawing& drawing, const OutlineFault& fault) {
+  const double gap = fault.nearest ? distance(fault.at, *fault.nearest) : 0;
   std::string why;
   if (fault.pieces > 1)
     why = fmt::format("{} boundary lines meet at {}, 2 are expected", fault.pieces, at(fault.at));
   else if (fault.nearest)
-    why = fmt::format("the outline is open at {}: the nearest other end is {} away, at {}", at(fault.at),
-                      plain(distance(fault.at, *fault.nearest), 3), at(*fault.nearest));
+    why = fmt::format("the outline is open at {}: the nearest other end is {} away, at {}", at(fault.at), plain(gap, 3),
+                      at(*fault.nearest));
   else
     why = fmt::format("the outline is open at {}", at(fault.at));
-  return {{"dxf_not_clipped", drawing.joints[fault.line].place,
-           why + "; joints are not cut off at the boundary" +
-               (fault.nearest && fault.pieces == 1
-                    ? fmt::format("; --join {} closes it", plain(1.1 * distance(fault.at, *fault.nearest), 2))
-                    : "")}};
+  return {
+      {"dxf_not_clipped", drawing.joints[fault.line].place,
+       why + "; joints are not cut off at the boundary" +
+           (!fault.nearest || fault.pieces != 1       ? ""
+            : gap > kJoinable * longest_side(drawing) ? "; draw the side that is missing"
+                                                      : fmt::format("; --join {} closes it", plain(1.1 * gap, 2)))}};
 }
 
 bool lies_in(const Outline& inner, const Outline& outer) {

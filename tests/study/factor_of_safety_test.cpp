@@ -107,7 +107,7 @@ TEST(FactorOfSafety, rock_is_judged_by_equilibrium_and_its_knee_is_told) {
 // More than trials take whose contact forces settle, or where trials are seen to take longer; 0 is none.
 TEST(FactorOfSafety, a_trial_has_a_limit_unless_none_is_asked_for) {
   EXPECT_EQ(trial_limit(std::nullopt, 0), 100000);
-  EXPECT_EQ(trial_limit(std::nullopt, 5000), 50000);
+  EXPECT_EQ(trial_limit(std::nullopt, 50000), 500000);
   EXPECT_EQ(trial_limit(7, 5000), 7);
   EXPECT_EQ(trial_limit(0, 5000), std::nullopt);
 }

@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "app/command.hpp"
-#include "base/words/diagnostics.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "base/words/diagnostics.hpp"
 
 namespace keyblock {
 namespace {
@@ -30,7 +32,15 @@ Json json_of(const Diagnostic& row) {
           {"remedy", row.remedy}};
 }
 
-const Diagnostic& named(const std::string& code) {
+// As a message shows it too: in brackets.
+std::string without_brackets(std::string code) {
+  if (code.size() > 1 && code.front() == '[' && code.back() == ']') code = code.substr(1, code.size() - 2);
+  std::ranges::transform(code, code.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return code;
+}
+
+const Diagnostic& named(const std::string& asked) {
+  const std::string code = without_brackets(asked);
   if (const Diagnostic* row = find_diagnostic(code)) return *row;
   std::vector<std::string> codes;
   for (const Diagnostic& row : diagnostics()) codes.emplace_back(row.code);

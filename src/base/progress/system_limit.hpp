@@ -19,8 +19,8 @@ class SystemLimit {
   bool is_reached() const;
 };
 
-/// Counts one linear system; to be called before it is solved, and not within base/loop, whose threads have own counts. Throws StopRequested if a stop was requested, or if the
-/// limit of this thread is reached.
+/// Counts one linear system; to be called before it is solved, not within base/loop, whose threads have own counts.
+/// Throws StopRequested if a stop was requested, or if the limit of this thread is reached.
 void begin_system();
 
 }  // namespace keyblock
