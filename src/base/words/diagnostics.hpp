@@ -1,4 +1,5 @@
-// One table of what the program warns of and doubts: code, level, summary, meaning and remedy.
+// The table of diagnostics: code, level, summary, meaning and remedy. Codes are moved into it as their texts are
+// written; those that it does not hold yet are warnings with a sentence alone.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
