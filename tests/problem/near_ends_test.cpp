@@ -7,7 +7,7 @@
 namespace keyblock::near_ends_test {
 namespace {
 
-Drawing drawing_of(const std::vector<Segment>& lines) {
+Drawing lines_drawn(const std::vector<Segment>& lines) {
   Drawing drawing;
   drawing.edge_node_ratio = 0.001;
   for (const Segment& line : lines) drawing.joints.push_back({line, 0, {}});
@@ -50,7 +50,7 @@ TEST(NearEnds, a_line_drawn_twice_does_not_hide_the_gap_of_both) {
 }
 
 TEST(NearEnds, a_joint_goes_on_along_its_own_line) {
-  Drawing drawing = drawing_of({{{0, 0}, {10, 0}}, {{2.01, 0.01}, {4, 2}}});
+  Drawing drawing = lines_drawn({{{0, 0}, {10, 0}}, {{2.01, 0.01}, {4, 2}}});
   const Warnings told = join_ends(drawing, 0.02);
   expect_near(drawing.joints[1].segment, {{2, 0}, {4, 2}});
   ASSERT_EQ(told.size(), 1U);
@@ -60,7 +60,7 @@ TEST(NearEnds, a_joint_goes_on_along_its_own_line) {
 }
 
 TEST(NearEnds, a_corner_is_where_both_lines_lead) {
-  Drawing drawing = drawing_of({{{0, 0}, {9.99, 0}}, {{10, 0.01}, {10, 5}}});
+  Drawing drawing = lines_drawn({{{0, 0}, {9.99, 0}}, {{10, 0.01}, {10, 5}}});
   join_ends(drawing, 0.02);
   expect_near(drawing.joints[0].segment, {{0, 0}, {10, 0}});
   expect_near(drawing.joints[1].segment, {{10, 0}, {10, 5}});
@@ -69,7 +69,7 @@ TEST(NearEnds, a_corner_is_where_both_lines_lead) {
 
 // A joint that crosses the outline beside an open corner is not what the outline is closed with.
 TEST(NearEnds, an_outline_is_closed_with_itself_before_any_joint) {
-  Drawing drawing = drawing_of({{{0, 0}, {9.98, 0}}, {{10, 0.02}, {10, 5}}});
+  Drawing drawing = lines_drawn({{{0, 0}, {9.98, 0}}, {{10, 0.02}, {10, 5}}});
   drawing.joints.push_back({{{9.985, -3}, {9.965, 3}}, 0, {}});
   drawing.boundary_count = 2;
   join_ends(drawing, 0.05);
@@ -78,20 +78,20 @@ TEST(NearEnds, an_outline_is_closed_with_itself_before_any_joint) {
 }
 
 TEST(NearEnds, ends_along_one_line_meet) {
-  Drawing drawing = drawing_of({{{0, 0}, {4.99, 0}}, {{5, 0}, {10, 0}}});
+  Drawing drawing = lines_drawn({{{0, 0}, {4.99, 0}}, {{5, 0}, {10, 0}}});
   join_ends(drawing, 0.02);
   EXPECT_EQ(drawing.joints[0].segment.end, drawing.joints[1].segment.start);
 }
 
 TEST(NearEnds, what_is_farther_than_the_distance_stays_to_the_last_digit) {
   const std::vector<Segment> lines{{{0, 0}, {10, 0}}, {{3, 0.03}, {3, 5}}, {{6, -0.03}, {6, 5}}};
-  Drawing drawing = drawing_of(lines);
+  Drawing drawing = lines_drawn(lines);
   EXPECT_TRUE(join_ends(drawing, 0.02).empty());
   for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(drawing.joints[i].segment, lines[i]);
 }
 
 TEST(NearEnds, a_line_shorter_than_the_distance_does_not_vanish) {
-  Drawing drawing = drawing_of({{{0, 0}, {10, 0}}, {{3, 0.005}, {3, 0.015}}});
+  Drawing drawing = lines_drawn({{{0, 0}, {10, 0}}, {{3, 0.005}, {3, 0.015}}});
   join_ends(drawing, 0.05);
   EXPECT_NE(drawing.joints[1].segment.start, drawing.joints[1].segment.end);
 }
