@@ -57,84 +57,87 @@ double strain_over_mass(const Stress& s, const BlockMaterial& material) {
   return squares * (1 + material.poissons_ratio) / (2 * material.youngs_modulus * material.density);
 }
 
-std::set<int> driven_elements(const Model& model) {
-  std::set<int> driven;
-  for (const CarriedPoint& point : model.fixed_points) driven.insert(point.element.value);
-  return driven;
+/// By element: its first speed, or that of what is driven, or of NMM bodies, is a source for others.
+bool is_source(const Model& model, const State& state, ElementIndex e) {
+  return state.step == 0 || model.elements[e].is_on_covers() ||
+         std::ranges::any_of(model.fixed_points, [&](const CarriedPoint& point) { return point.element == e; });
 }
 
 }  // namespace
 
-double BlockWatch::strain_released(const Stepper& stepper) {
-  const Model& model = stepper.model();
-  double released = 0;
-  for (const ElementIndex e : indices(model.elements)) {
-    const BlockMaterial& material = model.material_of(model.elements[e]);
-    const double strain = strain_over_mass(stepper.state().elements[e].stress, material);
-    const auto number = static_cast<std::size_t>(model.identities.of_element(e.value).number);
-    if (number >= strained_.size()) strained_.resize(number + 1, 0);
-    strained_[number] = std::max(strained_[number], strain);
-    released = std::max(released, strained_[number] - strain);
+void BlockWatch::look_at_turn(const Stepper& stepper, ElementIndex e, double spin) {
+  const State& state = stepper.state();
+  const double rotation = state.elements[e].rotation;
+  const int number = stepper.model().identities.of_element(e.value).number;
+  const auto i = static_cast<std::size_t>(number);
+  if (i >= rotations_.size()) {
+    rotations_.resize(i + 1, rotation);
+    spins_.resize(i + 1, 0);
   }
-  return released;
+  const double angle = std::abs(rotation - (rotations_[i] + state.dt * spins_[i]));
+  if (angle > turned_.angle && !stepper.model().elements[e].is_on_covers())
+    turned_ = {angle, number, state.step, state.elements[e].centroid};
+  rotations_[i] = rotation;
+  spins_[i] = spin;
 }
 
-void BlockWatch::look_at_turns(const Stepper& stepper) {
+void BlockWatch::look_at_sources(const Stepper& stepper, ElementIndex e, Point weight) {
   const Model& model = stepper.model();
-  const State& state = stepper.state();
-  for (const ElementIndex e : indices(model.elements)) {
-    const double rotation = state.elements[e].rotation;
-    const int number = model.identities.of_element(e.value).number;
-    const auto i = static_cast<std::size_t>(number);
-    if (i >= rotations_.size()) {
-      rotations_.resize(i + 1, rotation);
-      spins_.resize(i + 1, 0);
-    }
-    const double angle = std::abs(rotation - (rotations_[i] + state.dt * spins_[i]));
-    if (angle > turned_.angle && !model.elements[e].is_on_covers())
-      turned_ = {angle, number, state.step, state.elements[e].centroid};
-    rotations_[i] = rotation;
-    spins_[i] = motion_of(model, state, stepper.settings(), e).spin;
-  }
+  const ElementState& now = stepper.state().elements[e];
+  const Point way = now.centroid - stepper.unloaded().elements[e].centroid;
+  fallen_ = std::max(fallen_, dot(weight, way));
+  const auto number = static_cast<std::size_t>(model.identities.of_element(e.value).number);
+  if (number >= strained_.size()) strained_.resize(number + 1, 0);
+  const double strain = strain_over_mass(now.stress, model.material_of(model.elements[e]));
+  strained_[number] = std::max(strained_[number], strain);
+  released_ = std::max(released_, strained_[number] - strain);
 }
 
 void BlockWatch::add(const Stepper& stepper) {
   const Model& model = stepper.model();
   const State& state = stepper.state();
   const Settings& settings = stepper.settings();
-  if (settings.standard.motion == MotionRule::dynamic) look_at_turns(stepper);
-  if (settings.ledger == Bookkeeping::off) return;
-  const std::set<int> driven = driven_elements(model);
-  released_ = std::max(released_, strain_released(stepper));
-  struct Mover {
-    ElementIndex element;
-    double kinetic, mass, weight;
-  };
-  std::vector<Mover> movers;
-  for (const ElementIndex e : indices(model.elements)) {
-    const BlockMaterial& material = model.material_of(model.elements[e]);
-    const Placement& start = stepper.unloaded().elements[e];
+  const bool may_turn = settings.standard.motion == MotionRule::dynamic;
+  const bool has_ledger = settings.ledger == Bookkeeping::on;
+  if (!may_turn && !has_ledger) return;
+  std::vector<Point> weights;  // of materials, over mass
+  for (const BlockMaterial& material : model.block_materials) {
     const Eigen::Vector2d weight = weight_per_area(material, settings) / material.density;
-    const Point way = state.elements[e].centroid - start.centroid;
-    fallen_ = std::max(fallen_, weight.x() * way.x + weight.y() * way.y);
-    const double kinetic = kinetic_over_mass(motion_of(model, state, settings, e), start.moments);
-    const bool gives = state.step == 0 || driven.contains(e.value) || model.elements[e].is_on_covers();
-    if (gives)
-      begun_ = std::max(begun_, kinetic);
-    else
-      movers.push_back({e, kinetic, material.density * start.moments.area, weight.norm()});
+    weights.push_back({weight.x(), weight.y()});
   }
-  for (const Mover& mover : movers) {
-    const ElementState& now = state.elements[mover.element];
-    const double sources = kPassedOn * (begun_ + fallen_ + released_) + kBooks * work_ / mover.mass +
-                           kLift * mover.weight * std::sqrt(now.moments.area);
-    if (!(mover.kinetic > worst_.excess * sources)) continue;
-    const double excess = sources > 0 ? mover.kinetic / sources : 0;
-    worst_ = {excess,
-              model.identities.of_element(mover.element.value).number,
+  kinetic_.clear();
+  for (const ElementIndex e : indices(model.elements)) {
+    const BlockMotion motion = motion_of(model, state, settings, e);
+    if (may_turn) look_at_turn(stepper, e, motion.spin);
+    kinetic_.push_back(kinetic_over_mass(motion, stepper.unloaded().elements[e].moments));
+    if (has_ledger) look_at_sources(stepper, e, weights[static_cast<std::size_t>(model.elements[e].material)]);
+  }
+  if (has_ledger) look_at_speeds(stepper, weights);
+}
+
+// Sources are at least those that no block has of its own, which few are faster than.
+void BlockWatch::look_at_speeds(const Stepper& stepper, const std::vector<Point>& weights) {
+  const Model& model = stepper.model();
+  const State& state = stepper.state();
+  for (const ElementIndex e : indices(model.elements))
+    if (const double kinetic = kinetic_[static_cast<std::size_t>(e.value)];
+        kinetic > begun_ && is_source(model, state, e))
+      begun_ = kinetic;
+  const double of_all = kPassedOn * (begun_ + fallen_ + released_);
+  for (const ElementIndex e : indices(model.elements)) {
+    const double kinetic = kinetic_[static_cast<std::size_t>(e.value)];
+    if (!(kinetic > worst_.excess * of_all) || is_source(model, state, e)) continue;
+    const Element& element = model.elements[e];
+    const double mass = model.material_of(element).density * stepper.unloaded().elements[e].moments.area;
+    const double sources =
+        of_all + kBooks * work_ / mass +
+        kLift * length(weights[static_cast<std::size_t>(element.material)]) * std::sqrt(state.elements[e].moments.area);
+    if (!(kinetic > worst_.excess * sources)) continue;
+    worst_ = {sources > 0 ? kinetic / sources : 0,
+              model.identities.of_element(e.value).number,
               state.step,
-              now.centroid,
-              std::sqrt(2 * mover.kinetic),
+              state.elements[e].centroid,
+              std::sqrt(2 * kinetic),
               std::sqrt(2 * sources)};
   }
 }

@@ -53,8 +53,9 @@ class BlockWatch {
     Point at;
   };
 
-  double strain_released(const Stepper& stepper);
-  void look_at_turns(const Stepper& stepper);
+  void look_at_turn(const Stepper& stepper, ElementIndex e, double spin);
+  void look_at_sources(const Stepper& stepper, ElementIndex e, Point weight);
+  void look_at_speeds(const Stepper& stepper, const std::vector<Point>& weights);
 
   // Energies over mass [length²/time²].
   double begun_ = 0;     ///< greatest kinetic energy at the start, or of what is driven
@@ -63,6 +64,7 @@ class BlockWatch {
   double work_ = 0;      ///< of loads on all blocks, and of bolts and springs that were tight at the start [energy]
   bool has_row_ = false;
   std::vector<double> strained_;  ///< by number, greatest strain energy so far
+  std::vector<double> kinetic_;   ///< of the step at hand, by element
   Thrown worst_;
   std::vector<double> rotations_;  ///< by number, at the end of the last step (rad)
   std::vector<double> spins_;      ///< by number, there [1/time]
