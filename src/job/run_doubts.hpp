@@ -8,7 +8,7 @@
 
 namespace keyblock {
 
-/// Whether the ledger knows the work of all that pushes, of a run in time.
+/// Returns true if the energy balance of a run in time knows the work of all loads.
 bool keeps_energy(const RunRecord& record);
 
 struct Judgement {

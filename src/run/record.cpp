@@ -183,10 +183,11 @@ void put_plastic(HistoryRow& row, const Stepper& stepper, bool of_measured_point
         stepper.plastic_at(model.measured_points[i].element, model.measured_points[i].start);
 }
 
-std::vector<TipState> tips_of(const Stepper& stepper) {
+std::vector<TipState> tips_of(const Stepper& stepper, TipsOf which) {
   const Model& model = stepper.model();
   std::vector<TipState> tips = stepper.tips();
-  if (!tips.empty() || !model.continuum || model.continuum->cracks.empty()) return tips;
+  if (!tips.empty() || !model.continuum || model.continuum->manifold.tips.empty()) return tips;
+  if (which == TipsOf::cracks && model.continuum->cracks.empty()) return tips;
   const std::optional<CoverSolution> solution = solution_of(stepper);
   if (!solution) return tips;
   tips = followed_tips(model.continuum->manifold, model.continuum->cracks);

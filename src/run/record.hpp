@@ -26,8 +26,11 @@ void put_point_stress(HistoryRow& row, const Model& model, const Stepper& steppe
 void put_plastic(Frame& frame, const Stepper& stepper);
 void put_plastic(HistoryRow& row, const Stepper& stepper, bool of_measured_points);
 
-/// Crack tips, where the case file has cracks or they grow.
-std::vector<TipState> tips_of(const Stepper& stepper);
+/// Tips of cracks of the case file and of cracks that grow, or those of joints that end in NMM bodies too.
+enum class TipsOf { cracks, cracks_and_joints };
+
+/// Crack tips with their factors; none of a stepper that knows no stress at them.
+std::vector<TipState> tips_of(const Stepper& stepper, TipsOf which);
 
 /// What each prescribed displacement exerts, where the stepper sums it.
 std::vector<Point> reactions_of(const Stepper& stepper);

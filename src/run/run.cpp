@@ -85,7 +85,7 @@ class Loop {
     put_point_stress(frame, stepper_.model(), stepper_);
     frame.reactions = reactions_of(stepper_);
     put_plastic(frame, stepper_);
-    frame.tips = tips_of(stepper_);
+    frame.tips = tips_of(stepper_, TipsOf::cracks_and_joints);
     frame.load_factor = stepper_.load_factor();
     if (observer_.on_field) observer_.on_field(field_of(stepper_.model(), stepper_));
     if (observer_.on_contacts) observer_.on_contacts(stepper_.contacts());
@@ -103,7 +103,7 @@ class Loop {
     if (measures_) put_point_stress(row, stepper_.model(), stepper_);
     row.reactions = reactions_of(stepper_);
     put_plastic(row, stepper_, measures_);
-    row.tips = tips_of(stepper_);
+    row.tips = tips_of(stepper_, TipsOf::cracks);
     row.load_factor = stepper_.load_factor();
     observer_.on_row(row);
   }

@@ -63,6 +63,28 @@ TEST(CrackDoubts, faces_that_overlap_under_pressure_are_told_by_sif_and_run) {
   }
 }
 
+/// A plate of 2 by 4 whose drawing has a joint that ends inside, under `pull` from above.
+std::string drawn_crack(double pull) {
+  return fmt::format(
+      R"({{"keyblock": 1, "drawing": {{"boundary_count": 4, "joints": [[0, 0, 2, 0, 1], [2, 0, 2, 4, 1],
+        [2, 4, 0, 4, 1], [0, 4, 0, 0, 1], [0, 2, 0.6, 2, 1]]}}, "covers": {{"functions": "derived", "contact": "ignored",
+        "mesh": {{"side": 0.25, "tip_side": 0.02}}, "displacements": [{{"along": [[0, 0], [2, 0]]}}],
+        "tractions": [{{"along": [[2, 4], [0, 4]], "y": {}}}]}}, {}}})",
+      pull, analysis("", 1));
+}
+
+TEST(CrackDoubts, joints_of_a_drawing_that_end_inside_are_cracks_too) {
+  for (const double pull : {-1.0, -1e3}) {
+    const std::string pressed = file_of("drawn", drawn_crack(pull));
+    EXPECT_EQ(run_keyblock({"sif", pressed}).exit_code, 1);
+    const ProgramRun run = run_of(pressed);
+    EXPECT_EQ(run.exit_code, 1) << run.messages;
+    EXPECT_TRUE(says(run, "[faces_overlap_at_tip]")) << run.messages;
+  }
+  const ProgramRun open = run_of(file_of("drawn_open", drawn_crack(1)));
+  EXPECT_EQ(open.exit_code, 0) << open.messages;
+}
+
 TEST(CrackDoubts, growth_of_a_tip_whose_faces_overlap_is_not_trusted) {
   const ProgramRun run = run_of(file_of("grows", flaw("ignored", -1, R"("growth": {"increment": 0.3},)", 1)));
   EXPECT_EQ(run.exit_code, 1) << run.messages;
