@@ -29,7 +29,7 @@ tr.ran td.verdict { color: #206030 }
 tr.listed { color: #777 }
 )";
 
-// As wide as the window; the words share what pictures and numbers leave.
+// Fits the window; texts share the width that pictures and numbers leave.
 constexpr std::string_view kColumns =
     "<colgroup><col style=\"width: 174px\"><col><col style=\"width: 6em\"><col><col>"
     "<col style=\"width: 5em\"><col style=\"width: 6em\"><col style=\"width: 4em\"><col>"

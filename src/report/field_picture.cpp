@@ -35,7 +35,6 @@ constexpr double kTall = 1.25;  // height over width
 constexpr double kTallHeight = 460;
 constexpr double kSmallHeight = 240;
 constexpr double kFieldHeight = 420;
-constexpr std::string_view kHeldColour = "#b4b4b4";
 constexpr std::string_view kMeshColour = "#333333";
 constexpr std::string_view kPaleMeshColour = "#dddddd";
 constexpr std::string_view kContourColour = "#555555";
@@ -124,7 +123,7 @@ void draw_mesh(SvgPage& page, const PageMap& map, const FieldFrame& field, const
                  {.fill = filled ? area_colour(element.material) : "none", .stroke = colour, .stroke_width = width});
 }
 
-/// Where the three panels stand: for tall bodies beside each other, else the field below the two others.
+/// Places of the three panels: for tall bodies beside each other, else the field below the two others.
 struct Panels {
   std::array<Point, 3> corners;
   std::array<Point, 3> rooms;

@@ -26,7 +26,7 @@ inline constexpr std::array<const char*, 8> kFieldWords{"sxx", "syy",       "sxy
 /// Throws std::invalid_argument for a word that is none.
 FieldShown field_of_word(const std::string& word);
 
-/// How a field is drawn: colours, magnification and the part of the plane.
+/// Scale of a field: colours, magnification and the part of the plane.
 struct FieldScale {
   ColourScale colours;
   double most_stress = 0;  ///< of the longest cross

@@ -66,13 +66,25 @@ bool moved_visibly(const PageMap& map, const ElementFrame& start, const ElementF
   return false;
 }
 
+/// Numbers of blocks with a fixed point at the end. Bodies of many elements are shown by their supports alone.
+std::set<int> held_blocks(const Frame& end) {
+  std::set<int> held;
+  if (!end.outlines.empty()) return held;
+  for (const PointFrame& point : end.fixed_points) held.insert(point.element);
+  return held;
+}
+
 /// Elements inside a body are drawn by thin lines, its outline by a strong one.
 void draw_end(SvgPage& page, const PageMap& map, const Frame& end, double width) {
   const bool has_outlines = !end.outlines.empty();
-  for (const ElementFrame& element : end.elements)
-    page.polygon(map(element.loops), {.fill = area_colour(element.material),
-                                      .stroke = has_outlines ? kInnerColour : "#333333",
-                                      .stroke_width = has_outlines ? width / 2 : width});
+  const std::set<int> held = held_blocks(end);
+  for (std::size_t i = 0; i < end.elements.size(); ++i) {
+    const ElementFrame& element = end.elements[i];
+    page.polygon(map(element.loops),
+                 {.fill = held.contains(number_of(end, i)) ? kHeldColour : area_colour(element.material),
+                  .stroke = has_outlines ? kInnerColour : "#333333",
+                  .stroke_width = has_outlines ? width / 2 : width});
+  }
   for (const std::vector<Point>& outline : end.outlines)
     page.polygon({map(outline)}, {.stroke = "#222222", .stroke_width = kOutlineWidth});
 }
@@ -139,7 +151,7 @@ void draw_marked(SvgPage& page, const PageMap& map, const RunPicture& picture) {
   }
 }
 
-/// Of the bolts of the end, in their order.
+/// States of the bolts of the end, in their order.
 std::vector<BoltState> bolt_states(const RunPicture& picture) {
   std::vector<BoltState> states;
   for (std::size_t i = 0; i < picture.end.bolts.size(); ++i) {
@@ -179,17 +191,26 @@ void draw_numbers(SvgPage& page, const PageMap& map, const RunPicture& picture) 
   }
 }
 
+/// Colour of the first element that nothing holds.
+std::string_view colour_of_end(const Frame& end, const std::set<int>& held) {
+  for (std::size_t i = 0; i < end.elements.size(); ++i)
+    if (!held.contains(number_of(end, i))) return area_colour(end.elements[i].material);
+  return end.elements.empty() ? area_colour(0) : kHeldColour;
+}
+
 std::vector<LegendEntry> make_legend(const RunPicture& picture) {
   using Sign = LegendEntry::Sign;
-  std::vector<LegendEntry> legend{
-      {.sign = Sign::dashed_line,
-       .colour = kStartColour,
-       .words = time_words("start", picture.start.time, picture.time_unit)},
-      {.sign = Sign::area,
-       .colour = picture.end.elements.empty() ? area_colour(0) : area_colour(picture.end.elements.front().material),
-       .words = time_words("end", picture.end.time, picture.time_unit)}};
+  const std::set<int> held = held_blocks(picture.end);
+  std::vector<LegendEntry> legend{{.sign = Sign::dashed_line,
+                                   .colour = kStartColour,
+                                   .words = time_words("start", picture.start.time, picture.time_unit)},
+                                  {.sign = Sign::area,
+                                   .colour = colour_of_end(picture.end, held),
+                                   .words = time_words("end", picture.end.time, picture.time_unit)}};
   std::set<int> materials;
-  for (const ElementFrame& element : picture.end.elements) materials.insert(element.material);
+  for (std::size_t i = 0; i < picture.end.elements.size(); ++i)
+    if (!held.contains(number_of(picture.end, i))) materials.insert(picture.end.elements[i].material);
+  if (!held.empty()) legend.push_back({.sign = Sign::area, .colour = kHeldColour, .words = "held block"});
   if (materials.size() > 1) add_numbered(legend, materials, Sign::area, "block material", picture.rock_names);
   add_numbered(legend, told_apart(picture), Sign::line, "joint material", picture.joint_names);
   const auto add = [&legend](const std::vector<PointFrame>& points, Mark mark, std::string_view words) {

@@ -21,7 +21,7 @@ struct Curve {
   std::optional<std::size_t> colour = {};  ///< as of the curve with this index; nothing: as of its own
 };
 
-/// What stands on the axes.
+/// Words of the axes.
 struct AxisLabels {
   Described x;
   Described y;

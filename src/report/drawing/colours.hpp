@@ -13,6 +13,8 @@ constexpr std::array<std::string_view, 8> kAreaColours{"#e3d9c6", "#b9d7ea", "#f
 constexpr std::array<std::string_view, 8> kLineColours{"#333333", "#d55e00", "#0072b2", "#009e73",
                                                        "#cc79a7", "#e69f00", "#56b4e9", "#8a6d3b"};
 
+constexpr std::string_view kHeldColour = "#b4b4b4";  ///< of blocks with a fixed point
+
 constexpr std::string_view area_colour(int material) {
   return kAreaColours.at(static_cast<std::size_t>(material < 0 ? 0 : material) % kAreaColours.size());
 }

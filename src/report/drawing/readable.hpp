@@ -1,4 +1,4 @@
-// Units in which numbers of pictures are short: 159 kPa in place of 1.59e+05 Pa.
+// Units in which numbers of pictures are short: 159 kPa instead of 1.59e+05 Pa.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -23,7 +23,7 @@ struct Described {
   Units units = {};
 };
 
-/// How values are written: times `factor`, in `unit`; the exponent of ten that is left is the axis's.
+/// Form of values: times `factor`, in `unit`; the exponent of ten that is left is the axis's.
 struct Readable {
   double factor = 1;
   std::string unit = {};

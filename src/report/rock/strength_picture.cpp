@@ -254,7 +254,7 @@ void draw_bracket(SvgPage& page, const Plot& plot, const StrengthChart& chart) {
   page.line({x, top}, {x, plot.corner.y + plot.size.y}, {.stroke = kServiceColour, .stroke_width = 1.2, .dash = "4 3"});
 }
 
-// What stands lies at its displacement, on a line; the others are crosses in the strip above the axes.
+// Trials that stand lie at their displacement, on a line; the others are crosses in the strip above the axes.
 void draw_trials(SvgPage& page, const Plot& plot, const std::vector<StrengthPoint>& points) {
   std::vector<Point> line;
   for (const StrengthPoint& point : points)
