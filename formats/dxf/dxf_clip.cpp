@@ -26,7 +26,7 @@ std::string at(Point p) {
   return fmt::format("({}, {})", plain(p.x, 6), plain(p.y, 6));
 }
 
-// Of the longest boundary line: a wider gap is a side that is not drawn, which joining would replace by another shape.
+// Share of the longest boundary line: a wider gap is a side that is not drawn. Joining would make another shape.
 constexpr double kJoinable = 0.1;
 
 double longest_side(const Drawing& drawing) {

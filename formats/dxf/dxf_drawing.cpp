@@ -87,6 +87,7 @@ class DrawingMaker {
     make_room(boundaries_, drawing.joints.size());
     boundaries_.insert(boundaries_.end(), drawing.joints.begin(), drawing.joints.end());
     drawing.joints = std::move(boundaries_);
+    drop_repeated_bolts();
     result_.warnings = joined(std::move(shapes_.warnings), result_.warnings);
     result_.warnings = joined(std::move(result_.warnings), shapes_.hidden.warnings());
     result_.warnings = joined(std::move(result_.warnings), chords_.warnings());
@@ -190,6 +191,20 @@ class DrawingMaker {
     for (const auto& [mark, role] : kRoles)
       if (shape.mark == mark) return add_point(shape, {role, 0, false});
     skip(shape);
+  }
+
+  /// A bolt drawn twice, either way round, is one.
+  void drop_repeated_bolts() {
+    const auto ends = [](const BoltLine& bolt) {
+      const auto [a, b] = bolt.segment;
+      return std::minmax({std::pair{a.x, a.y}, std::pair{b.x, b.y}});
+    };
+    std::set<std::pair<std::pair<double, double>, std::pair<double, double>>> seen;
+    std::erase_if(result_.drawing.bolts, [&](const BoltLine& bolt) {
+      if (seen.insert(ends(bolt)).second) return false;
+      shapes_.skipped.add("a bolt drawn twice", bolt.place);
+      return true;
+    });
   }
 
   void skip(const DxfShape& shape) {

@@ -44,7 +44,7 @@ class EntityReader {
   }
 
  private:
-  // What is not seen is counted. Layer 0 of a block is that of its INSERT.
+  // Counts shapes on hidden layers. Layer 0 of a block is that of its INSERT.
   bool is_seen(const DxfRecord& record) {
     if (of_.is_in_paper_space(record)) {
       skip("entity in paper space", record);

@@ -11,7 +11,7 @@
 
 namespace keyblock::formats {
 
-/// By the records LAYER of the section TABLES: group 62 below 0 is off, bit 1 of group 70 is frozen.
+/// Reads the records LAYER of the section TABLES: group 62 below 0 is off, bit 1 of group 70 is frozen.
 class DxfVisibility {
  public:
   /// A layer that the table names is shown. Throws InputError where a flag or a colour is no whole number.

@@ -22,8 +22,8 @@ struct Nurbs {
   std::vector<double> weights = {};
 };
 
-/// Whether there are degree + 1 control points at least, controls + degree + 1 knots that do not fall, a piece between
-/// the first and the last that is not empty, and weights above 0.
+/// Returns true if there are degree + 1 control points at least, controls + degree + 1 knots that do not fall, a piece
+/// between the first and the last that is not empty, and weights above 0.
 bool is_sound(const Nurbs& curve);
 
 /// The point at a parameter between the first and the last knot of the curve, by the algorithm of de Boor.

@@ -48,7 +48,7 @@ class SplineReader {
     if (waiting_ != nullptr) complain();
   }
 
-  /// By its control points, else through its fit points; nothing where neither makes a curve.
+  /// Takes the control points, else the fit points; nothing if neither makes a curve.
   std::vector<Point> points(bool is_closed) {
     if (is_sound(curve_)) return spline_points(curve_);
     const auto end = std::ranges::unique(fit_).begin();

@@ -1,4 +1,4 @@
-// How an INSERT puts the shapes of its block into the drawing: scaled, turned, moved, and in rows and columns.
+// Places the shapes of a block where an INSERT draws them: scaled, turned, moved, in rows and columns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// What groups of a DXF record say, each with the complaint about one that does not.
+// Reads values of a DXF record by their groups, with an error for each that is wrong.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -45,7 +45,7 @@ class DxfRecordValues {
   void add_heights(DxfShape& shape, const DxfRecord& record, std::initializer_list<int> heights) const;
   /// The letter of a text that is one of the marks of the old Windows program; 0 for every other entity.
   static char mark_of(const DxfRecord& record);
-  /// Of a LWPOLYLINE: group 10 opens a corner; 20 and 42 belong to the corner before them.
+  /// Corners of a LWPOLYLINE: group 10 opens a corner; 20 and 42 belong to the corner before them.
   std::vector<DxfCorner> light_corners(const DxfRecord& record) const;
   /// The extended data of a bolt: stiffness, strength, pre-tension.
   std::optional<std::array<double, 3>> bolt_of(const DxfRecord& record) const;
