@@ -1,5 +1,5 @@
-// What a case shows before its first step of what will hurt in it: slivers, blocks that nothing holds, springs too
-// stiff for the step, units that contradict each other, bodies on covers that start suddenly.
+// Warns before the first step: slivers, blocks without support, springs too stiff for the step, implausible units, NMM
+// bodies that start suddenly.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,15 +14,9 @@ namespace keyblock {
 /// `strain_damping_takes_rebound`. NMM bodies are looked at for units, their start and impacts alone.
 Warnings look_ahead(const Problem& problem, const Prepared& prepared);
 
-/// `units_contradict` of a block material.
-Warnings contradictions_of(const BlockMaterial& material, const Units& units);
-
 /// Options that make contact springs soft enough for cheap steps, where they are too stiff for the step
 /// (`springs_stiff_for_step`); otherwise empty.
 std::string softer_springs(const Prepared& prepared);
-
-/// Width and height of all bodies before any load, in the declared unit; empty where there are none.
-std::string size_of_scene(const Model& model, const Units& units);
 
 /// The smallest block, for whom it is good to know: its number, place and area over that of the mean; empty without
 /// blocks.

@@ -25,7 +25,7 @@
 #include "problem/magnitudes.hpp"
 #include "problem/units/measure.hpp"
 #include "report/rock/element_picture.hpp"
-#include "run/look_ahead.hpp"
+#include "run/ahead/plausible_units.hpp"
 #include "study/element/element_path.hpp"
 
 namespace keyblock {

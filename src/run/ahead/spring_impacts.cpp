@@ -25,8 +25,8 @@ namespace {
 constexpr double kUnresolved = 1;
 // Steps within a blow that resolve it, as the setting `impact` asks.
 constexpr double kStepsOfBlow = 20;
-// Of the integration of a blow: two stiffnesses farther apart than this, and damping beyond this, change nothing more;
-// step and end in terms of the fastest and the slowest frequency.
+// Limits of the integration of a blow: two stiffnesses farther apart than this, and damping beyond this, change nothing
+// more; step and end in terms of the fastest and the slowest frequency.
 constexpr double kFarApart = 1e3;
 constexpr double kOverdamped = 10;
 constexpr double kOfPeriod = 0.02;

@@ -1,0 +1,187 @@
+// Compares numbers of the input with those of rock, soil and masonry on the earth, in SI.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/ahead/plausible_units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "base/words/plain_number.hpp"
+#include "geometry/box.hpp"
+#include "material/strength.hpp"
+#include "problem/units/unit_conversion.hpp"
+
+namespace keyblock {
+namespace {
+
+constexpr double kLeastStrength = 1e-7;  // of the modulus
+
+/// What a number may be of rock, soil and masonry on the earth, in SI.
+struct Plausible {
+  const char* what;
+  Dimension dimension;
+  double least;
+  double most;
+  const char* unit;
+};
+constexpr Plausible kGravity{"gravity", kAcceleration, 0.01, 1000, "m/s2"};
+constexpr Plausible kModulus{"youngs_modulus", kStress, 1e4, 1e12, "Pa"};
+constexpr Plausible kMassDensity{"density", kDensity, 100, 25000, "kg/m3"};  // snow to gold
+constexpr double kLeastUnitWeight = 15;                                      // kN/m3, of soil and rock
+constexpr double kMostUnitWeight = 35;
+constexpr double kSmallestScene = 0.03;  // m: a slope drawn in metres and read as millimetres is smaller
+constexpr double kLargestScene = 5000;   // m
+
+std::string implausible(const Plausible& bounds, double value, const Units& units) {
+  const std::optional<double> factor = si_factor(units, bounds.dimension);
+  const double si = factor ? std::abs(value) * *factor : 0;
+  if (value == 0 || !factor || (si >= bounds.least && si <= bounds.most)) return {};
+  return fmt::format(
+      "{} {:.4g} is {:.3g} {} in the declared units ({}{}{}), which is not plausible: {:g} to {:g} is expected",
+      bounds.what, value, si, bounds.unit, units.length, units.mass.empty() ? "" : ", " + units.mass,
+      units.time.empty() ? "" : ", " + units.time, bounds.least, bounds.most);
+}
+
+/// Empty, or why a gravity is that of the earth in another unit than the declared ones.
+std::string gravity_of_another_unit(double gravity, const Units& units) {
+  // Not 981 cm/s2, which in metres is a centrifuge of 100 g.
+  constexpr std::array<std::pair<double, const char*>, 3> kEarth{{{9.81, "m/s2"}, {32.17, "ft/s2"}, {386.1, "in/s2"}}};
+  constexpr double kSame = 0.01;  // share: 9.8 to 9.9, 32 to 32.2
+  const std::optional<double> factor = si_factor(units, kAcceleration);
+  if (!factor || std::abs(gravity * *factor - kEarth[0].first) <= 2 * kSame * kEarth[0].first) return {};
+  for (const auto& [value, unit] : kEarth)
+    if (std::abs(gravity - value) <= kSame * value)
+      return fmt::format(
+          "gravity {:.4g} is that of the earth in {}, but {:.3g} m/s2 in the declared units ({}, {}): it is {:.4g} "
+          "there",
+          gravity, unit, gravity * *factor, units.length, units.time, kEarth[0].first / *factor);
+  return {};
+}
+
+/// Empty, or why an angle of friction cannot be meant in degrees.
+std::string in_radians(double degrees) {
+  if (!(degrees > 0 && degrees < std::numbers::pi / 2)) return {};
+  return fmt::format(
+      "a friction angle of {:.4g} degrees would be {:.3g} degrees, were it in radians: angles of friction are in "
+      "degrees",
+      degrees, degrees / kDegree);
+}
+
+/// The same of an angle of dilation. Small ones are plausible in degrees: only below 1 beside friction that is in
+/// degrees, which in radians would be less than 57 degrees.
+std::string dilation_in_radians(const StrengthValues& values) {
+  if (!(values.dilation_deg > 0 && values.dilation_deg < 1 && values.friction_deg > 10)) return {};
+  return fmt::format(
+      "dilation_deg {:.4g} beside friction_deg {:.4g} would be {:.3g} degrees, were it in radians: both angles are in "
+      "degrees",
+      values.dilation_deg, values.friction_deg, values.dilation_deg / kDegree);
+}
+
+/// The same of all angles of a strength: rock softens to little friction, but not to a degree.
+std::string in_radians(const Strength& strength) {
+  std::vector<StrengthValues> all{strength.values};
+  if (strength.change) all.push_back(strength.change->values);
+  for (const StrengthValues& values : all) {
+    if (std::string why = in_radians(values.friction_deg); !why.empty()) return why;
+    if (std::string why = dilation_in_radians(values); !why.empty()) return why;
+  }
+  return {};
+}
+
+/// Empty, or why a strength and the modulus cannot be of one unit: of rock and soil it is a hundredth to a
+/// ten-thousandth of the modulus, of weightless benchmarks a millionth.
+std::string beside_modulus(const BlockMaterial& material) {
+  const double strength = compressive_strength(*material.strength, material.strength->values);
+  if (strength > 0 && strength < kLeastStrength * material.youngs_modulus)
+    return fmt::format(
+        "a strength of {:.4g} under uniaxial compression is {:.1g} of youngs_modulus {:.4g}: nothing bears so little, "
+        "unless one of them is in another unit",
+        strength, strength / material.youngs_modulus, material.youngs_modulus);
+  if (!(strength > material.youngs_modulus)) return {};
+  return fmt::format(
+      "a strength of {:.4g} under uniaxial compression is above youngs_modulus {:.4g}: nothing reaches it, unless one "
+      "of them is in another unit",
+      strength, material.youngs_modulus);
+}
+
+Box box_about(const Model& model) {
+  Box box;
+  for (const Point p : model.start_vertices) box.add(p);
+  return box;
+}
+
+/// Empty, or why the drawing cannot be in the declared unit.
+std::string implausible_size(const Model& model, const Units& units) {
+  const std::optional<double> metres = si_factor(units, kLengthDimension);
+  if (!metres || model.start_vertices.empty()) return {};
+  const Point size = box_about(model).size();
+  const double greatest = std::max(size.x, size.y) * *metres;
+  if (greatest >= kSmallestScene && greatest <= kLargestScene) return {};
+  return fmt::format(
+      "the scene is {} by {} {}, which is not plausible: {:g} to {:g} m is expected; if the coordinates are in another "
+      "unit, --unit says so of a DXF drawing, `units` of a case file",
+      plain(size.x), plain(size.y), units.length, kSmallestScene, kLargestScene);
+}
+
+/// Empty, or why a density is a unit weight.
+std::string density_in_kilonewton(double density, const Units& units) {
+  const std::optional<double> factor = si_factor(units, kDensity);
+  const double si = factor ? density * *factor : 0;
+  if (!(si >= kLeastUnitWeight && si <= kMostUnitWeight)) return {};
+  return fmt::format(
+      "density {:.4g} is {:.3g} kg/m3 in the declared units, which is not plausible; as a unit weight in kN/m3 it "
+      "would be that of rock, whose density is {:.4g} kg/m3",
+      density, si, si * 1000 / 9.81);
+}
+
+}  // namespace
+
+Warnings contradictions_of(const BlockMaterial& material, const Units& units) {
+  Warnings found;
+  const auto put = [&](const std::string& sentence) {
+    if (!sentence.empty()) found.push_back({"units_contradict", material.place, sentence});
+  };
+  put(implausible(kModulus, material.youngs_modulus, units));
+  const std::string as_weight = density_in_kilonewton(material.density, units);
+  put(as_weight.empty() ? implausible(kMassDensity, material.density, units) : as_weight);
+  if (!material.strength) return found;
+  put(beside_modulus(material));
+  put(in_radians(*material.strength));
+  return found;
+}
+
+Warnings implausible_units(const Problem& problem, const Settings& settings, const Model& model) {
+  Warnings found;
+  const auto put = [&](const std::string& sentence, const Place& place) {
+    if (!sentence.empty()) found.push_back({"units_contradict", place, sentence});
+  };
+  const double gravity = length(settings.gravity);
+  const std::string unlikely = implausible(kGravity, gravity, problem.units);
+  put(unlikely.empty() ? gravity_of_another_unit(gravity, problem.units) : unlikely, problem.analysis->place);
+  const auto* drawing = std::get_if<Drawing>(&problem.geometry);
+  put(implausible_size(model, problem.units), drawing != nullptr ? drawing->place : problem.analysis->place);
+  for (const BlockMaterial& material : problem.analysis->block_materials)
+    found = joined(std::move(found), contradictions_of(material, problem.units));
+  if (settings.gravity.y > 0)
+    put(fmt::format("gravity points upward, {:.4g} along y: a positive `gravity` of a file points downward",
+                    settings.gravity.y),
+        problem.analysis->place);
+  for (const JointMaterial& joint : problem.analysis->joint_materials)
+    put(in_radians(joint.friction_angle_deg), joint.place);
+  return found;
+}
+
+std::string size_of_scene(const Model& model, const Units& units) {
+  if (model.start_vertices.empty()) return {};
+  const Box box = box_about(model);
+  const std::string unit = units.length.empty() ? "" : " " + units.length;
+  return fmt::format("size: {}{} wide, {}{} high{}", plain(box.size().x), unit, plain(box.size().y), unit,
+                     unit.empty() ? " (no unit is declared)" : "");
+}
+
+}  // namespace keyblock

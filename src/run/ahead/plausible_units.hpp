@@ -1,0 +1,23 @@
+// Warns of sizes, densities, moduli, gravities and angles that are not plausible in the declared units.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "base/error.hpp"
+#include "model/model.hpp"
+#include "problem/problem.hpp"
+#include "settings/settings.hpp"
+
+namespace keyblock {
+
+/// `units_contradict` of the scene, the gravity and all materials.
+Warnings implausible_units(const Problem& problem, const Settings& settings, const Model& model);
+
+/// `units_contradict` of a block material.
+Warnings contradictions_of(const BlockMaterial& material, const Units& units);
+
+/// Width and height of all bodies before any load, in the declared unit; empty if there are none.
+std::string size_of_scene(const Model& model, const Units& units);
+
+}  // namespace keyblock
