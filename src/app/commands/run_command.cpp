@@ -26,6 +26,7 @@
 #include "geometry/polygon.hpp"
 #include "job/run_heading.hpp"
 #include "job/run_job.hpp"
+#include "run/ahead/plausible_units.hpp"
 #include "run/follow/history_option.hpp"
 #include "run/look_ahead.hpp"
 #include "run/settings_of.hpp"
@@ -113,8 +114,8 @@ void print_sliver_hint(const Prepared& prepared, const RunOutcome& outcome) {
   const bool is_one = outcome.numbers.size() == 1;
   spdlog::info(
       "block{} {} {}, {}, and nothing else was found to move: {} no equilibrium of the others; --set slivers=glue "
-      "joins "
-      "such blocks to their neighbours, --set slivers=leave_out takes them away, and `keyblock fos` leaves them out by "
+      "joins such blocks to their neighbours, --set slivers=leave_out takes them away, and `keyblock fos` leaves them "
+      "out by "
       "itself",
       is_one ? "" : "s", fmt::join(outcome.numbers, ", "), is_one ? "is a sliver" : "are slivers", slivers_in_words(),
       is_one ? "it hides" : "they hide");
@@ -128,12 +129,13 @@ void print_hint(const Prepared& prepared, const RunOutcome& outcome) {
   if (settings.dynamics == Dynamics::shi)
     spdlog::info(
         "the rules of the old program are followed, as far as they are known from its traces (docs/old_slopes.md says "
-        "what "
-        "is shown); to try: {}{}",
+        "what is shown); to try: {}{}",
         fmt::join(options, ", or "),
         settings.quirks.velocity_from_coming_step ? ", which often lets a run go further whose step size changes" : "");
   else
     spdlog::info("to try: {} ({})", fmt::join(options, ", or "), what_they_do(options));
+  if (outcome.failure == FailureKind::accelerates && prepared.scene.growth == nullptr)
+    spdlog::info("the scene may be unstable as it is: keyblock fos finds by which factor its strength is too small");
 }
 
 // What the steps cost, and how evenly.

@@ -79,7 +79,7 @@ Json trial_json(const StrengthTrial& trial) {
           {"systems", trial.systems}};
 }
 
-// Of displacements: none if they do not grow before the case falls.
+// Serviceability: none if displacements do not grow before the case falls.
 Json service_json(const FactorOfSafety& found) {
   if (!found.grows_before_it_falls()) return {};
   Json json = bracket_json(found.service);
@@ -134,7 +134,8 @@ std::string csv_of(const FactorOfSafety& found, const Units& units) {
 
 std::string sentence_of(const FactorOfSafety& found) {
   const Bracket& at = found.bracket;
-  const char* kind = found.is_lower_estimate ? " (a lower estimate)" : "";
+  const bool is_high_by_mesh = found.mesh_error && found.mesh_error->coarse && found.mesh_error->share > 0;
+  const char* kind = found.is_lower_estimate && !is_high_by_mesh ? " (a lower estimate)" : "";
   switch (found.end) {
     case SearchEnd::bracketed:
       return fmt::format("factor of safety{} {:.4g}: stands at {:.6g}, falls at {:.6g}", kind, at.middle(), *at.stands,
@@ -181,7 +182,7 @@ FieldFrame as_drawn(FieldFrame field) {
   return field;
 }
 
-// As drawn; a bolt at its strength is one that the frame calls broken, for it can carry no more.
+// Draws bolts where they were drawn; one at its strength counts as broken.
 std::vector<report::StrengthBolt> bolts_of(const Model& model, const FactorOfSafety& found) {
   std::vector<report::StrengthBolt> bolts;
   for (std::size_t i = 0; i < model.bolts.size(); ++i) {
@@ -258,7 +259,7 @@ void require_options(const ReducedCase& chosen, const ReductionOptions& options)
   for (const std::string& file : chosen.files) require_not_below(file, options.folder);
 }
 
-// What the command line exempts; a case file may exempt for any reduction.
+// Refuses what the command line exempts without effect; a case file may exempt for any reduction.
 void require_effect(const std::vector<std::string>& exempt, const std::string& what) {
   for (const std::string& word : exempt) {
     const bool is_of_rock = word.starts_with("material:");
@@ -310,7 +311,7 @@ ReducedCase reduced_case(const study::AskedCase& asked) {
   return chosen;
 }
 
-// What is not asked for, as `case.json` says.
+// Takes from `case.json` what the command line leaves open.
 ReductionOptions with_those_of_case(ReductionOptions options, const study::CaseFile& file) {
   if (const auto& asked = file.reduction) {
     if (options.what.empty()) options.what = study::name_of(asked->what);

@@ -34,7 +34,7 @@ Exempt exempt_of(const std::vector<std::string>& words);
 /// Throws InputError if a material does not exist, or if a region is given for a case with stages.
 void require_exempt(const Exempt& exempt, const Problem& problem);
 
-/// What a region was found to hold.
+/// Numbers of parts that a region holds.
 struct ExemptCount {
   std::size_t elements = 0;  ///< blocks or elements of NMM bodies whose centroid it holds
   std::size_t edges = 0;     ///< edges with a joint material whose middle it holds

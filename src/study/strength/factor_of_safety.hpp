@@ -58,10 +58,10 @@ enum class SearchEnd {
 /// A word for tables: "bracketed".
 std::string name_of(SearchEnd end);
 
-/// Of sides, on the coarser mesh that the error of a mesh is estimated by.
+/// Ratio of sides of the coarser mesh by which the error of a mesh is estimated.
 inline constexpr double kCoarserTimes = 2;
 
-/// How far the factor of safety of NMM bodies lies above that of ever finer meshes.
+/// Error of the mesh in the factor of safety of NMM bodies.
 struct MeshError {
   std::optional<Bracket> coarse;  ///< on the coarser mesh; none: there is no estimate
   double share = 0;               ///< of the factor, if the error grows with the power 1.5 of the side
@@ -88,14 +88,14 @@ struct FactorOfSafety {
   std::optional<MeshError> mesh_error = {};      ///< none if it was not sought
   std::optional<StrengthState> standing;         ///< of the last that stands
   std::optional<StrengthState> standing_before;  ///< of the one before it
-  /// Of the first that falls: where it had come to, or the equilibrium far from the drawing.
+  /// State of the first trial that falls: its last one, or the equilibrium far from the drawing.
   std::optional<FieldFrame> falling;
   /// Its displacement increments count from here: the last equilibrium of that trial, or, of a far one, `standing`.
   std::optional<FieldFrame> before_fall = {};
 
   /// The trial of this factor. Throws std::out_of_range.
   const StrengthTrial& trial_at(double factor) const;
-  /// Whether a trial that stands is past the knee.
+  /// Returns true if a trial that stands is past the knee.
   bool grows_before_it_falls() const;
 
   /// Whether a bracket was found, and the case stands at its lower end, which is 1 or more.

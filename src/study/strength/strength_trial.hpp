@@ -71,7 +71,7 @@ class StrengthTrials {
   const Problem& problem() const { return problem_; }
   Reduced what() const { return what_; }
   const Exempt& exempt() const { return exempt_; }
-  /// Whether rock of NMM bodies is reduced that may yield, so that the factor depends on their mesh.
+  /// Returns true if elastoplastic rock of NMM bodies is reduced, so that the factor depends on their mesh.
   bool depends_on_mesh() const;
   /// The same trials on a mesh whose sides are `times` as long. Throws InputError if there is no such mesh.
   StrengthTrials on_coarser_mesh(double times) const;
