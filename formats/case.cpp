@@ -96,7 +96,7 @@ bool is_dxf(const FileReading& file) {
   return file.choice && file.choice->format == &kDxf;
 }
 
-/// What a command says of a drawing counts before what a case file does.
+/// Choices of the command line overrule those of the case file.
 DrawingChoices with_choices_of(std::vector<FileReading>& files, DrawingChoices choices) {
   for (FileReading& file : files) {
     if (!file.reading) continue;
@@ -227,7 +227,7 @@ Problem with_content(Problem problem, const Content& content) {
   return problem;
 }
 
-/// Of a drawing without lines: what its reader left out says why.
+/// Says why a drawing has no lines: the warnings of its reader name what was left out.
 InputError with_what_was_left_out(const InputError& error, const Problem& problem, const Warnings& warnings) {
   constexpr std::array<std::string_view, 3> kReasons{"dxf_hidden_layers", "dxf_skipped", "dxf_layer_not_there"};
   const auto* drawing = std::get_if<Drawing>(&problem.geometry);

@@ -76,9 +76,9 @@ struct Reading {
 
 enum class GeometryKind { unknown, drawing, blocks, cover };
 
-/// What a command says of a drawing that it reads.
+/// Choices of a command for a drawing that it reads.
 struct DrawingChoices {
-  std::string unit = {};  ///< of a DXF file, in place of its own; a unit of length as case files name it
+  std::string unit = {};  ///< of a DXF file, instead of its own; a unit of length as case files name it
   double join = 0;  ///< ends of lines nearer than this to a line are joined to it [length, as the drawing is read]
 
   bool operator==(const DrawingChoices&) const = default;

@@ -324,7 +324,7 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
      "what the layers of a DXF drawing are: boundary, joint 2, material 2, bolt 2, block 2, fixed, load, measured, "
      "hole "
      "or ignored; \"*\" for all others"},
-    {"drawing_unit", "unit of length of a DXF drawing in place of the one that it names, as `--unit`: mm, m, ft, ..."},
+    {"drawing_unit", "unit of length of a DXF drawing instead of the one that it names, as `--unit`: mm, m, ft, ..."},
     {"join",
      "ends of lines of the drawing nearer than this to a line are joined to it, and what passes one by less is cut "
      "off, "

@@ -97,7 +97,7 @@ class LengthReader {
   std::size_t law_;
 };
 
-/// As a share of 90 degrees, which the dip scatters by where a set has a `scatter` alone.
+/// Scatter of the dip as a share of 90 degrees, if a set has a `scatter` alone.
 double dip_scatter_of(const JsonFields& fields, double scatter) {
   if (!fields.has("dip_scatter_deg")) return fields.real("dip_scatter", kShare, scatter);
   if (fields.has("dip_scatter"))

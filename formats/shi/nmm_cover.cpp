@@ -192,7 +192,7 @@ class CoverReader {
     }
   }
 
-  /// Of many elements those that a check will name: places of all would take longer than reading them.
+  /// Keeps the places of few elements only: those of all would take longer than reading them.
   void place_elements() {
     const std::size_t points = cover_points();
     const bool are_few = cover_.elements.size() <= kFewElements;

@@ -268,7 +268,7 @@ std::string blocks_csv(std::span<const Frame> frames, const Units& units) {
 
 namespace {
 
-/// Where the first cell too many begins, or the row ends too early.
+/// Returns the column of the first surplus cell, or of the end of a row that is too short.
 int surplus_column(const CsvRow& row, std::size_t wanted) {
   return row.cells.size() > wanted ? row.columns[wanted] : row.end;
 }

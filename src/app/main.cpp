@@ -206,7 +206,7 @@ int main(int argc, char** argv) {
   } catch (const keyblock::UsageError& error) {
     spdlog::error("keyblock: error: {}", error.what());
     return static_cast<int>(keyblock::ExitCode::usage);
-  } catch (const std::invalid_argument& error) {  // a setting or profile of the command line, whatever the command
+  } catch (const std::invalid_argument& error) {  // a wrong setting or profile of any command
     spdlog::error("keyblock: error: {}", error.what());
     return static_cast<int>(keyblock::ExitCode::usage);
   } catch (const std::filesystem::filesystem_error& error) {

@@ -19,7 +19,7 @@ class Sha256 {
   Sha256();
 
   void add(std::string_view bytes);
-  /// Of all bytes so far, lower-case hexadecimal; more may follow.
+  /// Digest of all bytes so far, lower-case hexadecimal; more may follow.
   std::string text() const;
 
  private:

@@ -112,7 +112,7 @@ class Starts {
     return site;
   }
 
-  /// Of the stress at the sharpest corner within `near` of an element, through the rock within `reach` of it.
+  /// Order of the stress at the sharpest corner within `near` of an element, through the rock within `reach` of it.
   double order_at(int e, double near, double reach) {
     double order = 0;
     bool is_reached = false;

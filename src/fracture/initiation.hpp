@@ -33,13 +33,13 @@ struct CrackStart {
 /// together; a crack of half-length L under f_t has K = K_Ic (theory of critical distances, Taylor 2007; finite
 /// fracture mechanics, Leguillon 2002).
 ///
-/// Where the element's side h is above L/2, the mesh cannot show that average, and it is extrapolated. Stress that the
+/// If the element's side h is above L/2, the mesh cannot show that average, and it is extrapolated. Stress that the
 /// mesh resolves varies little over an element: R = max(L, h/2), and the strength is f_t. Where a corner that opens
 /// into the rock lies within h (`rock_corners`), stress grows towards it as r^-α, and so does its average: R = 2h, and
 /// the strength is f_t (L/2h)^α, which is K_Ic/√(2πh) at a notch as sharp as a crack (crack band, Bažant & Oh 1983;
 /// notches, Seweryn 1994). The crack that starts has the half-length 2h.
 ///
-/// Where rock has a cohesion, closed cracks start in shear likewise, with K_IIc, L = (K_IIc/c)²/π and c for the
+/// If rock has a cohesion, closed cracks start in shear by the same rule, with K_IIc, L = (K_IIc/c)²/π and c for the
 /// strength: along the plane on which |τ| + σ tan φ is greatest, at 45° - φ/2 to the greatest compression (Coulomb
 /// 1773; as the crack slides its drop of stress is c where it rubs as the rock did). Of the two such planes the one at
 /// whose ends, L away, that is greater. Within two half-lengths of a tip that tip goes on instead.

@@ -27,7 +27,7 @@ struct StressIntensity {
   double mode_2 = 0;
 };
 
-/// Of K: what two good treatments of a tip may differ by, and below which a factor is noise.
+/// Share of K by which two good treatments of a tip may differ, and below which a factor is noise.
 inline constexpr double kNoiseOfFactors = 0.03;
 
 /// K_I below 0 by more than noise: the faces lie in one another at the tip, for nothing holds them apart.

@@ -15,14 +15,14 @@ namespace {
 constexpr int kPoints = 12;  // of a piece: tip_side is a sixteenth of an increment unless the case says otherwise
 // What of the square of the pull goes at once: a force of 1 % less than under just the toughness.
 constexpr double kGoesAtOnce = 0.02;
-// Of the pull: what is left of it is nothing, and the faces have parted; they have taken all but a thousandth of Γ.
+// Share of the pull that counts as none: the faces have parted and have taken all but a thousandth of Γ.
 constexpr double kParted = 0.03;
 // Over the opening that a tip at its toughness has behind it as far as the piece is long, 8 K/E' √(l/2π), by which
 // faces that pulled each other have taken their energy.
 constexpr double kWide = 4;
 // Of the length of a piece: how far beside it an element is looked for.
 constexpr double kBesideFace = 1e-6;
-// Of Γ: by which the work of a step may differ from that of the law. What it does differ by is made up for later.
+// Share of Γ by which the work of a step may differ from that of the law. Later steps make up for the difference.
 constexpr double kWorkGoal = 1e-3;
 constexpr double kRoundOff = 1e-9;  // of Γ
 constexpr int kMostRounds = 12;     // of the search for the pulls of a step

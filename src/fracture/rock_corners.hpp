@@ -19,7 +19,7 @@ struct RockCorner {
 /// sin λω + λ sin ω = 0, that of opening (Williams 1952): 0 up to π, 0.4555 at 3π/2, 0.5 at 2π.
 double stress_order(double angle);
 
-/// Those of outlines, holes and joints, where the order is not 0. The ends of cracks are none of them.
+/// Corners of outlines, holes and joints with an order above 0. Ends of cracks do not count.
 std::vector<RockCorner> rock_corners(const Manifold& manifold);
 
 }  // namespace keyblock

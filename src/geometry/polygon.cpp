@@ -80,7 +80,7 @@ class Chains {
   const std::vector<ChainEdge>& edges() const { return edges_; }
   bool are_neighbours(std::size_t a, std::size_t b) const { return edges_[a].next == b || edges_[b].next == a; }
 
-  /// Where two edges cross, or begin to run along each other in one direction.
+  /// Returns the point in which two edges cross, or begin to run along each other in one direction.
   std::optional<Point> crossing(std::size_t one, std::size_t other) const {
     const Segment& a = edges_[one].line;
     const Segment& b = edges_[other].line;
@@ -110,7 +110,7 @@ class Chains {
     }
   }
 
-  /// Whether a chain comes from one side of the other and goes on on the other side, seen from `least` away.
+  /// Returns true if a chain comes from one side of the other and leaves on the other side, seen from `least` away.
   bool passes(std::size_t one, std::size_t other, Point at) const {
     const auto from = far_behind(one, at), to = far_ahead(one, at);
     const auto before = far_behind(other, at), after = far_ahead(other, at);

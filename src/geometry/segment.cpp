@@ -20,7 +20,7 @@ bool boxes_meet(const Segment& a, const Segment& b) {
   return ax0 <= bx1 && bx0 <= ax1 && ay0 <= by1 && by0 <= ay1;
 }
 
-// Of the largest coordinate: points nearer than this cannot be told apart.
+// Share of the largest coordinate: points nearer than this cannot be told apart.
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 double rounding_of(const Segment& s) {

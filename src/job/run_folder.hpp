@@ -72,7 +72,7 @@ class RunFolder {
   /// What `begin` made and the frames since, for a run whose input turns out to be unusable.
   void take_back();
 
-  /// What is known of frames and growing tables. Throws InputError if one that was written is gone or is another.
+  /// Saves and restores frames and growing tables. Throws InputError if one that was written is gone or is another.
   void describe(Archive& archive);
 
   /// Removes what an interrupted run left beyond its checkpoint, and nothing that is not a run's.

@@ -16,7 +16,7 @@ namespace {
 
 // Cutting rounds crossings to some 1e-16 of the extent; the shortest edges of interest have 1e-8 of an element.
 constexpr double kAlong = 1e-10;
-// Of the largest coordinate: far from the origin, points of a file and of the cut round by this.
+// Share of the largest coordinate: far from the origin, points of a file and of the cut round by this.
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 constexpr double kInside = 1e-9;  // of an element: its own side of a crack
 

@@ -1,4 +1,4 @@
-// What a run met as its cracks grew, by which their paths and the loads of their starts are judged.
+// Notes on cracks as they grow, by which their paths and the loads of their starts are judged.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -8,10 +8,10 @@
 namespace keyblock {
 namespace {
 
-// Of the relative way of the edge, the relative change of the reaction: twice as far, it is 0.35 % more at most.
+// Relative change of the reaction over that of the displacement: twice as far, it is 0.35 % more at most.
 constexpr double kSmallSlope = 0.005;
 constexpr std::size_t kFewest = 3;  // rows that make a plateau
-// Of the way at its begin, what the edge goes on a plateau at least: a shorter one may be a kink of the curve.
+// Least length of a plateau over the displacement at its begin: a shorter one may be a kink of the curve.
 constexpr double kFurther = 0.1;
 
 bool has(const HistoryRow& row, std::size_t number) {

@@ -35,7 +35,7 @@ void set_one(Problem& problem, const std::pair<std::string, std::string>& settin
   set(*problem.covers, name, in_units(problem.units, name, value, measure_of_mesh_setting(name)));
 }
 
-// What the case file itself sets. A wrong value is the file's fault.
+// Settings of the case file itself: a wrong value is the file's fault.
 void set_plan_as_in_file(Problem& problem) {
   RunChoices& choices = problem.choices;
   RunChoices left = choices;

@@ -19,7 +19,7 @@ void set(CoverPlan& plan, const std::string& name, const std::string& value);
 /// What a setting of the mesh measures; nothing where it is none.
 std::optional<Measure> measure_of_mesh_setting(const std::string& name);
 
-/// Whether `set` above knows the name: functions, contact, or one that begins with "mesh.".
+/// Returns true if `set` above knows the name: functions, contact, or one that begins with "mesh.".
 bool is_of_plan(const std::string& name);
 
 /// If the problem has a plan, takes into it the settings that `set` above knows by name: those of the case file (they

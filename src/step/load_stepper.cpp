@@ -14,7 +14,7 @@
 namespace keyblock {
 namespace {
 
-// Of the displacements at the last equilibrium: how much larger they are where a limit load is looked for.
+// Share by which displacements are larger than at the last equilibrium in the test for a limit load.
 constexpr double kFurtherOn = 0.05;
 
 /// The last equilibrium of a search by load that found none beyond.
@@ -130,7 +130,7 @@ void LoadStepper::keep_attempt(const Eigen::VectorXd& d) {
   now_.d = kept;
 }
 
-// Of the polar decomposition.
+// Angle of the polar decomposition.
 double LoadStepper::rotation_of(ElementIndex e, Point start) const {
   const Eigen::Matrix2d f = bodies_->elasticity().deformation(now_.d, e.value, start);
   return std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));

@@ -184,7 +184,7 @@ std::optional<CoverDisplacement> displacement_of(const StandardScene& scene, con
   return std::nullopt;
 }
 
-// As `impossible` has it, under the number and the noun of the part.
+// Says the same as `impossible`, with the number and the noun of the part.
 std::string impossible_part(const StandardScene& scene, const State& end) {
   const bool is_in_time = scene.settings.standard.motion == MotionRule::dynamic;
   for (const ElementIndex e : indices(end.elements))

@@ -23,7 +23,7 @@ class StaticStepper : public SceneStepper {
 
   /// Where the point of an element lies that lay at `start` before any load.
   virtual Point place_of(ElementIndex e, Point start) const = 0;
-  /// Of the element about that point, rad.
+  /// Rotation of the element at that point, rad.
   virtual double rotation_of(ElementIndex e, Point start) const = 0;
   virtual void describe(Archive& archive) = 0;
 

@@ -107,7 +107,7 @@ class Stepper {
   /// Crack tips after the last accepted step, where the run follows them, and the factor of all loads there.
   virtual std::vector<TipState> tips() const { return {}; }
   virtual double load_factor() const { return 1; }
-  /// What was met so far as cracks grew.
+  /// Notes on cracks so far.
   virtual CrackNotes crack_notes() const { return {}; }
   /// Of each prescribed displacement: the mean of its length along the edge, where steps follow it.
   virtual std::vector<double> driven() const { return {}; }

@@ -32,7 +32,7 @@ Json json_of(const Diagnostic& row) {
           {"remedy", row.remedy}};
 }
 
-// As a message shows it too: in brackets.
+// Accepts a code as messages print it: in brackets.
 std::string without_brackets(std::string code) {
   if (code.size() > 1 && code.front() == '[' && code.back() == ']') code = code.substr(1, code.size() - 2);
   std::ranges::transform(code, code.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -19,7 +19,7 @@ struct CaseOptions {
   DrawingOptions reading;
 };
 
-/// What was added, for commands that exclude some of them from others.
+/// The options that were added, for commands that exclude some of them from others.
 struct CaseOptionList {
   CLI::Option* files;
   CLI::Option* profile;

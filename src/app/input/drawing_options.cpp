@@ -18,7 +18,7 @@ std::vector<CLI::Option*> add_drawing_options(CLI::App& options, DrawingOptions&
               ->type_name("FILE"),
           options
               .add_option("--unit", chosen.choices.unit,
-                          "unit of length of a DXF drawing, in place of the one that it names ($INSUNITS)")
+                          "unit of length of a DXF drawing, instead of the one that it names ($INSUNITS)")
               ->check(one_word_of(formats::dxf_unit_names())),
           options
               .add_option("--join", chosen.choices.join,

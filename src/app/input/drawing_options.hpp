@@ -1,4 +1,4 @@
-// What a command says of the drawing among its inputs: `--layers FILE`, `--unit UNIT`, `--join DISTANCE`.
+// Options for the drawing among the inputs: `--layers FILE`, `--unit UNIT`, `--join DISTANCE`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,7 +20,7 @@ struct DrawingOptions {
 /// The options, in this order: layers, unit, join.
 std::vector<CLI::Option*> add_drawing_options(CLI::App& options, DrawingOptions& chosen);
 
-/// The table of layers behind the other files, where there is one. Throws InputError where it is no table of layers.
+/// Adds the table of layers behind the other files, if there is one. Throws InputError if it is no table of layers.
 void take_layers(std::vector<std::string>& files, const std::string& layers);
 
 }  // namespace keyblock

@@ -18,7 +18,7 @@ namespace {
 /// A node put on a crossing may lie beside a further piece, whose detour may cross another. No piece crossed
 /// another in enough in all drawings tried; the bound only makes sure of an end.
 constexpr int kMaxRounds = 20;
-/// Of the nodes at the beginning: drawings that can be cut get a few more.
+/// Multiple of the nodes at the beginning: drawings that can be cut get a few more.
 constexpr std::size_t kMostGrowth = 4;
 constexpr std::size_t kFewNodes = 100;
 
@@ -152,7 +152,7 @@ bool cross_each_other(const Arrangement& a, const Edge& e, const Edge& f) {
   return meeting(segment_of(a, e), segment_of(a, f)) == Meeting::crossing;
 }
 
-/// Where a piece crosses another, from 0 to 1. Of pieces almost along each other the quotient alone may be no number.
+/// Returns the place of a crossing on the piece, from 0 to 1. Of nearly parallel pieces the quotient may be no number.
 double place_of_crossing(const Segment& piece, const Segment& other) {
   Station place = station(piece, other);
   if (!std::isfinite(place.value) || !std::isfinite(place.error)) place = exact_station(piece, other);

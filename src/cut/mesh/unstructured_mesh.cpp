@@ -105,9 +105,9 @@ TriangleMesh numbered(const Triangulation& triangulation) {
   return mesh;
 }
 
-/// Of the side wanted at a point: nearer than this to a line or to another point it gets no node of its own. Triangles
-/// between them would have no area that coordinates resolve, or none that a balance of forces of all bodies sees: rock
-/// that may yield was turned over there in its elastic range.
+/// Share of the side wanted at a point: nearer than this to a line or another point it gets no node of its own.
+/// Triangles between them would have no area that coordinates resolve, or none that a balance of forces of all bodies
+/// sees: rock that may yield was turned over there in its elastic range.
 constexpr double kOwnNode = 0.1;
 
 /// The refined points that become nodes: those within the box that lie on lines exactly, or off them.

@@ -45,7 +45,7 @@ class FrameTables {
   int thinned_every() const { return std::max(thinned_every_, 1); }
   double expected_rows() const { return expected_rows_; }
 
-  /// As GrowingTable does.
+  /// Saves the same as GrowingTable.
   void drop_what_followed();
   void flush() const;
   /// Names of those that have rows.

@@ -22,13 +22,13 @@ namespace {
 constexpr double kPassedOn = 100;
 // Loads may do all of their work on one block; books of work are of first order in the step.
 constexpr double kBooks = 2;
-// Of the size of a block: a speed that lifts it by less is none.
+// Share of the size of a block: a speed that lifts it by less does not count.
 constexpr double kLift = 1e-3;
 // Rotation within a step, rad, that contacts give: the places of a lever as long as the block are then unresolved.
 constexpr double kTurned = 0.5;
-// Of its weight: what hangs on as much tension hangs.
+// Share of its weight that a hanging block has as tension.
 constexpr double kHangs = 0.5;
-// Of its size: a block that would fall by less in the time of the run is not yet seen to hang.
+// Share of its size: a block that would fall by less in the time of the run is not yet seen to hang.
 constexpr double kFall = 0.01;
 
 struct BlockMotion {
@@ -57,7 +57,7 @@ double strain_over_mass(const Stress& s, const BlockMaterial& material) {
   return squares * (1 + material.poissons_ratio) / (2 * material.youngs_modulus * material.density);
 }
 
-/// By element: its first speed, or that of what is driven, or of NMM bodies, is a source for others.
+/// Returns true if the speed of the element is a source for others: the first one, or that of driven or NMM bodies.
 bool is_source(const Model& model, const State& state, ElementIndex e) {
   return state.step == 0 || model.elements[e].is_on_covers() ||
          std::ranges::any_of(model.fixed_points, [&](const CarriedPoint& point) { return point.element == e; });

@@ -15,9 +15,9 @@
 namespace keyblock {
 namespace {
 
-// Of the size of a block, in as much time as the last tenth of the steps took: no block moves visibly.
+// Share of the size of a block, in as much time as the last tenth of the steps took: no block moves visibly.
 constexpr double kVisible = 1e-3;
-// Of the whole way, in the last tenth of static steps that each begin at rest: they have come to the end of it.
+// Share of the whole way, in the last tenth of static steps that each begin at rest: they have come to the end of it.
 constexpr double kEndOfWay = 1e-3;
 
 double speed_of(const ElementFrame& element) {

@@ -25,7 +25,7 @@ Point nearest_point(const Segment& segment, Point p) {
   return point_at(segment, std::clamp(foot(segment, p), 0.0, 1.0));
 }
 
-/// Where the carriers of two lines cross; nothing if they are parallel.
+/// Returns the crossing of the carriers of two lines; nothing if they are parallel.
 std::optional<Point> crossing_of_carriers(const Segment& a, const Segment& b) {
   const Point d = a.end - a.start;
   const Point e = b.end - b.start;

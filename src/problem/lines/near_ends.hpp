@@ -38,7 +38,7 @@ class NearEndSearch {
   std::optional<NearEnd> look(std::size_t line, bool is_start, double overshoot);
 
  private:
-  /// What an end finds among the first lines.
+  /// The target of an end among the first lines.
   struct Found {
     bool is_met = false;
     std::optional<NearEnd> near = std::nullopt;

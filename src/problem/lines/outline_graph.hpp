@@ -30,7 +30,7 @@ class OutlineGraph {
   std::vector<Segment> pieces() const;
   /// Nothing where the outline is a set of closed loops.
   std::optional<OutlineFault> fault() const;
-  /// Of an outline without a fault.
+  /// Loops of an outline without a fault.
   std::vector<Outline> loops() const;
 
  private:

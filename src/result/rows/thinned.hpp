@@ -40,7 +40,7 @@ class Thinned {
   /// The last row added; none before the first. Valid until the next one.
   const Row* last() const { return last_.empty() ? nullptr : &last_.back(); }
 
-  /// Those kept, each once, in the order of steps. A new list: references into it end with it.
+  /// The rows kept, each once, in the order of steps. A new list: references into it end with it.
   std::vector<Row> rows() const {
     std::vector<Row> rows = even_;
     rows.insert(rows.end(), extremes_.begin(), extremes_.end());

@@ -17,9 +17,9 @@
 namespace keyblock {
 namespace {
 
-// Of the largest value of either: formulas round.
+// Share of the largest value of either: formulas round.
 constexpr double kSameValue = 1e-9;
-// Of directions of length 1: edges of one straight line are cut with rounding.
+// Difference of directions of length 1: edges of one straight line are cut with rounding.
 constexpr double kParallel = 1e-6;
 
 /// The part of an edge that one prescribed displacement holds.

@@ -40,12 +40,12 @@ PrescribedDisplacement displacement_of(const DisplacementPlan& plan) {
           }};
 }
 
-// Of the length of a chain: less than this off the boundary is rounding.
+// Share of the length of a chain: less than this off the boundary is rounding.
 constexpr double kLittleOff = 1e-6;
 // Points of an area and of a side at which loads are tried.
 constexpr int kTriedDegree = 2;
 
-/// How much of a chain lies on no edge of these, and where that begins.
+/// The length of a chain that lies on none of these edges, and its first point.
 struct OffBoundary {
   double whole = 0;  ///< length of the chain
   double off = 0;

@@ -55,7 +55,7 @@ bool is_between(const ContactFrame& contact, const BlockPair& pair) {
          (contact.element == pair.second && contact.other == pair.first);
 }
 
-/// Where the numbers of elements, measured points and bolts stand in a model.
+/// Indices in a model by the numbers of elements, measured points and bolts.
 struct Numbered {
   std::map<int, ElementIndex> elements;
   std::map<int, std::size_t> points;

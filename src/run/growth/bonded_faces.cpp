@@ -12,7 +12,7 @@
 namespace keyblock {
 namespace {
 
-/// Of the edges that begin at a tip: along one face of its crack.
+/// Joint material of the edges that begin at a tip: along one face of its crack.
 int joint_material_at(const Manifold& manifold, const CrackTip& tip) {
   for (const BoundaryEdge& edge : manifold.boundary_edges) {
     const ElementCorner& corner = manifold.corners[static_cast<std::size_t>(edge.corner)];

@@ -93,7 +93,7 @@ std::vector<FacePull> pulls_of(const std::vector<PartingFaces>& parting, const P
   return all;
 }
 
-/// Those at the start of the coming step.
+/// Pulls at the start of the coming step.
 std::vector<FacePull> first_pulls(const std::vector<PartingFaces>& parting, int first) {
   return pulls_of(parting, PullsOfStep(parting).pulls(), first);
 }
@@ -129,7 +129,7 @@ void describe_names(Archive& archive, std::vector<Identity>& names) {
   });
 }
 
-/// What a tip that goes on takes per length, K_Ic²/E': behind its kink it is one of mode I at the toughness.
+/// Energy that a tip takes per length as it extends, K_Ic²/E': behind its kink it is one of mode I at the toughness.
 double energy_of(const Continuum& continuum, const TipState& tip) {
   return energy_release(rock_at(continuum, tip_of(continuum.manifold, tip)), {tip.toughness, 0});
 }
@@ -156,7 +156,7 @@ Scene scene_with(const Scene& first, const std::vector<CrackPlan>& cracks, const
   return scene;
 }
 
-// Of faces that contact presses as well contact has its own.
+// Contact forces of faces that touch are not in it.
 CoverSolution solution_with_pulls(const StandardStepper& now, int first_on_covers) {
   CoverSolution solution = *solution_of(now);
   for (const FacePull& pull : now.scene().pulls)

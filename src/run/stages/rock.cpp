@@ -43,7 +43,7 @@ bool is_in(const std::vector<Point>& outline, Point p) {
   return side(outline, p) != Side::outside;
 }
 
-/// Of coordinates that are computed: a point on a face may lie outside by it.
+/// Round-off of computed coordinates: a point on a face may lie outside by it.
 double round_off_of(const std::vector<BlockPolygon>& blocks) {
   Box box;
   for (const BlockPolygon& block : blocks)

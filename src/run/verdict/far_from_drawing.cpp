@@ -11,7 +11,7 @@
 namespace keyblock {
 namespace {
 
-// Of the median area of blocks that nothing holds.
+// Share of the median area of free blocks, below which a block is loose.
 constexpr double kLoose = 0.01;
 
 double area_of(const FieldElement& element) {
@@ -61,7 +61,7 @@ double farthest_driven(const Model& model, const Frame& end) {
   return farthest;
 }
 
-// Of a block its vertices say how far it went.
+// Takes the vertex that moved farthest.
 CarriedBlock carried_block(const FieldElement& element) {
   CarriedBlock found;
   for (const auto& loop : element.loops)

@@ -41,7 +41,7 @@ struct AskedCase {
 /// that cannot be read.
 AskedCase asked_case(const CaseRequest& request);
 
-/// What a command computes under if neither a person nor a file names a profile and the files are old.
+/// Profile of a command for old files if neither a person nor a file names one.
 enum class OldFiles { legacy, standard };
 
 /// The profile of a run of the case: that asked for, else that of the case file, else by the kind of the files; but

@@ -26,8 +26,8 @@ struct Target {
 
 /// Every format that is written, singly, then the pairs of the old programs.
 const std::vector<Target>& targets();
-/// By its name, or by the ending of its one file without the dot ("json"; the first target with that ending). Null for
-/// a word that is neither.
+/// Returns the target by its name, or by the ending of its one file without the dot ("json"; the first target with that
+/// ending). Null for a word that is neither.
 const Target* find_target(std::string_view word);
 /// The same; throws std::invalid_argument that lists the names, and says which is near, for a word that is neither.
 const Target& target_named(std::string_view word);
