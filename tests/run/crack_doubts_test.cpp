@@ -67,8 +67,9 @@ TEST(CrackDoubts, faces_that_overlap_under_pressure_are_told_by_sif_and_run) {
 std::string drawn_crack(double pull) {
   return fmt::format(
       R"({{"keyblock": 1, "drawing": {{"boundary_count": 4, "joints": [[0, 0, 2, 0, 1], [2, 0, 2, 4, 1],
-        [2, 4, 0, 4, 1], [0, 4, 0, 0, 1], [0, 2, 0.6, 2, 1]]}}, "covers": {{"functions": "derived", "contact": "ignored",
-        "mesh": {{"side": 0.25, "tip_side": 0.02}}, "displacements": [{{"along": [[0, 0], [2, 0]]}}],
+        [2, 4, 0, 4, 1], [0, 4, 0, 0, 1], [0, 2, 0.6, 2, 1]]}}, "covers": {{"functions": "derived",
+        "contact": "ignored", "mesh": {{"side": 0.25, "tip_side": 0.02}},
+        "displacements": [{{"along": [[0, 0], [2, 0]]}}],
         "tractions": [{{"along": [[2, 4], [0, 4]], "y": {}}}]}}, {}}})",
       pull, analysis("", 1));
 }
