@@ -314,10 +314,12 @@ class PairTouches {
     if (high < low - kTie * own_high) return {};
     Touches touches;
     touches.reserve(search_.with_middles ? 3 : 2);
-    touches.push_back(facing_low >= 0 ? Touch{facing.end, reference.start, reference.end}
-                                      : Touch{reference.start, facing.start, facing.end});
-    touches.push_back(facing_high <= own_high ? Touch{facing.start, reference.start, reference.end}
-                                              : Touch{reference.end, facing.start, facing.end});
+    // Where both faces end together, round-off does not choose whose corner names the touch.
+    const double tie = kTie * own_high;
+    touches.push_back(facing_low >= -tie ? Touch{facing.end, reference.start, reference.end}
+                                         : Touch{reference.start, facing.start, facing.end});
+    touches.push_back(facing_high <= own_high + tie ? Touch{facing.start, reference.start, reference.end}
+                                                    : Touch{reference.end, facing.start, facing.end});
     const double stretch = std::max(0.0, high - low);
     const bool has_middle = search_.with_middles && stretch > kTie * own_high;
     if (has_middle) {

@@ -125,14 +125,24 @@ VertexIndex edge_under(const Touch& touch, const Model& model, const Table<Verte
 namespace {
 
 // Whether a closed touch guides one of the corners of a tie along the edge of a candidate, or along a face in line with
-// it.
+// it. Where two faces end together their touch may be named by the corner of either: both names count.
 bool is_guided_along(const Touch& candidate, const Touches& touches, const Motion& motion,
-                     const Table<VertexIndex, Point>& vertices) {
+                     const Table<VertexIndex, Point>& vertices, double rounding) {
   const Point line = normal_of(candidate, vertices);
+  const VertexIndex corner = candidate.vertex;
+  const auto lies_on_edge = [&](const Touch& touch) {
+    const auto& [lower, upper, place] = touch.facing;
+    const bool faces = lower && (lower == candidate.start || upper == candidate.start);
+    return faces || (touch.start == candidate.start && touch.end == candidate.end);
+  };
+  const auto lies_in_line = [&](const Touch& touch) {
+    const double aligned = dot(normal_of(touch, vertices), line);
+    if (touch.vertex == corner) return aligned > kSameLine;
+    const bool ends_there = touch.start == corner || touch.end == corner;
+    return ends_there && distance(vertices[touch.vertex], vertices[corner]) <= rounding && -aligned > kSameLine;
+  };
   return std::ranges::any_of(touches, [&](const Touch& touch) {
-    const bool on_edge = touch.start == candidate.start && touch.end == candidate.end;
-    const bool in_line = touch.vertex == candidate.vertex && dot(normal_of(touch, vertices), line) > kSameLine;
-    return (on_edge || in_line) && motion.closed.of(touch);
+    return motion.closed.of(touch) && (lies_on_edge(touch) || lies_in_line(touch));
   });
 }
 
@@ -146,21 +156,36 @@ bool may_pass(const CornerTie& tie, const Touch& taken, const Touches& touches, 
   return std::ranges::any_of(tie.candidates, [&](const Touch& other) {
     return other.kind == TouchKind::corner && gap_of(other, vertices) >= -rounding &&
            std::abs(dot(normal, normal_of(other, vertices))) <= kSameLine &&
-           is_guided_along(other, touches, motion, vertices);
+           is_guided_along(other, touches, motion, vertices, rounding);
   });
 }
 
-const Touch* closed_before(const CornerTie& tie, const Motion& motion) {
+double most_overlap(const StandardScene& scene, const Touch& touch, const Scales& scales) {
+  const auto of = [&](VertexIndex v) { return scene.rounding[scene.model.vertices[v].element]; };
+  return std::max(kLeastRounding * scales.size, std::min(of(touch.vertex), of(touch.start)));
+}
+
+// The touch of a tie that was closed. Where corners lie in each other along it by more than they are rounded, and apart
+// along another edge, it is the wrong one: they met along that edge.
+const Touch* closed_before(const CornerTie& tie, const Motion& motion, const Table<VertexIndex, Point>& vertices,
+                           double rounding) {
   const auto is_closed = [&](const Touch& touch) { return motion.closed.of(touch) != nullptr; };
   const auto closed = std::ranges::find_if(tie.candidates, is_closed);
-  return closed == tie.candidates.end() ? nullptr : &*closed;
+  if (closed == tie.candidates.end()) return nullptr;
+  const auto is_apart = [&](const Touch& touch) {
+    return touch.kind == TouchKind::corner && gap_of(touch, vertices) >= -rounding;
+  };
+  const bool is_wrong = gap_of(*closed, vertices) < -rounding && std::ranges::any_of(tie.candidates, is_apart);
+  return is_wrong ? nullptr : &*closed;
 }
 
 // Corners that pass each other along no line within their rounding, as fast as they go, strike each other as if they
 // were sharp: an impact has to be known before it overlaps.
-void sharpen_struck_corners(const StandardScene& scene, const Motion& motion, double dt,
+void sharpen_struck_corners(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt,
                             const Table<VertexIndex, Point>& vertices, FoundTouches& found) {
-  const auto may_strike = [&](const CornerTie& tie) { return !tie.sharp.empty() && !closed_before(tie, motion); };
+  const auto may_strike = [&](const CornerTie& tie) {
+    return !tie.sharp.empty() && !closed_before(tie, motion, vertices, most_overlap(scene, tie.sharp.front(), scales));
+  };
   const auto is_edge = [](const Touch& touch) { return touch.kind == TouchKind::corner; };
   Touches edges;
   for (const CornerTie& tie : found.ties)
@@ -184,11 +209,6 @@ void sharpen_struck_corners(const StandardScene& scene, const Motion& motion, do
   found.touches.insert(found.touches.end(), struck.begin(), struck.end());
 }
 
-double most_overlap(const StandardScene& scene, const Touch& touch, const Scales& scales) {
-  const auto of = [&](VertexIndex v) { return scene.rounding[scene.model.vertices[v].element]; };
-  return std::max(kLeastRounding * scales.size, std::min(of(touch.vertex), of(touch.start)));
-}
-
 // A corner that is pressed as it was when the motion without it closed it again is not tried once more.
 bool was_tried(const ContactMemory& memory) {
   return memory.tried_at != 0 && std::abs(memory.normal - memory.tried_at) <= kAsPressed * std::abs(memory.tried_at);
@@ -202,10 +222,10 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
   const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
   FoundTouches found = found_within(scene, vertices, search_of(scene, motion, vertices, reach));
-  if (guided == GuidedCorners::by_motion) sharpen_struck_corners(scene, motion, dt, vertices, found);
+  if (guided == GuidedCorners::by_motion) sharpen_struck_corners(scene, motion, scales, dt, vertices, found);
   Touches closed;
   for (const CornerTie& tie : found.ties) {
-    const Touch* touch = closed_before(tie, motion);
+    const Touch* touch = closed_before(tie, motion, vertices, most_overlap(scene, tie.candidates.front(), scales));
     if (!touch) continue;
     const bool is_tried = guided == GuidedCorners::by_motion && was_tried(*motion.closed.of(*touch));
     const bool is_held =
@@ -252,12 +272,13 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   const auto takes_none = [&](const Touch& touch) { return is_new(touch) || !lies_over_edge(touch, vertices); };
   for (const std::vector<CornerTie>* ties : {&known.ties, &found.ties}) {
     for (const CornerTie& tie : *ties) {
-      const bool was_closed = closed_before(tie, start) != nullptr;
+      const double rounding = most_overlap(scene, tie.candidates.front(), scales);
+      const bool was_closed = closed_before(tie, start, before, rounding) != nullptr;
       const Touch* touch = touch_of(tie, before, vertices, was_closed ? kPressed * scales.size : overlap);
       if (!touch || !is_new(*touch) || !std::ranges::all_of(tie.candidates, takes_none)) continue;
       const bool passes =
           guided == GuidedCorners::pass || std::ranges::binary_search(start.passing, corners_of(*touch));
-      if (passes && may_pass(tie, *touch, known.touches, start, vertices, most_overlap(scene, *touch, scales)))
+      if (passes && may_pass(tie, *touch, known.touches, start, vertices, rounding))
         continue;
       added.insert(*touch);
       fresh.push_back(*touch);

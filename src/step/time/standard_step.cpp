@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "contact/rows/gap.hpp"
 #include "step/bodies/integrator.hpp"
@@ -107,7 +108,8 @@ class Attempt {
     if (!parts_.impacts.empty())
       strike({scene_, start_, smooth_, rule_, time_, dt_, slow_speed(scene_, scales_, start_.v, dt_), scales_.size,
               parts_.smooth.size()},
-             {std::move(parts_.impacts), std::move(parts_.impact_speeds)}, {closed, [&] { return others(); }}, step_);
+             {std::move(parts_.impacts), std::move(parts_.impact_speeds)},
+             {closed, [&](const UnknownsTable& after_jump) { return others(after_jump); }}, step_);
     remember();
     if (rule_.carries_acceleration()) step_.motion.a = with_held_at_ease(scene_, step_.motion);
     if (scene_.settings.ledger == Bookkeeping::on)
@@ -237,15 +239,19 @@ class Attempt {
     return {.friction = tangential / normal(i)};
   }
 
-  // What the ways of the jump and of the separation may not drive into one another. A corner beside its edge is free.
-  Touches others() const {
+  // What the ways of the jump and of the separation may not drive into one another: touches that are closed or whose
+  // corner lies over its edge, before the jump or after it, and what overlaps only then.
+  Touches others(const UnknownsTable& after_jump) const {
     const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
+    const auto jumped = vertices_at(scene_.model, scene_.reference, after_jump);
     Touches others;
     for (std::size_t i = 0; i < parts_.smooth.size(); ++i) {
       const Touch& touch = parts_.smooth[i];
-      if (!is_within_one_body(scene_, touch) && (is_closed(i) || lies_over_edge(touch, vertices)))
-        others.push_back(touch);
+      if (is_closed(i) || lies_over_edge(touch, vertices) || lies_over_edge(touch, jumped)) others.push_back(touch);
     }
+    std::ranges::copy(newly_overlapping(scene_, start_, jumped, found_, scales_, GuidedCorners::by_motion),
+                      std::back_inserter(others));
+    std::erase_if(others, [&](const Touch& touch) { return is_within_one_body(scene_, touch); });
     return others;
   }
 

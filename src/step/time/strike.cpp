@@ -72,8 +72,9 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
   if (!jump.undecided.empty())  // points that are held do not take part in what is left open
     step.motion.v = with_held_velocities(of.scene, of.smooth.q, std::move(step.motion.v), {}, {}, of.time, of.dt,
                                          of.smooth.flexibility, of.rule.end_velocity.increment);
+  const Touches not_driven_in = others.not_driven_in(jump.q);
   Separated separated =
-      without_overlap(of.scene, std::move(jump.q), impacts.touches, others.not_driven_in(), of.smooth.q, flexibility);
+      without_overlap(of.scene, std::move(jump.q), impacts.touches, not_driven_in, of.smooth.q, flexibility);
   step.motion.q = with_points_in_place(of.scene, std::move(separated.q), of.time + of.dt, flexibility);
   step.solves += jump.solves + separated.solves;
   step.locked_overlaps += separated.locked;

@@ -32,8 +32,8 @@ struct ImpactTouches {
 /// Touches of the smooth motion that take part.
 struct OtherTouches {
   const Touches& closed;
-  /// What the ways of the jump and of the separation may not drive into one another.
-  std::function<Touches()> not_driven_in;
+  /// What the ways of the jump, which ends at these places, and of the separation may not drive into one another.
+  std::function<Touches(const UnknownsTable& after_jump)> not_driven_in;
 };
 
 /// A body does not jump apart from itself: rigid motions leave such a touch as it is.
