@@ -175,7 +175,7 @@ void flush_to_disk(const fs::path& file_or_folder) {
   const int descriptor = open(file_or_folder.c_str(), O_RDONLY | O_CLOEXEC);
   const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
   if (descriptor >= 0) close(descriptor);
-  if (!flushed) throw OutputError(fmt::format("cannot flush {} to the disk", file_or_folder.string()));
+  if (!flushed) throw OutputError(fmt::format("cannot write {}: it does not reach the disk", file_or_folder.string()));
 }
 
 void write_durably(const fs::path& file, const std::string& bytes, Overwrite overwrite) {
