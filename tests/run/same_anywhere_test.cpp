@@ -29,7 +29,7 @@ struct Slid {
   std::vector<Point> ways;  ///< of the blocks above a fifth of the mean area, in the axes of the file
 };
 
-Point turned(Point p, double degrees) {
+Point turned_by_degrees(Point p, double degrees) {
   const double angle = degrees * std::acos(-1.0) / 180;
   return {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
 }
@@ -40,7 +40,7 @@ Slid slid(const Variant& variant, const std::string& slivers) {
   for (BlockPolygon& block : blocks.blocks)
     for (BlockVertex& vertex : block.outer) vertex.position = variant.place(vertex.position);
   for (BlockPoint& point : blocks.fixed_points) point.position = variant.place(point.position);
-  const Point gravity = turned({0, -9.81}, variant.turn);
+  const Point gravity = turned_by_degrees({0, -9.81}, variant.turn);
   const Prepared prepared =
       prepare(problem, "standard",
               {{"slivers", slivers},
@@ -59,7 +59,7 @@ Slid slid(const Variant& variant, const std::string& slivers) {
   for (const ElementFrame& element : elements) mean += element.area / static_cast<double>(elements.size());
   for (const ElementFrame& element : elements) {
     if (element.area < 0.2 * mean) continue;
-    found.ways.push_back(turned(element.displacement, -variant.turn));
+    found.ways.push_back(turned_by_degrees(element.displacement, -variant.turn));
     found.greatest = std::max(found.greatest, length(found.ways.back()));
   }
   return found;
@@ -73,7 +73,7 @@ TEST(SameAnywhere, a_slope_slides_alike_wherever_its_origin_lies_and_its_axes_po
   const Variant drawn{"as drawn", [](Point p) { return p; }};
   const std::vector<Variant> variants = {
       {"a kilometre away", [](Point p) { return p + Point{1000, 370}; }},
-      {"turned", [](Point p) { return turned(p, 37); }, 37},
+      {"turned", [](Point p) { return turned_by_degrees(p, 37); }, 37},
   };
   for (const std::string slivers : {"glue", "keep"}) {
     SCOPED_TRACE(slivers);
