@@ -225,9 +225,8 @@ TEST(RunDoubts, the_work_of_driven_points_is_in_the_books_of_the_old_rules) {
                  R"("fixed_point_motions": [[[0, 0, 0], [0.05, 0.01, 0], [1, 0.2, 0.1]]])");
 }
 
-// The shaken slope of the fronts: under the old rules its blocks fly apart.
-// Nothing else says so.
-// Later a block moves too far even for the smallest step, or does not, by the last digit.
+// The shaken slope of the fronts: under the old rules its blocks fly apart, and nothing else says so. After these steps
+// the last digit decides whether a block moves too far even for the smallest step.
 TEST(RunDoubts, blocks_that_fly_apart_under_given_accelerations_are_doubted) {
   const std::string folder = fresh_folder("doubt_slope");
   const std::string slope = KEYBLOCK_SOURCE_DIR "/legacy_cases/fronts/slope.json";

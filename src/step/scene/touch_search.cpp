@@ -124,8 +124,8 @@ VertexIndex edge_under(const Touch& touch, const Model& model, const Table<Verte
 
 namespace {
 
-// Whether a closed touch guides one of the corners of a tie along the edge of a candidate, or along a face in line with
-// it. Where two faces end together their touch may be named by the corner of either: both names count.
+// Tells whether a closed touch guides one of the corners of a tie along the edge of a candidate, or along a face in
+// line with it. Where two faces end together, the corner of either may name their touch: both names count.
 bool is_guided_along(const Touch& candidate, const Touches& touches, const Motion& motion,
                      const Table<VertexIndex, Point>& vertices, double rounding) {
   const Point line = normal_of(candidate, vertices);
@@ -160,13 +160,15 @@ bool may_pass(const CornerTie& tie, const Touch& taken, const Touches& touches, 
   });
 }
 
-double most_overlap(const StandardScene& scene, const Touch& touch, const Scales& scales) {
+// Overlap up to which the corners of a tie may pass each other: the lesser rounding of the two.
+double rounding_of(const StandardScene& scene, const CornerTie& tie, const Scales& scales) {
+  const Touch& any = tie.candidates.front();
   const auto of = [&](VertexIndex v) { return scene.rounding[scene.model.vertices[v].element]; };
-  return std::max(kLeastRounding * scales.size, std::min(of(touch.vertex), of(touch.start)));
+  return std::max(kLeastRounding * scales.size, std::min(of(any.vertex), of(any.start)));
 }
 
-// The touch of a tie that was closed. Where corners lie in each other along it by more than they are rounded, and apart
-// along another edge, it is the wrong one: they met along that edge.
+// Finds the touch of a tie that was closed. Corners that overlap along it by more than they are rounded, and are apart
+// along another edge, met along that other edge: then none counts as closed.
 const Touch* closed_before(const CornerTie& tie, const Motion& motion, const Table<VertexIndex, Point>& vertices,
                            double rounding) {
   const auto is_closed = [&](const Touch& touch) { return motion.closed.of(touch) != nullptr; };
@@ -184,7 +186,7 @@ const Touch* closed_before(const CornerTie& tie, const Motion& motion, const Tab
 void sharpen_struck_corners(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt,
                             const Table<VertexIndex, Point>& vertices, FoundTouches& found) {
   const auto may_strike = [&](const CornerTie& tie) {
-    return !tie.sharp.empty() && !closed_before(tie, motion, vertices, most_overlap(scene, tie.sharp.front(), scales));
+    return !tie.sharp.empty() && !closed_before(tie, motion, vertices, rounding_of(scene, tie, scales));
   };
   const auto is_edge = [](const Touch& touch) { return touch.kind == TouchKind::corner; };
   Touches edges;
@@ -225,11 +227,11 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
   if (guided == GuidedCorners::by_motion) sharpen_struck_corners(scene, motion, scales, dt, vertices, found);
   Touches closed;
   for (const CornerTie& tie : found.ties) {
-    const Touch* touch = closed_before(tie, motion, vertices, most_overlap(scene, tie.candidates.front(), scales));
+    const double rounding = rounding_of(scene, tie, scales);
+    const Touch* touch = closed_before(tie, motion, vertices, rounding);
     if (!touch) continue;
     const bool is_tried = guided == GuidedCorners::by_motion && was_tried(*motion.closed.of(*touch));
-    const bool is_held =
-        is_tried || !may_pass(tie, *touch, found.touches, motion, vertices, most_overlap(scene, *touch, scales));
+    const bool is_held = is_tried || !may_pass(tie, *touch, found.touches, motion, vertices, rounding);
     (is_held ? closed : found.released).push_back(*touch);
   }
   drop_known(closed, found.touches);
@@ -272,14 +274,13 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   const auto takes_none = [&](const Touch& touch) { return is_new(touch) || !lies_over_edge(touch, vertices); };
   for (const std::vector<CornerTie>* ties : {&known.ties, &found.ties}) {
     for (const CornerTie& tie : *ties) {
-      const double rounding = most_overlap(scene, tie.candidates.front(), scales);
+      const double rounding = rounding_of(scene, tie, scales);
       const bool was_closed = closed_before(tie, start, before, rounding) != nullptr;
       const Touch* touch = touch_of(tie, before, vertices, was_closed ? kPressed * scales.size : overlap);
       if (!touch || !is_new(*touch) || !std::ranges::all_of(tie.candidates, takes_none)) continue;
       const bool passes =
           guided == GuidedCorners::pass || std::ranges::binary_search(start.passing, corners_of(*touch));
-      if (passes && may_pass(tie, *touch, known.touches, start, vertices, rounding))
-        continue;
+      if (passes && may_pass(tie, *touch, known.touches, start, vertices, rounding)) continue;
       added.insert(*touch);
       fresh.push_back(*touch);
     }

@@ -239,8 +239,8 @@ class Attempt {
     return {.friction = tangential / normal(i)};
   }
 
-  // What the ways of the jump and of the separation may not drive into one another: touches that are closed or whose
-  // corner lies over its edge, before the jump or after it, and what overlaps only then.
+  // Lists the touches that neither jump nor separation may drive into one another: those that are closed, those whose
+  // corner lies over its edge before the jump or after it, and those that overlap only after it.
   Touches others(const UnknownsTable& after_jump) const {
     const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const auto jumped = vertices_at(scene_.model, scene_.reference, after_jump);

@@ -32,7 +32,8 @@ struct ImpactTouches {
 /// Touches of the smooth motion that take part.
 struct OtherTouches {
   const Touches& closed;
-  /// What the ways of the jump, which ends at these places, and of the separation may not drive into one another.
+  /// Lists the touches that neither jump nor separation may drive into one another, for a jump that ends at these
+  /// places.
   std::function<Touches(const UnknownsTable& after_jump)> not_driven_in;
 };
 
