@@ -160,34 +160,17 @@ bool may_pass(const CornerTie& tie, const Touch& taken, const Touches& touches, 
   });
 }
 
-// Overlap up to which the corners of a tie may pass each other: the lesser rounding of the two.
-double rounding_of(const StandardScene& scene, const CornerTie& tie, const Scales& scales) {
-  const Touch& any = tie.candidates.front();
-  const auto of = [&](VertexIndex v) { return scene.rounding[scene.model.vertices[v].element]; };
-  return std::max(kLeastRounding * scales.size, std::min(of(any.vertex), of(any.start)));
-}
-
-// Finds the touch of a tie that was closed. Corners that overlap along it by more than they are rounded, and are apart
-// along another edge, met along that other edge: then none counts as closed.
-const Touch* closed_before(const CornerTie& tie, const Motion& motion, const Table<VertexIndex, Point>& vertices,
-                           double rounding) {
+const Touch* closed_before(const CornerTie& tie, const Motion& motion) {
   const auto is_closed = [&](const Touch& touch) { return motion.closed.of(touch) != nullptr; };
   const auto closed = std::ranges::find_if(tie.candidates, is_closed);
-  if (closed == tie.candidates.end()) return nullptr;
-  const auto is_apart = [&](const Touch& touch) {
-    return touch.kind == TouchKind::corner && gap_of(touch, vertices) >= -rounding;
-  };
-  const bool is_wrong = gap_of(*closed, vertices) < -rounding && std::ranges::any_of(tie.candidates, is_apart);
-  return is_wrong ? nullptr : &*closed;
+  return closed == tie.candidates.end() ? nullptr : &*closed;
 }
 
 // Corners that pass each other along no line within their rounding, as fast as they go, strike each other as if they
 // were sharp: an impact has to be known before it overlaps.
-void sharpen_struck_corners(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt,
+void sharpen_struck_corners(const StandardScene& scene, const Motion& motion, double dt,
                             const Table<VertexIndex, Point>& vertices, FoundTouches& found) {
-  const auto may_strike = [&](const CornerTie& tie) {
-    return !tie.sharp.empty() && !closed_before(tie, motion, vertices, rounding_of(scene, tie, scales));
-  };
+  const auto may_strike = [&](const CornerTie& tie) { return !tie.sharp.empty() && !closed_before(tie, motion); };
   const auto is_edge = [](const Touch& touch) { return touch.kind == TouchKind::corner; };
   Touches edges;
   for (const CornerTie& tie : found.ties)
@@ -211,6 +194,11 @@ void sharpen_struck_corners(const StandardScene& scene, const Motion& motion, co
   found.touches.insert(found.touches.end(), struck.begin(), struck.end());
 }
 
+double most_overlap(const StandardScene& scene, const Touch& touch, const Scales& scales) {
+  const auto of = [&](VertexIndex v) { return scene.rounding[scene.model.vertices[v].element]; };
+  return std::max(kLeastRounding * scales.size, std::min(of(touch.vertex), of(touch.start)));
+}
+
 // A corner that is pressed as it was when the motion without it closed it again is not tried once more.
 bool was_tried(const ContactMemory& memory) {
   return memory.tried_at != 0 && std::abs(memory.normal - memory.tried_at) <= kAsPressed * std::abs(memory.tried_at);
@@ -224,14 +212,14 @@ FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const 
   const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
   FoundTouches found = found_within(scene, vertices, search_of(scene, motion, vertices, reach));
-  if (guided == GuidedCorners::by_motion) sharpen_struck_corners(scene, motion, scales, dt, vertices, found);
+  if (guided == GuidedCorners::by_motion) sharpen_struck_corners(scene, motion, dt, vertices, found);
   Touches closed;
   for (const CornerTie& tie : found.ties) {
-    const double rounding = rounding_of(scene, tie, scales);
-    const Touch* touch = closed_before(tie, motion, vertices, rounding);
+    const Touch* touch = closed_before(tie, motion);
     if (!touch) continue;
     const bool is_tried = guided == GuidedCorners::by_motion && was_tried(*motion.closed.of(*touch));
-    const bool is_held = is_tried || !may_pass(tie, *touch, found.touches, motion, vertices, rounding);
+    const bool is_held =
+        is_tried || !may_pass(tie, *touch, found.touches, motion, vertices, most_overlap(scene, *touch, scales));
     (is_held ? closed : found.released).push_back(*touch);
   }
   drop_known(closed, found.touches);
@@ -274,13 +262,13 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   const auto takes_none = [&](const Touch& touch) { return is_new(touch) || !lies_over_edge(touch, vertices); };
   for (const std::vector<CornerTie>* ties : {&known.ties, &found.ties}) {
     for (const CornerTie& tie : *ties) {
-      const double rounding = rounding_of(scene, tie, scales);
-      const bool was_closed = closed_before(tie, start, before, rounding) != nullptr;
+      const bool was_closed = closed_before(tie, start) != nullptr;
       const Touch* touch = touch_of(tie, before, vertices, was_closed ? kPressed * scales.size : overlap);
       if (!touch || !is_new(*touch) || !std::ranges::all_of(tie.candidates, takes_none)) continue;
       const bool passes =
           guided == GuidedCorners::pass || std::ranges::binary_search(start.passing, corners_of(*touch));
-      if (passes && may_pass(tie, *touch, known.touches, start, vertices, rounding)) continue;
+      if (passes && may_pass(tie, *touch, known.touches, start, vertices, most_overlap(scene, *touch, scales)))
+        continue;
       added.insert(*touch);
       fresh.push_back(*touch);
     }
