@@ -73,7 +73,8 @@ Slid slid(const Variant& variant, const std::string& slivers) {
 }  // namespace
 
 // Where two faces end together round-off once chose whose corner names their touch, and by that name a corner at a
-// crossing of joints passed or bore for good: moved by a kilometre the same slope released 35 % less.
+// crossing of joints passed or bore for good: moved by a kilometre the same slope released 10 % less, and a block ended
+// elsewhere by half the greatest way.
 TEST(SameAnywhere, a_slope_slides_alike_whatever_its_origin_axes_and_units) {
   const Variant drawn{"as drawn", [](Point p) { return p; }};
   const std::vector<Variant> variants = {
