@@ -14,6 +14,9 @@ constexpr double kGreatestOrder = 6;
 // The integrators are of first or second order: what three runs show well beyond is terms that cancel.
 constexpr double kOrderTrusted = 2;
 constexpr double kOrderOfCancelling = 2.5;
+// Of the way from the coarse to the fine run what the way from the middle one is at first order: where a part of it
+// cancels by chance, the fine run may be as far off.
+constexpr double kFallOfFirstOrder = 3;
 constexpr double kSame = 1e-12;  // relative: round-off
 
 // The limit of a + b h + c h² from h, h/2 and h/4 (Romberg 1955).
@@ -61,7 +64,7 @@ Limit limit_of(const std::array<std::vector<double>, 3>& values, Refined refined
   if (refined == Refined::step && *limit.order > kOrderOfCancelling) {
     limit.values = without_both_orders(values);
     limit.is_extrapolated = true;
-    limit.uncertainty = std::max(relative_distance(fine, limit.values), second / 2);
+    limit.uncertainty = std::max(relative_distance(fine, limit.values), first / kFallOfFirstOrder);
     return limit;
   }
   const double share = 1 / (std::exp2(*limit.order) - 1);
