@@ -127,10 +127,11 @@ TEST(CornerPile, the_settled_start_leaves_no_block_in_another) {
 }
 
 // Blocks once sank into each other by a third of their size and fell through the floor. Later a jump drove corners past
-// each other that did not lie over their edges before it: 9 mm at 3.9 ms. Granular columns of this shape run out by
-// about 1.9 a^(2/3) = 5 of their half-widths (Lube, Huppert, Sparks and Freundt 2005: a = H/r0 = 5, axially symmetric
-// and of many grains). How far the outermost ones roll is chance: over eight steps of 2 to 4.4 ms, and over changes of
-// round-off, between 3.2 and 5.4, so that the mean of six steps is looked at.
+// each other that did not lie over their edges before it, or pushed a block off one neighbour into another one: 9 mm at
+// 3.9 ms. Granular columns of this shape run out by about 1.9 a^(2/3) = 5 of their half-widths (Lube, Huppert, Sparks
+// and Freundt 2005: a = H/r0 = 5, axially symmetric and of many grains). How far the outermost ones roll is chance:
+// over eight steps of 2 to 4.4 ms, and over changes of round-off, between 3.2 and 5.4, so that the mean of six steps is
+// looked at.
 TEST(CornerPile, diamonds_keep_their_contacts_and_come_to_rest_on_the_floor) {
   const double weight = 35 * kDensity * kSide * kSide * 9.81;
   const double height = (kRows + 1) * kHalf;

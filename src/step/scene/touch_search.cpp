@@ -253,8 +253,20 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   };
   Touches fresh;
   const FoundTouches found = found_within(scene, vertices, search);
+  // A point that lay behind the line of an edge before the motion did not come in through that edge where it overlaps
+  // another one, through which it came: that one takes it.
+  const auto body_pair = [&](const Touch& touch) {
+    return std::minmax(scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element);
+  };
+  const auto came_through_another = [&](const Touch& touch) {
+    return gap_of(touch, before) < -overlap - slack_of(touch) &&
+           std::ranges::any_of(known.touches, [&](const Touch& other) {
+             return body_pair(other) == body_pair(touch) && gap_of(other, vertices) < -overlap &&
+                    gap_of(other, before) >= -overlap - slack_of(other) && lies_over_edge(other, vertices);
+           });
+  };
   for (const Touch& touch : found.touches)
-    if (gap_of(touch, vertices) < -overlap - slack_of(touch) && is_new(touch)) {
+    if (gap_of(touch, vertices) < -overlap - slack_of(touch) && is_new(touch) && !came_through_another(touch)) {
       added.insert(touch);
       fresh.push_back(touch);
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/rows/gap.hpp"
+#include "step/newton/tolerances.hpp"
 #include "step/scene/touch_search.hpp"
 #include "step/time/impact.hpp"
 
@@ -72,9 +73,20 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
   if (!jump.undecided.empty())  // points that are held do not take part in what is left open
     step.motion.v = with_held_velocities(of.scene, of.smooth.q, std::move(step.motion.v), {}, {}, of.time, of.dt,
                                          of.smooth.flexibility, of.rule.end_velocity.increment);
-  const Touches not_driven_in = others.not_driven_in(jump.q);
-  Separated separated =
-      without_overlap(of.scene, std::move(jump.q), impacts.touches, not_driven_in, of.smooth.q, flexibility);
+  Touches not_driven_in = others.not_driven_in(jump.q);
+  Separated separated{.q = std::move(jump.q)};
+  // Again where pushes drove others into one another.
+  for (int search = 0; search < tolerances::of_steps::kMostSearches; ++search) {
+    Separated next =
+        without_overlap(of.scene, separated.q, impacts.touches, not_driven_in, of.smooth.q, flexibility);
+    separated.q = std::move(next.q);
+    separated.solves += next.solves;
+    separated.locked += next.locked;
+    Touches fresh = others.not_driven_in(separated.q);
+    std::erase_if(fresh, [&](const Touch& touch) { return std::ranges::count(not_driven_in, touch) > 0; });
+    if (fresh.empty()) break;
+    not_driven_in.insert(not_driven_in.end(), fresh.begin(), fresh.end());
+  }
   step.motion.q = with_points_in_place(of.scene, std::move(separated.q), of.time + of.dt, flexibility);
   step.solves += jump.solves + separated.solves;
   step.locked_overlaps += separated.locked;
