@@ -26,8 +26,8 @@ double relative_distance(const std::vector<double>& a, const std::vector<double>
 /// The limit of values of equal length, coarsest first, each of half the h of the one before. The order p = log2(|a -
 /// b| / |b - c|) is common to all values. Where it is below 0.4 or above 6, differences do not shrink as those of a
 /// convergent method: then the limit is the finest as it is. Where steps show more than 2.5, a term of first and one of
-/// second order cancel in part: both are taken out, and the limit is known to what that changes, or to a
-/// third of what lies between the first and the last, as at first order, whichever is greater: they may cancel by chance.
+/// second order cancel in part: both are taken out, and the limit is known to what that changes, or to a third of what
+/// lies between the first and the last, as at first order, whichever is greater: they may cancel by chance.
 Limit limit_of(const std::array<std::vector<double>, 3>& values, Refined refined);
 
 }  // namespace keyblock::study
