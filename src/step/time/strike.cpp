@@ -77,8 +77,7 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
   Separated separated{.q = std::move(jump.q)};
   // Again where pushes drove others into one another.
   for (int search = 0; search < tolerances::of_steps::kMostSearches; ++search) {
-    Separated next =
-        without_overlap(of.scene, separated.q, impacts.touches, not_driven_in, of.smooth.q, flexibility);
+    Separated next = without_overlap(of.scene, separated.q, impacts.touches, not_driven_in, of.smooth.q, flexibility);
     separated.q = std::move(next.q);
     separated.solves += next.solves;
     separated.locked += next.locked;
