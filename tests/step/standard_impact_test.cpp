@@ -156,6 +156,41 @@ TEST(StandardImpact, two_bodies_keep_momentum_and_take_the_speeds_of_theory) {
   }
 }
 
+// A block strikes a row of blocks that touch, all of one mass. By Newton's law where they meet, and at once through
+// what touches, the struck ones leave together: v' = (1 + e) v/n, and the first one keeps v' - e v.
+TEST(StandardImpact, an_impact_goes_through_blocks_that_touch_at_once_at_any_step) {
+  constexpr int kCount = 5;
+  constexpr double kSpeed = 3;
+  for (BlockBasis basis : kBases) {
+    for (const double e : {0.0, 0.4, 1.0}) {
+      for (const double dt : {8e-3, 4e-3, 2e-3, 1e-3, 2.5e-4}) {
+        Blocks blocks;
+        blocks.blocks = {rectangle({-0.1, 0}, {0.9, 1})};
+        for (int i = 1; i < kCount; ++i) {
+          blocks.blocks.push_back(rectangle({1.0 * i, 0}, {i + 1.0, 1}));
+          blocks.blocks.back().material = 1;
+        }
+        Analysis analysis = plain_analysis(dt, 1);
+        analysis.gravity = 0;
+        analysis.penalty_factor = 10;
+        analysis.block_materials.push_back(analysis.block_materials[0]);
+        analysis.block_materials[0].initial_velocity = {kSpeed, 0, 0};
+        Settings settings = standard_settings(analysis);
+        settings.basis = basis;
+        settings.standard.restitution = e;
+        const Scene scene = standard_scene_of(blocks, analysis, settings);
+        StandardStepper stepper(scene);
+        run_to(stepper, 0.3);
+        const double struck = (1 + e) * kSpeed / kCount;
+        for (int i = 0; i < kCount; ++i)
+          EXPECT_NEAR(stepper.state().elements[ElementIndex{i}].velocity[0], i == 0 ? struck - e * kSpeed : struck,
+                      1e-6 * kSpeed)
+              << "block " << i << ", e " << e << ", dt " << dt;
+      }
+    }
+  }
+}
+
 // Oblique, with friction and spin: linear and angular momentum to round-off, no energy made.
 TEST(StandardImpact, an_oblique_impact_keeps_momentum_and_makes_no_energy) {
   for (BlockBasis basis : kBases) {

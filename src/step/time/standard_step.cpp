@@ -26,6 +26,7 @@ using namespace tolerances;
 
 struct Split {
   Touches smooth;
+  std::vector<double> smooth_speeds;  ///< normal velocity at the start of the step; 0 for those that may not strike
   Touches impacts;
   std::vector<double> impact_speeds;  ///< normal velocity at the start of the step, negative
 };
@@ -51,12 +52,27 @@ Split split(const StandardScene& scene, const Motion& start, const Touches& touc
     if (may_strike[i]) row += 2;
     if (!may_strike[i] || speeds[own] >= -slow) {
       parts.smooth.push_back(touches[i]);
+      parts.smooth_speeds.push_back(may_strike[i] ? speeds[own] : 0);
     } else {
       parts.impacts.push_back(touches[i]);
       parts.impact_speeds.push_back(speeds[own]);
     }
   }
   return parts;
+}
+
+// Those that bear, and those that lie against each other without: an impact goes through them at once.
+template <class Bears>
+Touches touching(const StandardScene& scene, const UnknownsTable& q, const Touches& touches, double size,
+                 const Bears& bears) {
+  const auto vertices = vertices_at(scene.model, scene.reference, q);
+  const auto lies_against = [&](const Touch& touch) {
+    return gap_of(touch, vertices) - touch.rest_gap <= of_gaps::kTouching * size && lies_over_edge(touch, vertices);
+  };
+  Touches touching;
+  for (std::size_t i = 0; i < touches.size(); ++i)
+    if (bears(i) || lies_against(touches[i])) touching.push_back(touches[i]);
+  return touching;
 }
 
 class Attempt {
@@ -88,7 +104,6 @@ class Attempt {
     step_.end = smooth_.end;
     if (!step_.converged) return std::move(step_);
     if (!smooth_.is_tolerated) step_.undecided.clear();
-    const Touches closed = closed_touches();
     step_.motion.q = smooth_.q;
     step_.motion.a = smooth_.a;
     step_.motion.points = smooth_.points;
@@ -109,7 +124,9 @@ class Attempt {
       strike({scene_, start_, smooth_, rule_, time_, dt_, slow_speed(scene_, scales_, start_.v, dt_), scales_.size,
               parts_.smooth.size()},
              {std::move(parts_.impacts), std::move(parts_.impact_speeds)},
-             {closed, [&](const UnknownsTable& after_jump) { return others(after_jump); }}, step_);
+             {touching(scene_, smooth_.q, parts_.smooth, scales_.size, [&](std::size_t i) { return is_closed(i); }),
+              [&](const UnknownsTable& after_jump) { return others(after_jump); }},
+             step_);
     remember();
     if (rule_.carries_acceleration()) step_.motion.a = with_held_at_ease(scene_, step_.motion);
     if (scene_.settings.ledger == Bookkeeping::on)
@@ -159,15 +176,9 @@ class Attempt {
     return std::abs(normal(i)) > least_force_ || smooth_.bonds.contains(parts_.smooth[i].facing);
   }
 
-  Touches closed_touches() const {
-    Touches closed;
-    for (std::size_t i = 0; i < parts_.smooth.size(); ++i)
-      if (is_closed(i)) closed.push_back(parts_.smooth[i]);
-    return closed;
-  }
-
-  // Those whose gap decides what they do in the step: multipliers, and what has just closed, or sticks, on bodies on
-  // covers, which would be thrown back. A bond is a spring that swings: it loses nothing to the clean-up once it holds.
+  // Those whose gap decides what they do in the step: multipliers, and springs that would throw back what has just
+  // closed: bodies on covers, with what sticks on them, and blocks that closed faster than they fall in a step. A bond
+  // is a spring that swings: it loses nothing to the clean-up once it holds.
   std::vector<std::size_t> to_be_held() const {
     const bool springs_throw_back = scene_.settings.standard.impact == ImpactLaw::jump && !rule_.carries_acceleration();
     std::vector<std::size_t> held;
@@ -176,7 +187,9 @@ class Attempt {
       const Touch& touch = parts_.smooth[i];
       const bool has_spring = smooth_.laws[i].normal_compliance > 0;
       const bool has_met = !start_.closed.of(touch) || (slip_held(i).sticks && !smooth_.laws[i].is_bonded);
-      if (!has_spring || (springs_throw_back && has_met && resolves_impact(scene_, touch))) held.push_back(i);
+      const bool is_thrown_back =
+          resolves_impact(scene_, touch) || parts_.smooth_speeds[i] < -scales_.acceleration * dt_;
+      if (!has_spring || (springs_throw_back && has_met && is_thrown_back)) held.push_back(i);
     }
     return held;
   }

@@ -31,7 +31,7 @@ struct ImpactTouches {
 
 /// Touches of the smooth motion that take part.
 struct OtherTouches {
-  const Touches& closed;
+  Touches touching;
   /// Lists the touches that neither jump nor separation may drive into one another, for a jump that ends at these
   /// places.
   std::function<Touches(const UnknownsTable& after_jump)> not_driven_in;
