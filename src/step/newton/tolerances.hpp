@@ -76,6 +76,10 @@ namespace of_steps {
 
 inline constexpr int kMostHalvings = 2;
 inline constexpr int kMostHalvingsOfYield = 5;  // flow that finds no balance in a long step finds it in a short one
+// Impacts of few touches at which a step is parted; those that follow are struck as at its end. A part ends this share
+// of the step after the impact, so that it is sure to lie within.
+inline constexpr int kMostImpacts = 4;
+inline constexpr double kInstant = 1e-3;
 // Each search adds the corners that the last solution made overlap; what is left after these is for the next step.
 inline constexpr int kMostSearches = 4;
 // Residual of the contact forces over the largest load on a block: few contacts reach the first, assemblies the second.

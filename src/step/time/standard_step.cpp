@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "contact/rows/gap.hpp"
+#include "contact/solve/frictional_problem.hpp"
 #include "step/bodies/integrator.hpp"
 #include "step/newton/tolerances.hpp"
 #include "step/scene/acceleration.hpp"
@@ -323,23 +324,45 @@ class Attempt {
   StandardStep step_;
 };
 
-StandardStep in_parts(const StandardScene& scene, const Motion& start, double time, double dt, int halvings_left) {
-  StandardStep whole =
-      Attempt(scene, start, time, dt, halvings_left == 0 && scene.settings.step_control == StepControl::constant).run();
-  whole.least = dt;
-  if (whole.converged || halvings_left == 0) return whole;
-  StandardStep first = in_parts(scene, start, time, dt / 2, halvings_left - 1);
-  if (!first.converged) return first;
-  StandardStep second = in_parts(scene, first.motion, time + dt / 2, dt / 2, halvings_left - 1);
-  second.solves += first.solves + whole.solves;
-  second.fallbacks += first.fallbacks + whole.fallbacks;
-  second.halvings += first.halvings + 1;
+// `second` as a step that began with `first`; `tried` was thrown away for them.
+StandardStep in_two(const StandardStep& tried, const StandardStep& first, StandardStep second) {
+  second.solves += first.solves + tried.solves;
+  second.fallbacks += first.fallbacks + tried.fallbacks;
+  second.halvings += first.halvings;
   second.locked_overlaps += first.locked_overlaps;
   if (second.undecided.empty()) second.undecided = first.undecided;
   second.account += first.account;
   keep_larger_residual(second, first);
   second.least = std::min(first.least, second.least);
   return second;
+}
+
+StandardStep in_halves(const StandardScene& scene, const Motion& start, double time, double dt, int halvings_left) {
+  StandardStep whole =
+      Attempt(scene, start, time, dt, halvings_left == 0 && scene.settings.step_control == StepControl::constant).run();
+  whole.least = dt;
+  if (whole.converged || halvings_left == 0) return whole;
+  StandardStep first = in_halves(scene, start, time, dt / 2, halvings_left - 1);
+  if (!first.converged) return first;
+  StandardStep both = in_two(whole, first, in_halves(scene, first.motion, time + dt / 2, dt / 2, halvings_left - 1));
+  ++both.halvings;
+  return both;
+}
+
+StandardStep parted_at_impacts(const StandardScene& scene, const Motion& start, double time, double dt,
+                               int impacts_left) {
+  const int halvings = may_yield(scene) ? of_steps::kMostHalvingsOfYield : of_steps::kMostHalvings;
+  StandardStep whole = in_halves(scene, start, time, dt, halvings);
+  const double left = whole.struck - of_steps::kInstant * dt;
+  const bool are_few = whole.touches.size() <= FrictionalProblem::kFewPairs;
+  if (!whole.converged || !are_few || impacts_left == 0 || left <= 0) return whole;
+  const StandardStep first = in_halves(scene, start, time, dt - left, halvings);
+  if (!first.converged) return whole;
+  StandardStep second = parted_at_impacts(scene, first.motion, time + dt - left, left, impacts_left - 1);
+  if (!second.converged) return whole;
+  StandardStep both = in_two(whole, first, std::move(second));
+  both.least = whole.least;  // an impact says nothing of the step that was needed
+  return both;
 }
 
 }  // namespace
@@ -351,7 +374,7 @@ void keep_larger_residual(StandardStep& step, const StandardStep& other) {
 }
 
 StandardStep standard_step(const StandardScene& scene, const Motion& start, double time, double dt) {
-  return in_parts(scene, start, time, dt, may_yield(scene) ? of_steps::kMostHalvingsOfYield : of_steps::kMostHalvings);
+  return parted_at_impacts(scene, start, time, dt, of_steps::kMostImpacts);
 }
 
 }  // namespace keyblock

@@ -18,6 +18,7 @@ struct StandardStep {
   int halvings = 0;         ///< attempts thrown away
   int locked_overlaps = 0;  ///< of impacts, left because other touches are in the way
   double least = 0;         ///< smallest part made of a step in time
+  double struck = 0;        ///< how long before the end of the step its first impact was; 0: none
   double residual = 0;
   std::optional<Touch> worst;  ///< contact that holds the residual up, where one is known
   bool converged = true;
@@ -33,7 +34,8 @@ struct StandardStep {
 void keep_larger_residual(StandardStep& step, const StandardStep& other);
 
 /// From `time` to `time + dt`. Where contact cannot be solved to its residual, the step is made in halves, and these in
-/// halves again; then it is given up.
+/// halves again; then it is given up. Where few touch, it is parted where the first impact is, up to four times: what
+/// bore before an impact bears to its instant, and no longer.
 StandardStep standard_step(const StandardScene& scene, const Motion& start, double time, double dt);
 
 }  // namespace keyblock

@@ -62,6 +62,7 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
                                       speeds[static_cast<Eigen::Index>(2 * i)], std::max(0.0, -gap)));
   }
   if (struck.meetings.empty()) return;
+  step.struck = std::ranges::max_element(struck.meetings, {}, &ImpactMeeting::since)->since;
   struck.closed = others.touching;
   std::erase_if(struck.closed, [&](const Touch& touch) { return is_within_one_body(of.scene, touch); });
   const Flexibility flexibility = impact_flexibility(of.scene, of.smooth.flexibility, of.rule);
