@@ -255,13 +255,13 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   const FoundTouches found = found_within(scene, vertices, search);
   // A point that lay behind the line of an edge before the motion did not come in through that edge where it overlaps
   // another one, through which it came: that one takes it.
-  const auto body_pair = [&](const Touch& touch) {
-    return std::minmax(scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element);
+  const auto bodies = [&](const Touch& touch) {
+    return std::minmax({scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element});
   };
   const auto came_through_another = [&](const Touch& touch) {
     return gap_of(touch, before) < -overlap - slack_of(touch) &&
            std::ranges::any_of(known.touches, [&](const Touch& other) {
-             return body_pair(other) == body_pair(touch) && gap_of(other, vertices) < -overlap &&
+             return bodies(other) == bodies(touch) && gap_of(other, vertices) < -overlap &&
                     gap_of(other, before) >= -overlap - slack_of(other) && lies_over_edge(other, vertices);
            });
   };

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "contact/rows/gap.hpp"
 #include "step/newton/tolerances.hpp"
@@ -74,18 +76,19 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
   if (!jump.undecided.empty())  // points that are held do not take part in what is left open
     step.motion.v = with_held_velocities(of.scene, of.smooth.q, std::move(step.motion.v), {}, {}, of.time, of.dt,
                                          of.smooth.flexibility, of.rule.end_velocity.increment);
-  Touches not_driven_in = others.not_driven_in(jump.q);
   Separated separated{.q = std::move(jump.q)};
+  Touches not_driven_in;
+  std::set<Touch> known;
   // Again where pushes drove others into one another.
   for (int search = 0; search < tolerances::of_steps::kMostSearches; ++search) {
+    const std::size_t before = not_driven_in.size();
+    for (const Touch& touch : others.not_driven_in(separated.q))
+      if (known.insert(touch).second) not_driven_in.push_back(touch);
+    if (search > 0 && not_driven_in.size() == before) break;
     Separated next = without_overlap(of.scene, separated.q, impacts.touches, not_driven_in, of.smooth.q, flexibility);
     separated.q = std::move(next.q);
     separated.solves += next.solves;
     separated.locked += next.locked;
-    Touches fresh = others.not_driven_in(separated.q);
-    std::erase_if(fresh, [&](const Touch& touch) { return std::ranges::count(not_driven_in, touch) > 0; });
-    if (fresh.empty()) break;
-    not_driven_in.insert(not_driven_in.end(), fresh.begin(), fresh.end());
   }
   step.motion.q = with_points_in_place(of.scene, std::move(separated.q), of.time + of.dt, flexibility);
   step.solves += jump.solves + separated.solves;
