@@ -18,6 +18,7 @@ using support::turned_rectangle;
 
 constexpr double kGravity = 9.81;
 constexpr std::size_t kPeaks = 4;
+constexpr double kClose = 0.005;  // asked for at 1 ms; 0.003 was measured at most
 
 struct Shape {
   double width = 0;
@@ -49,7 +50,7 @@ std::vector<double> peaks_by_housner(const Shape& shape) {
   return peaks;
 }
 
-// The same of a run, from parabolas through three steps.
+// Heights of the first peaks of a run, from parabolas through three steps.
 std::vector<double> peaks_of_run(const Shape& shape, BlockBasis basis, double dt) {
   Blocks blocks;
   blocks.blocks = {rectangle({-5, -1}, {5, 0}), turned_rectangle({0, 0}, {shape.width, shape.height}, shape.tilt)};
@@ -80,8 +81,7 @@ std::vector<double> peaks_of_run(const Shape& shape, BlockBasis basis, double dt
 
 }  // namespace
 
-// What bore before an impact once bore to the end of its step, as much as it is long: the fourth peak was 16.9, 7.9
-// and 4.7 % high at 5, 2 and 1 ms.
+// An impact lets the old corner go at its instant, not at the end of the step.
 TEST(Rocking, peaks_fall_as_housner_says_at_any_step) {
   for (const Shape& shape : {Shape{0.5, 1.6, 0.15}, Shape{1, 2, 0.25}, Shape{0.6, 3, 0.12}}) {
     const std::vector<double> expected = peaks_by_housner(shape);
@@ -90,7 +90,7 @@ TEST(Rocking, peaks_fall_as_housner_says_at_any_step) {
         const std::vector<double> found = peaks_of_run(shape, basis, dt);
         ASSERT_EQ(found.size(), kPeaks);
         for (std::size_t i = 0; i < kPeaks; ++i)
-          EXPECT_NEAR(found[i], expected[i], 0.005 * expected[i]) << shape.height << ", dt " << dt << ", peak " << i;
+          EXPECT_NEAR(found[i], expected[i], kClose * expected[i]) << shape.height << ", dt " << dt << ", peak " << i;
       }
   }
 }

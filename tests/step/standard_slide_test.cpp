@@ -146,8 +146,8 @@ double way_after_closing(double gap, double slope_deg, double friction_deg) {
 
 }  // namespace
 
-// Whether it is struck, closes slower than an impact or has next to no gap, by multipliers or springs: the first step
-// in which they meet may only lose friction of its own length.
+// Gaps that end in an impact, in a closing slower than one, or at once: the step in which they close may lose friction
+// of its own length alone.
 TEST(StandardSlide, a_block_drawn_above_its_slope_loses_no_friction_while_the_gap_closes) {
   for (const Choice& choice : kChoices) {
     for (double dt : {1e-2, 2e-3, 5e-4}) {

@@ -77,7 +77,7 @@ namespace of_steps {
 inline constexpr int kMostHalvings = 2;
 inline constexpr int kMostHalvingsOfYield = 5;  // flow that finds no balance in a long step finds it in a short one
 // Impacts of few touches at which a step is parted; those that follow are struck as at its end. A part ends this share
-// of the step after the impact, so that it is sure to lie within.
+// of the step after the impact, so that it is sure to lie within, and no part is shorter.
 inline constexpr int kMostImpacts = 4;
 inline constexpr double kInstant = 1e-3;
 // Each search adds the corners that the last solution made overlap; what is left after these is for the next step.

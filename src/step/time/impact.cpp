@@ -53,7 +53,7 @@ void take_back(ContactRow& normal, ContactRow& tangential, const UnknownsTable& 
   }
 }
 
-// Two entries a meeting. What answers them at once, closed touches and held points, takes the least of their times:
+// Two entries a meeting. What answers them at once, other touches and held points, takes the least of their times:
 // more could lift blocks out of reach of what they rest on.
 Eigen::VectorXd times_of(const std::vector<ImpactMeeting>& meetings, Eigen::Index size) {
   const double least = std::ranges::min_element(meetings, {}, &ImpactMeeting::since)->since;
@@ -249,7 +249,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   const std::vector<ImpactMeeting>& meetings = impacts.meetings;
   Touches touches;
   for (const ImpactMeeting& meeting : meetings) touches.push_back(meeting.touch);
-  touches = joined(touches, impacts.closed);
+  touches = joined(touches, impacts.touching);
   ContactRows rows = rows_with_points(scene, q, touches);
   for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
   const double goal = of_impacts::kImpulseTolerance * largest_momentum(scene, v) + of_impacts::kSmallest;

@@ -16,11 +16,11 @@ struct ImpactMeeting {
   double gained = 0;  ///< approach speed that was gained in that time
 };
 
-/// What meets in a step, and what rests against each other meanwhile.
+/// What meets in a step, and what lies against each other meanwhile, whether it bears or not.
 struct Impacts {
   std::vector<ImpactMeeting> meetings;
-  Touches closed;
-  Bonds bonds;      ///< of closed touches
+  Touches touching;
+  Bonds bonds;      ///< of these touches
   double slow = 0;  ///< approach speed below which a contact is no impact
 };
 
@@ -52,10 +52,10 @@ Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Tou
 /// Newton's law with restitution e and Coulomb's cone on the impulses (Moreau 1988), where and when the surfaces met:
 ///     0 ≤ p ⊥ vn⁺ − e v_approach ≥ 0,  v⁺ = v + B Gᵀ p,  q⁺ = q + B Gᵀ (since ∘ p),  B the flexibility of an impact.
 /// With the arms in G and the way since the meeting angular momentum is kept as linear is; a law at the end of the step
-/// loses it with the overlap. Closed touches take part without restitution; none approaches faster than before, and
-/// bonded ones go on as they do. Strain rates of blocks do not jump, nor are they seen: an impulse that makes rigid
-/// velocity of a strain rate creates energy. Among many touches those that approach at a share of the slow speed are
-/// left to the next step.
+/// loses it with the overlap. Touches that lie against each other take part without restitution; none approaches faster
+/// than before, and bonded ones go on as they do. Strain rates of blocks do not jump, nor are they seen: an impulse
+/// that makes rigid velocity of a strain rate creates energy. Among many touches those that approach at a share of the
+/// slow speed are left to the next step.
 Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const UnknownsTable& v, const Impacts& impacts,
                 const Flexibility& flexibility);
 

@@ -62,7 +62,7 @@ Split split(const StandardScene& scene, const Motion& start, const Touches& touc
   return parts;
 }
 
-// Those that bear, and those that lie against each other without: an impact goes through them at once.
+// Touches that bear, and those closed to within kTouching without bearing: an impact passes through them at once.
 template <class Bears>
 Touches touching(const StandardScene& scene, const UnknownsTable& q, const Touches& touches, double size,
                  const Bears& bears) {
@@ -70,20 +70,21 @@ Touches touching(const StandardScene& scene, const UnknownsTable& q, const Touch
   const auto lies_against = [&](const Touch& touch) {
     return gap_of(touch, vertices) - touch.rest_gap <= of_gaps::kTouching * size && lies_over_edge(touch, vertices);
   };
-  Touches touching;
+  Touches result;
   for (std::size_t i = 0; i < touches.size(); ++i)
-    if (bears(i) || lies_against(touches[i])) touching.push_back(touches[i]);
-  return touching;
+    if (bears(i) || lies_against(touches[i])) result.push_back(touches[i]);
+  return result;
 }
 
 class Attempt {
  public:
-  Attempt(const StandardScene& scene, const Motion& start, double time, double dt, bool is_last)
+  Attempt(const StandardScene& scene, const Motion& start, double time, double dt, double whole, bool is_last)
       : scene_(scene),
         is_last_(is_last),
         start_(start),
         time_(time),
         dt_(dt),
+        whole_(whole),
         rule_(step_rule(scene.settings, dt)),
         loads_(loads_at(scene, start.q, time + rule_.load_time * dt)) {
     scales_ = scales_of(scene, loads_, start.q, start.v);
@@ -122,7 +123,7 @@ class Attempt {
       step_.motion.given_up = std::max(0.0, kinetic_energy(scene_, smooth_.v) - kinetic_energy(scene_, step_.motion.v));
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty())
-      strike({scene_, start_, smooth_, rule_, time_, dt_, slow_speed(scene_, scales_, start_.v, dt_), scales_.size,
+      strike({scene_, start_, smooth_, rule_, time_, dt_, slow_speed(scene_, scales_, start_.v, whole_), scales_.size,
               parts_.smooth.size()},
              {std::move(parts_.impacts), std::move(parts_.impact_speeds)},
              {touching(scene_, smooth_.q, parts_.smooth, scales_.size, [&](std::size_t i) { return is_closed(i); }),
@@ -155,7 +156,7 @@ class Attempt {
         tolerance.most_systems = std::max(0, of_steps::kMostSystems - step_.solves);
         tolerance.enough_systems = std::max(0, of_steps::kEnoughSystems - step_.solves);
       }
-      parts_ = split(scene_, start_, found_.touches, slow_speed(scene_, scales_, start_.v, dt_));
+      parts_ = split(scene_, start_, found_.touches, slow_speed(scene_, scales_, start_.v, whole_));
       const SmoothMotion before = std::move(smooth_);
       smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_, rule_,
                              search > 0 ? &before : nullptr);
@@ -189,7 +190,7 @@ class Attempt {
       const bool has_spring = smooth_.laws[i].normal_compliance > 0;
       const bool has_met = !start_.closed.of(touch) || (slip_held(i).sticks && !smooth_.laws[i].is_bonded);
       const bool is_thrown_back =
-          resolves_impact(scene_, touch) || parts_.smooth_speeds[i] < -scales_.acceleration * dt_;
+          resolves_impact(scene_, touch) || parts_.smooth_speeds[i] < -scales_.acceleration * whole_;
       if (!has_spring || (springs_throw_back && has_met && is_thrown_back)) held.push_back(i);
     }
     return held;
@@ -314,6 +315,7 @@ class Attempt {
   const Motion& start_;
   double time_;
   double dt_;
+  double whole_;  ///< step that this is a part of: what is slow in it is slow in a part
   StepRule rule_;
   UnknownsTable loads_;
   Scales scales_;
@@ -324,44 +326,63 @@ class Attempt {
   StandardStep step_;
 };
 
-// `second` as a step that began with `first`; `tried` was thrown away for them.
-StandardStep in_two(const StandardStep& tried, const StandardStep& first, StandardStep second) {
+// Joins two parts of a step; `tried` was thrown away for them. `last`: length of the second part.
+StandardStep in_two(const StandardStep& tried, const StandardStep& first, StandardStep second, double last) {
   second.solves += first.solves + tried.solves;
   second.fallbacks += first.fallbacks + tried.fallbacks;
   second.halvings += first.halvings;
   second.locked_overlaps += first.locked_overlaps;
-  if (second.undecided.empty()) second.undecided = first.undecided;
+  if (second.undecided.empty() && !first.undecided.empty()) {
+    second.undecided = first.undecided;
+    second.touches = first.touches;
+  }
   second.account += first.account;
   keep_larger_residual(second, first);
   second.least = std::min(first.least, second.least);
+  if (first.struck > 0) second.struck = first.struck + last;
   return second;
 }
 
-StandardStep in_halves(const StandardScene& scene, const Motion& start, double time, double dt, int halvings_left) {
-  StandardStep whole =
-      Attempt(scene, start, time, dt, halvings_left == 0 && scene.settings.step_control == StepControl::constant).run();
-  whole.least = dt;
-  if (whole.converged || halvings_left == 0) return whole;
-  StandardStep first = in_halves(scene, start, time, dt / 2, halvings_left - 1);
-  if (!first.converged) return first;
-  StandardStep both = in_two(whole, first, in_halves(scene, first.motion, time + dt / 2, dt / 2, halvings_left - 1));
-  ++both.halvings;
-  return both;
-}
+// A step, or a part of it, of `dt`: in halves, and these in halves, where forces do not settle.
+class Halves {
+ public:
+  Halves(const StandardScene& scene, double whole) : scene_(scene), whole_(whole) {}
 
-StandardStep parted_at_impacts(const StandardScene& scene, const Motion& start, double time, double dt,
+  StandardStep run(const Motion& start, double time, double dt) const {
+    return run(start, time, dt, may_yield(scene_) ? of_steps::kMostHalvingsOfYield : of_steps::kMostHalvings);
+  }
+
+ private:
+  StandardStep run(const Motion& start, double time, double dt, int left) const {
+    const bool is_last = left == 0 && scene_.settings.step_control == StepControl::constant;
+    StandardStep whole = Attempt(scene_, start, time, dt, whole_, is_last).run();
+    whole.least = dt;
+    if (whole.converged || left == 0) return whole;
+    const StandardStep first = run(start, time, dt / 2, left - 1);
+    if (!first.converged) return first;
+    StandardStep both = in_two(whole, first, run(first.motion, time + dt / 2, dt / 2, left - 1), dt / 2);
+    ++both.halvings;
+    return both;
+  }
+
+  const StandardScene& scene_;
+  double whole_;
+};
+
+StandardStep parted_at_impacts(const Halves& halves, const Motion& start, double time, double dt, double instant,
                                int impacts_left) {
-  const int halvings = may_yield(scene) ? of_steps::kMostHalvingsOfYield : of_steps::kMostHalvings;
-  StandardStep whole = in_halves(scene, start, time, dt, halvings);
-  const double left = whole.struck - of_steps::kInstant * dt;
+  StandardStep whole = halves.run(start, time, dt);
+  const double left = whole.struck - instant;
   const bool are_few = whole.touches.size() <= FrictionalProblem::kFewPairs;
-  if (!whole.converged || !are_few || impacts_left == 0 || left <= 0) return whole;
-  const StandardStep first = in_halves(scene, start, time, dt - left, halvings);
+  if (!whole.converged || !are_few || impacts_left == 0 || left < instant) return whole;
+  const StandardStep first = halves.run(start, time, dt - left);
+  whole.solves += first.solves;
   if (!first.converged) return whole;
-  StandardStep second = parted_at_impacts(scene, first.motion, time + dt - left, left, impacts_left - 1);
+  StandardStep second = parted_at_impacts(halves, first.motion, time + dt - left, left, instant, impacts_left - 1);
   if (!second.converged) return whole;
-  StandardStep both = in_two(whole, first, std::move(second));
-  both.least = whole.least;  // an impact says nothing of the step that was needed
+  whole.solves -= first.solves;
+  StandardStep both = in_two(whole, first, std::move(second), left);
+  if (both.halvings == 0) both.least = whole.least;  // an impact says nothing of the step that was needed
   return both;
 }
 
@@ -374,7 +395,7 @@ void keep_larger_residual(StandardStep& step, const StandardStep& other) {
 }
 
 StandardStep standard_step(const StandardScene& scene, const Motion& start, double time, double dt) {
-  return parted_at_impacts(scene, start, time, dt, of_steps::kMostImpacts);
+  return parted_at_impacts(Halves(scene, dt), start, time, dt, of_steps::kInstant * dt, of_steps::kMostImpacts);
 }
 
 }  // namespace keyblock

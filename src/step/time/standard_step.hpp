@@ -15,7 +15,7 @@ struct StandardStep {
   StepAccount account;  ///< zero where no books are kept
   int solves = 0;
   int fallbacks = 0;        ///< solutions that needed sweeps
-  int halvings = 0;         ///< attempts thrown away
+  int halvings = 0;         ///< attempts thrown away because forces did not settle
   int locked_overlaps = 0;  ///< of impacts, left because other touches are in the way
   double least = 0;         ///< smallest part made of a step in time
   double struck = 0;        ///< how long before the end of the step its first impact was; 0: none
@@ -34,8 +34,8 @@ struct StandardStep {
 void keep_larger_residual(StandardStep& step, const StandardStep& other);
 
 /// From `time` to `time + dt`. Where contact cannot be solved to its residual, the step is made in halves, and these in
-/// halves again; then it is given up. Where few touch, it is parted where the first impact is, up to four times: what
-/// bore before an impact bears to its instant, and no longer.
+/// halves again; then it is given up. Where few touch, it ends at its first impact, and what is
+/// left of it is a part of its own, up to four times: contacts that an impact opens bear up to its instant.
 StandardStep standard_step(const StandardScene& scene, const Motion& start, double time, double dt);
 
 }  // namespace keyblock

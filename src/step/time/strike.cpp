@@ -65,8 +65,8 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
   }
   if (struck.meetings.empty()) return;
   step.struck = std::ranges::max_element(struck.meetings, {}, &ImpactMeeting::since)->since;
-  struck.closed = others.touching;
-  std::erase_if(struck.closed, [&](const Touch& touch) { return is_within_one_body(of.scene, touch); });
+  struck.touching = others.touching;
+  std::erase_if(struck.touching, [&](const Touch& touch) { return is_within_one_body(of.scene, touch); });
   const Flexibility flexibility = impact_flexibility(of.scene, of.smooth.flexibility, of.rule);
   struck.bonds = of.smooth.bonds;
   struck.slow = of.slow;
@@ -79,16 +79,18 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
   Separated separated{.q = std::move(jump.q)};
   Touches not_driven_in;
   std::set<Touch> known;
-  // Again where pushes drove others into one another.
+  // Repeats the separation while it drives others into one another.
   for (int search = 0; search < tolerances::of_steps::kMostSearches; ++search) {
     const std::size_t before = not_driven_in.size();
     for (const Touch& touch : others.not_driven_in(separated.q))
       if (known.insert(touch).second) not_driven_in.push_back(touch);
     if (search > 0 && not_driven_in.size() == before) break;
-    Separated next = without_overlap(of.scene, separated.q, impacts.touches, not_driven_in, of.smooth.q, flexibility);
-    separated.q = std::move(next.q);
-    separated.solves += next.solves;
-    separated.locked += next.locked;
+    Separated next =
+        without_overlap(of.scene, std::move(separated.q), impacts.touches, not_driven_in, of.smooth.q, flexibility);
+    const bool has_pushed = next.solves > 0;
+    next.solves += separated.solves;
+    separated = std::move(next);
+    if (!has_pushed) break;
   }
   step.motion.q = with_points_in_place(of.scene, std::move(separated.q), of.time + of.dt, flexibility);
   step.solves += jump.solves + separated.solves;

@@ -14,8 +14,8 @@ constexpr double kGreatestOrder = 6;
 // The integrators are of first or second order: what three runs show well beyond is terms that cancel.
 constexpr double kOrderTrusted = 2;
 constexpr double kOrderOfCancelling = 2.5;
-// Of the way from the coarse to the fine run what the way from the middle one is at first order: where a part of it
-// cancels by chance, the fine run may be as far off.
+// Ratio of |coarse - fine| to |middle - fine| at first order, 1 + 2: where differences cancel by chance, the fine run
+// may be as far off.
 constexpr double kFallOfFirstOrder = 3;
 constexpr double kSame = 1e-12;  // relative: round-off
 
