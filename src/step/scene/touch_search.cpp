@@ -204,10 +204,6 @@ bool was_tried(const ContactMemory& memory) {
   return memory.tried_at != 0 && std::abs(memory.normal - memory.tried_at) <= kAsPressed * std::abs(memory.tried_at);
 }
 
-bool share_a_corner(const Touch& a, const Touch& b) {
-  return a.vertex == b.vertex || a.vertex == b.start || a.vertex == b.end || b.vertex == a.start || b.vertex == a.end;
-}
-
 }  // namespace
 
 FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt,
@@ -257,13 +253,16 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   };
   Touches fresh;
   const FoundTouches found = found_within(scene, vertices, search);
-  // Rejects an edge that the corner already lay behind, if one of the two corners came in through another known edge.
+  // A point that lay behind the line of an edge before the motion did not come in through that edge where it overlaps
+  // another one, through which it came: that one takes it.
+  const auto bodies = [&](const Touch& touch) {
+    return std::minmax({scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element});
+  };
   const auto came_through_another = [&](const Touch& touch) {
     return gap_of(touch, before) < -overlap - slack_of(touch) &&
            std::ranges::any_of(known.touches, [&](const Touch& other) {
-             const double most = -overlap - slack_of(other);
-             return share_a_corner(touch, other) && gap_of(other, vertices) < most && gap_of(other, before) >= most &&
-                    lies_over_edge(other, vertices);
+             return bodies(other) == bodies(touch) && gap_of(other, vertices) < -overlap &&
+                    gap_of(other, before) >= -overlap - slack_of(other) && lies_over_edge(other, vertices);
            });
   };
   for (const Touch& touch : found.touches)
