@@ -16,7 +16,7 @@ struct ImpactMeeting {
   double gained = 0;  ///< approach speed that was gained in that time
 };
 
-/// What meets in a step, and what lies against each other meanwhile, whether it bears or not.
+/// Touches that meet in a step, and those that lie against each other meanwhile, whether they bear or not.
 struct Impacts {
   std::vector<ImpactMeeting> meetings;
   Touches touching;

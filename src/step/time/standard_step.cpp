@@ -178,7 +178,7 @@ class Attempt {
     return std::abs(normal(i)) > least_force_ || smooth_.bonds.contains(parts_.smooth[i].facing);
   }
 
-  // Those whose gap decides what they do in the step: multipliers, and springs that would throw back what has just
+  // Lists touches whose gap decides what they do in the step: multipliers, and springs that would throw back what has
   // closed: bodies on covers, with what sticks on them, and blocks that closed faster than they fall in a step. A bond
   // is a spring that swings: it loses nothing to the clean-up once it holds.
   std::vector<std::size_t> to_be_held() const {
