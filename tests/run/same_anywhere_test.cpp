@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "formats/case.hpp"
@@ -34,8 +36,9 @@ Point turned_by_degrees(Point p, double degrees) {
   return {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
 }
 
-Slid slid(const Variant& variant, const std::string& slivers) {
+Slid slid(const Variant& variant, const std::string& slivers, int steps) {
   Problem problem = formats::load_case({KEYBLOCK_SOURCE_DIR "/tests/run/scenes/slope_of_150_blocks.json"}).problem;
+  problem.analysis->step_count = steps;
   auto& blocks = std::get<Blocks>(problem.geometry);
   for (BlockPolygon& block : blocks.blocks)
     for (BlockVertex& vertex : block.outer) vertex.position = variant.place(vertex.position);
@@ -46,11 +49,9 @@ Slid slid(const Variant& variant, const std::string& slivers) {
     problem.analysis->block_materials[0].youngs_modulus *= 1e-6;
   }
   const Point gravity = turned_by_degrees({0, -9.81 * length_unit}, variant.turn);
-  const Prepared prepared =
-      prepare(problem, "standard",
-              {{"slivers", slivers},
-               {"gravity.x", fmt::to_string(gravity.x)},
-               {"gravity.y", fmt::to_string(gravity.y)}});
+  const Prepared prepared = prepare(
+      problem, "standard",
+      {{"slivers", slivers}, {"gravity.x", fmt::to_string(gravity.x)}, {"gravity.y", fmt::to_string(gravity.y)}});
   std::vector<Frame> frames;
   std::vector<LedgerRow> rows;
   Observer observer;
@@ -74,20 +75,30 @@ Slid slid(const Variant& variant, const std::string& slivers) {
 
 // Where two faces end together round-off once chose whose corner names their touch, and by that name a corner at a
 // crossing of joints passed or bore for good: moved by a kilometre the same slope released 10 % less, and a block ended
-// elsewhere by half the greatest way.
+// elsewhere by half the greatest way. With the slivers kept, blocks that fell strike others after 0.3 s: what they do
+// then hangs on the last digits, and is not compared.
 TEST(SameAnywhere, a_slope_slides_alike_whatever_its_origin_axes_and_units) {
   const Variant drawn{"as drawn", [](Point p) { return p; }};
   const std::vector<Variant> variants = {
-      {"a kilometre away", [](Point p) { return p + Point{1000, 370}; }},
+      {"a kilometre away",
+       [](Point p) {
+         return p + Point{1000, 370};
+       }},
       {"turned", [](Point p) { return turned_by_degrees(p, 37); }, 37},
       {"in millimetres", [](Point p) { return 1e3 * p; }, 0, true},
+      {"drawn a nanometre off",
+       [random = std::mt19937(1)](Point p) mutable {
+         std::uniform_real_distribution<double> noise(-1e-9, 1e-9);
+         const double x = noise(random);
+         return p + Point{x, noise(random)};
+       }},
   };
-  for (const std::string slivers : {"glue", "keep"}) {
+  for (const auto& [slivers, steps, way] : {std::tuple{"glue", 250, 0.4}, std::tuple{"keep", 150, 0.2}}) {
     SCOPED_TRACE(slivers);
-    const Slid expected = slid(drawn, slivers);
-    EXPECT_GT(expected.greatest, 0.4) << "it slides";
+    const Slid expected = slid(drawn, slivers, steps);
+    EXPECT_GT(expected.greatest, way) << "it slides";
     for (const Variant& variant : variants) {
-      const Slid found = slid(variant, slivers);
+      const Slid found = slid(variant, slivers, steps);
       EXPECT_NEAR(found.released, expected.released, 1e-3 * expected.released) << variant.name;
       ASSERT_EQ(found.ways.size(), expected.ways.size());
       for (std::size_t i = 0; i < found.ways.size(); ++i)

@@ -52,8 +52,9 @@ Eigen::VectorXd ActiveSet::forces(const Eigen::VectorXd& unknowns, double share)
   Eigen::VectorXd all(static_cast<Eigen::Index>(columns.size()));
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Column& column = columns[i];
-    all[static_cast<Eigen::Index>(i)] =
-        (share == 0 ? 0 : share * column.given) + (column.unknown < 0 ? 0 : column.factor * unknowns[column.unknown]);
+    all[static_cast<Eigen::Index>(i)] = (share == 0 ? 0 : share * column.given) +
+                                        (column.unknown < 0 ? 0 : column.factor * unknowns[column.unknown]) +
+                                        (column.coupled == 0 ? 0 : column.coupled * unknowns[columns[i - 1].unknown]);
   }
   return all;
 }
@@ -66,7 +67,10 @@ Eigen::VectorXd ActiveSet::kept(const Eigen::VectorXd& all) const {
 
 ActiveForces::ActiveForces(const FrictionalProblem& problem, const std::vector<Grip>& grips,
                            const Eigen::VectorXd& added)
-    : problem_(problem), set_(problem.laws, grips), added_(added) {
+    : ActiveForces(problem, ActiveSet(problem.laws, grips), added) {}
+
+ActiveForces::ActiveForces(const FrictionalProblem& problem, ActiveSet set, const Eigen::VectorXd& added)
+    : problem_(problem), set_(std::move(set)), added_(added) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(set_.rows.size()));
   const Eigen::VectorXd given = set_.forces(none, 1);
   from_given_ = none;
@@ -113,6 +117,7 @@ void ActiveForces::factorise_dense() {
       const auto other = static_cast<Eigen::Index>(i);
       const double own = other == force ? problem_.w.added()[force] + added_[force] : 0;
       a(r, column.unknown) += column.factor * (row.times(other) + own);
+      if (column.coupled != 0) a(r, set_.columns[i - 1].unknown) += column.coupled * row.times(other);
     }
   }
   dense_.compute(a);
@@ -142,6 +147,7 @@ std::optional<Eigen::VectorXd> ActiveForces::by_iterations(const Eigen::VectorXd
     (row % 2 == 0 ? pair.nn : pair.tt) = stiffness;
     const ActiveSet::Column& across = set_.columns[static_cast<std::size_t>(row + 1 - row % 2)];
     if (row % 2 == 0 && across.unknown == static_cast<Eigen::Index>(u)) pair.tn = across.factor * stiffness;
+    if (row % 2 == 0) pair.tn += across.coupled * stiffness;
     const double own = problem_.w.diagonal()[row] - problem_.w.added()[row];
     judged = std::min(judged, problem_.compliance()[row] / std::sqrt(own));
   }

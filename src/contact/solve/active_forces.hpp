@@ -20,11 +20,13 @@ struct ActiveSet {
     Eigen::Index unknown = -1;  ///< of the force; none if it is given
     double factor = 0;          ///< force = factor × unknown + given
     double given = 0;
+    double coupled = 0;  ///< of a tangential force: share of the unknown of its normal force that comes on top
   };
   std::vector<Column> columns;     ///< of each force
   std::vector<Eigen::Index> rows;  ///< force whose y is zero, of each unknown
   bool slips = false;
 
+  ActiveSet() = default;
   ActiveSet(const std::vector<ForceLaw>& laws, const std::vector<Grip>& grips);
   /// The forces under these unknowns; `share` 0 leaves out what is given.
   Eigen::VectorXd forces(const Eigen::VectorXd& unknowns, double share) const;
@@ -40,6 +42,8 @@ class ActiveForces {
   /// `added` stands on the diagonal of W beside its own entries; where an unknown force has neither, few forces can be
   /// solved only.
   ActiveForces(const FrictionalProblem& problem, const std::vector<Grip>& grips, const Eigen::VectorXd& added);
+  /// Of a set made by hand: (R W F + D) u = f, with D what stands on the diagonal.
+  ActiveForces(const FrictionalProblem& problem, ActiveSet set, const Eigen::VectorXd& added);
   ActiveForces(const ActiveForces&) = delete;  // its parts refer to each other
   ~ActiveForces();
 

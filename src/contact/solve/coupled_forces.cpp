@@ -12,17 +12,21 @@ CoupledForces::CoupledForces(const ContactMatrix& w, const ActiveSet& set, const
   for (Eigen::Index u = 0; u < size; ++u) {
     const Eigen::Index force = set.rows[static_cast<std::size_t>(u)];
     a.startVec(u);
-    Eigen::Index last = -1;  // the two forces of a slipping pair are of one unknown
+    Eigen::Index last = -1;  // the two forces of a pair may be of one unknown
+    const auto put = [&](Eigen::Index unknown, double value) {
+      if (unknown == last)
+        a.data().value(static_cast<Eigen::Index>(a.data().size()) - 1) += value;
+      else
+        a.insertBack(u, unknown) = value;
+      last = unknown;
+    };
     for (const CoupledRows::Entry& entry : w.coupled().of(force)) {
       const ActiveSet::Column& column = set.columns[static_cast<std::size_t>(entry.row)];
       if (column.unknown < 0) continue;
       const double own = entry.row == force ? w.added()[force] + added[force] : 0;
-      const double value = column.factor * (entry.value + own);
-      if (column.unknown == last)
-        a.data().value(static_cast<Eigen::Index>(a.data().size()) - 1) += value;
-      else
-        a.insertBack(u, column.unknown) = value;
-      last = column.unknown;
+      if (column.coupled != 0)
+        put(set.columns[static_cast<std::size_t>(entry.row - 1)].unknown, column.coupled * entry.value);
+      put(column.unknown, column.factor * (entry.value + own));
     }
   }
   a.finalize();

@@ -72,6 +72,9 @@ void ForcesOfBlocks::add_pair_of(Eigen::Index pair, std::size_t first_unknown, i
       for (const Eigen::Index force : {pair, pair + 1}) {
         const ActiveSet::Column& of = set_.columns[static_cast<std::size_t>(force)];
         if (of.unknown == static_cast<Eigen::Index>(unknown)) column += stiffness * of.factor * side(force, i);
+        const ActiveSet::Column& normal = set_.columns[static_cast<std::size_t>(pair)];
+        if (of.coupled != 0 && normal.unknown == static_cast<Eigen::Index>(unknown))
+          column += stiffness * of.coupled * side(force, i);
       }
       for (int j : {0, 1})
         if (is_wanted(i, j)) sums[i][j].noalias() += column * side(set_.rows[unknown], j).transpose();
@@ -131,7 +134,8 @@ Eigen::VectorXd ForcesOfBlocks::rates_under(Eigen::Index force, const std::vecto
 Eigen::VectorXd ForcesOfBlocks::solve(const Eigen::VectorXd& right) const {
   const auto misfit = [&](const Eigen::VectorXd& unknowns) {
     const Eigen::VectorXd forces = set_.forces(unknowns, 0);
-    return Eigen::VectorXd(right - set_.kept(w_ * forces + added_.cwiseProduct(forces)));
+    return Eigen::VectorXd(right - set_.kept(w_ * forces - w_.added().cwiseProduct(forces)) -
+                           compliance_.cwiseProduct(unknowns));
   };
   const double goal = kRoundOff * right.norm();
   Eigen::VectorXd best = once(right);

@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/progress/system_limit.hpp"
 #include "contact/solve/active_forces.hpp"
-#include "contact/solve/contended_pairs.hpp"
-#include "contact/solve/friction_sweeps.hpp"
 
 namespace keyblock {
 namespace {
@@ -27,20 +24,13 @@ constexpr double kSharpestOfFew = 1e-8;
 // Held points have no springs and do not open: this share makes them regular, and leaves less in one round than a held
 // block strains.
 constexpr double kOfHeld = 1e-8;
-// Where springs make forces unique, weights below this one are left out altogether.
-constexpr double kAsNone = 1e-4;
 // A round settles to this share of the residual that it starts with: what is left of the proximal term is more.
 constexpr double kOfRound = 1e-3;
 // A weight that improves the residual by more than this is kept.
 constexpr double kGood = 0.1;
 // An acceptable residual that a round improves by less than this is left as it is.
 constexpr double kProgress = 0.5;
-// After a lost round of many pairs projected Gauss-Seidel takes away what lies in single blocks: it costs what a few
-// systems do.
-constexpr int kSweeps = 100;
-// Rounds lost in all, and active sets of one round. Of many pairs a round that takes longer is better made with a
-// greater weight.
-constexpr int kMostLost = 4;
+// Active sets of one round, and rounds. Of many pairs a round that takes longer has run away.
 constexpr int kMostRounds = 40;
 constexpr int kMostSets = 60;
 constexpr int kMostSetsOfMany = 12;
@@ -48,8 +38,6 @@ constexpr int kMostSetsOfMany = 12;
 // more than the second figure.
 constexpr int kSetsToSettle = 4;
 constexpr std::size_t kStillFew = 20;
-// Pairs of a cycle that are worth a dense matrix.
-constexpr std::size_t kMostContended = 60;
 // Few forces are left as they are where their residual is this share of the goal.
 constexpr double kOfGoal = 1e-3;
 // Residual that iterations may leave: over the goal, and of an active set that may not be the last one, over the
@@ -65,40 +53,38 @@ class Newton {
         kept_(kept),
         base_(base_weights()),
         is_unique_(is_unique()),
+        nothing_opens_(nothing_opens()),
         tried_(std::move(first)) {}
 
   FrictionalSolution run() {
     if (is_left_as_is()) return std::move(solution_);
     if (tried_.forces.size() == 0) tried_ = tried(problem_, solution_.forces);
     double weight = is_unique_ ? 0 : 1;
-    double lost_at = std::numeric_limits<double>::infinity();
-    double lost_residual = 0;
-    int lost = 0;
-    for (int round = 0; round < kMostRounds && lost < kMostLost && has_systems_left(); ++round) {
+    double softest_lost = 0;
+    for (int round = 0; round < kMostRounds; ++round) {
       const double before = solution_.residual;
       const Eigen::VectorXd reference = solution_.forces;
       if (tried_.forces != reference) tried_ = tried(problem_, reference);
       const bool settled = settle({weights_of(weight), reference});
       const double gain = solution_.residual / before;
-      if (is_solved()) break;
-      if (is_enough()) break;
-      if (settled && gain < 1) {
-        if (solution_.converged && gain > kProgress && weight <= sharpest()) break;
-        // Of few forces those that take a large motion to matter are left to the first weight, unless only digits are
-        // missing.
-        if (!is_unique_ && !problem_.has_many() && !solution_.converged) continue;
-        const double sharper = sharper_than(weight);
-        const bool may_sharpen = sharper > lost_at || solution_.residual < kGood * lost_residual;
-        if (gain > kGood && may_sharpen) weight = sharper;
-      } else {
-        if (solution_.converged && !problem_.has_many()) break;
-        if (weight >= kSoftest / kFirstWeight) break;
-        if (problem_.has_many()) solution_ = sweep(problem_, std::move(solution_), kSweeps);
-        lost_at = weight;
-        lost_residual = solution_.residual;
-        weight = weight == 0 ? 1 : weight * kTen;
-        ++lost;
+      // Where nothing opens, the factor stays, and the last digits cost a solution each.
+      const bool refines = nothing_opens_ && gain < kProgress && solution_.residual > kOfGoal * problem_.goal;
+      if (is_solved() && !refines) break;
+      const bool are_few = !problem_.has_many();
+      if (!settled || gain >= 1) {
+        // What can open is better found by a detour, if it is not few.
+        const bool goes_on = are_few ? !solution_.converged : nothing_opens_;
+        if (is_unique_ || !goes_on || weight >= kSoftest / kFirstWeight) break;
+        softest_lost = weight;
+        weight *= kTen;
+        continue;
       }
+      if (solution_.converged && gain > kProgress && weight <= sharpest()) break;
+      // Of few forces those that take a large motion to matter are left to the first weight, unless only digits are
+      // missing.
+      const bool is_far = are_few && !solution_.converged;
+      if (!is_unique_ && gain > kGood && !is_far && weight / kTen > softest_lost)
+        weight = std::max(weight / kTen, sharpest());
     }
     return std::move(solution_);
   }
@@ -113,7 +99,7 @@ class Newton {
     std::size_t first_changes = 0;
     bool is_loose = true;
     const int most = problem_.has_many() ? kMostSetsOfMany : kMostSets;
-    for (int i = 0; i < most && has_systems_left(); ++i) {
+    for (int i = 0; i < most; ++i) {
       begin_system();
       visited.push_back(grips);
       factorise(grips, proximal.weights);
@@ -122,7 +108,7 @@ class Newton {
       if (!forces) return false;
       tried_ = tried(problem_, *std::move(forces));
       keep_best();
-      if (is_solved() || is_enough()) return true;
+      if (is_solved()) return true;
       const NaturalMap map = natural_map(problem_, tried_, proximal);
       const std::size_t changes = different(grips, map.grips).size();
       const bool is_rough = is_loose && system().iterates();
@@ -137,12 +123,7 @@ class Newton {
         is_loose = false;  // it may be errors that go round
         visited.clear();
       } else if (seen != visited.end()) {
-        solution_.undecided = contended(seen, visited.end());
-        if (solution_.undecided.size() > kMostContended) return false;
-        next = settled_among(problem_, std::move(next), solution_.undecided, proximal.weights, right, tried_.forces);
-        ++solution_.solves;
-        if (std::ranges::find(visited, next) != visited.end()) return false;
-        visited.clear();
+        return false;
       }
       grips = std::move(next);
     }
@@ -157,6 +138,10 @@ class Newton {
     for (Eigen::Index i = 0; i < weights.size(); ++i)
       if (weights[i] + problem_.w.added()[i] == 0) weights[i] = ours[i];
     return weights;
+  }
+
+  bool nothing_opens() const {
+    return std::ranges::none_of(problem_.laws, [](const ForceLaw& law) { return law.can_open(); });
   }
 
   bool is_unique() const {
@@ -177,11 +162,6 @@ class Newton {
     return weights;
   }
   double sharpest() const { return is_unique_ ? 0 : (problem_.has_many() ? kSharpest : kSharpestOfFew) / kFirstWeight; }
-  double sharper_than(double weight) const {
-    const double sharper = weight / kTen;
-    if (is_unique_) return sharper < kAsNone / kFirstWeight ? 0 : sharper;
-    return std::max(sharper, sharpest());
-  }
 
   ActiveForces& system() { return *kept_.system; }
 
@@ -196,10 +176,6 @@ class Newton {
   // step: with a velocity that strains stiff ones.
   bool is_left_as_is() const { return solution_.residual <= (problem_.has_many() ? 1 : kOfGoal) * problem_.goal; }
   bool is_solved() const { return solution_.residual <= problem_.goal; }
-  bool is_enough() const {
-    return solution_.converged && problem_.has_many() && solution_.solves >= problem_.enough_systems;
-  }
-  bool has_systems_left() const { return solution_.solves < problem_.most_systems; }
 
   void keep_best() {
     const double now = residual(problem_, tried_);
@@ -218,22 +194,13 @@ class Newton {
     return pairs;
   }
 
-  // Pairs that are not the same in all sets of a cycle.
-  template <class Visit>
-  static std::vector<std::size_t> contended(Visit first, Visit last) {
-    std::vector<std::size_t> pairs;
-    for (std::size_t i = 0; i < first->size(); ++i)
-      if (std::any_of(first, last, [&](const std::vector<Grip>& grips) { return grips[i] != (*first)[i]; }))
-        pairs.push_back(i);
-    return pairs;
-  }
-
   const FrictionalProblem& problem_;
   FrictionalSolution solution_;  ///< with the best forces seen
   KeptSystem& kept_;
   Eigen::VectorXd base_;  ///< weights of the first proximal round
   bool is_unique_;        ///< forces follow from springs
-  Tried tried_;           ///< forces of the last active set
+  bool nothing_opens_;
+  Tried tried_;  ///< forces of the last active set
 };
 
 }  // namespace

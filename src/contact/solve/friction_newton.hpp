@@ -8,10 +8,8 @@ namespace keyblock {
 
 /// Semismooth Newton on the natural map. A proximal term ρ W_ii (λ − λ_ref) makes redundant contacts regular and far
 /// steps short; λ_ref follows round by round until the residual of the problem itself is at its goal (Rockafellar
-/// 1976). A round that settles is followed by one with a smaller ρ, one that is lost by one with a larger. Where
-/// springs make the forces unique, the first round has none. Few pairs that go round in a cycle are settled among
-/// themselves (contended_pairs); where they are not few they are undecided. The best forces seen are kept, and no more
-/// systems are made than the problem allows.
+/// 1976). A round whose active sets go round in a cycle or run away is the last; of few pairs one with a larger ρ
+/// follows. Where springs make the forces unique, rounds have no such term. The best forces seen are kept.
 FrictionalSolution newton(const FrictionalProblem& problem, const Eigen::VectorXd& start);
 
 /// The same from an earlier solution, whose counts go on; `kept` as in `solve`.

@@ -6,22 +6,10 @@
 
 #include "base/loop.hpp"
 #include "contact/solve/friction_newton.hpp"
-#include "contact/solve/friction_sweeps.hpp"
+#include "contact/solve/interior_forces.hpp"
 
 namespace keyblock {
-namespace {
-
-// Sweeps between two attempts of Newton: enough to leave the cycle in which it was caught. Few pairs may take their
-// time.
-constexpr int kSweepsBetween = 200;
-constexpr int kMostTurns = 8;
-constexpr int kTurnsOfMany = 2;
-// Many pairs whose residual is this much above the acceptable one are first swept: thirty sweeps cost what a system
-// does, and bring what Newton needs ten for.
-constexpr double kFarOff = 10;
-constexpr int kFirstSweeps = 30;
-
-}  // namespace
+namespace {}  // namespace
 
 double ForceLaw::limit(double normal) const {
   return std::max(0.0, cohesion + friction * normal);
@@ -115,28 +103,15 @@ FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd
 
 FrictionalSolution solve(const FrictionalProblem& problem, Tried first, KeptSystem* kept) {
   FrictionalSolution solution{first.forces, residual(problem, first), 0, 0, is_acceptable(problem, first), {}};
-  if (problem.has_many() && !solution.converged && solution.residual > kFarOff * problem.acceptable) {
-    solution = sweep(problem, std::move(solution), kFirstSweeps);
-    first = {};
-  }
   solution = newton(problem, std::move(solution), kept, std::move(first));
-  FrictionalSolution best = solution;
-  const int most_turns = problem.has_many() ? kTurnsOfMany : kMostTurns;
-  // Of some hundred pairs the goal itself is worth another turn, of very many it is not.
-  const bool seeks_goal =
-      problem.has_many() && problem.count() <= FrictionalProblem::kVeryManyPairs && problem.enough_systems > 0;
-  const auto is_done = [&] { return best.converged && (!seeks_goal || best.residual <= problem.goal); };
-  for (int turn = 0; turn < most_turns && !is_done(); ++turn) {
-    solution = sweep(problem, std::move(solution), kSweepsBetween << turn);
-    if (!solution.converged || seeks_goal) solution = newton(problem, std::move(solution), kept);
-    const bool is_better = solution.residual < best.residual;
-    if (solution.converged ? is_better || !best.converged : is_better && !best.converged) best = solution;
+  // Of a thousand pairs the goal itself is worth a detour, of more it is not.
+  const bool suffices = solution.converged && problem.has_very_many();
+  if (solution.residual > problem.goal && !suffices) {
+    solution = interior_forces(problem, std::move(solution));
+    ++solution.fallbacks;
+    if (solution.residual > problem.goal) solution = newton(problem, std::move(solution), kept);
   }
-  best.solves = solution.solves;
-  best.sweeps = solution.sweeps;
-  solution = std::move(best);
-  if (!solution.converged && solution.undecided.empty())
-    solution.undecided = unsettled(problem, tried(problem, solution.forces));
+  if (!solution.converged) solution.undecided = unsettled(problem, tried(problem, solution.forces));
   // Round-off on an open touch would pass for a closed one.
   const Tried last = tried(problem, solution.forces);
   const NaturalMap map = natural_map(problem, last);

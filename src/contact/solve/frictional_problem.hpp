@@ -51,18 +51,15 @@ struct FrictionalProblem {
   /// stays in the solution.
   double no_force = std::numeric_limits<double>::infinity();
   Eigen::VectorXd scale{};  ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
-  int most_systems = 400;   ///< linear systems after which the best forces so far are kept
-  int enough_systems =
-      std::numeric_limits<int>::max();  ///< after which acceptable forces of many pairs are not improved further
-
   const Eigen::VectorXd& compliance() const { return scale.size() > 0 ? scale : w.diagonal(); }
   std::size_t count() const { return laws.size(); }
   /// Whether a sparse factor is worth more than the last digits of forces that are redundant anyhow.
   bool has_many() const { return count() > kFewPairs; }
+  bool has_very_many() const { return count() > kVeryManyPairs; }
 
   static constexpr std::size_t kFewPairs = 50;
-  /// More than these are worth estimates of what accuracy costs.
-  static constexpr std::size_t kVeryManyPairs = 500;
+  /// Of more than these the last digits cost more than they are worth.
+  static constexpr std::size_t kVeryManyPairs = 1000;
 };
 
 /// open: at the least normal force, which is none for a touch; open_stick: the same, yet yt = 0; slip_forward: λt =
@@ -76,11 +73,10 @@ inline bool is_open(Grip grip) {
 struct FrictionalSolution {
   Eigen::VectorXd forces;
   double residual = 0;
-  int solves = 0;          ///< linear systems factorised
-  int sweeps = 0;          ///< of projected Gauss-Seidel, 0 if it was not needed
-  bool converged = false;  ///< acceptable
-  std::vector<std::size_t>
-      undecided;  ///< pairs whose state went round in a cycle, or which hold the residual up at the end
+  int solves = 0;                      ///< linear systems factorised
+  int fallbacks = 0;                   ///< detours by the interior
+  bool converged = false;              ///< acceptable
+  std::vector<std::size_t> undecided;  ///< pairs that hold the residual up at the end, where it is not acceptable
 };
 
 /// What λ would become under the natural map (Alart & Curnier 1991), with r one over the compliance by which y is
@@ -126,10 +122,9 @@ bool is_acceptable(const FrictionalProblem& problem, const Tried& tried);
 /// The linear system of the last active set, for problems that differ in b alone.
 struct KeptSystem;
 
-/// Newton on the natural map from `start`; where that ends above the acceptable residual, projected Gauss-Seidel and
-/// Newton in turn from the best forces seen. Many pairs whose start is far off are swept a little first. The forces of
-/// open touches are exactly zero, but for those above `no_force`. `kept` is used where its system is that of an active
-/// set, and holds the last one after.
+/// Newton on the natural map from `start`; where that goes round in a cycle, a detour by the interior of the bounds,
+/// and Newton again. The forces of open touches are exactly zero, but for those above `no_force`. `kept` is used
+/// where its system is that of an active set, and holds the last one after.
 FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd& start, KeptSystem* kept = nullptr);
 FrictionalSolution solve(const FrictionalProblem& problem, Tried start, KeptSystem* kept = nullptr);
 

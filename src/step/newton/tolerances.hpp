@@ -66,8 +66,6 @@ inline constexpr double kWorstGain = 0.03;
 // A tangent about increments that differ by less is the same one: where elements are a thousandth of a body it differs
 // by a share of that, far less than the gain that is asked for. What it costs is a solution a contact force.
 inline constexpr double kSameTangent = 1e-6;
-// Linear systems that a round may make whatever those before it took.
-inline constexpr int kFewestSystems = 8;
 
 }  // namespace of_smooth_motion
 
@@ -86,20 +84,15 @@ inline constexpr int kMostSearches = 4;
 inline constexpr double kForceGoal = 1e-10;
 inline constexpr double kForceAcceptable = 1e-6;
 // In assemblies of more touches than `kFewPairs` the first is a setting, a millionth, far below what a step does to
-// forces; and a thousandth, judged by what one force does to its own blocks in the step, is a gap of a thousandth of
-// their free fall.
-inline constexpr double kForceAcceptableOfMany = 1e-3;
+// forces; and a ten-thousandth, judged by what one force does to its own blocks in the step, is a gap of that share of
+// their free fall, and what a run is trusted with.
+inline constexpr double kForceAcceptableOfMany = 1e-4;
 // In the shortest part of a cut step a few pairs among many may go on changing sides: a hundredth is taken, or what
 // changes the largest momentum by a ten-thousandth, and the pairs are told.
 inline constexpr double kForceToleratedOfMany = 1e-2;
 inline constexpr double kMomentumToleratedOfMany = 1e-4;
 // A force below this is round-off of gaps in a short step.
 inline constexpr double kLeastForceOfMany = 1e-8;
-inline constexpr int kMostSystemsOfMany = 100;
-// Of very many touches, forces that have not reached the goal after this many systems are taken where they are
-// acceptable: on slopes that slide a pair or two of thousands goes on changing sides.
-inline constexpr int kEnoughSystems = 12;
-inline constexpr int kMostSystems = 40;
 // Where nothing loads the blocks, forces come from momentum alone: the same over momentum / dt.
 inline constexpr double kMomentumGoal = 1e-13;
 inline constexpr double kMomentumAcceptable = 1e-9;
@@ -159,8 +152,6 @@ inline constexpr double kLooser = 1e4;
 inline constexpr double kImpulseToleranceOfMany = 1e-6;
 inline constexpr double kShareOfImpulse = 1e-2;
 inline constexpr double kShareOfSlow = 1e-2;
-inline constexpr int kMostSystems = 40;
-inline constexpr int kFewestSystems = 12;
 // Friction of what makes velocities vanish is taken from the round before: each leaves a share of friction times
 // slenderness.
 inline constexpr int kMostFrictionRounds = 5;
@@ -260,7 +251,6 @@ inline constexpr double kEvenly = 1e-3;
 // Of the largest load on a block; what steps of the run itself ask of as many touches.
 inline constexpr double kForceGoal = 1e-6;
 inline constexpr double kForceAcceptable = 1e-3;
-inline constexpr int kMostSystems = 40;
 
 }  // namespace of_settled_start
 

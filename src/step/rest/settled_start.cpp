@@ -126,7 +126,7 @@ class Settling {
     choices.force_weight = 1;  // each step ends at the rest that it heads for, not as far beyond
     const StepRule rule = step_rule(choices, dt);
     const ForceTolerance tolerance{of_settled_start::kForceGoal * scales_.force,
-                                   of_settled_start::kForceAcceptable * scales_.force, of_settled_start::kMostSystems};
+                                   of_settled_start::kForceAcceptable * scales_.force};
     SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_.touches, tolerance, -dt, dt, rule);
     for (int search = 1; search < of_settled_start::kMostSearches && made.converged; ++search) {
       const Touches fresh = overlapping_at(made.q, motion_);

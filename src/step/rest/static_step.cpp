@@ -129,7 +129,7 @@ class StaticSolve {
     for (int search = 0; search < of_statics::kMostSearches; ++search) {
       touches = found.touches;
       made = smooth_solve(scene_, now_, loads, touches, tolerance, time_ - 1, 1, resting_rule(tau_));
-      if (made.sweeps > 0) ++result_.fallbacks;
+      if (made.fallbacks > 0) ++result_.fallbacks;
       const auto end = vertices_at(scene_.model, scene_.reference, made.q);
       const Touches fresh =
           made.converged ? newly_overlapping(scene_, still, end, found, scales, GuidedCorners::pass) : Touches{};

@@ -62,7 +62,7 @@ UnknownsTable with_held_at_ease(const StandardScene& scene, const Motion& motion
     problem.laws.push_back(std::abs(memory.tangential) < (1 - of_accelerations::kAtLimit) * limit ? kHeld : kBilateral);
   }
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
-  // Nothing opens: sweeps would change nothing that Newton leaves.
+  // Nothing opens: a detour would change nothing that Newton leaves.
   const Eigen::VectorXd forces = newton(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
   return plus(motion.a, 1, answer(rows, blocks, forces));
 }

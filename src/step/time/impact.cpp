@@ -94,14 +94,13 @@ class Separation {
       if (is_soft) {
         const bool is_late = has_very_many() && pass >= of_impacts::kSoftPassesOfVeryMany;
         if (deepest <= (is_late ? of_impacts::kLeftLate : of_impacts::kLeftToStep) ||
-            pass == of_impacts::kMostSoftPasses || result_.solves >= of_impacts::kMostSystems ||
-            !push_softly(room, near))
+            pass == of_impacts::kMostSoftPasses || !push_softly(room, near))
           break;
         continue;
       }
       const ContactRows rows = rows_with_points(scene_, result_.q, touches_);
       FrictionalProblem problem = problem_of(rows, room);
-      const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+      const FrictionalSolution push = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
       result_.solves += push.solves;
       UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
       if (push.converged || is_much_better(room, pushed))
@@ -137,7 +136,6 @@ class Separation {
     for (std::size_t i = 0; i < room.size(); ++i) problem.b[static_cast<Eigen::Index>(2 * i)] = room[i];
     problem.goal = tolerable_ / problem.w.diagonal().maxCoeff();
     problem.acceptable = problem.has_many() ? problem.goal : of_impacts::kLooser * problem.goal;
-    if (problem.has_many()) problem.most_systems = of_impacts::kMostSystems;
     return problem;
   }
 
@@ -162,8 +160,7 @@ class Separation {
     soften(problem);
     problem.goal = of_impacts::kPushed * -before / problem.w.diagonal().maxCoeff();
     problem.acceptable = problem.goal;
-    problem.most_systems = std::max(of_impacts::kFewestSystems, of_impacts::kMostSystems - result_.solves);
-    const FrictionalSolution push = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+    const FrictionalSolution push = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
     result_.solves += push.solves;
     const UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
     const std::vector<double> left = room_at(pushed);
@@ -203,7 +200,7 @@ class Separation {
   // Those whose overlap a soft push would not take away stay as they are; where that are none, all.
   void leave_locked(const ContactRows& rows, const std::vector<double>& room, FrictionalProblem problem) {
     soften(problem);
-    const FrictionalSolution soft = newton(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+    const FrictionalSolution soft = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
     result_.solves += soft.solves;
     const std::vector<double> left = room_at(plus(result_.q, 1, answer(rows, flexibility_, soft.forces)));
     std::vector<std::size_t> overlapping;
@@ -280,8 +277,6 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
     problem.goal = of_impacts::kImpulseToleranceOfMany * largest_momentum(scene, v) + of_impacts::kSmallest;
     problem.acceptable = std::max(problem.goal, of_impacts::kShareOfImpulse * greatest);
     problem.gap_tolerance = of_impacts::kShareOfSlow * impacts.slow;
-    problem.most_systems = of_impacts::kMostSystems;
-    problem.enough_systems = 0;
   }
   const FrictionalSolution solution = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
   const Eigen::VectorXd shifts = solution.forces.cwiseProduct(times_of(meetings, solution.forces.size()));
@@ -339,7 +334,7 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
   double first_change = 0;
   double change = 0;
   for (int round = 0; round < of_impacts::kMostFrictionRounds; ++round) {
-    // Where nothing slips by its law sweeps would change nothing that Newton leaves.
+    // Where nothing slips by its law a detour would change nothing that Newton leaves.
     pushes = (has_coulomb ? solve(problem, pushes) : newton(problem, pushes)).forces;
     if (round == 0) smooth = pushes;
     change = 0;

@@ -147,12 +147,10 @@ class SmoothSolve {
 
   UnknownsTable next_increments(Tried now) {
     FrictionalProblem& problem = contacts_.problem();
-    problem.most_systems = std::max(of_smooth_motion::kFewestSystems, tolerance_.most_systems - result_.solves);
-    problem.enough_systems = std::max(0, tolerance_.enough_systems - result_.solves);
     const FrictionalSolution solution = solve(problem, std::move(now), &contacts_.kept());
     result_.forces = solution.forces;
     result_.solves += solution.solves;
-    result_.sweeps += solution.sweeps;
+    result_.fallbacks += solution.fallbacks;
     result_.residual = solution.residual;
     result_.is_tolerated = !solution.converged && solution.residual <= tolerance_.tolerated;
     result_.converged = solution.converged || result_.is_tolerated;

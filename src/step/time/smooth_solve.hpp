@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <limits>
 #include <optional>
 
 #include "contact/rows/gap.hpp"
@@ -17,11 +16,8 @@ namespace keyblock {
 struct ForceTolerance {
   double goal = 0;
   double acceptable = 0;
-  int most_systems = 400;  ///< linear systems after which the best forces so far are taken
-  /// After these acceptable ones are.
-  int enough_systems = std::numeric_limits<int>::max();
-  double tolerated =
-      0;  ///< residual with which the motion goes on where no forces are acceptable; undecided touches are told
+  /// Residual with which the motion goes on where no forces are acceptable; undecided touches are told.
+  double tolerated = 0;
 };
 
 /// Of the bodies at the end of the step, and what it took.
@@ -35,9 +31,9 @@ struct SmoothMotion : BodiesMotion {
   double residual = 0;
   Bonds bonds;  ///< that still hold
   ConstraintMemory constraints;
-  int rounds = 0;  ///< of Newton's method
-  int solves = 0;  ///< linear systems factorised
-  int sweeps = 0;  ///< of the fall-back
+  int rounds = 0;     ///< of Newton's method
+  int solves = 0;     ///< linear systems factorised
+  int fallbacks = 0;  ///< detours by the interior of the bounds
   bool converged = false;
   RoundsEnd end = RoundsEnd::open;     ///< how the rounds ended, where it has not converged
   bool is_tolerated = false;           ///< converged by what is tolerated alone

@@ -151,17 +151,12 @@ class Attempt {
       tolerance.tolerated = std::max(of_steps::kForceToleratedOfMany * scales_.force,
                                      of_steps::kMomentumToleratedOfMany * scales_.momentum / dt_);
     for (int search = 0; search < of_steps::kMostSearches; ++search) {
-      if (is_many) tolerance.most_systems = of_steps::kMostSystemsOfMany;
-      if (found_.touches.size() > FrictionalProblem::kVeryManyPairs) {
-        tolerance.most_systems = std::max(0, of_steps::kMostSystems - step_.solves);
-        tolerance.enough_systems = std::max(0, of_steps::kEnoughSystems - step_.solves);
-      }
       parts_ = split(scene_, start_, found_.touches, slow_speed(scene_, scales_, start_.v, whole_));
       const SmoothMotion before = std::move(smooth_);
       smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_, rule_,
                              search > 0 ? &before : nullptr);
       step_.solves += smooth_.solves;
-      step_.fallbacks += smooth_.sweeps > 0 ? 1 : 0;
+      step_.fallbacks += smooth_.fallbacks > 0 ? 1 : 0;
       if (!smooth_.converged) return;
       const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
       Touches fresh = newly_overlapping(scene_, start_, end, found_, scales_, GuidedCorners::by_motion);

@@ -14,7 +14,7 @@ struct StandardStep {
   Motion motion;
   StepAccount account;  ///< zero where no books are kept
   int solves = 0;
-  int fallbacks = 0;        ///< solutions that needed sweeps
+  int fallbacks = 0;        ///< solutions that needed a detour by the interior
   int halvings = 0;         ///< attempts thrown away because forces did not settle
   int locked_overlaps = 0;  ///< of impacts, left because other touches are in the way
   double least = 0;         ///< smallest part made of a step in time
