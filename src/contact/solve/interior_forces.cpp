@@ -16,12 +16,12 @@ namespace keyblock {
 namespace {
 
 // From far away three steps take a decade: ends that were found took 10 to 50, and none more than 60.
-constexpr int kMostSteps = 60;
+constexpr int kMostPathSteps = 60;
 // The path begins where the product of room and multiplier is this share of the mean energy of forces and gaps; shares
 // of 1e-3 to 1 were tried, and took as many steps.
 constexpr double kFirstProduct = 1e-2;
 // Of the way to the nearest bound.
-constexpr double kShort = 0.995;
+constexpr double kOfWayToBound = 0.995;
 // Least share of the product that a step aims at, below what a prediction is good for.
 constexpr double kLeastAim = 1e-6;
 // A part below the first is short: the damping begins at the second, a share of W_ii, and grows tenfold with each short
@@ -29,14 +29,14 @@ constexpr double kLeastAim = 1e-6;
 constexpr double kShortPart = 0.05;
 constexpr double kDamping = 1e-3;
 constexpr double kLongPart = 0.3;
-constexpr double kTen = 10;
+constexpr double kTenfold = 10;
 constexpr int kMostShort = 15;
 // A force without a spring has this share of W_ii in the matrix: redundant ones would make it singular.
-constexpr double kRegular = 1e-8;
+constexpr double kRegularShare = 1e-8;
 // A bound of friction is this share of a natural force away at least when the path begins.
-constexpr double kLeastRoom = 1e-3;
+constexpr double kLeastFrictionRoom = 1e-3;
 // What iterations, in place of a factor, may leave of the goal.
-constexpr double kInner = 0.01;
+constexpr double kLeftOfGoal = 0.01;
 // Halvings of what a tangential force lies between, down to round-off.
 constexpr int kBisections = 60;
 
@@ -103,7 +103,7 @@ class Interior {
     if (!(product_ > 0)) return;  // nothing to be balanced
     damping_ = 0;
     int short_parts = 0;
-    for (int k = 0; k < kMostSteps && short_parts < kMostShort; ++k) {
+    for (int k = 0; k < kMostPathSteps && short_parts < kMostShort; ++k) {
       begin_system();
       if (!step()) break;
       keep_best();
@@ -156,8 +156,8 @@ class Interior {
   // The tangential force between its two bounds.
   void begin_between(Eigen::Index n, const ForceLaw& law, double wanted) {
     const double natural = std::sqrt(product_ / own_[n + 1]);
-    if (law.friction > 0 && law.cohesion + law.friction * forces_[n] < kLeastRoom * natural)
-      forces_[n] = (kLeastRoom * natural - law.cohesion) / law.friction;
+    if (law.friction > 0 && law.cohesion + law.friction * forces_[n] < kLeastFrictionRoom * natural)
+      forces_[n] = (kLeastFrictionRoom * natural - law.cohesion) / law.friction;
     const double limit = law.cohesion + law.friction * forces_[n];
     double low = -limit;
     double high = limit;
@@ -166,7 +166,7 @@ class Interior {
       const double pull = natural * natural * (1 / (limit - force) - 1 / (limit + force));
       (force - wanted + pull > 0 ? high : low) = force;
     }
-    forces_[n + 1] = kShort * (low + high) / 2;
+    forces_[n + 1] = kOfWayToBound * (low + high) / 2;
   }
 
   // The matrix of a step: that of W with the stiffness of the bounds on its diagonal. A bound that follows the normal
@@ -174,7 +174,7 @@ class Interior {
   void factorise() {
     Eigen::VectorXd added = damping_ * own_;
     for (Eigen::Index i = 0; i < added.size(); ++i)
-      if (!(problem_.w.added()[i] > 0)) added[i] += kRegular * own_[i];
+      if (!(problem_.w.added()[i] > 0)) added[i] += kRegularShare * own_[i];
     Eigen::VectorXd coupling = Eigen::VectorXd::Zero(added.size());
     for (const Bound& bound : bounds_) {
       added[bound.row] += bound.stiffness();
@@ -213,14 +213,14 @@ class Interior {
     }
     if (!change_by(right)) return false;
     for (std::size_t i = 0; i < bounds_.size(); ++i) bounds_[i].follow(corrected[i]);
-    take(std::min(1.0, kShort * longest_part()));
+    take(std::min(1.0, kOfWayToBound * longest_part()));
     return true;
   }
 
   // What `right` changes. A multiplier of friction pulls at its tangential force alone, not at the normal one: that is
   // Coulomb's law, and why the matrix is not symmetric.
   bool change_by(const Eigen::VectorXd& right) {
-    const auto change = system_->solve(-right, Eigen::VectorXd::Zero(right.size()), kInner * problem_.goal);
+    const auto change = system_->solve(-right, Eigen::VectorXd::Zero(right.size()), kLeftOfGoal * problem_.goal);
     if (!change || !change->allFinite()) return false;
     change_ = *change;
     for (Bound& bound : bounds_) bound.room_change = change_of_room(bound, change_);
@@ -244,9 +244,9 @@ class Interior {
       bound.multiplier += part * bound.multiplier_change;
     }
     if (part < kShortPart)
-      damping_ = std::max(kTen * damping_, kDamping);
+      damping_ = std::max(kTenfold * damping_, kDamping);
     else if (part > kLongPart)
-      damping_ = damping_ > kDamping ? damping_ / kTen : 0;
+      damping_ = damping_ > kDamping ? damping_ / kTenfold : 0;
   }
 
   void keep_best() {
