@@ -14,7 +14,7 @@ struct StepReport {
   double dt = 0;                  ///< size of the step; the smallest part, where dynamics `standard` makes it in parts
   int passes = 0;                 ///< open-close passes, or solves of contact forces, redone attempts included
   int redos = 0;                  ///< attempts thrown away: before this one was accepted, or of its parts
-  int fallbacks = 0;              ///< contact solves that Newton did not finish and projected Gauss-Seidel did
+  int fallbacks = 0;              ///< steps in which Newton left contact forces to a detour by the interior
   int contacts = 0;               ///< length of the contact list
   int closed = 0;                 ///< contacts not open after the last judgement
   int matrix_blocks = 0;          ///< elements, and pairs of elements with a contact (open too) or a bolt
