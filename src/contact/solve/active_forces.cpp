@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "base/stop.hpp"
 #include "contact/solve/coupled_forces.hpp"
 #include "contact/solve/forces_of_blocks.hpp"
 
@@ -176,29 +175,6 @@ Eigen::VectorXd ActiveForces::by_factor(const Eigen::VectorXd& right) const {
   if (right.size() == 0) return right;
   if (sparse_) return sparse_->solve(right);
   return coupled_ ? coupled_->solve(right) : Eigen::VectorXd(dense_.solve(right));
-}
-
-std::optional<Eigen::MatrixXd> ActiveForces::flexibility(const std::vector<Eigen::Index>& rows) {
-  if (iterates_) factorise_sparse();
-  if (!is_regular()) return std::nullopt;
-  const auto count = static_cast<Eigen::Index>(rows.size());
-  Eigen::MatrixXd answer(count, count);
-  for (Eigen::Index j = 0; j < count; ++j) {
-    leave_if_stopped();
-    const Eigen::Index row = rows[static_cast<std::size_t>(j)];
-    if (sparse_) {
-      answer.col(j) = sparse_->rates_under(row, rows);
-      answer(j, j) += problem_.w.added()[row] + added_[row];
-      continue;
-    }
-    Eigen::VectorXd forces = Eigen::VectorXd::Unit(problem_.w.rows(), row);
-    if (!set_.rows.empty()) {
-      forces += set_.forces(by_factor(-set_.kept(problem_.w * forces)), 0);
-    }
-    const Eigen::VectorXd y = problem_.w * forces + added_.cwiseProduct(forces);
-    for (Eigen::Index i = 0; i < count; ++i) answer(i, j) = y[rows[static_cast<std::size_t>(i)]];
-  }
-  return answer;
 }
 
 }  // namespace keyblock

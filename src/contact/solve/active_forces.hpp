@@ -42,7 +42,7 @@ class ActiveForces {
   /// `added` stands on the diagonal of W beside its own entries; where an unknown force has neither, few forces can be
   /// solved only.
   ActiveForces(const FrictionalProblem& problem, const std::vector<Grip>& grips, const Eigen::VectorXd& added);
-  /// Of a set made by hand: (R W F + D) u = f, with D what stands on the diagonal.
+  /// Takes a set that its caller made, and solves (R W F + D) u = f, with D the springs and `added` of each unknown.
   ActiveForces(const FrictionalProblem& problem, ActiveSet set, const Eigen::VectorXd& added);
   ActiveForces(const ActiveForces&) = delete;  // its parts refer to each other
   ~ActiveForces();
@@ -57,10 +57,6 @@ class ActiveForces {
   /// Iterations begin at `near`, forces that may be near, and end where y, judged as a force, is at most `goal`;
   /// factors need neither.
   std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b, const Eigen::VectorXd& near, double goal);
-
-  /// y of `rows` for a unit of force along each of them, all of them open, while the other forces answer: a Schur
-  /// complement, by factors alone. Nothing where no factor is found.
-  std::optional<Eigen::MatrixXd> flexibility(const std::vector<Eigen::Index>& rows);
 
  private:
   void factorise_dense();

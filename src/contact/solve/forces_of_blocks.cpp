@@ -123,14 +123,6 @@ Eigen::VectorXd ForcesOfBlocks::once(const Eigen::VectorXd& right) const {
   return unknowns.cwiseQuotient(compliance_);
 }
 
-Eigen::VectorXd ForcesOfBlocks::rates_under(Eigen::Index force, const std::vector<Eigen::Index>& rows) const {
-  Eigen::VectorXd x = on_blocks(Eigen::VectorXd::Unit(w_.rows(), force));
-  factor_->solve({x.data(), static_cast<std::size_t>(x.size())});
-  Eigen::VectorXd rates(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t i = 0; i < rows.size(); ++i) rates[static_cast<Eigen::Index>(i)] = rate(rows[i], x);
-  return rates;
-}
-
 Eigen::VectorXd ForcesOfBlocks::solve(const Eigen::VectorXd& right) const {
   const auto misfit = [&](const Eigen::VectorXd& unknowns) {
     const Eigen::VectorXd forces = set_.forces(unknowns, 0);

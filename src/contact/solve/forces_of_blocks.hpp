@@ -25,8 +25,6 @@ class ForcesOfBlocks {
   bool is_regular() const { return is_regular_; }
   /// u for one f, an entry an unknown each.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
-  /// Rates along `rows` for a unit of force along a row without an unknown, what is on the diagonal besides left out.
-  Eigen::VectorXd rates_under(Eigen::Index force, const std::vector<Eigen::Index>& rows) const;
 
  private:
   bool factorise(MatrixShape shape);

@@ -72,7 +72,7 @@ class Newton {
       if (is_solved() && !refines) break;
       const bool are_few = !problem_.has_many();
       if (!settled || gain >= 1) {
-        // What can open is better found by a detour, if it is not few.
+        // A detour by the interior finds the states of many touches better than a larger weight does.
         const bool goes_on = are_few ? !solution_.converged : nothing_opens_;
         if (is_unique_ || !goes_on || weight >= kSoftest / kFirstWeight) break;
         softest_lost = weight;
@@ -80,8 +80,7 @@ class Newton {
         continue;
       }
       if (solution_.converged && gain > kProgress && weight <= sharpest()) break;
-      // Of few forces those that take a large motion to matter are left to the first weight, unless only digits are
-      // missing.
+      // Few forces that take a large motion to matter keep the first weight, unless only digits are missing.
       const bool is_far = are_few && !solution_.converged;
       if (!is_unique_ && gain > kGood && !is_far && weight / kTen > softest_lost)
         weight = std::max(weight / kTen, sharpest());

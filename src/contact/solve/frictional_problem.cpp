@@ -9,8 +9,6 @@
 #include "contact/solve/interior_forces.hpp"
 
 namespace keyblock {
-namespace {}  // namespace
-
 double ForceLaw::limit(double normal) const {
   return std::max(0.0, cohesion + friction * normal);
 }
@@ -104,7 +102,7 @@ FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd
 FrictionalSolution solve(const FrictionalProblem& problem, Tried first, KeptSystem* kept) {
   FrictionalSolution solution{first.forces, residual(problem, first), 0, 0, is_acceptable(problem, first), {}};
   solution = newton(problem, std::move(solution), kept, std::move(first));
-  // Of a thousand pairs the goal itself is worth a detour, of more it is not.
+  // A detour to the goal itself pays for up to a thousand pairs.
   const bool suffices = solution.converged && problem.has_very_many();
   if (solution.residual > problem.goal && !suffices) {
     solution = interior_forces(problem, std::move(solution));

@@ -58,7 +58,7 @@ struct FrictionalProblem {
   bool has_very_many() const { return count() > kVeryManyPairs; }
 
   static constexpr std::size_t kFewPairs = 50;
-  /// Of more than these the last digits cost more than they are worth.
+  /// More pairs end at acceptable forces: the goal costs more there than it is worth.
   static constexpr std::size_t kVeryManyPairs = 1000;
 };
 

@@ -20,7 +20,7 @@ constexpr int kMostPathSteps = 60;
 // The path begins where the product of room and multiplier is this share of the mean energy of forces and gaps; shares
 // of 1e-3 to 1 were tried, and took as many steps.
 constexpr double kFirstProduct = 1e-2;
-// Of the way to the nearest bound.
+// A step ends at this share of the way to the nearest bound.
 constexpr double kOfWayToBound = 0.995;
 // Least share of the product that a step aims at, below what a prediction is good for.
 constexpr double kLeastAim = 1e-6;
@@ -35,7 +35,7 @@ constexpr int kMostShort = 15;
 constexpr double kRegularShare = 1e-8;
 // A bound of friction is this share of a natural force away at least when the path begins.
 constexpr double kLeastFrictionRoom = 1e-3;
-// What iterations, in place of a factor, may leave of the goal.
+// Iterations, where they take the place of a factor, may leave this share of the goal.
 constexpr double kLeftOfGoal = 0.01;
 // Halvings of what a tangential force lies between, down to round-off.
 constexpr int kBisections = 60;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "contact/rows/gap.hpp"
 #include "step/newton/tolerances.hpp"
@@ -21,16 +22,19 @@ constexpr double kMeeting = 1e-10;
 
 // A corner that has run past the end of its edge within the step meets the next edge in the next step: the line that
 // it left would push it in a direction in which there is no face.
-void drop_passed(const SmoothStep& of, ImpactTouches& impacts) {
+// Returns where those that stay were in the list.
+std::vector<std::size_t> drop_passed(const SmoothStep& of, ImpactTouches& impacts) {
   const auto vertices = vertices_at(of.scene.model, of.scene.reference, of.smooth.q);
-  std::size_t kept = 0;
+  std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < impacts.touches.size(); ++i) {
     if (!lies_over_edge(impacts.touches[i], vertices)) continue;
-    impacts.touches[kept] = impacts.touches[i];
-    impacts.speeds[kept++] = impacts.speeds[i];
+    impacts.touches[kept.size()] = impacts.touches[i];
+    impacts.speeds[kept.size()] = impacts.speeds[i];
+    kept.push_back(i);
   }
-  impacts.touches.resize(kept);
-  impacts.speeds.resize(kept);
+  impacts.touches.resize(kept.size());
+  impacts.speeds.resize(kept.size());
+  return kept;
 }
 
 // Speed where the surfaces met, not at the end of the step: v² = v1² + 2 a d with a the acceleration of the step and
@@ -50,7 +54,7 @@ bool is_within_one_body(const StandardScene& scene, const Touch& touch) {
 }
 
 void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& others, StandardStep& step) {
-  drop_passed(of, impacts);
+  const std::vector<std::size_t> kept = drop_passed(of, impacts);
   const auto vertices = vertices_at(of.scene.model, of.scene.reference, of.smooth.q);
   const Eigen::VectorXd speeds =
       rates(contact_rows(of.scene.model, of.scene.reference, of.smooth.q, impacts.touches), rigid_part(step.motion.v));
@@ -59,7 +63,7 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
   for (std::size_t i = 0; i < impacts.touches.size(); ++i) {
     const double gap = gap_of(impacts.touches[i], vertices) - impacts.touches[i].rest_gap;
     if (gap > kMeeting * of.size) continue;
-    met.push_back(i);
+    met.push_back(kept[i]);
     struck.meetings.push_back(meeting(impacts.touches[i], of.dt, impacts.speeds[i],
                                       speeds[static_cast<Eigen::Index>(2 * i)], std::max(0.0, -gap)));
   }
