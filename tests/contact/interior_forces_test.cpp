@@ -47,9 +47,9 @@ FrictionalSolution from_none(const FrictionalProblem& problem) {
 
 }  // namespace
 
-// Few pairs have a dense factor, many a sparse one. Soft springs let all paths end. Stiff ones, or none, by which forces
-// are redundant and may even not exist (Painlevé 1895), leave ten paths of 320 without an end (counted in our own
-// output): Newton's method goes on there.
+// Few pairs have a dense factor, many a sparse one. Soft springs let all paths end. Stiff ones, or none, by which
+// forces are redundant and may even not exist (Painlevé 1895), leave ten paths of 320 without an end (counted in our
+// own output): Newton's method goes on there.
 TEST(InteriorForces, meet_coulombs_law_in_random_rows) {
   int missed = 0;
   for (const int bodies : {6, 40})
