@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/progress/system_limit.hpp"
 #include "contact/solve/active_forces.hpp"
@@ -33,9 +34,14 @@ constexpr double kProgress = 0.5;
 // Active sets of one round, and rounds. Of many pairs a round that takes longer has run away.
 constexpr int kMostRounds = 40;
 constexpr int kMostSets = 60;
-constexpr int kMostSetsOfMany = 12;
-// From this set on a round of many pairs has run away if more than half as many of them change as did at first, and
-// more than the second figure.
+constexpr int kMostSetsOfMany = 16;
+// Of the way to the forces of an active set of springs a part is taken that lessens what is left by this share of
+// itself; it is halved so often. Sets in a row no part of which leaves less are not followed by one that does.
+constexpr double kSufficient = 0.1;
+constexpr int kMostHalvings = 8;
+constexpr int kMostRises = 2;
+// From this set on a proximal round of many pairs has run away if more than half as many of them change as did at
+// first, and more than the second figure.
 constexpr int kSetsToSettle = 4;
 constexpr std::size_t kStillFew = 20;
 // Few forces are left as they are where their residual is this share of the goal.
@@ -93,40 +99,72 @@ class Newton {
   bool settle(const Proximal& proximal) {
     const Eigen::VectorXd right = problem_.b - proximal.weights.cwiseProduct(proximal.reference);
     const double goal = std::max(kInner * problem_.goal, kOfRound * solution_.residual);
-    std::vector<std::vector<Grip>> visited;
-    std::vector<Grip> grips = natural_map(problem_, tried_, proximal).grips;
+    std::vector<std::vector<Grip>> visited;  // since a part of a way was taken
+    NaturalMap map = natural_map(problem_, tried_, proximal);
     std::size_t first_changes = 0;
+    int rises = 0;
+    bool was_solved = is_solved();
     bool is_loose = true;
     const int most = problem_.has_many() ? kMostSetsOfMany : kMostSets;
     for (int i = 0; i < most; ++i) {
       begin_system();
+      const std::vector<Grip> grips = std::move(map.grips);
       visited.push_back(grips);
       factorise(grips, proximal.weights);
-      const double left = is_loose && system().iterates() ? kForcing * residual(problem_, tried_) : 0;
+      const bool is_rough = is_loose && system().iterates();
+      const double left = is_rough ? kForcing * residual(problem_, tried_) : 0;
       auto forces = system().solve(right, tried_.forces, std::max(kInner * problem_.goal, left));
       if (!forces) return false;
-      tried_ = tried(problem_, *std::move(forces));
+      const double before = change(map);
+      const bool is_whole = go_towards(tried(problem_, *std::move(forces)), before, proximal);
       keep_best();
-      if (is_solved()) return true;
-      const NaturalMap map = natural_map(problem_, tried_, proximal);
-      const std::size_t changes = different(grips, map.grips).size();
-      const bool is_rough = is_loose && system().iterates();
-      if (changes == 0 && !is_rough) return true;
-      if (!is_rough && (map.forces - tried_.forces).cwiseAbs().maxCoeff() <= goal) return true;
+      if (is_solved() && (is_whole || was_solved)) return true;
+      was_solved = is_solved();
+      map = natural_map(problem_, tried_, proximal);
+      const std::size_t changes = different(grips, map.grips);
+      if (is_whole && changes == 0 && !is_rough) return true;
+      if (!is_rough && change(map) <= goal) return true;
+      rises = change(map) < before ? 0 : rises + 1;
       if (i == 0) first_changes = changes;
-      if (problem_.has_many() && i + 1 >= kSetsToSettle && changes > std::max(first_changes / 2, kStillFew))
+      const bool is_late = problem_.has_many() && i + 1 >= kSetsToSettle;
+      if (is_unique_ ? problem_.has_many() && rises >= kMostRises
+                     : is_late && changes > std::max(first_changes / 2, kStillFew))
         return false;
-      std::vector<Grip> next = map.grips;
-      const auto seen = std::ranges::find(visited, next);
-      if (changes == 0 || (seen != visited.end() && is_rough)) {
-        is_loose = false;  // it may be errors that go round
-        visited.clear();
-      } else if (seen != visited.end()) {
-        return false;
-      }
-      grips = std::move(next);
+      if (is_whole && std::ranges::find(visited, map.grips) == visited.end()) continue;
+      if (is_whole && !is_rough) return false;
+      if (is_whole) is_loose = false;  // it may be errors that go round
+      visited.clear();
     }
     return false;
+  }
+
+  // What the natural map would change of the forces tried.
+  double change(const NaturalMap& map) const { return (map.forces - tried_.forces).cwiseAbs().maxCoeff(); }
+
+  // To the forces of an active set. Where springs make forces unique it goes the part of the way, halved and halved
+  // again, that leaves enough less than before, or the one that leaves least: Newton's method for a map with kinks
+  // (Pang 1990). So it ends near where it began, where friction may bear in more ways than one.
+  bool go_towards(Tried full, double before, const Proximal& proximal) {
+    if (!is_unique_) {
+      tried_ = std::move(full);
+      return true;
+    }
+    const Tried from = std::move(tried_);
+    Tried best = full;
+    double best_part = 1;
+    double least = std::numeric_limits<double>::infinity();
+    for (double part = 1; part >= std::exp2(-kMostHalvings); part /= 2) {
+      tried_ = {from.forces + part * (full.forces - from.forces), from.y + part * (full.y - from.y)};
+      const double left = change(natural_map(problem_, tried_, proximal));
+      if (left < least) {
+        least = left;
+        best_part = part;
+        best = part == 1 ? full : tried_;
+      }
+      if (least <= (1 - kSufficient * best_part) * before) break;
+    }
+    tried_ = std::move(best);
+    return best_part == 1;
   }
 
   // Those of the problem, with ours where neither they nor a compliance make a force unique.
@@ -172,8 +210,12 @@ class Newton {
   }
 
   // A system of few pairs costs next to nothing, and a gap left within the goal of its force would be closed in a later
-  // step: with a velocity that strains stiff ones.
-  bool is_left_as_is() const { return solution_.residual <= (problem_.has_many() ? 1 : kOfGoal) * problem_.goal; }
+  // step: with a velocity that strains stiff ones. What a detour has found of the forces of many springs, one active
+  // set takes on to the last digits: without it a nanometre of noise shows in what a slope does.
+  bool is_left_as_is() const {
+    const bool is_enough = problem_.has_many() && !(is_unique_ && solution_.solves > 0);
+    return solution_.residual <= (is_enough ? 1 : kOfGoal) * problem_.goal;
+  }
   bool is_solved() const { return solution_.residual <= problem_.goal; }
 
   void keep_best() {
@@ -186,11 +228,10 @@ class Newton {
     solution_.converged = is_good;
   }
 
-  static std::vector<std::size_t> different(const std::vector<Grip>& a, const std::vector<Grip>& b) {
-    std::vector<std::size_t> pairs;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      if (a[i] != b[i]) pairs.push_back(i);
-    return pairs;
+  static std::size_t different(const std::vector<Grip>& a, const std::vector<Grip>& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i] ? 1 : 0;
+    return count;
   }
 
   const FrictionalProblem& problem_;

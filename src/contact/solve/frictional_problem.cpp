@@ -107,7 +107,7 @@ FrictionalSolution solve(const FrictionalProblem& problem, Tried first, KeptSyst
   if (solution.residual > problem.goal && !suffices) {
     solution = interior_forces(problem, std::move(solution));
     ++solution.fallbacks;
-    if (solution.residual > problem.goal) solution = newton(problem, std::move(solution), kept);
+    solution = newton(problem, std::move(solution), kept);
   }
   if (!solution.converged) solution.undecided = unsettled(problem, tried(problem, solution.forces));
   // Round-off on an open touch would pass for a closed one.
