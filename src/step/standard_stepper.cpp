@@ -106,14 +106,17 @@ First asked_motion(const StandardScene& scene) {
   const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.q, motion.v);
   motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
   const StandardChoices& choices = scene.settings.standard;
-  const bool as_drawn = choices.start == StartRule::sudden || choices.motion != MotionRule::dynamic;
+  const bool is_in_time = choices.motion == MotionRule::dynamic;
+  const bool as_drawn = is_in_time && choices.start == StartRule::sudden;
   const bool slides_in_balance =
       std::ranges::all_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_compatible_start(); });
-  if (!as_drawn && !slides_in_balance && choices.start == StartRule::compatible)
+  if (!as_drawn && is_in_time && !slides_in_balance && choices.start == StartRule::compatible)
     return resting_first(scene, std::move(motion));
   if (as_drawn || !slides_in_balance || has_initial_stress(scene)) return {std::move(motion), {}, {}};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);
+  // Where friction may bear in more ways than one, statics begins as motion in time does, and both stand or fall alike.
+  if (!is_in_time) return {is_jointed ? settled(scene, motion).motion : motion, {}, {}};
   if (is_jointed && touching.size() > kMostExact)
     return settled_first(scene, std::move(motion),
                          fmt::format("more than {} pairs of blocks touch, some in rings", kMostExact));

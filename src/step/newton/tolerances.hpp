@@ -244,13 +244,18 @@ inline constexpr double kGrowth = 4;
 inline constexpr double kFarthest = 1e-5;
 inline constexpr int kMostSteps = 40;
 inline constexpr int kMostSearches = 4;
+// Where a step moves this many times the last one's share of what a free block does, friction bears in more ways than
+// one, and a long step may find another than the one it came along: it is made again so much shorter.
+inline constexpr double kRises = 2;
+inline constexpr double kShorter = 16;
 // At rest is what moves by less than this share of what a free block does.
 inline constexpr double kAtRest = 1e-4;
 // Ways of two steps that differ by less than this share are as long: what does not rest goes on under settled forces.
 inline constexpr double kEvenly = 1e-3;
-// Of the largest load on a block; what steps of the run itself ask of as many touches.
-inline constexpr double kForceGoal = 1e-6;
-inline constexpr double kForceAcceptable = 1e-3;
+// Of the largest load on a block: what is left here, all steps of the run begin with. The second is tolerated where no
+// less can be had: wedged blocks under multipliers may bear in ways that no solver tells apart.
+inline constexpr double kForceTolerance = 1e-6;
+inline constexpr double kForceTolerated = 1e-3;
 
 }  // namespace of_settled_start
 
@@ -310,6 +315,11 @@ inline constexpr double kRaised = 1.2;  // in each iteration without such a turn
 inline constexpr int kLook = 10;        // iterations between two looks at what is out of balance
 inline constexpr double kFalls = 0.5;
 inline constexpr double kLonger = 2;
+// What is out of balance stays the same where it differs by less than this share. A block that has gone the last share
+// of its size after so many such iterations accelerates: contact forces that settle under no longer τ kept it slow.
+inline constexpr double kSame = 1e-3;
+inline constexpr int kSteady = 50;
+inline constexpr double kFarIfSteady = 1e-2;
 inline constexpr double kBalanceAcceptable = 1e-6;  // where no more can be had
 inline constexpr int kMostIterations = 2000;
 inline constexpr double kBalancedToBegin = 1e-8;  // where it is found as a rule, for what is told of the way

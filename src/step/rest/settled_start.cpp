@@ -48,17 +48,34 @@ class Settling {
   void dissolve() {
     double stiffness = of_settled_start::kShortest;
     double first_share = 0;
+    double last_share = 0;
     double slid = 0;  // steps so far, by their stiffness
     for (int i = 0; i < of_settled_start::kMostSteps; ++i) {
-      const UnknownsTable last = std::move(moved_);
-      const double moved = step(stiffness);
-      const double free = stiffness * scales_.force / (2 * scene_.normal_stiffness());
-      if (farthest(moved_) > 0) slid += stiffness;
-      if (i == 0) first_share = moved / free;
+      const Motion before = motion_;
+      const FoundTouches found = found_;
+      const UnknownsTable last = moved_;
+      if (!step(stiffness)) {
+        ++unsolved_;
+        const double growth = of_settled_start::kGrowth;
+        stiffness *= stiffness > of_settled_start::kShortest ? 1 / growth : growth;
+        continue;
+      }
+      const double moved = farthest(moved_);
+      const double share = 2 * moved * scene_.normal_stiffness() / (stiffness * scales_.force);
+      if (slid > 0 && share > of_settled_start::kRises * last_share && stiffness > of_settled_start::kShortest) {
+        motion_ = before;
+        found_ = found;
+        moved_ = last;
+        stiffness = std::max(stiffness / of_settled_start::kShorter, of_settled_start::kShortest);
+        continue;
+      }
+      if (slid == 0) first_share = share;
+      slid += stiffness;
+      last_share = share;
       tell_headway("start, glued blocks let go",
                    std::max(double(i + 1) / of_settled_start::kMostSteps,
-                            share_of_fall(first_share, moved / free, of_settled_start::kAtRest)));
-      if (moved <= of_settled_start::kAtRest * free) break;
+                            share_of_fall(first_share, share, of_settled_start::kAtRest)));
+      if (share <= of_settled_start::kAtRest) break;
       if (goes_on_evenly(last)) {
         motion_.q = plus(motion_.q, -slid / stiffness, moved_);
         break;
@@ -71,8 +88,7 @@ class Settling {
   // Whether the last step was as long as the one before, for every block: what does not rest slides or falls, under
   // forces that have settled, and may do so from where it was drawn.
   bool goes_on_evenly(const UnknownsTable& last) const {
-    const double most = farthest(moved_);
-    return farthest(last) > 0 && most > 0 && farthest(plus(moved_, -1, last)) <= of_settled_start::kEvenly * most;
+    return farthest(last) > 0 && farthest(plus(moved_, -1, last)) <= of_settled_start::kEvenly * farthest(moved_);
   }
   static double farthest(const UnknownsTable& ways) {
     double most = 0;
@@ -119,14 +135,14 @@ class Settling {
     motion_.constraints = constraints.memory(forces.tail(count - of_faces), motion_.q);
   }
 
-  // The greatest way of a block. A step that finds no forces changes nothing.
-  double step(double stiffness_over_inertia) {
+  // False where it finds no forces, and changes nothing.
+  bool step(double stiffness_over_inertia) {
     const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
     StandardChoices choices = scene_.settings.standard;
     choices.force_weight = 1;  // each step ends at the rest that it heads for, not as far beyond
     const StepRule rule = step_rule(choices, dt);
-    const ForceTolerance tolerance{of_settled_start::kForceGoal * scales_.force,
-                                   of_settled_start::kForceAcceptable * scales_.force};
+    const double force = of_settled_start::kForceTolerance * scales_.force;
+    const ForceTolerance tolerance{force, force, of_settled_start::kForceTolerated * scales_.force};
     SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_.touches, tolerance, -dt, dt, rule);
     for (int search = 1; search < of_settled_start::kMostSearches && made.converged; ++search) {
       const Touches fresh = overlapping_at(made.q, motion_);
@@ -134,10 +150,7 @@ class Settling {
       found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
       made = smooth_solve(scene_, motion_, loads_, found_.touches, tolerance, -dt, dt, rule, &made);
     }
-    if (!made.converged) {
-      ++unsolved_;
-      return of_settled_start::kFarthest * scales_.size;
-    }
+    if (!made.converged) return false;
     moved_ = plus(made.q, -1, motion_.q);
     const Eigen::VectorXd way = rates(made.rows, moved_);
     motion_.q = std::move(made.q);
@@ -152,7 +165,7 @@ class Settling {
             {touch, memory_of(made.laws[i], made.forces[n], made.forces[n + 1], way[n + 1], motion_.closed.of(touch))});
     }
     motion_.closed = ClosedContacts(std::move(closed));
-    return farthest(moved_);
+    return true;
   }
 
   // Corners at nodes, where more than two blocks meet, and what else came round: without them blocks would slip past
@@ -195,7 +208,7 @@ class Settling {
   UnknownsTable loads_;
   Scales scales_;
   FoundTouches found_;
-  UnknownsTable moved_;  ///< in the last step; empty where it was not solved
+  UnknownsTable moved_;  ///< in the last step that was solved
   int unsolved_ = 0;
 };
 
