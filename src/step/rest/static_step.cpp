@@ -204,9 +204,15 @@ class StaticSolve {
     });
   }
 
-  std::vector<ElementIndex> far_out_of_balance(const Balance& balance) const {
+  // What goes on under forces that stay the same for long accelerates, and need not be followed its own size.
+  std::vector<ElementIndex> far_out_of_balance(const Balance& balance) {
+    const bool is_same = std::abs(balance.share - steady_share_) <= of_statics::kSame * steady_share_;
+    steady_ = is_same ? steady_ + 1 : 0;
+    if (!is_same) steady_share_ = balance.share;
+    const double far = steady_ < of_statics::kSteady ? 1 : of_statics::kFarIfSteady;
     std::vector<ElementIndex> blocks;
-    std::ranges::set_intersection(travel_of(scene_, start_.q, now_.q).far, balance.blocks, std::back_inserter(blocks));
+    std::ranges::set_intersection(travel_of(scene_, start_.q, now_.q, far).far, balance.blocks,
+                                  std::back_inserter(blocks));
     return blocks;
   }
 
@@ -231,6 +237,8 @@ class StaticSolve {
   bool turned_back_ = false;
   int since_look_ = 0;                                          ///< iterations
   double last_look_ = std::numeric_limits<double>::infinity();  ///< share out of balance then
+  double steady_share_ = 0;                                     ///< out of balance, that has stayed the same
+  int steady_ = 0;                                              ///< for so many iterations
   int iterations_ = 0;
   double way_ = 0;  ///< share of the way to balance, as told
   int solves_ = 0;  ///< iterations, those thrown away included

@@ -96,7 +96,7 @@ Balance balance_of(const StandardScene& scene, const Motion& motion, double time
   return balance;
 }
 
-Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const UnknownsTable& to) {
+Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const UnknownsTable& to, double far) {
   const auto before = vertices_at(scene.model, scene.reference, from);
   const auto after = vertices_at(scene.model, scene.reference, to);
   Travel travel;
@@ -104,7 +104,7 @@ Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const Un
     double way = 0;
     for (VertexIndex v : scene.model.elements[e].vertices()) way = worse(way, distance(before[v], after[v]));
     travel.share = worse(travel.share, way / scene.bodies()[e].size);
-    if (!(way <= scene.bodies()[e].size) && !is_held(scene, e)) travel.far.push_back(e);
+    if (!(way <= far * scene.bodies()[e].size) && !is_held(scene, e)) travel.far.push_back(e);
   }
   return travel;
 }

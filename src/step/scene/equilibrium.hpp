@@ -27,13 +27,13 @@ double driving_force(const StandardScene& scene, const Motion& motion, double ti
 /// The largest load, or force of the initial stress, on a block.
 double largest_load(const StandardScene& scene, const UnknownsTable& loads);
 
-/// Greatest way of a vertex between two motions over the size of its block, and the blocks that came further than their
-/// own size, unless two points hold them: an equilibrium so far away is another one.
+/// Greatest way of a vertex between two motions over the size of its block, and the blocks that came further than `far`
+/// of their size, unless two points hold them: an equilibrium as far away as that size is another one.
 struct Travel {
   double share = 0;
   std::vector<ElementIndex> far;
 };
-Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const UnknownsTable& to);
+Travel travel_of(const StandardScene& scene, const UnknownsTable& from, const UnknownsTable& to, double far = 1);
 
 /// "block 3", or "element 3" of an NMM body, as tables number them.
 std::string part_name(const StandardScene& scene, ElementIndex e);
