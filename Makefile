@@ -91,7 +91,7 @@ bare: ## care | 50 min | runs the two commands of the README on a clone in a min
 
 # Debug keeps the assertions; -O1 because unoptimised Eigen is ten times slower.
 sanitize: packages ## care | long | compiles with sanitizers in build-sanitize, runs three steps of every case and all tests
-	cmake -S . -B build-sanitize -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DKEYBLOCK_SANITIZE=ON
+	cmake -S . -B build-sanitize -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O2 -g1" -DKEYBLOCK_SANITIZE=ON
 	cmake --build build-sanitize --parallel $(JOBS)
 	tests/few_steps.sh build-sanitize/keyblock $(JOBS)
 	ctest --test-dir build-sanitize --output-on-failure -j $(JOBS)
