@@ -470,8 +470,7 @@ TEST(Batch, old_manifold_pairs_come_to_a_row_each_in_both_profiles) {
     EXPECT_EQ(jobs[job]["answers"][1]["end"], "finished") << jobs[job];
     EXPECT_EQ(jobs[job]["answers"][1]["measures"]["equilibrium_share"], 1);
   }
-  EXPECT_NEAR(jobs[2]["answers"][1]["measures"]["displacement"].get<double>(), 18.83, 0.02)
-      << "relaxation comes to it too";
+  EXPECT_NEAR(jobs[2]["answers"][1]["measures"]["displacement"].get<double>(), 18.83, 0.02);
 }
 
 }  // namespace keyblock::batch_test

@@ -20,7 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kShorter = 10;  // times, of a step that is to be tried
 // Load steps of a run that found no equilibrium, times as many.
 constexpr int kMoreLoadSteps = 5;
 
@@ -214,8 +213,7 @@ std::string kind_of(const Warning& warning) {
   return kind;
 }
 
-/// Of load steps of rock that yields, in which nothing touches: relaxation and motion would have loads and driven edges
-/// all at once.
+/// Of load steps of rock that yields, in which nothing touches: motion would have loads and driven edges all at once.
 std::vector<std::string> what_to_try_under_loads(const Scene& scene) {
   std::vector<std::string> options{fmt::format("--set steps={}", kMoreLoadSteps * scene.settings.step_count)};
   if (scene.settings.standard.load_control == LoadControl::share && !scene.next && scene.end.steps == 0)
@@ -231,17 +229,11 @@ std::vector<std::string> what_to_try(const Prepared& prepared, const RunOutcome&
     if (!settings.quirks.velocity_from_coming_step) return {"--profile standard"};
     return {"--profile standard", "--set quirk.velocity_from_coming_step=off"};
   }
-  const MotionRule motion = settings.standard.motion;
-  if (motion == MotionRule::dynamic || outcome.failure == FailureKind::cracks) return {};
-  // Contacts that do not settle in a step of relaxation may do so in shorter ones.
-  if (motion == MotionRule::relaxation && outcome.failure != FailureKind::accelerates)
-    return {fmt::format("--set time_step={:.3g}", settings.time_step / kShorter), "--set motion=dynamic"};
+  if (settings.standard.motion == MotionRule::dynamic || outcome.failure == FailureKind::cracks) return {};
   const bool yields = may_yield(prepared.scene);
   if (yields && prepared.scene.is_untouched && outcome.failure == FailureKind::no_equilibrium)
     return what_to_try_under_loads(prepared.scene);
   std::vector<std::string> options{"--set motion=dynamic"};
-  const bool is_linear = prepared.scene.is_untouched && !yields;  // relaxation finds no support either
-  if (motion == MotionRule::equilibrium && !is_linear) options.insert(options.begin(), "--set motion=relaxation");
   if (!yields && !prepared.scene.model.continuum)
     options.emplace_back("--profile legacy");  // of blocks without strength
   return options;

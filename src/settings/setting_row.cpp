@@ -39,10 +39,12 @@ double read_real(const Range& range, const std::string& name, const std::string&
 
 }  // namespace
 
-void refuse_value(const std::string& name, const std::string& expected, const std::string& found) {
+void refuse_value(const std::string& name, const std::string& expected, const std::string& found,
+                  const std::string& hint) {
   constexpr std::size_t kMostShown = 100;
-  throw std::invalid_argument(fmt::format("setting {}: expected {}, found \"{}{}\"", name, expected,
-                                          found.substr(0, kMostShown), found.size() > kMostShown ? "…" : ""));
+  throw std::invalid_argument(fmt::format("setting {}: expected {}, found \"{}{}\"{}{}", name, expected,
+                                          found.substr(0, kMostShown), found.size() > kMostShown ? "…" : "",
+                                          hint.empty() ? "" : "; ", hint));
 }
 
 ValueText<double> real(Range range) {

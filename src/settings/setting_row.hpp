@@ -37,16 +37,20 @@ ValueText<int> whole(int least);
 ValueText<std::string> any_text();
 ValueText<bool> off_or_on();
 
-[[noreturn]] void refuse_value(const std::string& name, const std::string& expected, const std::string& found);
+[[noreturn]] void refuse_value(const std::string& name, const std::string& expected, const std::string& found,
+                               const std::string& hint = {});
 
-/// A value for each word.
+/// A value for each word. `gone`: words that there were, each with what takes its place.
 template <class E>
-ValueText<E> one_of(const std::vector<std::pair<E, std::string>>& words) {
+ValueText<E> one_of(const std::vector<std::pair<E, std::string>>& words,
+                    const std::vector<std::pair<std::string, std::string>>& gone = {}) {
   std::string expected;
   for (const auto& [value, word] : words) expected += (expected.empty() ? "one of " : ", ") + word;
-  const auto read = [words, expected](const std::string& name, const std::string& text) {
+  const auto read = [words, gone, expected](const std::string& name, const std::string& text) {
     for (const auto& [value, word] : words)
       if (word == text) return value;
+    for (const auto& [word, hint] : gone)
+      if (word == text) refuse_value(name, expected, text, hint);
     refuse_value(name, expected, text);
   };
   const auto write = [words](const E& wanted) {

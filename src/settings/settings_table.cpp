@@ -240,16 +240,14 @@ std::vector<SettingRow> rows_of_quirks() {
 std::vector<SettingRow> rows_of_solution() {
   using C = StandardChoices;
   return {
-      row("motion", "steps in time, of static equilibrium, or of equilibrium by dynamic relaxation", at(&C::motion),
-          one_of<MotionRule>({{MotionRule::dynamic, "dynamic"},
-                              {MotionRule::equilibrium, "static"},
-                              {MotionRule::relaxation, "relaxation"}})),
-      under(
-          {"motion = static or relaxation", [](const Settings& s) { return s.standard.motion != MotionRule::dynamic; }},
-          row("load_steps",
-              "equilibria from no load to that of the start, in a run without dynamics: one a step, or several where "
-              "there are fewer steps",
-              at(&C::load_steps), whole(1))),
+      row("motion", "steps in time, or of static equilibrium", at(&C::motion),
+          one_of<MotionRule>({{MotionRule::dynamic, "dynamic"}, {MotionRule::equilibrium, "static"}},
+                             {{"relaxation", "static finds the equilibria that dynamic relaxation did"}})),
+      under({"motion = static", [](const Settings& s) { return s.standard.motion != MotionRule::dynamic; }},
+            row("load_steps",
+                "equilibria from no load to that of the start, in a run without dynamics: one a step, or several where "
+                "there are fewer steps",
+                at(&C::load_steps), whole(1))),
       under({"motion = static", [](const Settings& s) { return s.standard.motion == MotionRule::equilibrium; }},
             row("load_control",
                 "load steps of rock on covers that may yield and that nothing touches: equal shares of the loads, or "

@@ -33,9 +33,8 @@ enum class Integrator { weighted, newmark, generalized_alpha };
 /// critical: stiffness damping that keeps strain modes from fluttering under steady sliding; none: for wave studies.
 enum class StrainDamping { critical, none };
 
-/// dynamic: steps in time; equilibrium: each step is one of static equilibrium under the loads of its time; relaxation:
-/// the same equilibria, reached by a motion that is stopped at each peak of its kinetic energy.
-enum class MotionRule { dynamic, equilibrium, relaxation };
+/// dynamic: steps in time; equilibrium: each step is one of static equilibrium under the loads of its time.
+enum class MotionRule { dynamic, equilibrium };
 
 /// How load steps of rock on covers that nothing touches go on: by equal shares of the loads, or by steps of equal
 /// length along the path of equilibria, on which the loads may fall.

@@ -72,7 +72,7 @@ StepFailure failure_of(const StandardScene& scene, const Motion& motion, const S
             step.moving.empty() ? FailureKind::undecided : FailureKind::accelerates,
             step.solves,
             yields,
-            step.moving.empty() ? step.restless : step.moving};
+            step.moving};
   std::string names;
   std::size_t named = 0;
   for (std::size_t i : step.undecided) {

@@ -47,7 +47,6 @@ const std::vector<Sample>& samples() {
       {"cohesive_joint/c40", {}},                                     // bonds
       {"settlement/five_tall_static", {{"enforcement", "penalty"}}},  // statics
       {"settlement/five_tall_static", {{"motion", "static"}, {"load_steps", "6"}}, {"standard"}},  // loads in parts
-      {"two_block_slope/steep_slides", {{"motion", "relaxation"}, {"load_steps", "6"}}, {"standard"}},
       {"push_block/ramp", {{"integrator", "generalized_alpha"}}},          // a load in time, kept accelerations
       {"newmark_sine/row_1", {{"body_acceleration_file", "motion.csv"}}},  // a shaken scene
   };

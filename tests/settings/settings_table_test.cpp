@@ -60,6 +60,19 @@ TEST(SettingsTable, materials_have_values_of_their_own_that_are_listed_where_giv
   EXPECT_EQ(copy.standard.restitution.own, settings.standard.restitution.own);
 }
 
+TEST(SettingsTable, a_word_that_is_gone_is_refused_with_what_takes_its_place) {
+  Settings settings;
+  try {
+    set(settings, "motion", "relaxation");
+    FAIL();
+  } catch (const std::invalid_argument& refused) {
+    EXPECT_STREQ(
+        refused.what(),
+        "setting motion: expected one of dynamic, static, found \"relaxation\"; static finds the equilibria that "
+        "dynamic relaxation did");
+  }
+}
+
 TEST(SettingsTable, numbers_that_name_no_material_are_refused) {
   Settings settings;
   for (const char* name : {"restitution.0", "restitution.x", "restitution.", "restitution.-1", "steps.1", "gravity.z"})
@@ -106,8 +119,8 @@ TEST(SettingsTable, choices_that_others_leave_unread_say_so) {
   EXPECT_NE(why("force_weight", {{"integrator", "generalized_alpha"}}), "");
   EXPECT_EQ(why("rho_infinity", {{"integrator", "generalized_alpha"}}), "");
   EXPECT_NE(why("rho_infinity", {{"integrator", "newmark"}}), "");
-  EXPECT_EQ(why("load_steps", {}), "is read under motion = static or relaxation alone");
-  EXPECT_EQ(why("load_steps", {{"motion", "relaxation"}}), "");
+  EXPECT_EQ(why("load_steps", {}), "is read under motion = static alone");
+  EXPECT_EQ(why("load_steps", {{"motion", "static"}}), "");
   EXPECT_EQ(why("start", {{"motion", "static"}}), "is read under motion = dynamic alone");
   EXPECT_EQ(why("step_tolerance", {{"step_control", "shi"}}), "is read under step_control = error alone");
   EXPECT_EQ(why("least_step_share", {{"step_control", "shi"}}), "");

@@ -1,5 +1,4 @@
-// Static equilibria, found directly and by dynamic relaxation: benchmark dda-30, blocks held by contact alone, and
-// blocks that nothing holds.
+// Static equilibria: benchmark dda-30, blocks held by contact alone, and blocks that nothing holds.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/static_step.hpp"
 
@@ -22,12 +21,6 @@ using support::standard_scene_of;
 using support::standard_settings;
 
 constexpr double kGravity = 9.81;
-constexpr std::array<MotionRule, 2> kRules{MotionRule::equilibrium, MotionRule::relaxation};
-
-std::string name_of(MotionRule rule) {
-  return rule == MotionRule::equilibrium ? "static" : "relaxation";
-}
-
 struct Stack {
   int count;
   double height;  // of a block, one wide
@@ -41,7 +34,7 @@ constexpr std::array<Stack, 3> kStacks{{{10, 1, 1e9, 2500, 1e10, 0.00122625, 0.0
                                         {10, 1, 1e9, 2500, 1e12, 0.00122625, 0.00122692},
                                         {5, 2, 5e9, 2700, 5e10, 0.00026487, 0.000272816}}};
 
-Scene scene_of_stack(const Stack& stack, MotionRule rule, Enforcement enforcement) {
+Scene scene_of_stack(const Stack& stack, Enforcement enforcement) {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {3, 0})};
   for (int i = 0; i < stack.count; ++i)
@@ -56,7 +49,7 @@ Scene scene_of_stack(const Stack& stack, MotionRule rule, Enforcement enforcemen
   analysis.block_materials[0].density = stack.density;
   analysis.joint_materials[0].friction_angle_deg = 30;
   Settings settings = standard_settings(analysis);
-  settings.standard.motion = rule;
+  settings.standard.motion = MotionRule::equilibrium;
   settings.standard.enforcement = enforcement;
   return standard_scene_of(blocks, analysis, settings);
 }
@@ -68,12 +61,12 @@ std::string step(StandardStepper& stepper) {
   return failure == nullptr ? std::string() : failure->reason;
 }
 
-Scene slope_scene(double slope_deg, double friction_deg, MotionRule rule, BlockBasis basis, Enforcement enforcement) {
+Scene slope_scene(double slope_deg, double friction_deg, BlockBasis basis, Enforcement enforcement) {
   Analysis analysis = plain_analysis(1e-3, 1);
   analysis.velocity_carry_over = 0;
   analysis.joint_materials[0].friction_angle_deg = friction_deg;
   Settings settings = standard_settings(analysis);
-  settings.standard.motion = rule;
+  settings.standard.motion = MotionRule::equilibrium;
   settings.basis = basis;
   settings.standard.enforcement = enforcement;
   return standard_scene_of(block_on_slope(radians(slope_deg)), analysis, settings);
@@ -89,54 +82,48 @@ TEST(StaticStep, a_file_without_dynamics_is_solved_as_statics) {
 }
 
 // dda-30: ρ g (N h)²/(2 E) + Σ W_k/(2 p), the second part with springs alone; its table has six digits.
-TEST(StaticStep, stacks_settle_as_statics_says_by_either_way) {
-  for (MotionRule rule : kRules) {
-    for (Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
-      for (const Stack& stack : kStacks) {
-        const Scene scene = scene_of_stack(stack, rule, enforcement);
-        StandardStepper stepper(scene);
-        ASSERT_EQ(step(stepper), "") << name_of(rule);
-        const double found = -stepper.state().measured_points[0].displacement.y;
-        const bool springs = enforcement == Enforcement::penalty;
-        const double expected = springs ? stack.settlement : stack.settlement_elastic;
-        EXPECT_NEAR(found / expected, 1, 5e-6) << name_of(rule) << (springs ? ", springs" : ", multipliers");
-        RecordProperty(fmt::format("{} {} {}", name_of(rule), springs ? "springs" : "multipliers", stack.penalty),
-                       fmt::format("{:.7g}", found));
-      }
+TEST(StaticStep, stacks_settle_as_statics_says) {
+  for (Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
+    for (const Stack& stack : kStacks) {
+      const Scene scene = scene_of_stack(stack, enforcement);
+      StandardStepper stepper(scene);
+      ASSERT_EQ(step(stepper), "");
+      const double found = -stepper.state().measured_points[0].displacement.y;
+      const bool springs = enforcement == Enforcement::penalty;
+      const double expected = springs ? stack.settlement : stack.settlement_elastic;
+      EXPECT_NEAR(found / expected, 1, 5e-6) << (springs ? "springs" : "multipliers");
+      RecordProperty(fmt::format("{} {}", springs ? "springs" : "multipliers", stack.penalty),
+                     fmt::format("{:.7g}", found));
     }
   }
 }
 
 // Weight along and across the slope: forces of the two corners sum to W sin a and W cos a, and nothing slips.
 TEST(StaticStep, a_block_held_by_friction_alone_rests) {
-  for (MotionRule rule : kRules) {
-    for (BlockBasis basis : {BlockBasis::rigid, BlockBasis::affine}) {
-      for (Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
-        const Scene scene = slope_scene(20, 30, rule, basis, enforcement);
-        StandardStepper stepper(scene);
-        ASSERT_EQ(step(stepper), "") << name_of(rule);
-        double normal = 0;
-        double tangential = 0;
-        for (const auto& [touch, memory] : stepper.motion().closed.all()) {
-          normal += memory.normal;
-          tangential += std::abs(memory.tangential);
-        }
-        EXPECT_NEAR(normal / (2500 * kGravity * std::cos(radians(20))), 1, 1e-7) << name_of(rule);
-        EXPECT_NEAR(tangential / (2500 * kGravity * std::sin(radians(20))), 1, 1e-7) << name_of(rule);
-        // Settlement under its own weight is of the order W/E and W/p, 5e-6 m; a slip would have no bound.
-        EXPECT_LE(length(support::travel(stepper, stepper.unloaded(), 1)), 2e-5) << name_of(rule);
+  for (BlockBasis basis : {BlockBasis::rigid, BlockBasis::affine}) {
+    for (Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
+      const Scene scene = slope_scene(20, 30, basis, enforcement);
+      StandardStepper stepper(scene);
+      ASSERT_EQ(step(stepper), "");
+      double normal = 0;
+      double tangential = 0;
+      for (const auto& [touch, memory] : stepper.motion().closed.all()) {
+        normal += memory.normal;
+        tangential += std::abs(memory.tangential);
       }
+      EXPECT_NEAR(normal / (2500 * kGravity * std::cos(radians(20))), 1, 1e-7);
+      EXPECT_NEAR(tangential / (2500 * kGravity * std::sin(radians(20))), 1, 1e-7);
+      // Settlement under its own weight is of the order W/E and W/p, 5e-6 m; a slip would have no bound.
+      EXPECT_LE(length(support::travel(stepper, stepper.unloaded(), 1)), 2e-5);
     }
   }
 }
 
 TEST(StaticStep, a_block_that_friction_does_not_hold_is_named) {
-  for (MotionRule rule : kRules) {
-    const Scene scene = slope_scene(30, 20, rule, BlockBasis::affine, Enforcement::lagrange);
-    StandardStepper stepper(scene);
-    EXPECT_TRUE(step(stepper).starts_with("step 1 (time 0): no equilibrium: block 2 accelerates (at "));
-    EXPECT_EQ(stepper.state().step, 0);
-  }
+  const Scene scene = slope_scene(30, 20, BlockBasis::affine, Enforcement::lagrange);
+  StandardStepper stepper(scene);
+  EXPECT_TRUE(step(stepper).starts_with("step 1 (time 0): no equilibrium: block 2 accelerates (at "));
+  EXPECT_EQ(stepper.state().step, 0);
 }
 
 TEST(StaticStep, a_free_block_is_named) {
@@ -152,28 +139,26 @@ TEST(StaticStep, a_free_block_is_named) {
 // A column falls over a toe that its weight passes outside of, and stands inside of it: b/h against tan(slope).
 TEST(StaticStep, a_column_beyond_its_limit_is_named_and_one_within_stands) {
   const double slope = radians(20);
-  for (MotionRule rule : kRules) {
-    for (double ratio : {0.9, 1.1}) {
-      Blocks blocks = block_on_slope(slope);
-      const double h = 1 / (ratio * std::tan(slope));
-      blocks.blocks[1] = support::turned_rectangle({8, 0}, {9, h}, -slope);
-      Analysis analysis = plain_analysis(1e-3, 1);
-      analysis.velocity_carry_over = 0;
-      analysis.joint_materials[0].friction_angle_deg = 50;
-      Settings settings = standard_settings(analysis);
-      settings.standard.motion = rule;
-      const Scene scene = standard_scene_of(blocks, analysis, settings);
-      StandardStepper stepper(scene);
-      const std::string said = step(stepper);
-      EXPECT_EQ(said.substr(0, 52), ratio > 1 ? "" : "step 1 (time 0): no equilibrium: block 2 accelerates")
-          << name_of(rule) << ", ratio " << ratio;
-    }
+  for (double ratio : {0.9, 1.1}) {
+    Blocks blocks = block_on_slope(slope);
+    const double h = 1 / (ratio * std::tan(slope));
+    blocks.blocks[1] = support::turned_rectangle({8, 0}, {9, h}, -slope);
+    Analysis analysis = plain_analysis(1e-3, 1);
+    analysis.velocity_carry_over = 0;
+    analysis.joint_materials[0].friction_angle_deg = 50;
+    Settings settings = standard_settings(analysis);
+    settings.standard.motion = MotionRule::equilibrium;
+    const Scene scene = standard_scene_of(blocks, analysis, settings);
+    StandardStepper stepper(scene);
+    const std::string said = step(stepper);
+    EXPECT_EQ(said.substr(0, 52), ratio > 1 ? "" : "step 1 (time 0): no equilibrium: block 2 accelerates")
+        << "ratio " << ratio;
   }
 }
 
 // Elastic, sticking contact: the path of the load does not matter.
 TEST(StaticStep, loads_put_on_in_shares_end_at_the_same_equilibrium) {
-  Scene once = scene_of_stack(kStacks[0], MotionRule::equilibrium, Enforcement::lagrange);
+  Scene once = scene_of_stack(kStacks[0], Enforcement::lagrange);
   Scene shares = once;
   shares.settings.step_count = 4;
   shares.settings.standard.load_steps = 4;
@@ -189,7 +174,7 @@ TEST(StaticStep, loads_put_on_in_shares_end_at_the_same_equilibrium) {
 
 // As above, but within one step, and within two: 5 equilibria are 2 and 3.
 TEST(StaticStep, more_shares_than_steps_are_made_within_the_steps) {
-  const Scene once = scene_of_stack(kStacks[0], MotionRule::equilibrium, Enforcement::lagrange);
+  const Scene once = scene_of_stack(kStacks[0], Enforcement::lagrange);
   StandardStepper one(once);
   ASSERT_EQ(step(one), "");
   const auto share_of = [&](StandardStepper& stepper) {
@@ -212,7 +197,7 @@ TEST(StaticStep, more_shares_than_steps_are_made_within_the_steps) {
 
 // Steps after the loads stand cost nothing and change nothing.
 TEST(StaticStep, an_equilibrium_stays_while_loads_do) {
-  Scene scene = scene_of_stack(kStacks[2], MotionRule::equilibrium, Enforcement::penalty);
+  Scene scene = scene_of_stack(kStacks[2], Enforcement::penalty);
   scene.settings.step_count = 3;
   StandardStepper stepper(scene);
   ASSERT_EQ(step(stepper), "");
@@ -226,62 +211,58 @@ TEST(StaticStep, an_equilibrium_stays_while_loads_do) {
 
 // The given motion itself. A block hung at one point above its centroid follows it upright, and with no weight as well.
 TEST(StaticStep, a_driven_point_is_followed_step_after_step) {
-  for (MotionRule rule : kRules) {
-    for (double gravity : {kGravity, 0.0}) {
-      Blocks blocks;
-      blocks.blocks = {rectangle({0, 0}, {2, 1}), rectangle({5, 0}, {6, 1})};
-      blocks.fixed_points = {{{1, 0.75}, 0, {}}, {{5.2, 0.5}, 1, {}}, {{5.8, 0.5}, 1, {}}};
-      Analysis analysis = plain_analysis(0.1, 4);
-      analysis.velocity_carry_over = 0;
-      analysis.gravity = gravity;
-      analysis.fixed_point_motions = {{{0, 0.2, 0.4}, {{}, {0.02, 0.01}, {0.02, -0.01}}, {}}, {}, {}};
-      Settings settings = standard_settings(analysis);
-      settings.standard.motion = rule;
-      settings.time_step = 0.1;
-      const Scene scene = standard_scene_of(blocks, analysis, settings);
-      StandardStepper stepper(scene);
-      for (const Point wanted : {Point{0.01, 0.005}, Point{0.02, 0.01}, Point{0.02, 0}, Point{0.02, -0.01}}) {
-        ASSERT_EQ(step(stepper), "") << name_of(rule) << ", gravity " << gravity;
-        const Point found = stepper.state().fixed_points[0].displacement;
-        EXPECT_LE(distance(found, wanted), 1e-8) << name_of(rule) << ", gravity " << gravity;
-        EXPECT_NEAR(stepper.state().elements[ElementIndex{0}].rotation, 0, gravity > 0 ? 1e-6 : 1);
-      }
+  for (double gravity : {kGravity, 0.0}) {
+    Blocks blocks;
+    blocks.blocks = {rectangle({0, 0}, {2, 1}), rectangle({5, 0}, {6, 1})};
+    blocks.fixed_points = {{{1, 0.75}, 0, {}}, {{5.2, 0.5}, 1, {}}, {{5.8, 0.5}, 1, {}}};
+    Analysis analysis = plain_analysis(0.1, 4);
+    analysis.velocity_carry_over = 0;
+    analysis.gravity = gravity;
+    analysis.fixed_point_motions = {{{0, 0.2, 0.4}, {{}, {0.02, 0.01}, {0.02, -0.01}}, {}}, {}, {}};
+    Settings settings = standard_settings(analysis);
+    settings.standard.motion = MotionRule::equilibrium;
+    settings.time_step = 0.1;
+    const Scene scene = standard_scene_of(blocks, analysis, settings);
+    StandardStepper stepper(scene);
+    for (const Point wanted : {Point{0.01, 0.005}, Point{0.02, 0.01}, Point{0.02, 0}, Point{0.02, -0.01}}) {
+      ASSERT_EQ(step(stepper), "") << "gravity " << gravity;
+      const Point found = stepper.state().fixed_points[0].displacement;
+      EXPECT_LE(distance(found, wanted), 1e-8) << "gravity " << gravity;
+      EXPECT_NEAR(stepper.state().elements[ElementIndex{0}].rotation, 0, gravity > 0 ? 1e-6 : 1);
     }
   }
 }
 
 // Elastica of Bisshopp & Drucker 1945 at P L² / EI = 5, digits of Mattiasson 1981: the tip comes further than half the
-// strip, its own size, and is still an equilibrium, because the body is held. By statics and by relaxation. Three rows
+// strip, its own size, and is still an equilibrium, because the body is held. Three rows
 // of elements, and a clamp of two points, are worth 1.5 %.
 TEST(StaticStep, a_held_strip_on_covers_bends_further_than_its_size) {
   const double height = 0.05;
-  for (MotionRule rule : kRules) {
-    Analysis analysis = plain_analysis(1e-3, 1);
-    analysis.velocity_carry_over = 0;
-    analysis.gravity = 0;
-    analysis.block_materials[0].unit_weight = 0;
-    analysis.block_materials[0].poissons_ratio = 0;
-    Settings settings = standard_settings(analysis);
-    settings.standard.motion = rule;
-    Blocks blocks;
-    blocks.blocks = {rectangle({0, 0}, {1, height})};
-    Scene scene = support::mixed_scene_of(blocks, {0}, analysis, settings, 24, CoverFunctions::derived);
-    const double force = -5 * analysis.block_materials[0].youngs_modulus * height * height * height / 12;
-    for (VertexIndex v : indices(scene.model.vertices)) {
-      const Point p = scene.model.start_vertices[static_cast<std::size_t>(v.value)];
-      const ElementIndex e = scene.model.vertices[v].element;
-      if (p == Point{0, 0} || p == Point{0, height}) scene.model.fixed_points.push_back({p, e, {}});
-      if (p == Point{1, 0} || p == Point{1, height})
-        scene.model.loading_points.push_back({p, e, {{0}, {{0, force / 2}}, {}}});
-    }
-    ASSERT_EQ(scene.model.loading_points.size(), 2U);
-    StandardStepper stepper(scene);
-    EXPECT_EQ(step(stepper), "");
-    const auto& ends = stepper.state().loading_points;
-    const Point tip = 0.5 * (ends[0].displacement + ends[1].displacement);
-    EXPECT_NEAR(tip.y, -0.71379, 0.015) << name_of(rule);
-    EXPECT_NEAR(tip.x, -0.38763, 0.015) << name_of(rule);
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.velocity_carry_over = 0;
+  analysis.gravity = 0;
+  analysis.block_materials[0].unit_weight = 0;
+  analysis.block_materials[0].poissons_ratio = 0;
+  Settings settings = standard_settings(analysis);
+  settings.standard.motion = MotionRule::equilibrium;
+  Blocks blocks;
+  blocks.blocks = {rectangle({0, 0}, {1, height})};
+  Scene scene = support::mixed_scene_of(blocks, {0}, analysis, settings, 24, CoverFunctions::derived);
+  const double force = -5 * analysis.block_materials[0].youngs_modulus * height * height * height / 12;
+  for (VertexIndex v : indices(scene.model.vertices)) {
+    const Point p = scene.model.start_vertices[static_cast<std::size_t>(v.value)];
+    const ElementIndex e = scene.model.vertices[v].element;
+    if (p == Point{0, 0} || p == Point{0, height}) scene.model.fixed_points.push_back({p, e, {}});
+    if (p == Point{1, 0} || p == Point{1, height})
+      scene.model.loading_points.push_back({p, e, {{0}, {{0, force / 2}}, {}}});
   }
+  ASSERT_EQ(scene.model.loading_points.size(), 2U);
+  StandardStepper stepper(scene);
+  EXPECT_EQ(step(stepper), "");
+  const auto& ends = stepper.state().loading_points;
+  const Point tip = 0.5 * (ends[0].displacement + ends[1].displacement);
+  EXPECT_NEAR(tip.y, -0.71379, 0.015);
+  EXPECT_NEAR(tip.x, -0.38763, 0.015);
 }
 
 // The square of 1e155 overflows: against it all that is out of balance was nothing, and the blocks stood still.

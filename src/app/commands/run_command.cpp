@@ -87,11 +87,9 @@ int frame_interval(const RunOptions& options, const Problem& problem, const Sett
 }
 
 std::string what_they_do(const std::vector<std::string>& options) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kWords{
-      {{"motion=relaxation", "relaxation looks for a rest step by step"},
-       {"set steps=", "shorter load steps may go on, unless this is the limit load"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWords{
+      {{"set steps=", "shorter load steps may go on, unless this is the limit load"},
        {"arc_length", "arc_length follows the equilibria beyond a limit load"},
-       {"time_step=", "contacts that do not settle may do so in shorter steps"},
        {"motion=dynamic", "dynamic shows the motion"},
        {"--profile legacy", "legacy makes each step from rest, as the old program did"}}};
   std::string words;

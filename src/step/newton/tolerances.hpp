@@ -276,18 +276,6 @@ inline constexpr double kSameWay = 0.5;
 
 }  // namespace of_resting_start
 
-/// Of dynamic relaxation.
-namespace of_relaxation {
-
-inline constexpr double kAtRest = 1e-10;  // kinetic energy over the work of the loads, or over its own greatest
-inline constexpr int kMostSteps = 100000;
-inline constexpr double kBalancedAsARule = 1e-8;  // out of balance where rest is found, for what is told of the way
-// After as many steps what statics is content with where no more can be had (of_statics::kBalanceAcceptable) is enough:
-// forces of a few touches may die away by a ten-thousandth a step, and a slope of 110 blocks took 400 s for nothing.
-inline constexpr int kPatience = 1000;
-
-}  // namespace of_relaxation
-
 /// Of the proximal point iteration for a state at rest, whose parts are steps of pseudo time.
 namespace of_statics {
 

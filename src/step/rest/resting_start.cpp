@@ -135,7 +135,6 @@ class RestSearch {
   // Those that the search names; where that is none of those sought, all.
   std::vector<ElementIndex> to_blame(const StandardStep& made) const {
     std::vector<ElementIndex> named = made.moving;
-    named.insert(named.end(), made.restless.begin(), made.restless.end());
     if (named.empty() && made.converged) named = balance_of(scene_, at_rest(made.motion), 0).blocks;
     std::erase_if(named, [&](ElementIndex e) { return left_[static_cast<std::size_t>(e.value)]; });
     return named.empty() ? movable() : named;

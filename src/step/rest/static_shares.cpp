@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 
-#include "step/rest/relaxation.hpp"
 #include "step/rest/static_step.hpp"
 #include "step/scene/equilibrium.hpp"
 
@@ -34,11 +33,6 @@ StandardStep joined(const StandardStep& earlier, StandardStep later) {
   return later;
 }
 
-StandardStep equilibrium_from(const StandardScene& scene, const Motion& motion, double time, int most_iterations) {
-  return scene.settings.standard.motion == MotionRule::relaxation ? relaxation_step(scene, motion, time)
-                                                                  : static_step(scene, motion, time, most_iterations);
-}
-
 // The first equilibrium of soft bodies may be lost on the way to it, where parts of the load find it.
 StandardStep in_finer_shares(StandardScene& scene, const Motion& motion, StandardStep made, double time,
                              int most_iterations) {
@@ -49,7 +43,7 @@ StandardStep in_finer_shares(StandardScene& scene, const Motion& motion, Standar
     parts.converged = true;
     for (int share = 1; share <= count && parts.converged && parts.failure.empty(); ++share) {
       scene.load_share = static_cast<double>(share) / count;
-      parts = joined(parts, equilibrium_from(scene, parts.motion, time, most_iterations));
+      parts = joined(parts, static_step(scene, parts.motion, time, most_iterations));
     }
     scene.load_share = 1;
     if (parts.converged && parts.failure.empty()) made = std::move(parts);
@@ -60,7 +54,7 @@ StandardStep in_finer_shares(StandardScene& scene, const Motion& motion, Standar
 }  // namespace
 
 StandardStep first_equilibrium(StandardScene& scene, const Motion& motion, double time, int most_iterations) {
-  StandardStep made = equilibrium_from(scene, motion, time, most_iterations);
+  StandardStep made = static_step(scene, motion, time, most_iterations);
   return scene.is_linear() ? made : in_finer_shares(scene, motion, std::move(made), time, most_iterations);
 }
 
@@ -80,10 +74,10 @@ StandardStep static_equilibrium(StandardScene& scene, const Motion& motion, cons
     return unchanged(scene, motion, step.to);
   const bool is_whole = step.made == 0 && wanted == 1;
   StandardStep made =
-      is_whole ? first_equilibrium(scene, motion, step.to, kMost) : equilibrium_from(scene, motion, step.to, kMost);
+      is_whole ? first_equilibrium(scene, motion, step.to, kMost) : static_step(scene, motion, step.to, kMost);
   while (++share <= end && made.converged && made.failure.empty()) {
     scene.load_share = static_cast<double>(share) / wanted;
-    made = joined(made, equilibrium_from(scene, made.motion, step.to, kMost));
+    made = joined(made, static_step(scene, made.motion, step.to, kMost));
   }
   return made;
 }

@@ -13,7 +13,7 @@ VertexIndex edge_under(const Touch& touch, const Model& model, const Table<Verte
 /// What becomes of two corners that meet where a closed touch guides one of them along an edge of the other, as at a
 /// crossing of joints. by_motion: which edge they meet is decided by how the two would move without them. pass: they
 /// slide past each other within their rounding, for in a search for an equilibrium nothing moves that could decide; a
-/// force there would hold up what slides. The steps of dynamic relaxation are steps in time.
+/// force there would hold up what slides.
 enum class GuidedCorners { by_motion, pass };
 
 /// Pairs within reach of a step of `dt`, as touches. Ties of corners that were closed in the last step are touches

@@ -27,7 +27,6 @@ struct StandardStep {
   std::vector<std::size_t> undecided;            ///< of the touches: those that went round in a cycle
   std::string failure;                           ///< why it was given up otherwise; empty if it was not
   std::vector<ElementIndex> moving;              ///< at rest: it was given up because these move away
-  std::vector<ElementIndex> restless;  ///< at rest: it was given up because these do not come to rest where they are
 };
 
 /// Of two parts of a step, the residual of the one that has the larger.

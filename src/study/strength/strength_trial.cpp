@@ -308,14 +308,7 @@ TrialOutcome StrengthTrials::run(double factor, const std::function<bool()>& wan
 TrialOutcome StrengthTrials::decided(double factor, const std::function<bool()>& wants_stop) const {
   Scene scene = prepared_at(factor).scene;
   scene.load_cuts = kLoadCuts;
-  TrialOutcome made = stepped(stepper_for(scene), wants_stop);
-  const bool is_first_try = scene.settings.standard.motion == MotionRule::equilibrium;
-  if (made.told.verdict == Verdict::undecided && is_first_try && !scene.is_untouched) {
-    scene.settings.standard.motion = MotionRule::relaxation;
-    TrialOutcome again = stepped(stepper_for(std::move(scene)), wants_stop);
-    again.told.rounds += made.told.rounds;
-    if (again.told.verdict != Verdict::undecided) made = std::move(again);
-  }
+  TrialOutcome made = stepped(stepper_for(std::move(scene)), wants_stop);
   // Of rock that yields no calculation shows more than that it finds no equilibrium. Where none does, it is contacts
   // that do not settle, and nothing is decided.
   if (made.told.verdict == Verdict::undecided && may_yield() && made.rock_yields) made.told.verdict = Verdict::falls;
