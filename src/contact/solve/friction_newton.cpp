@@ -38,7 +38,7 @@ constexpr int kMostSetsOfMany = 16;
 // Of the way to the forces of an active set of springs a part is taken that lessens what is left by this share of
 // itself; it is halved so often. Sets in a row no part of which leaves less are not followed by one that does.
 constexpr double kSufficient = 0.1;
-constexpr int kMostHalvings = 8;
+constexpr int kHalvingsOfWay = 8;
 constexpr int kMostRises = 2;
 // From this set on a proximal round of many pairs has run away if more than half as many of them change as did at
 // first, and more than the second figure.
@@ -153,7 +153,7 @@ class Newton {
     Tried best = full;
     double best_part = 1;
     double least = std::numeric_limits<double>::infinity();
-    for (double part = 1; part >= std::exp2(-kMostHalvings); part /= 2) {
+    for (double part = 1; part >= std::exp2(-kHalvingsOfWay); part /= 2) {
       tried_ = {from.forces + part * (full.forces - from.forces), from.y + part * (full.y - from.y)};
       const double left = change(natural_map(problem_, tried_, proximal));
       if (left < least) {
