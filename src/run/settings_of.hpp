@@ -26,9 +26,10 @@ ChosenProfile chosen_profile(const Problem& problem, const std::string& asked, c
 std::string profile_of(const Problem& problem, const std::string& asked, const std::vector<Override>& overrides = {});
 
 /// Every choice of a run: the profile, the settings of the case file on it, and the overrides on these. Where the file
-/// takes no velocity into a step, and settings ask for motion = dynamic, all of it is taken. `velocity_carry_over` among
-/// the settings overrules that. Values of overrides may have a unit ("2 ms"), which is converted to those of the case. Throws InputError for a setting of the
-/// case file that is unknown or does not fit, std::invalid_argument for a profile or an override.
+/// takes no velocity into a step, and settings ask for motion = dynamic, all of it is taken; `velocity_carry_over`
+/// among the settings overrules that. Values of overrides may have a unit ("2 ms"), which is converted to those of the
+/// case. Throws InputError for a setting of the case file that is unknown or does not fit, std::invalid_argument for a
+/// profile or an override.
 Settings settings_of(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
 }  // namespace keyblock
