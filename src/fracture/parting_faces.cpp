@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/parting_faces.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geometry/box.hpp"
@@ -24,9 +26,9 @@ constexpr double kWide = 4;
 constexpr double kBesideFace = 1e-6;
 // Share of Γ by which the work of a step may differ from that of the law. Later steps make up for the difference.
 constexpr double kWorkGoal = 1e-3;
-constexpr double kRoundOff = 1e-9;  // of Γ
-constexpr int kMostRounds = 12;     // of the search for the pulls of a step
-constexpr int kHalvedEvery = 3;     // rounds: the range of shares
+constexpr double kRoundOff = 1e-9;       // of Γ
+constexpr std::size_t kMostRounds = 12;  // of the search for the pulls of a step
+constexpr Eigen::Index kRemembered = 5;  // of its rounds: what the faces of more pieces do is not told apart by them
 
 bool is_in(const Manifold& manifold, std::size_t e, Point p) {
   Box box;
@@ -109,14 +111,20 @@ double PartingFaces::share(double at) const {
   return envelope(std::max(at, farthest));
 }
 
-double PartingFaces::work_to(double at) const {
+double PartingFaces::work_at(double at) const {
   const double last = 2 * energy / first_share();
-  const auto work = [&](double d) {
-    const double most = std::clamp(std::max(d, farthest), 0.0, last);
-    const double loaded = first_share() * most * (1 - most / (2 * last));
-    return d >= farthest ? loaded : loaded - share(farthest) * (farthest - std::max(d, 0.0));
-  };
-  return work(at) - work(parted);
+  const double most = std::clamp(std::max(at, farthest), 0.0, last);
+  const double loaded = first_share() * most * (1 - most / (2 * last));
+  return at >= farthest ? loaded : loaded - share(farthest) * (farthest - std::max(at, 0.0));
+}
+
+void PartingFaces::put_to_taken() {
+  if (parted >= farthest) {
+    const double left = 1 - std::clamp(taken / energy, 0.0, 1.0);
+    parted = farthest = std::max(farthest, 2 * energy / first_share() * (1 - std::sqrt(left)));
+  } else if (const double pull = share(farthest); parted > 0 && pull > 0) {
+    parted = std::clamp(farthest - (work_at(farthest) - taken) / pull, 0.0, farthest);
+  }
 }
 
 Point PartingFaces::way(const PartingPoint& point, Point opening) const {
@@ -157,71 +165,74 @@ void look_at_openings(PartingFaces& faces, const DisplacementAt& displacement) {
   for (std::size_t i = 0; i < openings.size(); ++i) faces.points[i].opening = openings[i];
 }
 
-PullsOfStep::PullsOfStep(const std::vector<PartingFaces>& faces) : faces_(faces) {
-  for (const PartingFaces& piece : faces) {
-    searches_.push_back({piece.share(piece.parted)});
-    pulls_.push_back(pulls_between(piece, searches_.back().share, openings_of(piece, nullptr)));
+PullsOfStep::PullsOfStep(const std::vector<PartingFaces>& faces) : faces_(faces), shares_(faces.size()) {
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    shares_[i] = faces[i].share(faces[i].parted);
+    pulls_.push_back(pulls_between(faces[i], shares_[i], openings_of(faces[i], nullptr)));
   }
 }
 
 bool PullsOfStep::are_found(const DisplacementAt& displacement) {
-  if (round_ > kMostRounds) return true;
-  ++round_;
-  bool are_all = true;
-  for (std::size_t i = 0; i < faces_.size(); ++i) are_all = looks_right(i, displacement) && are_all;
-  return are_all;
-}
-
-bool PullsOfStep::looks_right(std::size_t piece, const DisplacementAt& displacement) {
-  const PartingFaces& faces = faces_[piece];
-  const std::vector<Point> openings = openings_of(faces, &displacement);
-  const double parted = parted_at(faces, openings);
-  const double by_law = faces.work_to(parted), goal = kWorkGoal * faces.energy;
-  const double least = std::max(by_law - goal, -faces.taken);
-  const double most = std::max(std::min(by_law + goal, faces.energy - faces.taken), least);
-  const double work = work_of(faces, pulls_[piece], openings);
-  if (work >= least - kRoundOff * faces.energy && work <= most + kRoundOff * faces.energy) return true;
-  Search& search = searches_[piece];
-  const double way = parted - faces.parted;
-  if (round_ > kMostRounds)
-    search.share = 0;
-  else
-    choose(search, way == 0 ? faces.share(parted) : (least + most) / 2 / way);
-  pulls_[piece] = pulls_between(faces, search.share, openings);
+  if (tried_.size() > kMostRounds) return true;
+  std::vector<std::vector<Point>> openings;
+  for (const PartingFaces& piece : faces_) openings.push_back(openings_of(piece, &displacement));
+  tried_.push_back(looked_at(openings));
+  if (tried_.back().off <= kRoundOff) return true;
+  if (tried_.size() > kMostRounds) {
+    const Trial& nearest = *std::ranges::min_element(tried_, {}, &Trial::off);
+    pulls_ = nearest.pulls;
+    if (std::isinf(nearest.off))
+      for (std::vector<Point>& piece : pulls_) std::ranges::fill(piece, Point{});
+    return false;
+  }
+  shares_ = next_shares();
+  for (std::size_t i = 0; i < faces_.size(); ++i) pulls_[i] = pulls_between(faces_[i], shares_[i], openings[i]);
   return false;
 }
 
-// A share of nothing is below what the law asks for, all of the pull above it. Pieces move each other's bounds.
-void PullsOfStep::choose(Search& search, double asked) const {
-  const double off = search.share - asked;
-  if (off < 0) {
-    search.low = search.share;
-    search.off_at_low = off;
-    if (search.high <= search.low) search.high = 1;
-  } else {
-    search.high = search.share;
-    search.off_at_high = off;
-    if (search.low >= search.high) search.low = 0;
+PullsOfStep::Trial PullsOfStep::looked_at(const std::vector<std::vector<Point>>& openings) const {
+  Trial trial{shares_, shares_, 0, pulls_};
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const PartingFaces& faces = faces_[i];
+    const double parted = parted_at(faces, openings[i]), way = parted - faces.parted;
+    const double left = std::max(0.0, faces.energy - faces.taken), goal = kWorkGoal * faces.energy;
+    const double by_law = std::clamp(faces.work_at(parted) - faces.work_at(faces.parted), -faces.taken, left);
+    const double least = std::max(by_law - goal, -faces.taken), most = std::min(by_law + goal, left);
+    trial.asked[i] = std::clamp(way == 0 ? faces.share(parted) : (least + most) / 2 / way, 0.0, 1.0);
+    const double work = work_of(faces, pulls_[i], openings[i]), round_off = kRoundOff * faces.energy;
+    const bool keeps_bounds = work >= -faces.taken - round_off && work <= left + round_off;
+    const double off = keeps_bounds ? std::max({0.0, least - work, work - most}) / faces.energy
+                                    : std::numeric_limits<double>::infinity();
+    trial.off = std::max(trial.off, off);
   }
-  const bool has_both = search.off_at_low < 0 && search.off_at_high > 0;
-  double next =
-      has_both ? search.low + (search.high - search.low) * search.off_at_low / (search.off_at_low - search.off_at_high)
-               : asked;
-  if (!(next > search.low && next < search.high) || round_ % kHalvedEvery == 0) next = (search.low + search.high) / 2;
-  search.share = next;
+  return trial;
+}
+
+// The fixed point of asked(shares), by the mixing of Anderson (J. ACM 12, 1965) over as many trials as there are pieces:
+// for one piece the secant through the last two.
+Eigen::VectorXd PullsOfStep::next_shares() const {
+  const Trial& last = tried_.back();
+  const Eigen::Index n = last.shares.size();
+  const auto count = std::min<Eigen::Index>({n, kRemembered, static_cast<Eigen::Index>(tried_.size()) - 1});
+  Eigen::VectorXd next = last.asked;
+  if (count > 0) {
+    Eigen::MatrixXd off(n, count), asked(n, count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const Trial& before = tried_[tried_.size() - 2 - static_cast<std::size_t>(k)];
+      asked.col(k) = last.asked - before.asked;
+      off.col(k) = asked.col(k) - (last.shares - before.shares);
+    }
+    next -= asked * off.completeOrthogonalDecomposition().solve(last.asked - last.shares);
+  }
+  return next.cwiseMax(0).cwiseMin(1);
 }
 
 void part(PartingFaces& faces, const std::vector<Point>& pulls, const DisplacementAt& displacement) {
   const std::vector<Point> openings = openings_of(faces, &displacement);
-  const double parted = parted_at(faces, openings);
+  faces.parted = parted_at(faces, openings);
   faces.taken += work_of(faces, pulls, openings);
   for (std::size_t i = 0; i < openings.size(); ++i) faces.points[i].opening = openings[i];
-  faces.parted = parted;
-  if (parted >= faces.farthest) {  // to where the law has the work taken
-    const double left = 1 - std::clamp(faces.taken / faces.energy, 0.0, 1.0);
-    faces.farthest = std::max(faces.farthest, 2 * faces.energy / first_share() * (1 - std::sqrt(left)));
-    faces.parted = faces.farthest;
-  }
+  faces.put_to_taken();
   if (lies_wide_open(faces)) faces.farthest = faces.parted = std::max(faces.farthest, faces.end());
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <vector>
 
@@ -48,8 +49,10 @@ struct PartingFaces {
   bool have_parted() const { return farthest >= end(); }
   /// f at D.
   double share(double at) const;
-  /// Work of the pulls from the present D to another, per unit thickness.
-  double work_to(double at) const;
+  /// Work of the pulls on the way to D at which the law has it, per unit thickness.
+  double work_at(double at) const;
+  /// Puts D to where the law has the work taken: what a step took more or less does not add up.
+  void put_to_taken();
   /// Of a step over which a point opens from its present opening to another: against this, of a length up to 1, a pull
   /// does the work that D says (discrete gradient, Gonzalez 1996).
   Point way(const PartingPoint& point, Point opening) const;
@@ -72,7 +75,8 @@ void look_at_openings(PartingFaces& faces, const DisplacementAt& displacement);
 using Pulls = std::vector<std::vector<Point>>;
 
 /// Finds the pulls of a step in time: constant over it, with the share that does the work of the law between its start
-/// and its end. With the share at its start instead a step in which faces open far takes many times Γ.
+/// and its end. With the share at its start instead a step in which faces open far takes many times Γ. Pieces move each
+/// other's faces: their shares are found together.
 class PullsOfStep {
  public:
   /// Begins with the pulls at the start of the step. Views the faces.
@@ -80,23 +84,24 @@ class PullsOfStep {
 
   const Pulls& pulls() const { return pulls_; }
   /// Of a step that was made with these pulls and ends with these displacements: true where they did the work of the
-  /// law. Otherwise puts pulls that come nearer to it. A piece for which none are found pulls no more in the step.
+  /// law. Otherwise puts pulls that come nearer to it, and in the end those that came nearest, or none.
   bool are_found(const DisplacementAt& displacement);
 
  private:
-  /// Shares between which that of a piece lies, and by how much each is more than the law asks for there.
-  struct Search {
-    double share = 0;
-    double low = 0, high = 1;
-    double off_at_low = 0, off_at_high = 0;  ///< 0: not tried
+  struct Trial {
+    Eigen::VectorXd shares;
+    Eigen::VectorXd asked;  ///< shares that would have done the work of the law on the way that the faces went
+    double off = 0;         ///< of Γ: how far the work of a piece was from that of the law, at most; infinite where
+                            ///< the piece gave back what it had not taken, or took more than Γ
+    Pulls pulls;
   };
-  bool looks_right(std::size_t piece, const DisplacementAt& displacement);
-  void choose(Search& search, double asked) const;
+  Trial looked_at(const std::vector<std::vector<Point>>& openings) const;
+  Eigen::VectorXd next_shares() const;
 
   const std::vector<PartingFaces>& faces_;
+  Eigen::VectorXd shares_;
   Pulls pulls_;
-  std::vector<Search> searches_;
-  int round_ = 0;
+  std::vector<Trial> tried_;
 };
 
 /// Ends a step that was made with these pulls of the faces: adds their work and puts the openings.

@@ -82,6 +82,58 @@ TEST(PartingFaces, take_their_energy_whatever_the_step) {
     }
 }
 
+/// Two bodies that are tied by most of their mass, so that what pulls one moves the other: inverse masses 1 and 0.8.
+struct TiedMovers {
+  double at[2] = {0, 0};
+  double speed[2] = {0, 0};
+
+  TiedMovers after(double dt, const Pulls& pulls) const {
+    TiedMovers end = *this;
+    for (int k = 0; k < 2; ++k)
+      for (int of = 0; of < 2; ++of)
+        for (const Point pull : pulls[of]) {
+          const double acceleration = (k == of ? 1 : 0.8) * pull.y;
+          end.speed[k] += dt * acceleration;
+          end.at[k] += dt * dt / 2 * acceleration;
+        }
+    for (int k = 0; k < 2; ++k) end.at[k] += dt * speed[k];
+    return end;
+  }
+  double energy() const {
+    return (speed[0] * speed[0] + speed[1] * speed[1] - 1.6 * speed[0] * speed[1]) / (2 * (1 - 0.8 * 0.8));
+  }
+};
+
+// A search piece by piece took up to 14 rounds here, and then let a piece pull no more in the step.
+TEST(PartingFaces, that_move_each_other_take_their_energy_in_few_rounds) {
+  for (const double way : {0.05, 0.3, 1.0}) {
+    std::vector<PartingFaces> all{faces_under(kTraction), faces_under(0.5 * kTraction)};
+    for (PartingPoint& point : all[1].points) point.left = 2;
+    TiedMovers movers{{0, 0}, {std::sqrt(12 * kEnergy), std::sqrt(12 * kEnergy)}};
+    const double first = movers.energy(), dt = way * kAtToughness / movers.speed[0];
+    int most = 0;
+    for (int i = 0; i < 400; ++i) {
+      PullsOfStep search(all);
+      TiedMovers end;
+      const DisplacementAt apart = [&](int element, Point) { return Point{0, element == 1 ? 0 : end.at[element / 2]}; };
+      int rounds = 0;
+      do {
+        end = movers.after(dt, search.pulls());
+        ++rounds;
+      } while (!search.are_found(apart));
+      most = std::max(most, rounds);
+      for (int k = 0; k < 2; ++k) part(all[k], search.pulls()[k], apart);
+      movers = end;
+      ASSERT_NEAR(movers.energy() + all[0].taken + all[1].taken, first, 1e-9 * first);
+    }
+    EXPECT_LE(most, 8) << way;
+    for (const PartingFaces& faces : all) {
+      EXPECT_TRUE(faces.have_parted());
+      EXPECT_NEAR(faces.taken, kEnergy, 2e-3 * kEnergy) << way;
+    }
+  }
+}
+
 // With half of Γ they hold it; it swings and never has more energy than it began with.
 TEST(PartingFaces, that_swing_make_no_energy) {
   for (const double way : {0.02, 0.3, 2.0}) {
