@@ -208,8 +208,8 @@ PullsOfStep::Trial PullsOfStep::looked_at(const std::vector<std::vector<Point>>&
   return trial;
 }
 
-// The fixed point of asked(shares), by the mixing of Anderson (J. ACM 12, 1965) over as many trials as there are pieces:
-// for one piece the secant through the last two.
+// Looks for the fixed point of asked(shares) by the mixing of Anderson (J. ACM 12, 1965), over as many trials as there
+// are pieces: for one piece it is the secant through the last two.
 Eigen::VectorXd PullsOfStep::next_shares() const {
   const Trial& last = tried_.back();
   const Eigen::Index n = last.shares.size();

@@ -213,7 +213,7 @@ std::string kind_of(const Warning& warning) {
   return kind;
 }
 
-/// Of load steps of rock that yields, in which nothing touches: motion would have loads and driven edges all at once.
+/// Advice for load steps of yielding rock without contacts. Motion is no option: it would apply all loads at once.
 std::vector<std::string> what_to_try_under_loads(const Scene& scene) {
   std::vector<std::string> options{fmt::format("--set steps={}", kMoreLoadSteps * scene.settings.step_count)};
   if (scene.settings.standard.load_control == LoadControl::share && !scene.next && scene.end.steps == 0)

@@ -35,8 +35,9 @@ constexpr double kProgress = 0.5;
 constexpr int kMostRounds = 40;
 constexpr int kMostSets = 60;
 constexpr int kMostSetsOfMany = 16;
-// Of the way to the forces of an active set of springs a part is taken that lessens what is left by this share of
-// itself; it is halved so often. Sets in a row no part of which leaves less are not followed by one that does.
+// Line search towards the forces of an active set, for springs: a step is long enough if it reduces the residual by
+// this share of its length; it is halved at most so often; and the search gives up after so many active sets in a row
+// towards which no step reduces the residual.
 constexpr double kSufficient = 0.1;
 constexpr int kHalvingsOfWay = 8;
 constexpr int kMostRises = 2;
@@ -138,12 +139,12 @@ class Newton {
     return false;
   }
 
-  // What the natural map would change of the forces tried.
+  // Residual of the natural map: the largest change that it makes to the forces tried.
   double change(const NaturalMap& map) const { return (map.forces - tried_.forces).cwiseAbs().maxCoeff(); }
 
-  // To the forces of an active set. Where springs make forces unique it goes the part of the way, halved and halved
-  // again, that leaves enough less than before, or the one that leaves least: Newton's method for a map with kinks
-  // (Pang 1990). So it ends near where it began, where friction may bear in more ways than one.
+  // Moves to the forces of an active set. Under springs, which make normal forces unique, it halves the step until the
+  // residual has fallen enough, and else takes the step with the smallest residual: Newton's method for a map with
+  // kinks (Pang 1990). Friction may have several solutions all the same; short steps end at the nearest one.
   bool go_towards(Tried full, double before, const Proximal& proximal) {
     if (!is_unique_) {
       tried_ = std::move(full);

@@ -217,8 +217,8 @@ class Interior {
     return true;
   }
 
-  // What `right` changes. A multiplier of friction pulls at its tangential force alone, not at the normal one: that is
-  // Coulomb's law, and why the matrix is not symmetric.
+  // Solves the system for the right side `right` and keeps the change. The multiplier of a friction bound acts on the
+  // tangential force and not on the normal one: that is Coulomb's law, and it makes the matrix unsymmetric.
   bool change_by(const Eigen::VectorXd& right) {
     const auto change = system_->solve(-right, Eigen::VectorXd::Zero(right.size()), kLeftOfGoal * problem_.goal);
     if (!change || !change->allFinite()) return false;
@@ -269,7 +269,7 @@ class Interior {
   ActiveSet set_;        ///< all forces that can be
   std::vector<Bound> bounds_;
   std::unique_ptr<ActiveForces> system_;
-  double product_ = 0;  ///< of room and multiplier, in the mean
+  double product_ = 0;  ///< mean product of room and multiplier
   double damping_ = 0;  ///< share of W_ii in the matrix
   double part_ = 1;     ///< of the last step that was taken
 };

@@ -250,10 +250,10 @@ inline constexpr double kRises = 2;
 inline constexpr double kShorter = 16;
 // At rest is what moves by less than this share of what a free block does.
 inline constexpr double kAtRest = 1e-4;
-// Ways of two steps that differ by less than this share are as long: what does not rest goes on under settled forces.
+// Two steps are equally long if their ways differ by less than this share: the scene moves on under settled forces.
 inline constexpr double kEvenly = 1e-3;
-// Of the largest load on a block: what is left here, all steps of the run begin with. The second is tolerated where no
-// less can be had: wedged blocks under multipliers may bear in ways that no solver tells apart.
+// Residual of the start, a share of the largest load on a block. All steps of the run inherit it. The second value is
+// accepted where the solver reaches no less: wedged blocks under multipliers may have many solutions.
 inline constexpr double kForceTolerance = 1e-6;
 inline constexpr double kForceTolerated = 1e-3;
 
@@ -303,8 +303,8 @@ inline constexpr double kRaised = 1.2;  // in each iteration without such a turn
 inline constexpr int kLook = 10;        // iterations between two looks at what is out of balance
 inline constexpr double kFalls = 0.5;
 inline constexpr double kLonger = 2;
-// What is out of balance stays the same where it differs by less than this share. A block that has gone the last share
-// of its size after so many such iterations accelerates: contact forces that settle under no longer τ kept it slow.
+// Forces out of balance are steady if they change by less than kSame. After kSteady such iterations a block that has
+// moved by kFarIfSteady of its size accelerates; it moved so little because contact forces settled under short τ alone.
 inline constexpr double kSame = 1e-3;
 inline constexpr int kSteady = 50;
 inline constexpr double kFarIfSteady = 1e-2;

@@ -135,7 +135,7 @@ class Settling {
     motion_.constraints = constraints.memory(forces.tail(count - of_faces), motion_.q);
   }
 
-  // False where it finds no forces, and changes nothing.
+  // False where it finds no forces. It then moves nothing; touches that it found stay.
   bool step(double stiffness_over_inertia) {
     const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
     StandardChoices choices = scene_.settings.standard;

@@ -204,7 +204,8 @@ class StaticSolve {
     });
   }
 
-  // What goes on under forces that stay the same for long accelerates, and need not be followed its own size.
+  // Blocks that moved far while out of balance. If the forces out of balance stay the same for many iterations, a block
+  // accelerates: a shorter way is enough to name it.
   std::vector<ElementIndex> far_out_of_balance(const Balance& balance) {
     const bool is_same = std::abs(balance.share - steady_share_) <= of_statics::kSame * steady_share_;
     steady_ = is_same ? steady_ + 1 : 0;
