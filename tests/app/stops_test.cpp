@@ -135,12 +135,15 @@ TEST(Stops, asked_for_again_later_end_the_run_at_once) {
   }
 }
 
-// As `timeout` does: it sends the signal to the program and to the group it is in.
+// As `timeout` does, which sends the signal to the program and to the group it is in. The script waits for the first
+// frame: a program that is still starting does not hear it.
 TEST(Stops, asked_for_twice_at_once_are_one) {
-  const std::string out = fresh_folder("stop_by_timeout") + "/out";
-  const auto run = run_script(
-      fmt::format("timeout --preserve-status 1 \"$K\" run {}.geo {}.ana --profile standard --set steps=100000000 -o {}",
-                  kRest, kRest, out));
+  const std::string out = fresh_folder("stop_twice_at_once") + "/out";
+  const auto run =
+      run_script(fmt::format("\"$K\" run {}.geo {}.ana --profile standard --set steps=100000000 -o {} &\nrun=$!\n"
+                             "while kill -0 $run && ! test -e {}/frames/00000000.vtu; do sleep 0.05; done\n"
+                             "kill -TERM $run\nkill -TERM $run\nwait $run",
+                             kRest, kRest, out, out));
   EXPECT_EQ(run.exit_code, 130) << run.messages;
   EXPECT_TRUE(fs::exists(out + "/checkpoint.h5"));
   EXPECT_TRUE(fs::exists(out + "/run.json"));
