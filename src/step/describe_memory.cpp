@@ -19,12 +19,14 @@ void describe(Archive& a, Touch& touch, VertexIndex vertices) {
   a.index("vertex", touch.vertex, vertices);
   a.index("start", touch.start, vertices);
   a.index("end", touch.end, vertices);
-  a.choice("kind", touch.kind, TouchKind::bisector);
+  a.choice("kind", touch.kind, TouchKind::arc);
   a.index("other", touch.other, vertices);
   a.value("along", touch.along);
-  a.index("second_start", touch.second_start, vertices);
-  a.index("second_end", touch.second_end, vertices);
-  a.value("second_sign", touch.second_sign);
+  a.index("first_start", touch.first.start, vertices);
+  a.index("first_end", touch.first.end, vertices);
+  a.index("second_start", touch.second.start, vertices);
+  a.index("second_end", touch.second.end, vertices);
+  a.value("tangent", touch.tangent);
   describe(a, touch.facing, vertices);
   a.value("stretch", touch.stretch);
   a.value("share", touch.share);
@@ -39,7 +41,6 @@ void describe(Archive& a, ContactMemory& memory) {
   a.value("normal_compliance", memory.normal_compliance);
   a.value("tangential_compliance", memory.tangential_compliance);
   a.value("normal_at_end", memory.normal_at_end);
-  a.value("tried_at", memory.tried_at);
   a.value("compression", memory.compression);
 }
 
@@ -95,10 +96,6 @@ void describe(Archive& a, Motion& motion, VertexIndex vertices) {
     a.value("length", bond.length);
   });
   a.group("ties", [&] { describe(a, motion.constraints); });
-  a.list("passing", motion.passing, [&](CornerPair& pair) {
-    a.index("lower", pair.lower, vertices);
-    a.index("upper", pair.upper, vertices);
-  });
   if (motion.q.shared.size() > 0) a.value("given_up", motion.given_up);
   describe_points(a, "points_of_blocks", motion.points.blocks);
   describe_points(a, "points_of_covers", motion.points.covers);

@@ -156,20 +156,19 @@ Json parts_of_standard(const StandardStepper& stepper) {
   Json parts;
   const UnknownsTable loads = loads_at(scene, motion.q, stepper.state().time);
   const Scales scales = scales_of(scene, loads, motion.q, motion.v);
-  FoundTouches found;
-  parts["search"] = best([&] { found = touches_of(scene, motion, scales, dt, GuidedCorners::by_motion); });
+  Touches found;
+  parts["search"] = best([&] { found = touches_of(scene, motion, scales, dt); });
   ContactRows rows;
-  parts["rows"] = best([&] { rows = contact_rows(scene.model, scene.reference, motion.q, found.touches); });
+  parts["rows"] = best([&] { rows = contact_rows(scene.model, scene.reference, motion.q, found); });
   SmoothMotion smooth;
   const ForceTolerance tolerance{1e-8 * scales.force, 1e-6 * scales.force};
   parts["forces"] = best([&] {
-    smooth = smooth_solve(scene, motion, loads, found.touches, tolerance, stepper.state().time, dt,
+    smooth = smooth_solve(scene, motion, loads, found, tolerance, stepper.state().time, dt,
                           step_rule(scene.settings.standard, dt));
   });
   parts["factors_of_forces"] = smooth.solves;
   parts["overlaps"] = best([&] {
-    newly_overlapping(scene, motion, vertices_at(scene.model, scene.reference, smooth.q), found, scales,
-                      GuidedCorners::by_motion);
+    newly_overlapping(scene, motion, vertices_at(scene.model, scene.reference, smooth.q), found, scales);
   });
   parts["state"] = best([&] { state_of(scene, motion); });
   return parts;

@@ -53,8 +53,10 @@ TEST(CrossingJoints, a_block_slides_down_one_joint_past_the_corner_at_the_crossi
   const double dip = std::atan(10.0 / 7), time = 0.2;
   const double alone = kGravity * (std::sin(dip) - std::cos(dip) * std::tan(rad(kCross))) * time * time / 2;
   const std::vector<Override> ideal = {{"basis", "rigid"}, {"enforcement", "lagrange"}, {"corner_rounding", "0"}};
+  // A corner that comes to a crossing bears on the edge beyond it once it has passed the rounding, by default 2 mm.
+  const std::vector<Override> fine = {{"corner_rounding", "3e-5"}};
   double rigid = 0;
-  for (const auto& [dt, settings] : {std::pair{4e-3, ideal}, {4e-3, {}}, {2e-3, {}}, {1e-3, {}}, {5e-4, {}}}) {
+  for (const auto& [dt, settings] : {std::pair{4e-3, ideal}, {4e-3, fine}, {2e-3, fine}, {1e-3, fine}, {5e-4, fine}}) {
     const Prepared prepared = prepare(bench(dt, static_cast<int>(std::lround(time / dt))), "standard", settings);
     ASSERT_EQ(prepared.blocks.blocks.size(), 7U);
     Frame last;
@@ -63,7 +65,7 @@ TEST(CrossingJoints, a_block_slides_down_one_joint_past_the_corner_at_the_crossi
     ASSERT_EQ(run(prepared.scene, 1, observer).end, RunEnd::finished) << dt;
     const double travel = distance(last.measured_points[0].position, {1, 6.4});
     EXPECT_GT(travel, 0.99 * alone) << dt;
-    if (!settings.empty()) rigid = travel;
+    if (settings == ideal) rigid = travel;
     EXPECT_NEAR(travel, rigid, 0.01 * rigid) << dt;
   }
 }

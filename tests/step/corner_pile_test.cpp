@@ -118,18 +118,19 @@ Pile fallen(double dt, double time) {
 }
 
 // Faces meet at nodes of four blocks, of which two touch with their corners alone. Such pairs were once lost while the
-// glue of the start dissolved, and blocks slipped past each other.
+// glue of the start dissolved, and blocks slipped past each other. Square corners with arcs between lines that begin at
+// the rounding from them, a thousandth of half the side, overlap by up to √2 - 1 of it.
 TEST(CornerPile, the_settled_start_leaves_no_block_in_another) {
   const Scene scene = column_scene(2e-3, 1);
   const StandardStepper stepper(scene);
   ASSERT_NE(stepper.start_report().made.find("held together under the loads, then released"), std::string::npos);
-  EXPECT_LT(deepest_at(scene, stepper.state()), 1e-4 * kSide);
+  EXPECT_LT(deepest_at(scene, stepper.state()), (std::sqrt(2.0) - 1) * 1e-3 * kSide / 2);
 }
 
 // Blocks once sank into each other by a third of their size and fell through the floor. Later a jump drove corners past
 // each other that did not lie over their edges before it, or pushed a block off one neighbour into another one: 9 mm at
-// 3.9 ms. A column that falls is chaotic: of sixty runs, ten steps and six changes of round-off, two went 1 % of a side
-// deep and none 1.4 %, with a median of 0.15 %. So one of six steps may go beyond 1 %.
+// 3.9 ms. A column that falls is chaotic, but of sixty runs, ten steps and six changes of round-off, none went 0.4 % of
+// a side deep.
 // Granular columns of this shape run out by about 1.9 a^(2/3) = 5 of their half-widths (Lube, Huppert, Sparks and
 // Freundt 2005: a = H/r0 = 5, axially symmetric and of many grains). How far the outermost blocks roll is chance too,
 // between 3.2 and 5.4, so that the test looks at the mean of six steps.
@@ -139,15 +140,13 @@ TEST(CornerPile, diamonds_keep_their_contacts_and_come_to_rest_on_the_floor) {
   const double half_width = 3 * kHalf;
   const std::vector<double> steps{4.4e-3, 4e-3, 3.9e-3, 3.8e-3, 3.6e-3, 2e-3};
   double run_out = 0;
-  int deep = 0;
   for (const double dt : steps) {
     const Pile pile = fallen(dt, 3);
-    EXPECT_LT(pile.deepest, 0.02 * kSide) << dt;
-    deep += pile.deepest > 0.01 * kSide || pile.lowest < -0.01 * kSide ? 1 : 0;
+    EXPECT_LT(pile.deepest, 0.01 * kSide) << dt;
+    EXPECT_GT(pile.lowest, -0.01 * kSide) << dt;
     EXPECT_LT(pile.rise, 1e-6 * weight * height) << dt;
     run_out += (pile.reach - half_width) / static_cast<double>(steps.size());
   }
-  EXPECT_LE(deep, 1);
   EXPECT_GT(run_out, 2 * half_width);
   EXPECT_LT(run_out, 5 * half_width);
 }

@@ -57,7 +57,7 @@ struct PressedRow {
       : drawn(drawn_row(count, has_wall)), scene(standard_scene(drawn.model, drawn.settings)) {
     motion = start_motion(scene);
     const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.q, motion.v);
-    touches = touches_of(scene, motion, scales, 1e-3, GuidedCorners::by_motion).touches;
+    touches = touches_of(scene, motion, scales, 1e-3);
   }
 
   static Scene drawn_row(int count, bool has_wall) {
@@ -284,8 +284,7 @@ TEST(StandardImpact, a_jump_makes_no_rigid_velocity_of_strain_rates) {
   const StandardScene scene = standard_scene(drawn.model, drawn.settings);
   Motion motion = start_motion(scene);
   const Touches touches = touches_of(scene, motion, scales_of(scene, loads_at(scene, motion.q, 0), motion.q, motion.v),
-                                     1e-3, GuidedCorners::by_motion)
-                              .touches;
+                                     1e-3);
   ASSERT_EQ(touches.size(), 2);
   for (const double approach : {0.0, 1.0}) {
     motion.v[ElementIndex{1}] << 0, -approach, 0, 0, 0.4, 0;  // u v r ex ey gxy

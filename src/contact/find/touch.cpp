@@ -3,8 +3,10 @@
 #include "contact/find/touch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "base/loop.hpp"
@@ -31,6 +33,13 @@ constexpr double kNearCorner = 4;
 // Sine of the angle between two edges that face each other over a stretch below which they close like a wedge: the far
 // end is what meets next, and either normal serves.
 constexpr double kWedge = 0.1;
+
+// Cosine of the angle between two faces that are in line: two and a half degrees.
+constexpr double kInLine = 0.999;
+
+// Least and greatest length that a rounded corner takes of the shorter of its two edges.
+constexpr double kLeastTangent = 1e-6;
+constexpr double kMostTangent = 0.4;
 
 // A foot this share of the edge beyond its end lies at the end.
 constexpr double kAtEnd = 1e-9;
@@ -95,25 +104,58 @@ struct Leading {
   double separation = -std::numeric_limits<double>::infinity();
 };
 
-Touch against(const Edge& e, VertexIndex vertex, VertexIndex met) {
-  Touch touch{vertex, e.start, e.end};
-  touch.other = met;
-  return touch;
-}
-
-Touch bisector(const Touch& first, const Touch& second, bool of_two_elements) {
-  Touch touch = first;
-  touch.kind = TouchKind::bisector;
-  touch.second_start = second.start;
-  touch.second_end = second.end;
-  touch.second_sign = of_two_elements ? -1 : 1;
-  return touch;
-}
-
 // The two edges run against each other: low on one is high on the other.
 Facing facing_of(const Edge& reference, const Edge& facing, int place) {
   if (reference.start < facing.start) return {reference.start, facing.start, place};
   return {facing.start, reference.start, 2 - place};
+}
+
+/// The edges of a corner.
+struct CornerEdges {
+  const Edge& arriving;
+  const Edge& leaving;
+};
+
+/// An edge that guides the corners, with the normal that it gives them, out of b.
+struct Guide {
+  const Edge* edge;
+  Point normal;
+};
+Guide guide(const Edge& edge, double sign) {
+  return {&edge, sign * Point{edge.direction.y, -edge.direction.x}};
+}
+
+// The corner of b holds off what comes between the normals of its edges, that of a what comes between those of its
+// own, turned round: together they bound what is common to both. None where nothing is, as at a diagonal of a notched
+// block, whose next piece goes on there.
+std::optional<CornerMeeting> meeting_of(const CornerEdges& a, const CornerEdges& b, double slack, double tangent) {
+  const Guide first_of_a = guide(a.arriving, -1), second_of_a = guide(a.leaving, -1);
+  const Guide first_of_b = guide(b.arriving, 1), second_of_b = guide(b.leaving, 1);
+  const auto is_between = [](Point n, const Guide& first, const Guide& second) {
+    return cross(first.normal, n) >= -kParallel && cross(n, second.normal) >= -kParallel;
+  };
+  const Guide& first = cross(first_of_b.normal, first_of_a.normal) > kParallel ? first_of_a : first_of_b;
+  const Guide& second = cross(second_of_a.normal, second_of_b.normal) > kParallel ? second_of_a : second_of_b;
+  for (const Guide& one : {first, second})
+    if (one.edge->is_inner || !is_between(one.normal, first_of_a, second_of_a) ||
+        !is_between(one.normal, first_of_b, second_of_b))
+      return std::nullopt;
+  const double shorter = std::min(first.edge->length, second.edge->length);
+  if (cross(first.normal, second.normal) < kParallel + slack / shorter) return std::nullopt;
+  CornerMeeting meeting;
+  Touch& arc = meeting.arc;
+  arc = {a.leaving.start, b.leaving.start, b.leaving.start, TouchKind::arc};
+  arc.first = {first.edge->start, first.edge->end};
+  arc.second = {second.edge->start, second.edge->end};
+  arc.tangent = std::clamp(tangent, kLeastTangent * shorter, kMostTangent * shorter);
+  const auto add_in_line = [&](const Guide& one, const Guide& of_a, const Guide& of_b) {
+    if (dot(of_a.normal, of_b.normal) <= kInLine) return;
+    const Guide& other = one.edge == of_a.edge ? of_b : of_a;
+    meeting.in_line.push_back({guided(arc, {one.edge->start, one.edge->end}), other.edge->start});
+  };
+  add_in_line(first, first_of_a, first_of_b);
+  add_in_line(second, second_of_a, second_of_b);
+  return meeting;
 }
 
 class PairTouches {
@@ -135,35 +177,35 @@ class PairTouches {
     if (reference.separation > search_.reach || reference.edge->is_inner) return;
     nearest_ = nearest_corners(a_, b_);
     const Edge& facing = most_opposed(*reference.edge, a_leads_ ? b_ : a_);
-    CornerTie tie = tie_between(reference, facing);
-    if (!tie.candidates.empty()) {
-      found.ties.push_back(std::move(tie));
-      return;
-    }
-    Touches touches = along_stretch(*reference.edge, facing);
-    if (rounding > 0) tie = rounded_by(rounding).tie_between(reference, facing);
-    if (!tie.candidates.empty()) {
-      tie.rounding = slack_ + rounding;
-      tie.sharp = std::move(touches);
-      found.ties.push_back(std::move(tie));
-    } else {
-      found.touches.insert(found.touches.end(), touches.begin(), touches.end());
-    }
+    Touches sharp = along_stretch(*reference.edge, facing);
+    const double tangent = std::max(slack_, rounding);
+    slack_ += rounding;
+    if (corners_tie(reference, facing))
+      if (std::optional<CornerMeeting> meeting =
+              meeting_of(edges_of(*nearest_.of_a, a_), edges_of(*nearest_.of_b, b_), slack_, tangent)) {
+        meeting->sharp = std::move(sharp);
+        meeting->rounding = rounding;
+        found.meetings.push_back(*std::move(meeting));
+        return;
+      }
+    found.touches.insert(found.touches.end(), sharp.begin(), sharp.end());
   }
 
  private:
-  PairTouches rounded_by(double rounding) const {
-    PairTouches rounded = *this;
-    rounded.slack_ += rounding;
-    return rounded;
+  // Whether corners are near each other and no edge leads by more than the slack; faces that close like a wedge have no
+  // such corners. Apart as well as touching: a corner that comes up to an edge near its end meets the same profile
+  // before and after.
+  bool corners_tie(const Leading& reference, const Edge& facing) const {
+    if (!corners_meet(reference) || is_wedge(reference, facing)) return false;
+    return crosses(leading(a_, b_, reference.separation), leading(b_, a_, reference.separation)) ||
+           (only_ends_meet(reference, facing) &&
+            crosses(edges_at(nearest_.of_a->start, a_), edges_at(nearest_.of_b->start, b_)));
   }
 
-  // Without candidates where an edge leads.
-  CornerTie tie_between(const Leading& reference, const Edge& facing) const {
-    if (!corners_meet(reference) || is_wedge(reference, facing)) return {};
-    CornerTie tie = tie_of(leading(a_, b_, reference.separation), leading(b_, a_, reference.separation));
-    if (tie.candidates.empty() && only_ends_meet(reference, facing)) tie = tie_at_corners();
-    return tie;
+  // Of the corner where an edge starts.
+  static CornerEdges edges_of(const Edge& leaving, EdgesOfPiece of) {
+    const auto place = static_cast<std::size_t>(&leaving - of.data());
+    return {of[place == 0 ? of.size() - 1 : place - 1], leaving};
   }
 
   static double separation(const Edge& edge, EdgesOfPiece from) {
@@ -198,28 +240,13 @@ class PairTouches {
     return best;
   }
 
-  // Edges of either piece that lead as well as the best, if two of them are not parallel.
-  CornerTie tie_of(const std::vector<const Edge*>& of_a, const std::vector<const Edge*>& of_b) const {
-    if (of_a.size() + of_b.size() < 2) return {};
-    const VertexIndex p = nearest_.of_a->start;
-    const VertexIndex q = nearest_.of_b->start;
-    CornerTie tie;
-    for (const Edge* e : of_a) tie.candidates.push_back(against(*e, q, p));
-    for (const Edge* e : of_b) tie.candidates.push_back(against(*e, p, q));
-    Touches bisectors;
-    for (std::size_t i = 0; i < tie.candidates.size(); ++i)
-      for (std::size_t j = i + 1; j < tie.candidates.size(); ++j)
-        if (!parallel(tie.candidates[i], tie.candidates[j]))
-          bisectors.push_back(bisector(tie.candidates[i], tie.candidates[j], i < of_a.size() && j >= of_a.size()));
-    if (bisectors.empty()) return {};
-    tie.candidates.insert(tie.candidates.end(), bisectors.begin(), bisectors.end());
-    return tie;
-  }
-
-  // Faces whose ends are in line may pass each other: a block that slides along the tops of a row of blocks comes up to
-  // the end face of each, which it will not hit.
-  CornerTie tie_at_corners() const {
-    return tie_of(edges_at(nearest_.of_a->start, a_), edges_at(nearest_.of_b->start, b_));
+  // Whether two of the edges are not parallel.
+  bool crosses(std::vector<const Edge*> edges, const std::vector<const Edge*>& of_other) const {
+    edges.insert(edges.end(), of_other.begin(), of_other.end());
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      for (std::size_t j = i + 1; j < edges.size(); ++j)
+        if (!parallel(*edges[i], *edges[j])) return true;
+    return false;
   }
 
   static std::vector<const Edge*> edges_at(VertexIndex corner, EdgesOfPiece of) {
@@ -229,14 +256,12 @@ class PairTouches {
     return edges;
   }
 
-  // Edges that lead as well as the best within round-off and slack; pieces that touch or overlap within the slack count
-  // as just touching.
+  // Edges that lead as well as the best within round-off and slack.
   std::vector<const Edge*> leading(EdgesOfPiece of, EdgesOfPiece from, double best) const {
     std::vector<const Edge*> edges;
     for (const Edge& edge : of) {
       const double tie = kTie * edge.length;
-      const double least = best > tie ? best - tie : std::min(best, 0.0) - tie - slack_;
-      if (!edge.is_inner && separation(edge, from) >= least) edges.push_back(&edge);
+      if (!edge.is_inner && separation(edge, from) >= best - tie - slack_) edges.push_back(&edge);
     }
     return edges;
   }
@@ -261,9 +286,7 @@ class PairTouches {
   }
 
   // A face that rests on springs leans by their slack over its length; that makes no corner of it.
-  bool parallel(const Touch& a, const Touch& b) const {
-    const Edge first(a.start, a.end, false, vertices_);
-    const Edge second(b.start, b.end, false, vertices_);
+  bool parallel(const Edge& first, const Edge& second) const {
     const double shorter = std::min(first.length, second.length);
     return std::abs(cross(first.direction, second.direction)) < kParallel + slack_ / shorter;
   }
@@ -380,7 +403,7 @@ FoundTouches find_touches(const std::vector<ElementPair>& pairs, const Table<Ele
   FoundTouches all;
   for (FoundTouches& part : parts) {
     all.touches.insert(all.touches.end(), part.touches.begin(), part.touches.end());
-    std::ranges::move(part.ties, std::back_inserter(all.ties));
+    std::ranges::move(part.meetings, std::back_inserter(all.meetings));
   }
   return all;
 }
@@ -390,11 +413,50 @@ Point outward_normal(VertexIndex start, VertexIndex end, const Table<VertexIndex
   return (1 / length(along)) * Point{along.y, -along.x};
 }
 
+namespace {
+
+struct Nearest {
+  Point normal;
+  double gap = 0;
+  double share = 0;  ///< of the second line: 0 or 1 on a line
+};
+
+// A circle that touches both lines at the same distance from where they cross. Where the corners are from each other
+// across the bisector tells the normal, on the circle or on one of the lines, however deep a step lets them in.
+Nearest nearest_on_arc(const Touch& arc, const Table<VertexIndex, Point>& vertices) {
+  const auto normal = [&](EdgeName guide) {
+    return (guide.has(arc.vertex) ? -1.0 : 1.0) * outward_normal(guide.start, guide.end, vertices);
+  };
+  const Point first = normal(arc.first), second = normal(arc.second);
+  const Point apart = vertices[arc.vertex] - vertices[arc.start];
+  const Point sum = first + second;
+  const Point bisector = (1 / length(sum)) * sum, across{-bisector.y, bisector.x};
+  const double cosine = length(sum) / 2, widest = arc.tangent * cosine, place = dot(across, apart);
+  if (place <= -widest) return {first, dot(first, apart), 0};
+  if (place >= widest) return {second, dot(second, apart), 1};
+  const double radius = widest / dot(across, second);
+  const double sine = place / radius, along = std::sqrt(1 - sine * sine);
+  const double height = radius * (along - 1 / cosine);
+  return {along * bisector + sine * across, along * (dot(bisector, apart) - height), (1 + place / widest) / 2};
+}
+
+}  // namespace
+
+Touch guided(const Touch& arc, EdgeName guide) {
+  return {guide.has(arc.vertex) ? arc.start : arc.vertex, guide.start, guide.end};
+}
+
+bool is_guided(const Touch& touch, const Touch& arc) {
+  return arc.kind == TouchKind::arc && (touch == guided(arc, arc.first) || touch == guided(arc, arc.second));
+}
+
+double share_of_second(const Touch& arc, const Table<VertexIndex, Point>& vertices) {
+  return nearest_on_arc(arc, vertices).share;
+}
+
 Point normal_of(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
-  const Point first = outward_normal(touch.start, touch.end, vertices);
-  if (touch.kind != TouchKind::bisector) return first;
-  const Point sum = first + touch.second_sign * outward_normal(touch.second_start, touch.second_end, vertices);
-  return (1 / length(sum)) * sum;
+  if (touch.kind == TouchKind::arc) return nearest_on_arc(touch, vertices).normal;
+  return outward_normal(touch.start, touch.end, vertices);
 }
 
 Point point_of(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
@@ -403,34 +465,18 @@ Point point_of(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
 }
 
 double gap_of(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
-  const VertexIndex met = touch.kind == TouchKind::bisector ? touch.other : touch.start;
-  return dot(normal_of(touch, vertices), point_of(touch, vertices) - vertices[met]);
+  if (touch.kind == TouchKind::arc) return nearest_on_arc(touch, vertices).gap;
+  return dot(normal_of(touch, vertices), point_of(touch, vertices) - vertices[touch.start]);
 }
 
 bool lies_over_edge(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
-  if (touch.kind == TouchKind::bisector) return true;
+  if (touch.kind == TouchKind::arc) {
+    const double share = share_of_second(touch, vertices);
+    return (share > 0 && share < 1) || lies_over_edge(guided(touch, share == 0 ? touch.first : touch.second), vertices);
+  }
   const Point edge = vertices[touch.end] - vertices[touch.start];
   const double station = dot(point_of(touch, vertices) - vertices[touch.start], edge) / dot(edge, edge);
   return station >= -kAtEnd && station <= 1 + kAtEnd;
-}
-
-const Touch* touch_of(const CornerTie& tie, const Table<VertexIndex, Point>& before,
-                      const Table<VertexIndex, Point>& after, double overlap) {
-  const auto gained = [&](const Touch& touch) { return gap_of(touch, after) - std::min(0.0, gap_of(touch, before)); };
-  const Touch* best = nullptr;
-  for (const Touch& touch : tie.candidates)
-    if (touch.kind == TouchKind::corner && (!best || gained(touch) > gained(*best))) best = &touch;
-  if (!best || gained(*best) >= -overlap) return nullptr;
-  for (const Touch& touch : tie.candidates) {
-    if (touch.kind != TouchKind::bisector) continue;
-    Touch first = touch;
-    first.kind = TouchKind::corner;
-    const auto second = std::ranges::find_if(tie.candidates, [&](const Touch& t) {
-      return t.kind == TouchKind::corner && t.start == touch.second_start && t.end == touch.second_end;
-    });
-    if (gained(first) >= gained(*best) - overlap && gained(*second) >= gained(*best) - overlap) return &touch;
-  }
-  return best;
 }
 
 }  // namespace keyblock

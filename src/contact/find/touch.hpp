@@ -12,9 +12,10 @@
 
 namespace keyblock {
 
-/// corner: a corner against the line of an edge. middle: a point inside an edge, against the line of an edge. bisector:
-/// a corner against a corner, along the bisector of the normals of two edges of which neither leads.
-enum class TouchKind { corner, middle, bisector };
+/// corner: a corner against the line of an edge. middle: a point inside an edge, against the line of an edge. arc: a
+/// corner against a corner, along the two edges of either that guide them past each other: two lines and an arc between
+/// them.
+enum class TouchKind { corner, middle, arc };
 
 /// Two edges that face each other, by their first vertices, lower one first, and where along them: 0 and 2 at the ends
 /// of the stretch they share, 1 inside. It stays the same when the line of reference passes from one edge to the other.
@@ -26,6 +27,15 @@ struct Facing {
   auto operator<=>(const Facing&) const = default;
 };
 
+/// An edge, start → end.
+struct EdgeName {
+  VertexIndex start;
+  VertexIndex end;
+
+  bool has(VertexIndex v) const { return start == v || end == v; }
+  friend bool operator==(const EdgeName&, const EdgeName&) = default;
+};
+
 /// A point of an element against an edge of another element, whose outside lies to the right of start → end. The first
 /// four members are its name, by which forces are remembered from step to step.
 struct Touch {
@@ -33,11 +43,12 @@ struct Touch {
   VertexIndex start;
   VertexIndex end;
   TouchKind kind = TouchKind::corner;
-  VertexIndex other = {};  ///< middle: the point lies between `vertex` and this; bisector: the corner that is met
-  double along = 0;        ///< middle: where between them, 0 … 1
-  VertexIndex second_start = {};  ///< bisector: the second edge
-  VertexIndex second_end = {};
-  double second_sign = 1;  ///< bisector: −1 where the second edge is of the element of `vertex`
+  VertexIndex other = {};  ///< middle: the point lies between `vertex` and this
+  double along = 0;        ///< middle: where between `vertex` and `other`, 0 … 1
+  /// arc: the edges, of the corner `start` or of the corner `vertex`, that bound where the corners may be. The normal
+  /// of `first`, out of the element of `start`, lies clockwise of that of `second`. `end` is `start`.
+  EdgeName first = {}, second = {};
+  double tangent = 0;      ///< arc: distance of the corners at which it leaves the edges
   Facing facing = {};      ///< neither, where a corner meets a corner
   double stretch = 0;      ///< length of the stretch that the two edges share
   double share = 1;        ///< of the stretch that this touch stands for; 0 < share ≤ 1
@@ -51,18 +62,29 @@ struct Touch {
 
 using Touches = std::vector<Touch>;
 
-/// Corner on corner, no edge leading, or by no more than corners are rounded: which of them takes the touch cannot be
-/// said before it is known how they move.
-struct CornerTie {
-  Touches candidates;   ///< one an edge, then one bisector a pair of edges that are not parallel
-  double rounding = 0;  ///< > 0: an edge does lead, by no more than this
-  Touches sharp = {};   ///< what touches along that edge
+/// Of an arc: the corner that one of its edges guides, as a touch along that edge.
+Touch guided(const Touch& arc, EdgeName guide);
+
+/// Whether `touch` is a corner along an edge of `arc` that guides it. False where `arc` is none.
+bool is_guided(const Touch& touch, const Touch& arc);
+
+/// A corner along an edge with which a face that ends at the corner is in line.
+struct InLine {
+  Touch touch;
+  VertexIndex face;  ///< where it starts
+};
+
+/// Where corners of two pieces are near each other and no face lies on a face.
+struct CornerMeeting {
+  Touch arc;
+  Touches sharp;  ///< what touches along the leading edge instead
+  std::vector<InLine> in_line;
+  double rounding = 0;  ///< of the corners, whatever springs give
 };
 
 struct FoundTouches {
   Touches touches;
-  std::vector<CornerTie> ties;
-  Touches released = {};  ///< of ties: closed in the last step, and left open to see whether they still are
+  std::vector<CornerMeeting> meetings;
 };
 
 /// How finely touches are searched.
@@ -90,23 +112,21 @@ struct TouchSearch {
 FoundTouches find_touches(const std::vector<ElementPair>& pairs, const Table<ElementIndex, ConvexPieces>& pieces,
                           const Table<VertexIndex, Point>& vertices, const TouchSearch& search);
 
-/// The touch that a tie became by a motion from `before` to `after`: the edge towards which the two approached least,
-/// the bisector of two where they approached equally, none where they stayed apart by more than `overlap` (negative).
-/// What overlap there was before, up to the slack, is not counted: a block that slides along a line of joints passes
-/// the corners of the blocks below.
-const Touch* touch_of(const CornerTie& tie, const Table<VertexIndex, Point>& before,
-                      const Table<VertexIndex, Point>& after, double overlap);
-
-/// Unit normal out of the element of the edge.
+/// Unit normal out of the element of the edge, or of the arc where the corners are.
 Point normal_of(const Touch& touch, const Table<VertexIndex, Point>& vertices);
 
 /// Where the point of the touch is.
 Point point_of(const Touch& touch, const Table<VertexIndex, Point>& vertices);
 
-/// Distance of the point from the line of the edge, or from the corner along the bisector; positive outside.
+/// Distance of the point from the line of the edge, or from the arc; positive outside. An arc of two corners is that of
+/// a corner that nothing but their way from each other moves: the lines are where one corner lies on an edge of the
+/// other one (Minkowski difference), with a circle that touches both.
 double gap_of(const Touch& touch, const Table<VertexIndex, Point>& vertices);
 
-/// Whether the foot of the point on the line of the edge lies between the ends of the edge; always for a bisector.
+/// Whether the foot of the point on the line of the edge lies between the ends of the edge; always on an arc.
 bool lies_over_edge(const Touch& touch, const Table<VertexIndex, Point>& vertices);
+
+/// Of an arc: 0 on the first line, 1 on the second, in between by the turn of the normal.
+double share_of_second(const Touch& arc, const Table<VertexIndex, Point>& vertices);
 
 }  // namespace keyblock

@@ -22,6 +22,13 @@ class Rows {
     const ElementIndex a = model_.vertices[touch.vertex].element;
     const ElementIndex b = model_.vertices[touch.start].element;
     const Point n = normal_of(touch, vertices_);
+    if (touch.kind == TouchKind::arc) {
+      const Point p = place_of(touch);
+      const PointMotion on_a = points_.at_place(a, p), on_b = points_.at_place(b, p);
+      normal = row_between(a, on_a, b, on_b, n);
+      tangential = row_between(a, on_a, b, on_b, {-n.y, n.x});
+      return;
+    }
     const PointMotion at_point = of_point(touch);
     normal = row_between(a, at_point, b, of_foot(touch), n);
     tangential = row_between(a, at_point, b, points_.at_place(b, point_of(touch, vertices_)), {-n.y, n.x});
@@ -32,9 +39,13 @@ class Rows {
     if (touch.kind != TouchKind::middle) return points_.of_vertex(touch.vertex);
     return between(points_.of_vertex(touch.vertex), points_.of_vertex(touch.other), touch.along);
   }
-  // With s the share of the edge at the foot of the point; a corner is met as it is.
+  // Of an arc: on a line the corner that the edge guides, between them by the turn of the normal.
+  Point place_of(const Touch& arc) const {
+    const Point first = vertices_[guided(arc, arc.first).vertex], second = vertices_[guided(arc, arc.second).vertex];
+    return first + share_of_second(arc, vertices_) * (second - first);
+  }
+  // With s the share of the edge at the foot of the point.
   PointMotion of_foot(const Touch& touch) const {
-    if (touch.kind == TouchKind::bisector) return points_.of_vertex(touch.other);
     const Point along = vertices_[touch.end] - vertices_[touch.start];
     const double s = dot(point_of(touch, vertices_) - vertices_[touch.start], along) / dot(along, along);
     return between(points_.of_vertex(touch.start), points_.of_vertex(touch.end), s);

@@ -25,7 +25,7 @@ class CompatibleSettling {
   CompatibleSettling(const StandardScene& scene, Motion motion)
       : start_(scene, std::move(motion)),
         unshifted_(start_.motion),
-        found_(touches_of(scene, start_.motion, start_.scales, scene.settings.time_step, GuidedCorners::pass)) {}
+        found_(touches_of(scene, start_.motion, start_.scales, scene.settings.time_step)) {}
 
   CompatibleStart run() {
     if (start_.tolerance == 0) return {std::move(start_.motion), {}};
@@ -166,8 +166,7 @@ class CompatibleSettling {
   void add_overlapping() {
     const auto vertices = vertices_at(start_.scene.model, start_.scene.reference, start_.motion.q);
     unshifted_.closed = closed();
-    const Touches fresh =
-        newly_overlapping(start_.scene, unshifted_, vertices, found_, start_.scales, GuidedCorners::pass);
+    const Touches fresh = newly_overlapping(start_.scene, unshifted_, vertices, found_, start_.scales);
     if (fresh.empty()) return;
     const auto of_points = static_cast<Eigen::Index>(2 * (start_.bolts.size() + start_.scene.held.size()));
     Eigen::VectorXd grown = Eigen::VectorXd::Zero(start_.forces.size() + static_cast<Eigen::Index>(2 * fresh.size()));
@@ -175,7 +174,7 @@ class CompatibleSettling {
     grown.tail(of_points) = start_.forces.tail(of_points);
     start_.forces = grown;
     start_.elastic.resize(0);
-    found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
+    found_.insert(found_.end(), fresh.begin(), fresh.end());
     start_.touches.insert(start_.touches.end(), fresh.begin(), fresh.end());
   }
 
@@ -212,7 +211,7 @@ class CompatibleSettling {
 
   StartForces start_;
   Motion unshifted_;
-  FoundTouches found_;
+  Touches found_;
   std::vector<std::size_t> weak_bolts_;  ///< that the loads would break
   double asked_ = 0;                     ///< sum of all gaps that shifts were to close
   double greatest_shift_ = 0;            ///< of one block in one round

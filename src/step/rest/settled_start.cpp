@@ -31,11 +31,11 @@ class Settling {
   }
 
   Settled run() {
-    found_ = touches_of(scene_, motion_, scales_, scene_.settings.time_step, GuidedCorners::pass);
-    found_.touches = resting_touches(scene_, motion_, scales_);
+    found_ = touches_of(scene_, motion_, scales_, scene_.settings.time_step);
+    found_ = resting_touches(scene_, motion_, scales_);
     const UnknownsTable drawn = motion_.q;
-    leave_unsupported(found_.touches);
-    load_glued(found_.touches);
+    leave_unsupported(found_);
+    load_glued(found_);
     Motion before = motion_;  // with what the springs of the glue are compressed by
     before.q = drawn;
     add_overlapping(before);
@@ -52,7 +52,7 @@ class Settling {
     double slid = 0;  // steps so far, by their stiffness
     for (int i = 0; i < of_settled_start::kMostSteps; ++i) {
       const Motion before = motion_;
-      const FoundTouches found = found_;
+      const Touches found = found_;
       const UnknownsTable last = moved_;
       if (!step(stiffness)) {
         ++unsolved_;
@@ -143,12 +143,12 @@ class Settling {
     const StepRule rule = step_rule(choices, dt);
     const double force = of_settled_start::kForceTolerance * scales_.force;
     const ForceTolerance tolerance{force, force, of_settled_start::kForceTolerated * scales_.force};
-    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_.touches, tolerance, -dt, dt, rule);
+    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -dt, dt, rule);
     for (int search = 1; search < of_settled_start::kMostSearches && made.converged; ++search) {
       const Touches fresh = overlapping_at(made.q, motion_);
       if (fresh.empty()) break;
-      found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
-      made = smooth_solve(scene_, motion_, loads_, found_.touches, tolerance, -dt, dt, rule, &made);
+      found_.insert(found_.end(), fresh.begin(), fresh.end());
+      made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -dt, dt, rule, &made);
     }
     if (!made.converged) return false;
     moved_ = plus(made.q, -1, motion_.q);
@@ -157,9 +157,9 @@ class Settling {
     motion_.bonds = std::move(made.bonds);
     motion_.constraints = std::move(made.constraints);
     std::vector<ClosedContact> closed;
-    for (std::size_t i = 0; i < found_.touches.size(); ++i) {
+    for (std::size_t i = 0; i < found_.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
-      const Touch& touch = found_.touches[i];
+      const Touch& touch = found_[i];
       if (made.forces[n] != 0 || made.laws[i].is_bonded)
         closed.push_back(
             {touch, memory_of(made.laws[i], made.forces[n], made.forces[n + 1], way[n + 1], motion_.closed.of(touch))});
@@ -171,12 +171,11 @@ class Settling {
   // Corners at nodes, where more than two blocks meet, and what else came round: without them blocks would slip past
   // each other.
   Touches overlapping_at(const UnknownsTable& q, const Motion& before) const {
-    return newly_overlapping(scene_, before, vertices_at(scene_.model, scene_.reference, q), found_, scales_,
-                             GuidedCorners::pass);
+    return newly_overlapping(scene_, before, vertices_at(scene_.model, scene_.reference, q), found_, scales_);
   }
   void add_overlapping(const Motion& before) {
     const Touches fresh = overlapping_at(motion_.q, before);
-    found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
+    found_.insert(found_.end(), fresh.begin(), fresh.end());
   }
 
   double heaviest() const {
@@ -207,7 +206,7 @@ class Settling {
   UnknownsTable velocities_;
   UnknownsTable loads_;
   Scales scales_;
-  FoundTouches found_;
+  Touches found_;
   UnknownsTable moved_;  ///< in the last step that was solved
   int unsolved_ = 0;
 };

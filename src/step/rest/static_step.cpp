@@ -120,21 +120,20 @@ class StaticSolve {
     Motion still = now_;
     still.v.set_zero();
     const Scales scales = scales_of(scene_, loads, still.q, still.v);
-    FoundTouches found = touches_of(scene_, still, scales, tau_, GuidedCorners::pass);
+    Touches found = touches_of(scene_, still, scales, tau_);
     const ForceTolerance tolerance{
         of_statics::kForceGoal * load_,
         std::max(of_statics::kForceAcceptable, of_statics::kForceOnTheWay * result_.residual) * load_};
     SmoothMotion made;
     Touches touches;
     for (int search = 0; search < of_statics::kMostSearches; ++search) {
-      touches = found.touches;
+      touches = found;
       made = smooth_solve(scene_, now_, loads, touches, tolerance, time_ - 1, 1, resting_rule(tau_));
       if (made.fallbacks > 0) ++result_.fallbacks;
       const auto end = vertices_at(scene_.model, scene_.reference, made.q);
-      const Touches fresh =
-          made.converged ? newly_overlapping(scene_, still, end, found, scales, GuidedCorners::pass) : Touches{};
+      const Touches fresh = made.converged ? newly_overlapping(scene_, still, end, found, scales) : Touches{};
       if (fresh.empty()) break;
-      found.touches.insert(found.touches.end(), fresh.begin(), fresh.end());
+      found.insert(found.end(), fresh.begin(), fresh.end());
     }
     const double moved = travel_of(scene_, now_.q, made.q).share;
     if ((!made.converged || !(moved <= of_statics::kFarthest)) && cut(made, touches)) return false;

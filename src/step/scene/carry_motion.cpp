@@ -45,11 +45,14 @@ class Names {
 
   std::optional<Touch> of(Touch touch) const {
     const bool same = rename(touch.vertex) && rename(touch.start) && rename(touch.end) && rename(touch.other) &&
-                      rename(touch.second_start) && rename(touch.second_end) && rename(touch.facing);
-    if (!same || !is_edge(touch.start, touch.end)) return std::nullopt;
-    if (touch.kind == TouchKind::middle && !is_edge(touch.vertex, touch.other) && !is_edge(touch.other, touch.vertex))
+                      rename(touch.first) && rename(touch.second) && rename(touch.facing);
+    if (!same) return std::nullopt;
+    if (touch.kind == TouchKind::arc)
+      return is_edge(touch.first) && is_edge(touch.second) ? std::optional(touch) : std::nullopt;
+    if (!is_edge({touch.start, touch.end})) return std::nullopt;
+    if (touch.kind == TouchKind::middle && !is_edge({touch.vertex, touch.other}) &&
+        !is_edge({touch.other, touch.vertex}))
       return std::nullopt;
-    if (touch.second_start && !is_edge(touch.second_start, touch.second_end)) return std::nullopt;
     return touch;
   }
 
@@ -59,13 +62,6 @@ class Names {
     return rename(facing.lower) && rename(facing.upper);  // blocks stay in order, and so do their edges
   }
 
-  /// False where one of the corners is gone.
-  bool rename(CornerPair& corners) const {
-    if (!rename(corners.lower) || !rename(corners.upper)) return false;
-    if (corners.upper < corners.lower) std::swap(corners.lower, corners.upper);
-    return true;
-  }
-
  private:
   bool rename(VertexIndex& v) const {
     if (!v) return true;
@@ -73,7 +69,9 @@ class Names {
     return static_cast<bool>(v);
   }
 
-  bool is_edge(VertexIndex start, VertexIndex end) const { return after_.vertices[start].next == end; }
+  bool rename(EdgeName& edge) const { return rename(edge.start) && rename(edge.end); }
+
+  bool is_edge(EdgeName edge) const { return after_.vertices[edge.start].next == edge.end; }
 
   const Model& after_;
   Table<VertexIndex, VertexIndex> now_;
@@ -84,12 +82,6 @@ ClosedContacts carried_contacts(const ClosedContacts& closed, const Names& names
   for (const ClosedContact& contact : closed.all())
     if (const std::optional<Touch> touch = names.of(contact.touch)) kept.push_back({*touch, contact.memory});
   return ClosedContacts(std::move(kept));
-}
-
-std::vector<CornerPair> carried_passing(std::vector<CornerPair> passing, const Names& names) {
-  std::erase_if(passing, [&](CornerPair& corners) { return !names.rename(corners); });
-  std::ranges::sort(passing);
-  return passing;
 }
 
 /// Whether one of two edges that were there before is of another joint material now.
@@ -245,7 +237,6 @@ Motion carried_motion(const StandardScene& before, const Motion& motion, const S
   for (const auto& group : after.groups) group->carry(after.parts(), bodies, carried);
   const Names names(map, before, after);
   carried.closed = carried_contacts(motion.closed, names);
-  carried.passing = carried_passing(motion.passing, names);
   carried.bonds = carried_bonds(motion.bonds, names, map, before, carried, after, time);
   carry_constraints(before, motion, map, after, carried);
   return carried;

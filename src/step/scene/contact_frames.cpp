@@ -19,7 +19,7 @@ Table<VertexIndex, Point> in_the_middle(const Table<VertexIndex, Point>& before,
 
 // Both faces back where they lay: from the foot of the point on the edge to the point, seen along the edge.
 double slip_of(const Touch& touch, const Table<VertexIndex, Point>& now, const Table<VertexIndex, Point>& unloaded) {
-  if (touch.kind == TouchKind::bisector) return 0;
+  if (touch.kind == TouchKind::arc) return 0;
   const Point edge = now[touch.end] - now[touch.start];
   const double share = dot(point_of(touch, now) - now[touch.start], edge) / dot(edge, edge);
   const Point edge_then = unloaded[touch.end] - unloaded[touch.start];
@@ -37,8 +37,7 @@ std::vector<ClosedContact> with_open_ones(const StandardScene& scene, const Moti
   std::vector<ClosedContact> contacts = motion.closed.all();
   const std::size_t closed = contacts.size();
   const Scales scales = scales_of(scene, loads_at(scene, motion.q, state.time), motion.q, motion.v);
-  for (const Touch& touch :
-       touches_of(scene, motion, scales, scene.settings.time_step, GuidedCorners::by_motion).touches)
+  for (const Touch& touch : touches_of(scene, motion, scales, scene.settings.time_step))
     if (motion.closed.of(touch) == nullptr) contacts.push_back({touch, {}});
   std::sort(contacts.begin() + static_cast<std::ptrdiff_t>(closed), contacts.end(),
             [](const ClosedContact& a, const ClosedContact& b) { return a.touch < b.touch; });

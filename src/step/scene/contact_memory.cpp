@@ -52,10 +52,6 @@ std::pair<std::uint32_t, std::uint32_t> places(const std::vector<std::uint32_t>&
 
 }  // namespace
 
-CornerPair corners_of(const Touch& touch) {
-  return {std::min(touch.vertex, touch.other), std::max(touch.vertex, touch.other)};
-}
-
 ClosedContacts::ClosedContacts(std::vector<ClosedContact> contacts) {
   by_touch_ = sorted(contacts);
   keep_last(by_touch_, [](const ClosedContact& a, const ClosedContact& b) { return a.touch == b.touch; });
@@ -73,6 +69,9 @@ ClosedContacts::ClosedContacts(std::vector<ClosedContact> contacts) {
 const ContactMemory* ClosedContacts::of(const Touch& touch) const {
   for (auto [i, end] = places(first_of_vertex_, touch.vertex); i < end; ++i)
     if (by_touch_[i].touch == touch) return &by_touch_[i].memory;
+  for (const VertexIndex v : {touch.vertex, touch.start, touch.end})
+    for (const ClosedContact& contact : at(v))
+      if (is_guided(contact.touch, touch) || is_guided(touch, contact.touch)) return &contact.memory;
   if (!touch.facing.lower) return nullptr;
   for (auto [i, end] = places(first_of_facing_, touch.facing.lower); i < end; ++i)
     if (by_touch_[by_facing_[i]].touch.facing == touch.facing) return &by_touch_[by_facing_[i]].memory;

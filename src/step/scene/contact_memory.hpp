@@ -24,7 +24,6 @@ struct ContactMemory {
   /// to rest within the step. The next step pushes that out; no energy is held by it, nor by what a point slipped while
   /// it came to rest.
   double compression = 0;
-  double tried_at = 0;  ///< force when it was last let go and the motion closed it again; 0: it was not let go yet
 
   /// Held by the springs.
   double energy() const {
@@ -66,17 +65,6 @@ class ClosedContacts {
 
 /// Saves or restores; every index lies below `vertices`.
 void describe(Archive& archive, ClosedContacts& contacts, VertexIndex vertices);
-
-/// Two corners that met; the same whichever edge a touch between them is on.
-struct CornerPair {
-  VertexIndex lower;
-  VertexIndex upper;
-
-  auto operator<=>(const CornerPair&) const = default;
-};
-
-/// Of a touch between two corners.
-CornerPair corners_of(const Touch& touch);
 
 /// Bolts and held points.
 struct ConstraintMemory {

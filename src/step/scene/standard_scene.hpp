@@ -64,7 +64,6 @@ struct Motion : BodiesMotion {
   ClosedContacts closed;
   Bonds bonds;
   ConstraintMemory constraints;
-  std::vector<CornerPair> passing;  ///< let go in a step whose motion did not press them together; sorted
   double given_up = 0;              ///< energy that the clean-up of the last step took where bodies resolve impacts
 };
 

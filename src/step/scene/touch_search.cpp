@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -27,13 +28,8 @@ constexpr double kNewOverlap = 1e-9;
 // origin, and what a solution left. At half a millisecond a block of metres leaves it with a millimetre a second.
 constexpr double kPushedOut = 1e-7;
 
-// Least rounding of corners, as a share of block size: what springs and strains make of corners that were drawn as one.
-constexpr double kLeastRounding = 1e-6;
-// Overlap that closes corners again which were closed in the last step and left open in this one, as a share of block
-// size: no more than round-off, or they would gain speed until it is more.
-constexpr double kPressed = 1e-12;
-// Change of the force on such a corner, as a share of it, after which it is tried again whether they pass.
-constexpr double kAsPressed = 0.1;
+// Difference of the gaps of an arc and of its edge that is round-off, as a share of the length that the arc takes.
+constexpr double kNoSinking = 1e-9;
 
 // Cosine of the angle between two faces that carry a block as one: two and a half degrees.
 constexpr double kSameLine = 0.999;
@@ -72,25 +68,6 @@ void name_joints(Touches& touches, const Model& model, const Table<VertexIndex, 
                  [&](std::size_t i) { touches[i].joint_material = joint_under(touches[i], model, vertices); });
 }
 
-FoundTouches found_within(const StandardScene& scene, const Table<VertexIndex, Point>& vertices,
-                          const TouchSearch& search) {
-  State state;
-  state.vertices = vertices;
-  std::vector<ElementPair> pairs = close_pairs(scene.model, state, scene.with_faces, search.reach);
-  std::erase_if(pairs, [&](const ElementPair& pair) {
-    const Element& lower = scene.model.elements[pair.lower];
-    const Element& upper = scene.model.elements[pair.upper];
-    return share_a_cover(lower, upper) || (!lower.can_move() && !upper.can_move());
-  });
-  FoundTouches found = find_touches(pairs, scene.pieces, vertices, search);
-  name_joints(found.touches, scene.model, vertices);
-  for (CornerTie& tie : found.ties) {
-    name_joints(tie.candidates, scene.model, vertices);
-    name_joints(tie.sharp, scene.model, vertices);
-  }
-  return found;
-}
-
 // Two convex pieces of a notched block may meet the same corner, one along an edge and one at the corner alone: that is
 // one contact, with one memory. The rest stay in their order.
 void drop_known(Touches& touches, const Touches& known) {
@@ -110,133 +87,124 @@ void drop_known(Touches& touches, const Touches& known) {
   });
 }
 
+// A corner that bears on an edge goes on to bear on it where the arc at the end of that edge would let it sink: a block
+// that rocks on the end of its base has no arc under it.
+bool stays_sharp(const CornerMeeting& meeting, const Motion& motion, const Table<VertexIndex, Point>& vertices) {
+  const Touch& arc = meeting.arc;
+  return std::ranges::any_of(meeting.sharp, [&](const Touch& touch) {
+    const auto is_it = [&](const ClosedContact& contact) {
+      return contact.touch == touch || (touch.facing.lower && contact.touch.facing == touch.facing);
+    };
+    if (std::ranges::none_of(motion.closed.at(touch.vertex), is_it)) return false;
+    return is_guided(touch, arc) && gap_of(arc, vertices) > gap_of(touch, vertices) + kNoSinking * arc.tangent;
+  });
+}
+
+// Length by which the foot of a corner lies within the ends of the edge.
+double within_ends(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
+  const Point edge = vertices[touch.end] - vertices[touch.start];
+  const double station = dot(vertices[touch.vertex] - vertices[touch.start], edge) / length(edge);
+  return std::min(station, length(edge) - station);
+}
+
+/// Faces that lie on another one, by the vertices where they start.
+Table<VertexIndex, char> bearing_faces(const StandardScene& scene, const ClosedContacts& closed) {
+  Table<VertexIndex, char> faces;
+  faces.assign(scene.model.vertices.size(), 0);
+  for (const ClosedContact& contact : closed.all())
+    if (const Facing& facing = contact.touch.facing; facing.lower) faces[facing.lower] = faces[facing.upper] = 1;
+  return faces;
+}
+
+// The arc, or what touches along an edge instead. A face that bears and lies a little behind the line of the next one,
+// for rock sinks and springs give, slides on to it as if it were level with it: that is no step, and bears once it has
+// passed the rounding.
+Touches taken_of(const CornerMeeting& meeting, const Table<VertexIndex, char>& bearing, const Motion& motion,
+                 const Table<VertexIndex, Point>& vertices) {
+  const Touch& arc = meeting.arc;
+  for (const auto& [touch, face] : meeting.in_line)
+    if ((bearing[face] || bearing[touch.start]) && std::abs(gap_of(touch, vertices)) < arc.tangent)
+      return within_ends(touch, vertices) > meeting.rounding ? Touches{touch} : Touches{};
+  return stays_sharp(meeting, motion, vertices) ? meeting.sharp : Touches{arc};
+}
+
+Touches found_within(const StandardScene& scene, const Motion& motion, const Table<VertexIndex, Point>& vertices,
+                     const TouchSearch& search) {
+  State state;
+  state.vertices = vertices;
+  std::vector<ElementPair> pairs = close_pairs(scene.model, state, scene.with_faces, search.reach);
+  std::erase_if(pairs, [&](const ElementPair& pair) {
+    const Element& lower = scene.model.elements[pair.lower];
+    const Element& upper = scene.model.elements[pair.upper];
+    return share_a_cover(lower, upper) || (!lower.can_move() && !upper.can_move());
+  });
+  FoundTouches found = find_touches(pairs, scene.pieces, vertices, search);
+  Touches met;
+  const Table<VertexIndex, char> bearing = bearing_faces(scene, motion.closed);
+  for (const CornerMeeting& meeting : found.meetings) {
+    const Touches taken = taken_of(meeting, bearing, motion, vertices);
+    met.insert(met.end(), taken.begin(), taken.end());
+  }
+  drop_known(met, found.touches);
+  found.touches.insert(found.touches.end(), met.begin(), met.end());
+  name_joints(found.touches, scene.model, vertices);
+  return std::move(found.touches);
+}
+
 }  // namespace
 
 // Vertices on a straight edge part it, and each part has a joint of its own.
 VertexIndex edge_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices) {
-  VertexIndex part = model.vertices[touch.start].next;
-  const Point along = vertices[touch.end] - vertices[touch.start];
-  const double station = dot(point_of(touch, vertices) - vertices[touch.start], along);
-  while (part != touch.end && dot(vertices[part] - vertices[touch.start], along) < station)
+  const Touch on_edge = touch.kind != TouchKind::arc
+                            ? touch
+                            : guided(touch, share_of_second(touch, vertices) < 0.5 ? touch.first : touch.second);
+  VertexIndex part = model.vertices[on_edge.start].next;
+  const Point along = vertices[on_edge.end] - vertices[on_edge.start];
+  const double station = dot(point_of(on_edge, vertices) - vertices[on_edge.start], along);
+  while (part != on_edge.end && dot(vertices[part] - vertices[on_edge.start], along) < station)
     part = model.vertices[part].next;
   return part;
 }
 
+Touches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt) {
+  const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;
+  const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
+  const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
+  return found_within(scene, motion, vertices, search_of(scene, motion, vertices, reach));
+}
+
 namespace {
 
-// Tells whether a closed touch guides one of the corners of a tie along the edge of a candidate, or along a face in
-// line with it. Where two faces end together, the corner of either may name their touch: both names count.
-bool is_guided_along(const Touch& candidate, const Touches& touches, const Motion& motion,
-                     const Table<VertexIndex, Point>& vertices, double rounding) {
-  const Point line = normal_of(candidate, vertices);
-  const VertexIndex corner = candidate.vertex;
-  const auto lies_on_edge = [&](const Touch& touch) {
-    const auto& [lower, upper, place] = touch.facing;
-    const bool faces = lower && (lower == candidate.start || upper == candidate.start);
-    return faces || (touch.start == candidate.start && touch.end == candidate.end);
+// Whether one of the two corners of an arc is known against an edge of the other one and lies over it; against the
+// edges of `vertex` it also overlaps.
+bool is_taken(const Touch& arc, const Touches& known, const Table<VertexIndex, Point>& vertices, double overlap) {
+  if (arc.kind != TouchKind::arc) return false;
+  const auto takes = [&](const Touch& touch, VertexIndex vertex, VertexIndex met) {
+    return touch.kind == TouchKind::corner && touch.vertex == vertex && (touch.start == met || touch.end == met) &&
+           lies_over_edge(touch, vertices);
   };
-  const auto lies_in_line = [&](const Touch& touch) {
-    const double aligned = dot(normal_of(touch, vertices), line);
-    if (touch.vertex == corner) return aligned > kSameLine;
-    const bool ends_there = touch.start == corner || touch.end == corner;
-    return ends_there && distance(vertices[touch.vertex], vertices[corner]) <= rounding && -aligned > kSameLine;
-  };
-  return std::ranges::any_of(touches, [&](const Touch& touch) {
-    return motion.closed.of(touch) && (lies_on_edge(touch) || lies_in_line(touch));
+  return std::ranges::any_of(known, [&](const Touch& touch) {
+    return takes(touch, arc.vertex, arc.start) ||
+           (takes(touch, arc.start, arc.vertex) && gap_of(touch, vertices) < -overlap);
   });
-}
-
-// Whether two corners may slide past each other: one is guided along another edge than that of the touch, and they
-// overlap by no more than the rounding. At a crossing of joints opposite blocks meet so: what one has sunk by more than
-// the other would be a step in the joint, and a slope would hang on it.
-bool may_pass(const CornerTie& tie, const Touch& taken, const Touches& touches, const Motion& motion,
-              const Table<VertexIndex, Point>& vertices, double rounding) {
-  if (distance(vertices[taken.vertex], vertices[taken.other]) > rounding) return false;
-  const Point normal = normal_of(taken, vertices);
-  return std::ranges::any_of(tie.candidates, [&](const Touch& other) {
-    return other.kind == TouchKind::corner && gap_of(other, vertices) >= -rounding &&
-           std::abs(dot(normal, normal_of(other, vertices))) <= kSameLine &&
-           is_guided_along(other, touches, motion, vertices, rounding);
-  });
-}
-
-const Touch* closed_before(const CornerTie& tie, const Motion& motion) {
-  const auto is_closed = [&](const Touch& touch) { return motion.closed.of(touch) != nullptr; };
-  const auto closed = std::ranges::find_if(tie.candidates, is_closed);
-  return closed == tie.candidates.end() ? nullptr : &*closed;
-}
-
-// Corners that pass each other along no line within their rounding, as fast as they go, strike each other as if they
-// were sharp: an impact has to be known before it overlaps.
-void sharpen_struck_corners(const StandardScene& scene, const Motion& motion, double dt,
-                            const Table<VertexIndex, Point>& vertices, FoundTouches& found) {
-  const auto may_strike = [&](const CornerTie& tie) { return !tie.sharp.empty() && !closed_before(tie, motion); };
-  const auto is_edge = [](const Touch& touch) { return touch.kind == TouchKind::corner; };
-  Touches edges;
-  for (const CornerTie& tie : found.ties)
-    if (may_strike(tie)) std::ranges::copy_if(tie.candidates, std::back_inserter(edges), is_edge);
-  if (edges.empty()) return;
-  const Eigen::VectorXd speeds = rates(contact_rows(scene.model, scene.reference, motion.q, edges), motion.v);
-  Touches struck;
-  Eigen::Index row = 0;
-  std::erase_if(found.ties, [&](const CornerTie& tie) {
-    if (!may_strike(tie)) return false;
-    bool strikes = true;
-    for (const Touch& touch : tie.candidates) {
-      if (!is_edge(touch)) continue;
-      if (gap_of(touch, vertices) + speeds[row] * dt >= -tie.rounding) strikes = false;
-      row += 2;
-    }
-    if (strikes) struck.insert(struck.end(), tie.sharp.begin(), tie.sharp.end());
-    return strikes;
-  });
-  drop_known(struck, found.touches);
-  found.touches.insert(found.touches.end(), struck.begin(), struck.end());
-}
-
-double most_overlap(const StandardScene& scene, const Touch& touch, const Scales& scales) {
-  const auto of = [&](VertexIndex v) { return scene.rounding[scene.model.vertices[v].element]; };
-  return std::max(kLeastRounding * scales.size, std::min(of(touch.vertex), of(touch.start)));
-}
-
-// A corner that is pressed as it was when the motion without it closed it again is not tried once more.
-bool was_tried(const ContactMemory& memory) {
-  return memory.tried_at != 0 && std::abs(memory.normal - memory.tried_at) <= kAsPressed * std::abs(memory.tried_at);
 }
 
 }  // namespace
 
-FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt,
-                        GuidedCorners guided) {
-  const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;
-  const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
-  const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
-  FoundTouches found = found_within(scene, vertices, search_of(scene, motion, vertices, reach));
-  if (guided == GuidedCorners::by_motion) sharpen_struck_corners(scene, motion, dt, vertices, found);
-  Touches closed;
-  for (const CornerTie& tie : found.ties) {
-    const Touch* touch = closed_before(tie, motion);
-    if (!touch) continue;
-    const bool is_tried = guided == GuidedCorners::by_motion && was_tried(*motion.closed.of(*touch));
-    const bool is_held =
-        is_tried || !may_pass(tie, *touch, found.touches, motion, vertices, most_overlap(scene, *touch, scales));
-    (is_held ? closed : found.released).push_back(*touch);
-  }
-  drop_known(closed, found.touches);
-  found.touches.insert(found.touches.end(), closed.begin(), closed.end());
-  return found;
-}
-
 Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
-                          const FoundTouches& known, const Scales& scales, GuidedCorners guided) {
-  Touches sorted = known.touches;
+                          const Touches& known, const Scales& scales) {
+  Touches sorted = known;
   std::set<Touch> added;
   bool is_sorted = false;  // few steps have a touch to look up
   std::vector<Facing> facings;
-  // New by name; a bonded touch also at the same end of the same two faces, where the other edge leads now: its bond is
-  // counted.
+  // New by name, and not along an edge that ends in a known arc; a bonded touch also at the same end of the same two
+  // faces, where the other edge leads now: its bond is counted.
   const auto is_new = [&](const Touch& touch) {
     if (!std::exchange(is_sorted, true)) {
+      for (const Touch& one : known) {
+        if (one.kind != TouchKind::arc) continue;
+        sorted.insert(sorted.end(), {guided(one, one.first), guided(one, one.second)});
+      }
       std::ranges::sort(sorted);
       for (const Touch& one : sorted)
         if (one.facing.lower && lies_over_edge(one, vertices)) facings.push_back(one.facing);
@@ -252,39 +220,24 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
     return search.slack_of(scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element);
   };
   Touches fresh;
-  const FoundTouches found = found_within(scene, vertices, search);
+  const Touches found = found_within(scene, start, vertices, search);
   // A point that lay behind the line of an edge before the motion did not come in through that edge where it overlaps
   // another one, through which it came: that one takes it.
   const auto bodies = [&](const Touch& touch) {
     return std::minmax({scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element});
   };
   const auto came_through_another = [&](const Touch& touch) {
-    return gap_of(touch, before) < -overlap - slack_of(touch) &&
-           std::ranges::any_of(known.touches, [&](const Touch& other) {
+    return gap_of(touch, before) < -overlap - slack_of(touch) && std::ranges::any_of(known, [&](const Touch& other) {
              return bodies(other) == bodies(touch) && gap_of(other, vertices) < -overlap &&
                     gap_of(other, before) >= -overlap - slack_of(other) && lies_over_edge(other, vertices);
            });
   };
-  for (const Touch& touch : found.touches)
-    if (gap_of(touch, vertices) < -overlap - slack_of(touch) && is_new(touch) && !came_through_another(touch)) {
+  for (const Touch& touch : found)
+    if (gap_of(touch, vertices) < -overlap - slack_of(touch) && !is_taken(touch, known, vertices, overlap) &&
+        is_new(touch) && !came_through_another(touch)) {
       added.insert(touch);
       fresh.push_back(touch);
     }
-  // A known touch whose corner has run past the end of its edge takes nothing.
-  const auto takes_none = [&](const Touch& touch) { return is_new(touch) || !lies_over_edge(touch, vertices); };
-  for (const std::vector<CornerTie>* ties : {&known.ties, &found.ties}) {
-    for (const CornerTie& tie : *ties) {
-      const bool was_closed = closed_before(tie, start) != nullptr;
-      const Touch* touch = touch_of(tie, before, vertices, was_closed ? kPressed * scales.size : overlap);
-      if (!touch || !is_new(*touch) || !std::ranges::all_of(tie.candidates, takes_none)) continue;
-      const bool passes =
-          guided == GuidedCorners::pass || std::ranges::binary_search(start.passing, corners_of(*touch));
-      if (passes && may_pass(tie, *touch, known.touches, start, vertices, most_overlap(scene, *touch, scales)))
-        continue;
-      added.insert(*touch);
-      fresh.push_back(*touch);
-    }
-  }
   return fresh;
 }
 
@@ -323,7 +276,7 @@ void leave_overlaps(const StandardScene& scene, const Motion& start, const Scale
 
 Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales) {
   const double dt = scene.settings.time_step;
-  const Touches all = touches_of(scene, motion, scales, dt, GuidedCorners::pass).touches;
+  const Touches all = touches_of(scene, motion, scales, dt);
   const double slow = slow_speed(scene, scales, motion.v, dt);
   const Eigen::VectorXd speeds = rates(contact_rows(scene.model, scene.reference, motion.q, all), motion.v);
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);

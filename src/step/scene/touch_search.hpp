@@ -10,21 +10,13 @@ namespace keyblock {
 /// that the touch is on.
 VertexIndex edge_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices);
 
-/// What becomes of two corners that meet where a closed touch guides one of them along an edge of the other, as at a
-/// crossing of joints. by_motion: which edge they meet is decided by how the two would move without them. pass: they
-/// slide past each other within their rounding, for in a search for an equilibrium nothing moves that could decide; a
-/// force there would hold up what slides.
-enum class GuidedCorners { by_motion, pass };
-
-/// Pairs within reach of a step of `dt`, as touches. Ties of corners that were closed in the last step are touches
-/// still, but where the corners slide past each other.
-FoundTouches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt,
-                        GuidedCorners guided);
+/// Pairs within reach of a step of `dt`, as touches.
+Touches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt);
 
 /// Touches that overlap at the end of a motion to `vertices` by more than a named share of block size and are not in
-/// `known`: corners that came round, and ties that closed.
+/// `known`: corners that came round.
 Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
-                          const FoundTouches& known, const Scales& scales, GuidedCorners guided);
+                          const Touches& known, const Scales& scales);
 
 /// Names as the rest gap of each touch the overlap at the start of a step that no force answers for: corners that a
 /// jump or their neighbours pushed past each other. To push it out within a step would make velocity of it, the more

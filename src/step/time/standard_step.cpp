@@ -90,8 +90,8 @@ class Attempt {
     scales_ = scales_of(scene, loads_, start.q, start.v);
     add_centrifugal_force(scene, start.v, loads_);
     scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
-    found_ = touches_of(scene, start, scales_, dt, GuidedCorners::by_motion);
-    leave_overlaps(scene, start, scales_, found_.touches);
+    found_ = touches_of(scene, start, scales_, dt);
+    leave_overlaps(scene, start, scales_, found_);
     least_force_ = of_steps::kForceGoal * scales_.force + of_steps::kMomentumGoal * scales_.momentum / dt;
   }
 
@@ -140,7 +140,7 @@ class Attempt {
  private:
   // Again where blocks came to overlap at corners that nobody reckoned with.
   void move_smoothly() {
-    const bool is_many = found_.touches.size() > FrictionalProblem::kFewPairs;
+    const bool is_many = found_.size() > FrictionalProblem::kFewPairs;
     if (is_many) least_force_ = std::max(least_force_, of_steps::kLeastForceOfMany * scales_.force);
     const double goal =
         is_many ? std::max(least_force_, scene_.settings.standard.force_tolerance * scales_.force) : least_force_;
@@ -151,7 +151,7 @@ class Attempt {
       tolerance.tolerated = std::max(of_steps::kForceToleratedOfMany * scales_.force,
                                      of_steps::kMomentumToleratedOfMany * scales_.momentum / dt_);
     for (int search = 0; search < of_steps::kMostSearches; ++search) {
-      parts_ = split(scene_, start_, found_.touches, slow_speed(scene_, scales_, start_.v, whole_));
+      parts_ = split(scene_, start_, found_, slow_speed(scene_, scales_, start_.v, whole_));
       const SmoothMotion before = std::move(smooth_);
       smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_, rule_,
                              search > 0 ? &before : nullptr);
@@ -159,10 +159,10 @@ class Attempt {
       step_.fallbacks += smooth_.fallbacks > 0 ? 1 : 0;
       if (!smooth_.converged) return;
       const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
-      Touches fresh = newly_overlapping(scene_, start_, end, found_, scales_, GuidedCorners::by_motion);
+      Touches fresh = newly_overlapping(scene_, start_, end, found_, scales_);
       if (fresh.empty()) return;
       leave_overlaps(scene_, start_, scales_, fresh);
-      found_.touches.insert(found_.touches.end(), fresh.begin(), fresh.end());
+      found_.insert(found_.end(), fresh.begin(), fresh.end());
     }
   }
 
@@ -259,8 +259,7 @@ class Attempt {
       const Touch& touch = parts_.smooth[i];
       if (is_closed(i) || lies_over_edge(touch, vertices) || lies_over_edge(touch, jumped)) others.push_back(touch);
     }
-    std::ranges::copy(newly_overlapping(scene_, start_, jumped, found_, scales_, GuidedCorners::by_motion),
-                      std::back_inserter(others));
+    std::ranges::copy(newly_overlapping(scene_, start_, jumped, found_, scales_), std::back_inserter(others));
     std::erase_if(others, [&](const Touch& touch) { return is_within_one_body(scene_, touch); });
     return others;
   }
@@ -281,28 +280,9 @@ class Attempt {
         memory.compression = by_gap * law.normal_compliance;
         if (!smooth_.rate_laws[i]) memory.normal_at_end = by_gap;
       }
-      const ContactMemory* before = start_.closed.of(touch);
-      memory.tried_at = std::ranges::count(found_.released, touch) > 0 ? normal(i) : before ? before->tried_at : 0;
       closed.push_back({touch, memory});
     }
     step_.motion.closed = ClosedContacts(std::move(closed));
-    step_.motion.passing = passing();
-  }
-
-  // Corners that were let go, now or before, are still near each other, and that nothing pressed together.
-  std::vector<CornerPair> passing() const {
-    std::vector<CornerPair> passing;
-    for (const CornerTie& tie : found_.ties) {
-      const CornerPair corners = corners_of(tie.candidates.front());
-      const auto is_released = [&](const Touch& touch) { return std::ranges::count(found_.released, touch) > 0; };
-      const bool is_let_go =
-          std::ranges::binary_search(start_.passing, corners) || std::ranges::any_of(tie.candidates, is_released);
-      const auto is_closed_now = [&](const Touch& touch) { return step_.motion.closed.of(touch) != nullptr; };
-      if (is_let_go && std::ranges::none_of(tie.candidates, is_closed_now)) passing.push_back(corners);
-    }
-    std::ranges::sort(passing);
-    passing.erase(std::ranges::unique(passing).begin(), passing.end());
-    return passing;
   }
 
   const StandardScene& scene_;
@@ -314,7 +294,7 @@ class Attempt {
   StepRule rule_;
   UnknownsTable loads_;
   Scales scales_;
-  FoundTouches found_;
+  Touches found_;
   double least_force_ = 0;
   Split parts_;
   SmoothMotion smooth_;

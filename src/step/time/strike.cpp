@@ -46,6 +46,19 @@ ImpactMeeting meeting(const Touch& touch, double dt, double at_start, double at_
   return {touch, std::min(dt, 2 * overshoot / (at_surface - at_end)), -at_end - at_surface};
 }
 
+// Overlaps are removed as far as the step gave up energy, of motion and of its loads, and no farther: what is left of
+// one stays.
+void put_back_by_energy(const SmoothStep& of, const UnknownsTable& jumped, const UnknownsTable& v,
+                        UnknownsTable& separated) {
+  const UnknownsTable loads = loads_at(of.scene, of.smooth.q, of.time + of.dt);
+  const UnknownsTable way = plus(separated, -1, jumped);
+  const double lifted = -dot(loads, way);
+  if (lifted <= 0) return;
+  const double given_up = kinetic_energy(of.scene, of.start.v) - kinetic_energy(of.scene, v) +
+                          dot(loads, plus(jumped, -1, of.start.q));
+  if (lifted > given_up) separated = plus(jumped, std::max(0.0, given_up) / lifted, way);
+}
+
 }  // namespace
 
 bool is_within_one_body(const StandardScene& scene, const Touch& touch) {
@@ -80,7 +93,7 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
   if (!jump.undecided.empty())  // points that are held do not take part in what is left open
     step.motion.v = with_held_velocities(of.scene, of.smooth.q, std::move(step.motion.v), {}, {}, of.time, of.dt,
                                          of.smooth.flexibility, of.rule.end_velocity.increment);
-  Separated separated{.q = std::move(jump.q)};
+  Separated separated{.q = jump.q};
   Touches not_driven_in;
   std::set<Touch> known;
   // Repeats the separation while it drives others into one another.
@@ -96,6 +109,7 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
     separated = std::move(next);
     if (!has_pushed) break;
   }
+  put_back_by_energy(of, jump.q, step.motion.v, separated.q);
   step.motion.q = with_points_in_place(of.scene, std::move(separated.q), of.time + of.dt, flexibility);
   step.solves += jump.solves + separated.solves;
   step.locked_overlaps += separated.locked;
