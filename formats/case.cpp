@@ -304,9 +304,13 @@ Warnings mismatches(const Content& content) {
 }
 
 Case load_case(const std::vector<std::string>& paths, const DrawingChoices& choices) {
+  return case_of(read_files(paths, choices));
+}
+
+Case case_of(std::vector<FileReading> files) {
   std::vector<Content> contents;
   Case result;
-  result.files = read_files(paths, choices);
+  result.files = std::move(files);
   for (const FileReading& file : result.files) {
     if (file.error) throw *file.error;
     contents.push_back(file.reading->content);
@@ -314,11 +318,11 @@ Case load_case(const std::vector<std::string>& paths, const DrawingChoices& choi
   }
   const Problem problem = pair(contents);
   if (std::holds_alternative<std::monostate>(problem.geometry) && !problem.analysis)
-    throw InputError({paths.front()}, "expected a geometry or an analysis, found neither");
+    throw InputError({result.files.front().path}, "expected a geometry or an analysis, found neither");
   Checked checked = check(problem);
   if (!checked.errors.empty()) throw with_what_was_left_out(checked.errors.front(), problem, result.warnings);
   result.problem = std::move(checked.problem);
-  if (!paths.empty()) result.problem.place = {paths.front(), 0, 0};
+  if (!result.files.empty()) result.problem.place = {result.files.front().path, 0, 0};
   result.warnings = joined(std::move(result.warnings), checked.warnings);
   return result;
 }

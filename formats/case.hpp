@@ -45,6 +45,9 @@ struct Case {
   Warnings warnings;
 };
 
+/// Pairs and checks what was read. Throws the first InputError met, also where there is neither geometry nor analysis.
+Case case_of(std::vector<FileReading> files);
+
 /// Reads, pairs and checks. Throws the first InputError met, also where there is neither geometry nor analysis.
 Case load_case(const std::vector<std::string>& paths, const DrawingChoices& choices = {});
 

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "base/file_bytes.hpp"
+#include "base/bytes/file_bytes.hpp"
 #include "base/parallel.hpp"
 #include "formats/berkeley/berkeley_measured.hpp"
 #include "formats/berkeley/berkeley_replay.hpp"

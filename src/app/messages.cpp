@@ -14,10 +14,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
@@ -69,6 +72,26 @@ void log_into(const std::string& file) {
   }
 }
 
+// Warnings of one name whose sentences differ in more than numbers are of different kinds; what stands in quotes is a
+// name.
+std::string kind_of(const Warning& warning) {
+  constexpr std::string_view kDigits = "0123456789";
+  constexpr std::string_view kOfNumbers = "0123456789.e+-";
+  std::string kind = warning.name + ' ';
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < warning.sentence.size();) {
+    const char c = warning.sentence[i];
+    if (c == '"') in_quotes = !in_quotes;
+    if (in_quotes || kDigits.find(c) == std::string_view::npos) {
+      kind += c;
+      ++i;
+    } else {
+      i = std::min(warning.sentence.find_first_not_of(kOfNumbers, i), warning.sentence.size());
+    }
+  }
+  return kind;
+}
+
 }  // namespace
 
 void print_messages_plainly() {
@@ -107,6 +130,22 @@ void print_record(const std::string& record, const std::string& file) {
     throw OutputError(fmt::format("cannot write to standard output: {}", std::generic_category().message(why)));
   spdlog::warn("standard output is closed: the record is in {} alone", file);
   if (std::freopen("/dev/null", "w", stdout) == nullptr) throw OutputError("cannot write to standard output");
+}
+
+void log_warnings(const Warnings& warnings) {
+  if (spdlog::should_log(spdlog::level::debug)) {
+    for (const Warning& warning : warnings) spdlog::warn("{}", to_string(warning));
+    return;
+  }
+  std::vector<std::pair<const Warning*, int>> firsts;
+  std::map<std::string, std::size_t> known;  // kind, and which of the firsts it is
+  for (const Warning& warning : warnings) {
+    const auto [kind, is_new] = known.emplace(kind_of(warning), firsts.size());
+    if (is_new) firsts.emplace_back(&warning, 0);
+    ++firsts[kind->second].second;
+  }
+  for (const auto& [first, count] : firsts)
+    spdlog::warn("{}{}", to_string(*first), count > 1 ? fmt::format(" ({} times)", count) : "");
 }
 
 bool shows_progress() {

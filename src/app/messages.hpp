@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "base/error.hpp"
+
 namespace keyblock {
 
 /// Messages as plain lines, the words error and warning in colour on a terminal unless NO_COLOR is set (no-color.org).
@@ -16,6 +18,9 @@ void add_message_options(CLI::App& program);
 /// Prints a record that a file holds as well. If nobody reads standard output, because it is closed or its reader is
 /// gone, a warning names the file. Throws OutputError if it cannot be written for another reason, as on a full disk.
 void print_record(const std::string& record, const std::string& file);
+
+/// To standard error, each kind once with how often it was met; under --verbose all.
+void log_warnings(const Warnings& warnings);
 
 /// Whether more than errors are to be shown.
 bool shows_progress();

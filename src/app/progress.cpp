@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/messages.hpp"
-#include "base/progress/headway.hpp"
+#include "base/context.hpp"
 
 namespace keyblock {
 namespace {
@@ -51,8 +51,9 @@ ProgressLine::ProgressLine(int step_count, int steps_done, std::string cheaper)
       shown_(started_),
       forecast_from_(started_),
       stepped_(started_),
-      step_(steps_done) {
-  forget_headway();
+      step_(steps_done),
+      context_(context()) {
+  context_.tell(nullptr, 0);
   if (shows_progress()) waiting_ = std::thread([this] { tell_of_waiting(); });
 }
 
@@ -62,7 +63,7 @@ ProgressLine::~ProgressLine() {
 
 // A search tells its share of the way; what is left would take as long as that took.
 std::string ProgressLine::words_of_waiting(Clock::time_point now) const {
-  const Headway way = headway();
+  const Headway way = context_.headway();
   std::string words = step_ == steps_done_ ? fmt::format("start and step {}", step_ + 1)
                                            : fmt::format("step {} of {}", step_ + 1, step_count_);
   words += fmt::format(": {:.0f} s so far", seconds(now - stepped_));
@@ -107,7 +108,7 @@ void ProgressLine::show(const StepReport& report) {
   if (step_ == steps_done_ + 1) forecast_from_ = now;
   pace_.made(step_ - steps_done_, seconds(now - started_));
   forecast(now);
-  forget_headway();
+  tell_headway(nullptr, 0);
   const bool last = report.step == step_count_;
   if (!last && seconds(now - shown_) < (on_terminal_ ? kTerminalSeconds : kLogSeconds)) return;
   shown_ = now;

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/step_pace.hpp"
+#include "base/context.hpp"
 #include "result/step_report.hpp"
 
 namespace keyblock {
@@ -49,6 +50,7 @@ class ProgressLine {
   Clock::time_point forecast_from_;  ///< when the first step was made
   Clock::time_point stepped_;        ///< when the last step was made
   int step_;                         ///< the last that was made
+  Context context_;                  ///< of the run
   bool line_open_ = false;
   bool is_forecast_ = false;
   std::mutex mutex_;

@@ -11,11 +11,12 @@
 #include <ctime>
 #include <string_view>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 
 namespace keyblock {
 namespace {
 
+std::atomic<const Context*> listening = nullptr;
 std::atomic<int> last_signal = 0;
 std::atomic<std::int64_t> first_asked = 0;
 
@@ -23,7 +24,7 @@ std::atomic<std::int64_t> first_asked = 0;
 // one.
 constexpr std::int64_t kLater = 1'000;  // milliseconds
 
-constexpr std::string_view kStopping = "stopping after this step; a second request ends it at once\n";
+constexpr std::string_view kStopping = "stopping; a second request ends the program at once\n";
 
 std::int64_t milliseconds() {
   timespec now{};
@@ -35,7 +36,7 @@ std::int64_t milliseconds() {
 extern "C" void remember_signal(int signal) {
   const int error = errno;
   last_signal = signal;
-  request_stop();
+  listening.load()->stop();
   if (signal != SIGXCPU) {
     const std::int64_t now = milliseconds();
     if (first_asked == 0) {
@@ -52,16 +53,14 @@ extern "C" void remember_signal(int signal) {
 }  // namespace
 
 void listen_for_stops() {
+  static const Context& of_first = *new Context(context());  // signals may come until the last moment
+  listening = &of_first;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU})
     if (std::signal(signal, remember_signal) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks for
 }
 
-int stop_signal() {
-  return last_signal;
-}
-
 bool is_at_time_limit() {
-  return stop_signal() == SIGXCPU;
+  return last_signal == SIGXCPU;
 }
 
 }  // namespace keyblock

@@ -12,38 +12,34 @@
 #include <thread>
 #include <vector>
 
+#include "base/context.hpp"
+
 namespace keyblock {
 namespace {
 
-struct Threads {
-  explicit Threads(int wanted)
-      : count(wanted),
-        limit(std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                    static_cast<std::size_t>(wanted))),
-        arena(std::make_unique<tbb::task_arena>(wanted)) {}
-
-  int count;
-  std::unique_ptr<tbb::global_control> limit;
-  std::unique_ptr<tbb::task_arena> arena;  ///< has that many, also where there are fewer processors
-};
-
-int processors() {
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
-
-Threads& threads() {
-  static Threads all(processors());
-  return all;
-}
+// More than any computation asks for. TBB takes the least limit that anybody sets, so that it is set once for all:
+// without one a context would have no more threads than there are processors.
+constexpr std::size_t kThreadLimit = 256;
 
 }  // namespace
 
-void set_loop_threads(int count) {
-  threads() = Threads(count > 0 ? count : processors());
+struct LoopThreads {
+  explicit LoopThreads(int wanted) : count(wanted), arena(wanted) {}
+
+  int count;
+  tbb::task_arena arena;
+};
+
+std::shared_ptr<LoopThreads> loop_threads_of(int count) {
+  static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, kThreadLimit);
+  // One arena for all contexts that ask for no number: several at once share the processors.
+  static const auto usual =
+      std::make_shared<LoopThreads>(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  return count > 0 ? std::make_shared<LoopThreads>(count) : usual;
 }
 
 int loop_threads() {
-  return threads().count;
+  return context().threads().count;
 }
 
 void for_ranges(std::size_t count, const std::function<void(std::size_t, std::size_t, std::size_t)>& work,
@@ -52,15 +48,18 @@ void for_ranges(std::size_t count, const std::function<void(std::size_t, std::si
   const auto one = [&](std::size_t range) {
     work(range, range * kLoopRange, std::min(count, (range + 1) * kLoopRange));
   };
-  if (ranges < worth_waking(weight) || loop_threads() == 1) {
+  const Context& caller = context();
+  LoopThreads& threads = caller.threads();
+  if (ranges < worth_waking(weight) || threads.count == 1) {
     for (std::size_t range = 0; range < ranges; ++range) one(range);
     return;
   }
   std::vector<std::exception_ptr> thrown(ranges);
-  threads().arena->execute([&] {
+  threads.arena.execute([&] {
     tbb::parallel_for(
         std::size_t{0}, ranges,
         [&](std::size_t range) {
+          const Under under(caller);
           try {
             one(range);
           } catch (...) {

@@ -5,14 +5,18 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "base/index.hpp"
 
 namespace keyblock {
 
-/// Threads that loops may use from here on; 0: as many as there are processors. Set once, by the program.
-void set_loop_threads(int count);
+/// Threads that share the loops of a context; 0: as many as there are processors. They start with the first loop.
+struct LoopThreads;
+std::shared_ptr<LoopThreads> loop_threads_of(int count);
+
+/// As many as the context of the calling thread has.
 int loop_threads();
 
 /// Entries of a range. Ranges do not depend on threads, so that sums over them do not either.

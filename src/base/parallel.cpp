@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/context.hpp"
+
 namespace keyblock {
 namespace {
 
@@ -17,13 +19,14 @@ constexpr std::size_t kMostThreads = 8;              // memory is no faster for 
 
 }  // namespace
 
-void for_each_in_parallel(std::size_t count, int threads, const std::function<bool()>& is_stopped,
-                          const std::function<void(std::size_t)>& work) {
+void for_each_in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr first_error;
   std::mutex guard;
+  const Context& caller = context();
   const auto take_and_work = [&] {
-    for (std::size_t i = next++; i < count && !is_stopped(); i = next++) {
+    const Under under(caller);
+    for (std::size_t i = next++; i < count && !caller.is_stopped(); i = next++) {
       try {
         work(i);
       } catch (...) {
@@ -41,8 +44,13 @@ void for_each_in_parallel(std::size_t count, int threads, const std::function<bo
 }
 
 void at_once(std::size_t count, const std::function<void(std::size_t)>& work) {
+  const Context& caller = context();
   std::vector<std::jthread> others;
-  for (std::size_t i = 0; i + 1 < count; ++i) others.emplace_back(work, i);
+  for (std::size_t i = 0; i + 1 < count; ++i)
+    others.emplace_back([&, i] {
+      const Under under(caller);
+      work(i);
+    });
   if (count > 0) work(count - 1);
 }
 

@@ -7,10 +7,9 @@
 
 namespace keyblock {
 
-/// Does `work` for 0 … count - 1, each thread taking the next, until done or `is_stopped`. After an exception nothing
-/// new is begun, and the first is thrown again once all threads have ended.
-void for_each_in_parallel(std::size_t count, int threads, const std::function<bool()>& is_stopped,
-                          const std::function<void(std::size_t)>& work);
+/// Does `work` for 0 … count - 1, each thread taking the next, until done or the context of the caller is stopped.
+/// After an exception nothing new is begun, and the first is thrown again once all threads have ended.
+void for_each_in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
 /// Does `work` for 0 … count - 1, each on a thread of its own; the last on the caller's. `work` must not throw.
 void at_once(std::size_t count, const std::function<void(std::size_t)>& work);

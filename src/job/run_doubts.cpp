@@ -405,4 +405,18 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
   return judgement;
 }
 
+void judge(RunRecord& record, const Prepared& prepared, StepWatch& watch, const Frame& first, const Frame& last,
+           const Place& place) {
+  record.warnings = joined(record.warnings, outcome_warnings(prepared, record.outcome, place));
+  record.warnings = joined(record.warnings, broken_bolts(first, last, place));
+  record.is_static = watch.is_static();
+  const Judgement judgement = judged(prepared, record, first, last, place);
+  record.doubts = judgement.doubts;
+  if (record.outcome.end == RunEnd::finished)
+    record.doubts = joined(record.doubts, watch.blocks().doubts(prepared.scene.settings, keeps_energy(record), place));
+  record.warnings = joined(joined(record.warnings, judgement.remarks), record.doubts);
+  if (record.outcome.end != RunEnd::failed) record.equilibrium_way = watch.equilibrium_way();
+  if (record.totals.steps > 0) record.motion = end_of_motion(prepared, record, first, last);
+}
+
 }  // namespace keyblock

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "job/run_report.hpp"
+#include "job/run_warnings.hpp"
 #include "run/prepare.hpp"
 
 namespace keyblock {
@@ -22,5 +23,10 @@ struct Judgement {
 /// where the ledger is kept and the run is in time.
 Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
                  const Place& place);
+
+/// Puts what is to be said of a run at its end into the record: warnings, remarks, doubts, how far statics came, how
+/// the motion ended. Measures, extremes and reactions are there already.
+void judge(RunRecord& record, const Prepared& prepared, StepWatch& watch, const Frame& first, const Frame& last,
+           const Place& place);
 
 }  // namespace keyblock

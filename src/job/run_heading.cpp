@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/bytes/file_bytes.hpp"
 #include "base/error.hpp"
-#include "base/file_bytes.hpp"
 #include "job/folder/output_files.hpp"
 
 namespace keyblock {

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/context.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
-#include "base/stop.hpp"
 #include "job/ledger_report.hpp"
 #include "job/run_doubts.hpp"
 #include "job/step_tables.hpp"
@@ -38,9 +38,7 @@ std::string what_failed_does(const RunOutcome& outcome, const Scene& scene) {
   const char* const noun = scene.model.nodes.empty() ? "block" : "element";
   const std::string blocks = outcome.elements.size() == 1 ? fmt::format("{} {}", noun, outcome.numbers.front())
                                                           : counted(outcome.elements.size(), noun);
-  const bool is_inside_out =
-      outcome.failure != FailureKind::accelerates && outcome.reason.find("turned inside out") != std::string::npos;
-  const char* const does = is_inside_out                              ? "turned inside out"
+  const char* const does = outcome.failure == FailureKind::inside_out ? "turned inside out"
                            : scene.settings.dynamics == Dynamics::shi ? "too far for a step"
                            : !is_of_the_scene(outcome.failure)        ? "no rest"
                                                                       : "no equilibrium";
@@ -143,7 +141,7 @@ std::optional<int> RunJob::steps_before() const {
 }
 
 void RunJob::write_checkpoint(Stepper& stepper) {
-  if (!stops_ && !clock_.is_due()) return;
+  if (!context().is_stopped() && !clock_.is_due()) return;
   folder_.write_checkpoint(saved_bytes(request_, folder_, history_, record_, watch_, followed_, stepper));
   clock_.written();
 }
@@ -163,7 +161,7 @@ void RunJob::write_tables(const LedgerScope& scope) {
   tables_due_ = ended + std::max<std::chrono::steady_clock::duration>(kTablesEvery, kLeastPause * (ended - begun));
 }
 
-Observer RunJob::observer(const RunListener& listener) {
+Observer RunJob::observer(const std::function<void(const StepReport&)>& on_step) {
   return {[&](const Frame& frame) {
             const Model& model = stepping_ != nullptr ? stepping_->model() : prepared_.scene.model;
             watch_.blocks().add(frame, contacts_, model, prepared_.scene.settings);
@@ -174,10 +172,9 @@ Observer RunJob::observer(const RunListener& listener) {
             record_.steps.add(report);
             watch_.add(report);
             if (options_.trace == Trace::yes) record_.traced.push_back(report);
-            if (listener.on_step) listener.on_step(report);
+            if (on_step) on_step(report);
           },
           [&](const HistoryRow& row) { history_.rows.push_back(row); },
-          [&] { return stops_ = listener.wants_stop && listener.wants_stop(); },
           [&](const LedgerRow& row) {
             record_.ledger_sums.add(row);
             record_.ledger.add(row);
@@ -200,8 +197,8 @@ Observer RunJob::observer(const RunListener& listener) {
           }};
 }
 
-bool RunJob::run(const RunListener& listener) {
-  const Observer told = observer(listener);
+bool RunJob::run(const std::function<void(const StepReport&)>& on_step) {
+  const Observer told = observer(on_step);
   try {
     record_.outcome = stepper_ ? go_on(prepared_.scene, *stepper_, record_.record_every, told)
                                : keyblock::run(prepared_.scene, record_.record_every, told);
@@ -247,18 +244,7 @@ void RunJob::judge() {
   record_.reactions = reaction_curves(history_);
   record_.warnings = joined(record_.warnings, remarks_on_outputs());
   record_.warnings = joined(record_.warnings, followed_.of_nothing());
-  record_.warnings = joined(record_.warnings, outcome_warnings(prepared_, record_.outcome, place));
-  record_.warnings = joined(record_.warnings, broken_bolts(folder_.first_frame(), folder_.last_frame(), place));
-  record_.is_static = watch_.is_static();
-  const Judgement judgement = judged(prepared_, record_, folder_.first_frame(), folder_.last_frame(), place);
-  record_.doubts = judgement.doubts;
-  if (record_.outcome.end == RunEnd::finished)
-    record_.doubts =
-        joined(record_.doubts, watch_.blocks().doubts(prepared_.scene.settings, keeps_energy(record_), place));
-  record_.warnings = joined(joined(record_.warnings, judgement.remarks), record_.doubts);
-  if (record_.outcome.end != RunEnd::failed) record_.equilibrium_way = watch_.equilibrium_way();
-  if (record_.totals.steps > 0)
-    record_.motion = end_of_motion(prepared_, record_, folder_.first_frame(), folder_.last_frame());
+  keyblock::judge(record_, prepared_, watch_, folder_.first_frame(), folder_.last_frame(), place);
 }
 
 std::string RunJob::finish(const std::string& title, double seconds) {

@@ -28,12 +28,6 @@ struct RunJobOptions {
   formats::MaterialNames names = {};
 };
 
-/// Who is told of steps, and who may stop them. Either may be left empty.
-struct RunListener {
-  std::function<void(const StepReport&)> on_step;
-  std::function<bool()> wants_stop;
-};
-
 class RunJob {
  public:
   /// `record` holds what is known before the first step: profile, inputs, warnings, timings, frames. Touches nothing on
@@ -47,9 +41,10 @@ class RunJob {
   /// Steps that the checkpoint holds; none of a run that begins.
   std::optional<int> steps_before() const;
 
-  /// False where it was stopped before its first step: nothing is told then, and `--resume` begins again. Throws
+  /// Tells `on_step` of each step. False where it was stopped before its first step: nothing is told then, and
+  /// `--resume` begins again. Throws
   /// InputError, and leaves no folder that it made, where the start cannot be.
-  bool run(const RunListener& listener);
+  bool run(const std::function<void(const StepReport&)>& on_step);
 
   /// Writes all results and the record, which it returns as JSON.
   std::string finish(const std::string& title, double seconds);
@@ -57,7 +52,7 @@ class RunJob {
   const RunRecord& record() const { return record_; }
 
  private:
-  Observer observer(const RunListener& listener);
+  Observer observer(const std::function<void(const StepReport&)>& on_step);
   void write_checkpoint(Stepper& stepper);
   RunTables tables(const LedgerScope& scope) const;
   void write_tables(const LedgerScope& scope);
@@ -84,7 +79,6 @@ class RunJob {
   FieldFrame field_;                               ///< of the frame that comes next
   ContactFrames contacts_;                         ///< likewise
   std::vector<std::vector<int>> joints_of_edges_;  ///< of the last frame, as `report::RunPicture` has them
-  bool stops_ = false;
 };
 
 }  // namespace keyblock

@@ -3,10 +3,8 @@
 #include "job/run_report.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "formats/tables/run_tables.hpp"
@@ -38,6 +36,7 @@ const char* word_for(RunEnd end) {
 const char* word_for(FailureKind kind) {
   switch (kind) {
     case FailureKind::undecided:
+    case FailureKind::inside_out:
       return "undecided";
     case FailureKind::no_equilibrium:
     case FailureKind::accelerates:
@@ -116,7 +115,8 @@ Json outcome_json(const RunRecord& record, const Prepared& prepared) {
     json["contacts"] = contacts;
     json["blocks"] = Json::array();
     for (const int number : outcome.numbers) json["blocks"].push_back(number);
-    json["try"] = what_to_try(prepared, outcome);
+    json["try"] = Json::array();
+    for (const Remedy& remedy : what_to_try(prepared, outcome)) json["try"].push_back(remedy.option);
   }
   Json doubts = Json::array();
   for (const Warning& doubt : record.doubts) doubts.push_back(doubt.sentence);
@@ -193,50 +193,34 @@ Json json_of(const EquilibriumWay& way) {
   return {{"share", way.share ? Json(*way.share) : Json()}, {"last_step_ratio", way.last_step_ratio}};
 }
 
-// Warnings of one name whose sentences differ in more than numbers are of different kinds; what stands in quotes is a
-// name.
-std::string kind_of(const Warning& warning) {
-  constexpr std::string_view kDigits = "0123456789";
-  constexpr std::string_view kOfNumbers = "0123456789.e+-";
-  std::string kind = warning.name + ' ';
-  bool in_quotes = false;
-  for (std::size_t i = 0; i < warning.sentence.size();) {
-    const char c = warning.sentence[i];
-    if (c == '"') in_quotes = !in_quotes;
-    if (in_quotes || kDigits.find(c) == std::string_view::npos) {
-      kind += c;
-      ++i;
-    } else {
-      i = std::min(warning.sentence.find_first_not_of(kOfNumbers, i), warning.sentence.size());
-    }
-  }
-  return kind;
-}
-
 /// Advice for load steps of yielding rock without contacts. Motion is no option: it would apply all loads at once.
-std::vector<std::string> what_to_try_under_loads(const Scene& scene) {
-  std::vector<std::string> options{fmt::format("--set steps={}", kMoreLoadSteps * scene.settings.step_count)};
+std::vector<Remedy> what_to_try_under_loads(const Scene& scene) {
+  std::vector<Remedy> remedies{{fmt::format("--set steps={}", kMoreLoadSteps * scene.settings.step_count),
+                                "shorter load steps may go on, unless this is the limit load"}};
   if (scene.settings.standard.load_control == LoadControl::share && !scene.next && scene.end.steps == 0)
-    options.emplace_back("--set load_control=arc_length");
-  return options;
+    remedies.push_back({"--set load_control=arc_length", "arc_length follows the equilibria beyond a limit load"});
+  return remedies;
 }
 
 }  // namespace
 
-std::vector<std::string> what_to_try(const Prepared& prepared, const RunOutcome& outcome) {
+std::vector<Remedy> what_to_try(const Prepared& prepared, const RunOutcome& outcome) {
   const Settings& settings = prepared.scene.settings;
   if (settings.dynamics == Dynamics::shi) {
-    if (!settings.quirks.velocity_from_coming_step) return {"--profile standard"};
-    return {"--profile standard", "--set quirk.velocity_from_coming_step=off"};
+    std::vector<Remedy> remedies{{"--profile standard", "the rules of today"}};
+    if (settings.quirks.velocity_from_coming_step)
+      remedies.push_back(
+          {"--set quirk.velocity_from_coming_step=off", "which often lets a run go further whose step size changes"});
+    return remedies;
   }
   if (settings.standard.motion == MotionRule::dynamic || outcome.failure == FailureKind::cracks) return {};
   const bool yields = may_yield(prepared.scene);
   if (yields && prepared.scene.is_untouched && outcome.failure == FailureKind::no_equilibrium)
     return what_to_try_under_loads(prepared.scene);
-  std::vector<std::string> options{"--set motion=dynamic"};
-  if (!yields && !prepared.scene.model.continuum)
-    options.emplace_back("--profile legacy");  // of blocks without strength
-  return options;
+  std::vector<Remedy> remedies{{"--set motion=dynamic", "dynamic shows the motion"}};
+  if (!yields && !prepared.scene.model.continuum)  // of blocks without strength
+    remedies.push_back({"--profile legacy", "legacy makes each step from rest, as the old program did"});
+  return remedies;
 }
 
 Json inputs_json(const std::vector<InputRecord>& inputs) {
@@ -269,22 +253,6 @@ Json warnings_json(const Warnings& warnings) {
       (*known)["count"] = (*known)["count"].get<int>() + 1;
   }
   return all;
-}
-
-void log_warnings(const Warnings& warnings) {
-  if (spdlog::should_log(spdlog::level::debug)) {
-    for (const Warning& warning : warnings) spdlog::warn("{}", to_string(warning));
-    return;
-  }
-  std::vector<std::pair<const Warning*, int>> firsts;
-  std::map<std::string, std::size_t> known;  // kind, and which of the firsts it is
-  for (const Warning& warning : warnings) {
-    const auto [kind, is_new] = known.emplace(kind_of(warning), firsts.size());
-    if (is_new) firsts.emplace_back(&warning, 0);
-    ++firsts[kind->second].second;
-  }
-  for (const auto& [first, count] : firsts)
-    spdlog::warn("{}{}", to_string(*first), count > 1 ? fmt::format(" ({} times)", count) : "");
 }
 
 Json all_settings_json(const Settings& settings) {

@@ -68,16 +68,19 @@ struct RunRecord {
   std::vector<std::string> outputs;  ///< file names in the run's folder
 };
 
-/// What to try where a run failed, as options of `run`; empty where nothing is known to help.
-std::vector<std::string> what_to_try(const Prepared& prepared, const RunOutcome& outcome);
+/// An option of `run`, and what it does.
+struct Remedy {
+  std::string option;
+  std::string what;
+};
+
+/// What to try where a run failed; empty where nothing is known to help.
+std::vector<Remedy> what_to_try(const Prepared& prepared, const RunOutcome& outcome);
 
 nlohmann::ordered_json inputs_json(const std::vector<InputRecord>& inputs);
 
 /// Every warning with its place.
 nlohmann::ordered_json warning_list_json(const Warnings& warnings);
-
-/// To standard error, each kind once with how often it was met; under --verbose all.
-void log_warnings(const Warnings& warnings);
 
 /// Warnings as name, count and the first of each.
 nlohmann::ordered_json warnings_json(const Warnings& warnings);

@@ -9,9 +9,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/bytes/build_id.hpp"
 #include "base/error.hpp"
-#include "base/sha256.hpp"
-#include "formats/registry.hpp"
 #include "result/describe.hpp"
 #include "run/checkpoint.hpp"
 
@@ -47,7 +46,7 @@ void describe(Archive& archive, RunRequest& request) {
 }
 
 std::string this_program() {
-  return fmt::format("{}, SHA-256 {}", KEYBLOCK_VERSION, sha256(formats::load("/proc/self/exe").text));
+  return fmt::format("{}, build {}", KEYBLOCK_VERSION, build_id());
 }
 
 void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,

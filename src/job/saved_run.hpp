@@ -39,7 +39,8 @@ struct RunRequest {
 
 void describe(Archive& archive, RunRequest& request);
 
-/// Version and SHA-256 of the program that runs: another build may lay out its state otherwise, or round otherwise.
+/// Version and build of the program or library that runs: another build may lay out its state otherwise, or round
+/// otherwise.
 std::string this_program();
 
 /// What the run has told: rows of history, steps and ledger, sums of them, warnings of steps, what is followed, and its

@@ -41,16 +41,15 @@ StartPlaces places_of(const State& state) {
   return places;
 }
 
-std::string impossible(const State& state) {
+std::optional<ElementIndex> impossible(const State& state) {
   for (ElementIndex e : indices(state.elements)) {
     const ElementState& now = state.elements[e];
     const Stress& stress = now.stress;
     const double sum = now.centroid.x + now.centroid.y + stress.xx + stress.yy + stress.xy + stress.zz + now.rotation +
                        now.last_step.sum();
-    if (!std::isfinite(sum) || !(now.moments.area > 0))
-      return fmt::format("block {} is turned inside out or no longer finite", e.value + 1);
+    if (!std::isfinite(sum) || !(now.moments.area > 0)) return e;
   }
-  return {};
+  return std::nullopt;
 }
 
 Unknowns end_velocity(const ElementState& element, const State& state, const Settings& settings, int material) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,8 +75,8 @@ struct StartPlaces {
 };
 StartPlaces places_of(const State& state);
 
-/// Which element is as no step may leave it, without area or not finite, in one clause; empty if none is.
-std::string impossible(const State& state);
+/// The first element that is turned inside out, or has a number that is not finite; none where all can be.
+std::optional<ElementIndex> impossible(const State& state);
 
 /// Velocity of the unknowns at the end of the last accepted step; zero where its block material carries none (static).
 Unknowns end_velocity(const ElementState& element, const State& state, const Settings& settings, int material);

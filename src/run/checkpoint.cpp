@@ -9,7 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "base/sha256.hpp"
+#include "base/bytes/sha256.hpp"
 
 namespace keyblock {
 namespace {

@@ -221,4 +221,14 @@ FieldFrame field_of(const Model& model, const Stepper& stepper) {
   return field;
 }
 
+Frame frame_now(const Stepper& stepper) {
+  Frame frame = frame_of(stepper.model(), stepper.state(), stepper.unloaded(), stepper.settings());
+  put_point_stress(frame, stepper.model(), stepper);
+  frame.reactions = reactions_of(stepper);
+  put_plastic(frame, stepper);
+  frame.tips = tips_of(stepper, TipsOf::cracks_and_joints);
+  frame.load_factor = stepper.load_factor();
+  return frame;
+}
+
 }  // namespace keyblock

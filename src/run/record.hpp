@@ -12,6 +12,9 @@ namespace keyblock {
 
 Frame frame_of(const Model& model, const State& state, const StartPlaces& start, const Settings& settings);
 
+/// The last accepted step, whole: with stresses at points, reactions, plastic states and crack tips.
+Frame frame_now(const Stepper& stepper);
+
 /// Which element is pressed together most, and how far.
 void put_least_area(StepReport& report, const Model& model, const State& state, const StartPlaces& start);
 

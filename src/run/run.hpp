@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "problem/blocks.hpp"
+#include "problem/problem.hpp"
 #include "result/contact_frame.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
@@ -19,14 +20,13 @@
 
 namespace keyblock {
 
-/// Who is told what, and who may stop the run. Any may be left empty.
+/// Who is told what. Any may be left empty.
 struct Observer {
   std::function<void(const Frame&)> on_frame;
   std::function<void(const StepReport&)> on_step;
   /// At the start and after every step; where nothing is measured the rows hold all centroids, and come with the
   /// frames.
   std::function<void(const HistoryRow&)> on_row;
-  std::function<bool()> wants_stop;
   std::function<void(const LedgerRow&)> on_ledger;  ///< at the start and after every step, if the settings ask for it
   /// Before every step, and where the run is stopped: what was told so far and this stepper are all that going on
   /// takes.
@@ -57,9 +57,45 @@ struct RunOutcome {
   std::optional<ForceBalance> forces = {};  ///< at the end, where the steps sum them
 };
 
+/// Unless asked otherwise, a run leaves at most this many frames: more are seldom looked at and fill the disk.
+inline constexpr int kMostFrames = 100;
+/// Steps from one frame to the next, unless asked otherwise: those of the analysis, or as many as `kMostFrames` asks.
+int usual_frame_interval(const Problem& problem, const Settings& settings);
+
+/// The steps of a run, one at a time. Views what it is given.
+class StepLoop {
+ public:
+  StepLoop(const Scene& first, Stepper& stepper, int record_every, const Observer& observer);
+
+  /// For a run that begins: the start is told as a step is.
+  void tell_start();
+
+  /// Makes one step. False where none is left, or could be made: the run is at its end, failed or stopped.
+  bool step();
+
+  /// Tells the last instant and gives the outcome.
+  RunOutcome end();
+
+ private:
+  const State& state() const { return stepper_.state(); }
+  bool is_framed() const { return state().step % record_every_ == 0 || stepper_.ends_scene(); }
+  void fail(const StepFailure& failure);
+  void tell(StepReport& report);
+  void show();
+  void keep_row();
+  void tell_row();
+  void keep_books();
+
+  bool measures_;  ///< there were measured points in the first scene
+  Stepper& stepper_;
+  int record_every_;
+  const Observer& observer_;
+  RunOutcome outcome_;
+};
+
 /// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever
-/// the end was. Where a stop is requested in the middle of a step the run ends before it; throws StopRequested where
-/// that is in the search for the start, before anything was told.
+/// the end was. Where its context (base/context) is stopped in the middle of a step the run ends before it; throws
+/// StopRequested where that is in the search for the start, before anything was told.
 RunOutcome run(const Scene& scene, int record_every, const Observer& observer);
 
 /// The rest of a run that began with the scene, as if it had not been left between two steps; what was told before is

@@ -20,8 +20,8 @@ struct TrialSteps {
 };
 
 /// Makes steps for so many seconds, at most `most`, and stops in the middle of one where time is over: what that step
-/// took until then counts as one. Throws std::invalid_argument for a scene that cannot be stepped. It asks the whole
-/// program to stop, and takes that back: nothing else may be running.
+/// took until then counts as one. Throws std::invalid_argument for a scene that cannot be stepped,
+/// StopRequested where its context is stopped.
 TrialSteps trial_steps(const Scene& scene, double seconds, int most);
 
 }  // namespace keyblock

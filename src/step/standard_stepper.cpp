@@ -8,8 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/context.hpp"
 #include "base/counted.hpp"
-#include "base/stop.hpp"
 #include "contact/rows/constraints.hpp"
 #include "model/body_load.hpp"
 #include "result/describe.hpp"
@@ -46,6 +46,7 @@ struct First {
   Motion motion;
   std::string failure;
   StartReport report;
+  std::optional<ElementIndex> turned = {};  ///< inside out by its start
 };
 
 // "the weight and 2 point loads"
@@ -135,9 +136,13 @@ First asked_motion(const StandardScene& scene) {
 // Loads that press a block through itself have no start: such a run ends with the scene as drawn.
 First first_motion(const StandardScene& scene) {
   First first = asked_motion(scene);
-  const std::string what = impossible(state_of(scene, first.motion));
-  if (!first.failure.empty() || what.empty()) return first;
-  return {{}, fmt::format("no start under the first loads: {}", what), {}};
+  const std::optional<ElementIndex> bad = impossible(state_of(scene, first.motion));
+  if (!first.failure.empty() || !bad) return first;
+  return {{},
+          fmt::format("no start under the first loads: {} is turned inside out or no longer finite",
+                      part_name(scene, *bad)),
+          {},
+          bad};
 }
 
 ControlledStep whole(const StandardScene& scene, const UnknownsTable& from, StandardStep step, double dt) {
@@ -187,17 +192,24 @@ std::optional<CoverDisplacement> displacement_of(const StandardScene& scene, con
   return std::nullopt;
 }
 
-// Says the same as `impossible`, with the number and the noun of the part.
-std::string impossible_part(const StandardScene& scene, const State& end) {
+// What is wrong with an element that is impossible at the end of a step.
+std::string in_words(const StandardScene& scene, ElementIndex e, const State& before, const State& end) {
   const bool is_in_time = scene.settings.standard.motion == MotionRule::dynamic;
-  for (const ElementIndex e : indices(end.elements))
-    if (!(end.elements[e].moments.area > 0))
-      return fmt::format(
-          "{} is turned inside out or no longer finite{}", part_name(scene, e),
-          is_in_time || scene.groups.of(e).shared_basis() == nullptr
-              ? ""
-              : ": its body may snap through or buckle under this load (more steps show at which load it does)");
-  return impossible(end);
+  return fmt::format(
+      "{} is turned inside out or no longer finite{}{}", part_name(scene, e),
+      is_in_time || scene.groups.of(e).shared_basis() == nullptr
+          ? ""
+          : ": its body may snap through or buckle under this load (more steps show at which load it does)",
+      crushed_before(scene, state_of(scene, start_motion(scene)), before, end));
+}
+
+StepFailure failure_of_start(const std::string& why, const std::optional<ElementIndex>& turned) {
+  StepFailure failure{why, {}};
+  if (turned) {
+    failure.kind = FailureKind::inside_out;
+    failure.elements = {*turned};
+  }
+  return failure;
 }
 
 }  // namespace
@@ -229,6 +241,7 @@ StandardStepper::StandardStepper(Scene scene) : scene_(standard_scene(std::move(
   First first = first_motion(scene_);
   start_report_ = std::move(first.report);
   start_failure_ = std::move(first.failure);
+  turned_at_start_ = first.turned;
   motion_ = start_failure_.empty() ? std::move(first.motion) : start_motion(scene_);
   motion_.a = balanced_acceleration(scene_, motion_, 0);
   state_ = state_of(scene_, motion_);
@@ -359,7 +372,7 @@ ContactFrames StandardStepper::contacts() const {
 }
 
 std::variant<StepReport, StepFailure> StandardStepper::advance(const BetterPulls& better) {
-  if (!start_failure_.empty()) return StepFailure{start_failure_, {}};
+  if (!start_failure_.empty()) return failure_of_start(start_failure_, turned_at_start_);
   const double load_share = scene_.load_share;
   const std::vector<FacePull> pulls = scene_.pulls;
   ControlledStep made;
@@ -375,9 +388,8 @@ std::variant<StepReport, StepFailure> StandardStepper::advance(const BetterPulls
     return failure_of(scene_, motion_, state_, made.step);
   }
   State end = state_of(scene_, made.step.motion);
-  made.step.failure = impossible_part(scene_, end);
-  if (!made.step.failure.empty())
-    made.step.failure += crushed_before(scene_, state_of(scene_, start_motion(scene_)), state_, end);
+  made.step.turned = impossible(end);
+  if (made.step.turned) made.step.failure = in_words(scene_, *made.step.turned, state_, end);
   if (made.step.failure.empty()) made.step.failure = too_deep(scene_, made.step.motion, end);
   if (!made.step.failure.empty()) return failure_of(scene_, motion_, state_, made.step);
   end.step = state_.step + 1;

@@ -62,6 +62,7 @@ class StandardStepper : public SceneStepper {
   bool begins_scene_ = false;  ///< no step was made on it yet, and it is not the first
   StartReport start_report_;
   std::string start_failure_;  ///< said by the first step; empty for a start that was found
+  std::optional<ElementIndex> turned_at_start_;
   StartPlaces unloaded_;
   State state_;
   Table<VertexIndex, Point> vertices_before_;  ///< at the start of the last step; none before one, or once restored

@@ -69,10 +69,12 @@ StepFailure failure_of(const StandardScene& scene, const Motion& motion, const S
   if (!step.failure.empty())
     return {fmt::format("step {} (time {}): {}", state.step + 1, state.time, step.failure),
             {},
-            step.moving.empty() ? FailureKind::undecided : FailureKind::accelerates,
+            step.turned           ? FailureKind::inside_out
+            : step.moving.empty() ? FailureKind::undecided
+                                  : FailureKind::accelerates,
             step.solves,
             yields,
-            step.moving};
+            step.turned ? std::vector{*step.turned} : step.moving};
   std::string names;
   std::size_t named = 0;
   for (std::size_t i : step.undecided) {

@@ -25,8 +25,8 @@ namespace keyblock {
 
 /// Whether a step that could not be made says something of the scene: that rock finds no equilibrium under its loads,
 /// or that something accelerates. Otherwise the calculation did not come to an end; `cracks`: for a tip that has no
-/// room or cannot be judged, so that other rules of motion do not help.
-enum class FailureKind { undecided, no_equilibrium, accelerates, cracks };
+/// room or cannot be judged, so that other rules of motion do not help; `inside_out`: an element turned inside out.
+enum class FailureKind { undecided, no_equilibrium, accelerates, cracks, inside_out };
 constexpr bool is_of_the_scene(FailureKind kind) {
   return kind == FailureKind::no_equilibrium || kind == FailureKind::accelerates;
 }
@@ -40,7 +40,7 @@ struct StepFailure {
   /// Rock that may yield was on its surface at the last equilibrium, or where the search for the next one ended; told
   /// by statics.
   bool rock_yields = false;
-  std::vector<ElementIndex> elements = {};  ///< that move away, or too far for a step
+  std::vector<ElementIndex> elements = {};  ///< that move away, too far for a step, or turned inside out
 };
 
 /// One scene of several: which steps were made on it.

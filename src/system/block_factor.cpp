@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 #include "system/fours.hpp"
 
 namespace keyblock {

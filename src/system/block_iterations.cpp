@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/context.hpp"
 #include "base/loop.hpp"
-#include "base/stop.hpp"
 #include "system/fours.hpp"
 
 namespace keyblock {

@@ -6,6 +6,7 @@
 
 #include <Eigen/CholmodSupport>
 #include <cmath>
+#include <mutex>
 
 #include "base/loop.hpp"
 
@@ -39,6 +40,7 @@ void keep_to_threads_of_loops() {
 }  // namespace
 
 struct SparseFactor::Cholmod {
+  std::mutex guard;  // CHOLMOD counts and reports in what belongs to the factor, while it solves too
   Definiteness definiteness;
   Factor factor;
   Sparse scaled;
@@ -86,6 +88,7 @@ void SparseFactor::factorise(const Sparse& lower) {
 Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& right) const {
   const auto scaling = cholmod_->scale.asDiagonal();
   if (cholmod_->definiteness == Definiteness::definite) {
+    const std::scoped_lock lock(cholmod_->guard);
     const Eigen::MatrixXd scaled = scaling * right;
     return scaling * cholmod_->factor.solve(scaled).eval();
   }
@@ -127,6 +130,7 @@ int iterate(const Factor& factor, const Sparse& matrix, double aim, Eigen::Vecto
 }  // namespace
 
 SparseFactor::Refined SparseFactor::solve_refined(const Eigen::VectorXd& right) const {
+  const std::scoped_lock lock(cholmod_->guard);
   const auto scaling = cholmod_->scale.asDiagonal();
   const Eigen::VectorXd load = scaling * right;
   const auto residual_of = [&](const Eigen::VectorXd& y) -> Eigen::VectorXd {

@@ -23,7 +23,7 @@ enum class Definiteness {
 
 /// Supernodal L Lᵀ (CHOLMOD) of the matrix scaled to a diagonal of ones. A semidefinite matrix is factorised with 1e-11
 /// added to its diagonal; refinement takes that out again (Strouboulis, Babuška & Copps 2000): what it leaves
-/// undetermined is a combination of unknowns that makes no displacement. Not for two threads at once.
+/// undetermined is a combination of unknowns that makes no displacement. Of two threads that solve at once one waits.
 class SparseFactor : public LinearFactor {
  public:
   /// Orders and analyses the pattern of a lower triangle, whose diagonals open their columns; the values do not matter.

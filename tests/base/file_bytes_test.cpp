@@ -1,6 +1,6 @@
 // A file comes whole, whether one thread reads it or several.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/file_bytes.hpp"
+#include "base/bytes/file_bytes.hpp"
 
 #include <gtest/gtest.h>
 

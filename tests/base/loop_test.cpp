@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/context.hpp"
+
 namespace keyblock::loop_test {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr std::size_t kCount = 40 * kLoopRange + 7;
 /// Puts the number of threads back.
 class Loop : public ::testing::Test {
  protected:
-  ~Loop() override { set_loop_threads(0); }
+  ~Loop() override { context().use_threads(0); }
 };
 
 double alternating_sum() {
@@ -30,7 +32,7 @@ double alternating_sum() {
 
 TEST_F(Loop, every_entry_has_its_turn_once) {
   for (const int threads : {1, 2, 4}) {
-    set_loop_threads(threads);
+    context().use_threads(threads);
     for (const Work weight : {Work::heavy, Work::light}) {
       std::vector<int> turns(kCount);
       for_each_entry(
@@ -41,17 +43,17 @@ TEST_F(Loop, every_entry_has_its_turn_once) {
 }
 
 TEST_F(Loop, sums_have_the_same_bits_on_any_number_of_threads) {
-  set_loop_threads(1);
+  context().use_threads(1);
   const double one = alternating_sum();
   for (const int threads : {2, 3, 4}) {
-    set_loop_threads(threads);
+    context().use_threads(threads);
     EXPECT_EQ(alternating_sum(), one) << threads;
   }
 }
 
 TEST_F(Loop, what_work_throws_comes_through) {
   for (const int threads : {1, 4}) {
-    set_loop_threads(threads);
+    context().use_threads(threads);
     EXPECT_THROW(for_each_entry(kCount,
                                 [](std::size_t i) {
                                   if (i == 3000) throw std::runtime_error("no");

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/context.hpp"
 #include "base/loop.hpp"
 #include "model/setup/choose_basis.hpp"
 #include "model/setup/from_blocks.hpp"
@@ -162,7 +163,7 @@ int main() {
       "{:>26} {:>9} {:>9} {:>9} {:>20}\n",
       b2_version.major, b2_version.minor, b2_version.revision, "", "steps/s", "sinks m", "energy",
       "legacy/  standard/");
-  keyblock::set_loop_threads(1);  // processor time is counted, and Box2D takes one
+  keyblock::context().use_threads(1);  // processor time is counted, and Box2D takes one
   for (const int side : {10, 30, 50}) compare("brick", brick_wall(side));
   for (const int rows : {14, 45}) compare("pyramid", pyramid(rows));
 }

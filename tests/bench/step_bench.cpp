@@ -13,6 +13,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/context.hpp"
 #include "base/loop.hpp"
 #include "contact/find/candidates.hpp"
 #include "contact/rows/gap.hpp"
@@ -167,9 +168,8 @@ Json parts_of_standard(const StandardStepper& stepper) {
                           step_rule(scene.settings.standard, dt));
   });
   parts["factors_of_forces"] = smooth.solves;
-  parts["overlaps"] = best([&] {
-    newly_overlapping(scene, motion, vertices_at(scene.model, scene.reference, smooth.q), found, scales);
-  });
+  parts["overlaps"] = best(
+      [&] { newly_overlapping(scene, motion, vertices_at(scene.model, scene.reference, smooth.q), found, scales); });
   parts["state"] = best([&] { state_of(scene, motion); });
   return parts;
 }
@@ -302,7 +302,7 @@ int main(int argc, char** argv) {
   app.add_option("--threads", threads, "threads of a step; 0: one a processor")->capture_default_str();
   app.add_option("--json", json, "file for the numbers");
   CLI11_PARSE(app, argc, argv);
-  set_loop_threads(threads);
+  context().use_threads(threads);
   Json kept{{"steps", Json::array()}, {"parts_of_legacy", Json::array()}, {"search", Json::array()}};
   fmt::print("{:>8} {:>9} {:>8} {:>9} {:>9} {:>11} {:>7} {:>9} {:>6} {:>9} {:>8} {:>10}\n", "layout", "profile",
              "blocks", "contacts", "start s", "step ms", "passes", "us/b/pass", "/bound", "kB/block", "growth",

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/context.hpp"
 #include "formats/case.hpp"
 #include "result/describe.hpp"
 #include "run/prepare.hpp"
@@ -74,7 +75,6 @@ struct Told {
     return {[&](const Frame& frame) { frames.push_back(frame); },
             [&](const StepReport& report) { steps.push_back(report); },
             [&](const HistoryRow& row) { rows.push_back(row); },
-            {},
             [&](const LedgerRow& row) { books.push_back(row); },
             {}};
   }
@@ -98,15 +98,16 @@ std::pair<Told, std::string> left_at(const Scene& scene, int step) {
   Told told;
   std::string bytes;
   Observer observer = told.observer();
-  bool stops = false;
-  observer.wants_stop = [&] { return stops = static_cast<int>(told.steps.size()) == step; };
+  const Context own;
   observer.between_steps = [&](Stepper& stepper) {
-    if (!stops) return;
+    if (static_cast<int>(told.steps.size()) != step) return;
+    own.stop();
     Archive archive;
     told.describe(archive);
     stepper.save(archive);
     bytes = checkpoint_bytes(archive);
   };
+  const Under under(own);
   run(scene, kRecordEvery, observer);
   return {told, bytes};
 }
@@ -163,15 +164,16 @@ TEST(Checkpoint, a_run_may_be_left_again_and_again) {
     told.describe(archive);
     const std::unique_ptr<Stepper> stepper = restored_stepper(scene, archive);
     Observer observer = told.observer();
-    bool stops = false;
-    observer.wants_stop = [&] { return stops = static_cast<int>(told.steps.size()) == step; };
+    const Context own;
     observer.between_steps = [&](Stepper& now) {
-      if (!stops) return;
+      if (static_cast<int>(told.steps.size()) != step) return;
+      own.stop();
       Archive next;
       told.describe(next);
       now.save(next);
       bytes = checkpoint_bytes(next);
     };
+    const Under under(own);
     go_on(scene, *stepper, kRecordEvery, observer);
   }
   EXPECT_EQ(told.bytes(), whole.bytes());

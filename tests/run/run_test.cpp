@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 #include "run/checkpoint.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -24,19 +24,19 @@ Scene falling_block(int steps) {
 
 /// The calls an observer gets, as "frame 0 row 0 step 1 …".
 struct Listener {
+  Context own;
   std::string heard;
-  int steps = 0;
   int stop_after = -1;
 
   RunOutcome run(const Scene& scene, int record_every) {
     Observer observer;
     observer.on_frame = [&](const Frame& f) { heard += "frame " + std::to_string(f.step) + " "; };
-    observer.on_row = [&](const HistoryRow& r) { heard += "row " + std::to_string(r.step) + " "; };
-    observer.on_step = [&](const StepReport& s) {
-      heard += "step " + std::to_string(s.step) + " ";
-      ++steps;
+    observer.on_row = [&](const HistoryRow& r) {
+      heard += "row " + std::to_string(r.step) + " ";
+      if (r.step == stop_after) own.stop();
     };
-    observer.wants_stop = [&] { return steps == stop_after; };
+    observer.on_step = [&](const StepReport& s) { heard += "step " + std::to_string(s.step) + " "; };
+    const Under under(own);
     return keyblock::run(scene, record_every, observer);
   }
 };
@@ -130,14 +130,15 @@ TEST(Run, stopped_within_a_step_ends_before_it_and_lets_its_state_be_saved) {
     Archive at_third;
     Archive at_end;
     int looks = 0;
+    const Context own;
     Observer observer;
     observer.between_steps = [&](Stepper& now) {
       if (now.state().step != 2) return;
       now.save(++looks == 1 ? at_third : at_end);
-      request_stop();
+      own.stop();
     };
+    const Under under(own);
     const RunOutcome outcome = run(scene, 1, observer);
-    forget_stop_request();
     EXPECT_EQ(outcome.end, RunEnd::stopped);
     EXPECT_EQ(outcome.steps, 2);
     ASSERT_EQ(looks, 2) << "before the step, and where it was left";
@@ -149,9 +150,8 @@ TEST(Run, stopped_in_the_search_for_its_start_tells_nothing) {
   Scene scene = resting_block(5);
   scene.settings.dynamics = Dynamics::standard;
   Listener listener;
-  request_stop();
+  listener.own.stop();
   EXPECT_THROW(listener.run(scene, 1), StopRequested);
-  forget_stop_request();
   EXPECT_EQ(listener.heard, "");
 }
 

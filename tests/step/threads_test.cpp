@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "base/context.hpp"
 #include "base/loop.hpp"
 #include "run/steppers.hpp"
 #include "step/standard_stepper.hpp"
@@ -12,11 +13,11 @@ namespace {
 
 class Threads : public ::testing::TestWithParam<const char*> {
  protected:
-  ~Threads() override { set_loop_threads(0); }
+  ~Threads() override { context().use_threads(0); }
 
   /// Vertices after some steps of a wall of 1,121 bricks that is loaded at once.
   static Table<VertexIndex, Point> after_steps(const std::string& profile, int threads) {
-    set_loop_threads(threads);
+    context().use_threads(threads);
     Scene scene = bench::scene_for(bench::brick_wall(33), profile);
     scene.settings.standard.start = StartRule::sudden;
     const std::unique_ptr<Stepper> stepper = stepper_for(scene);
@@ -33,7 +34,7 @@ TEST_P(Threads, make_the_same_motion_to_the_last_bit) {
 // Bricks so weak that they yield as soon as their weight is felt.
 TEST(ThreadsOfYieldingBlocks, make_the_same_motion_to_the_last_bit) {
   const auto after_steps = [](int threads) {
-    set_loop_threads(threads);
+    context().use_threads(threads);
     const Blocks wall = bench::brick_wall(33);
     Analysis analysis = bench::scaling_analysis(wall);
     Strength strength;
@@ -49,7 +50,7 @@ TEST(ThreadsOfYieldingBlocks, make_the_same_motion_to_the_last_bit) {
   };
   const auto one = after_steps(1);
   for (const int threads : {2, 4}) EXPECT_TRUE(one == after_steps(threads)) << threads;
-  set_loop_threads(0);
+  context().use_threads(0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Threads, ::testing::Values("legacy", "standard"));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/context.hpp"
 #include "formats/case.hpp"
 #include "run/cover_settings.hpp"
 
@@ -81,8 +82,12 @@ TEST(FactorOfSafety, rigid_blocks_have_no_knee) {
 
 TEST(FactorOfSafety, a_stop_keeps_the_trials_made) {
   SearchOptions options;
-  int asked = 0;
-  options.wants_stop = [&] { return ++asked > 2; };
+  const Context own;
+  int made = 0;
+  options.on_trial = [&](const StrengthTrial&) {
+    if (++made == 2) own.stop();
+  };
+  const Under under(own);
   const FactorOfSafety found = factor_of_safety(block_on_plane(), options);
   EXPECT_EQ(found.end, SearchEnd::stopped);
   EXPECT_EQ(found.trials.size(), 2U);
@@ -115,11 +120,10 @@ TEST(FactorOfSafety, a_trial_has_a_limit_unless_none_is_asked_for) {
 // The verdict is that of the count alone.
 TEST(FactorOfSafety, a_trial_is_given_up_after_its_linear_systems) {
   const StrengthTrials trials = block_on_plane();
-  const auto runs = [] { return false; };
-  const long long systems = trials.run(1.2, runs).told.systems;
+  const long long systems = trials.run(1.2).told.systems;
   ASSERT_GT(systems, 1);
-  EXPECT_EQ(trials.run(1.2, runs, systems).told.verdict, Verdict::stands);
-  const StrengthTrial given_up = trials.run(1.2, runs, systems - 1).told;
+  EXPECT_EQ(trials.run(1.2, systems).told.verdict, Verdict::stands);
+  const StrengthTrial given_up = trials.run(1.2, systems - 1).told;
   EXPECT_EQ(given_up.verdict, Verdict::undecided);
   EXPECT_EQ(given_up.systems, systems - 1);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/context.hpp"
 #include "run/prepare.hpp"
 #include "study/trade/run_design.hpp"
 
@@ -230,12 +231,11 @@ TEST(Tradeoff, a_stop_ends_the_run_at_hand_and_all_after_it_and_keeps_those_befo
   const StudyCase fall = study_case({kCases + "free_fall/released"});
   const std::vector<RunPlan> plans = usual_design(fall, "standard", {"step"});
   ASSERT_GT(plans.size(), 4U);
-  std::size_t made = 0;
-  RunLimits limits;
-  limits.wants_stop = [&] { return made >= 2; };
+  const Context own;
+  const Under under(own);
   std::size_t told = 0;
-  const Tradeoff result = tradeoff(fall, plans, {}, limits, [&](const MeasuredRun&, std::size_t done, std::size_t) {
-    made = done;
+  const Tradeoff result = tradeoff(fall, plans, {}, {}, [&](const MeasuredRun&, std::size_t done, std::size_t) {
+    if (done == 2) own.stop();
     ++told;
   });
   EXPECT_TRUE(result.is_stopped);
@@ -252,11 +252,10 @@ TEST(Tradeoff, without_the_runs_that_errors_are_measured_against_a_stop_leaves_c
   StudyCase fall = study_case({kCases + "free_fall/released"});
   fall.expected.clear();
   const std::vector<RunPlan> plans = usual_design(fall, "standard", {"step"});
-  std::size_t made = 0;
-  RunLimits limits;
-  limits.wants_stop = [&] { return made >= 1; };
-  const Tradeoff result = tradeoff(fall, plans, refinements(fall, "standard", 4), limits,
-                                   [&](const MeasuredRun&, std::size_t done, std::size_t) { made = done; });
+  const Context own;
+  const Under under(own);
+  const Tradeoff result = tradeoff(fall, plans, refinements(fall, "standard", 4), {},
+                                   [&](const MeasuredRun&, std::size_t, std::size_t) { own.stop(); });
   EXPECT_TRUE(result.is_stopped);
   EXPECT_TRUE(result.front.empty());
   EXPECT_TRUE(result.reference.doubt.starts_with("stopped before the end of")) << result.reference.doubt;

@@ -8,6 +8,7 @@
 #include <Eigen/SparseCore>
 #include <random>
 
+#include "base/context.hpp"
 #include "base/loop.hpp"
 #include "system/solve.hpp"
 
@@ -162,13 +163,13 @@ TEST(BlockIterations, a_matrix_beyond_single_precision_ends_soon_with_the_best_t
 
 TEST(BlockIterations, bits_do_not_depend_on_threads) {
   const System system = wall(100, 100, 3, {2});  // so many that light loops take threads
-  set_loop_threads(1);
+  context().use_threads(1);
   const Eigen::VectorXd one = conjugate_gradients(system.matrix, system.load, none(system), kLimits).x;
   for (const int threads : {2, 4}) {
-    set_loop_threads(threads);
+    context().use_threads(threads);
     EXPECT_EQ(conjugate_gradients(system.matrix, system.load, none(system), kLimits).x, one);
   }
-  set_loop_threads(0);
+  context().use_threads(0);
 }
 
 TEST(Solver, chooses_iterations_by_inertia_and_number_and_keeps_to_the_factor_once_they_fail) {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/context.hpp"
 #include "base/loop.hpp"
 #include "system/sparse_factor.hpp"
 
@@ -79,12 +80,12 @@ TEST(SparseSolve, a_run_of_one_thread_has_no_other_while_it_factorises) {
   Eigen::SparseMatrix<double> lower(kSide * kSide, kSide * kSide);
   lower.setFromTriplets(entries.begin(), entries.end());
   const int wanted = loop_threads();
-  set_loop_threads(1);
+  context().use_threads(1);
   const auto before = count();
   SparseFactor factor(lower, Definiteness::definite);
   factor.factorise(lower);
   EXPECT_EQ(count(), before);
-  set_loop_threads(wanted);
+  context().use_threads(wanted);
 }
 
 // Springs between the functions only: all may move together, which a load without resultant does not.

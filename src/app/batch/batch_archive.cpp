@@ -6,8 +6,9 @@
 
 #include <new>
 
+#include "base/bytes/sha256.hpp"
+#include "base/context.hpp"
 #include "base/parallel.hpp"
-#include "base/sha256.hpp"
 #include "formats/registry.hpp"
 #include "job/files.hpp"
 #include "study/batch/batch_check.hpp"
@@ -59,16 +60,14 @@ std::string FileTree::problem_of(const study::BatchJob& job) const {
   return {};
 }
 
-FileTree survey(const fs::path& root, const fs::path& left_out, int largest_mebibytes, int threads,
-                const std::function<bool()>& is_stopped) {
+FileTree survey(const fs::path& root, const fs::path& left_out, int largest_mebibytes, int threads) {
   study::FoundFiles found = study::files_below(root, left_out);
   const std::vector<std::string>& paths = found.files;
   std::vector<SeenFile> seen(paths.size());
-  for_each_in_parallel(paths.size(), threads, is_stopped,
-                       [&](std::size_t i) { seen[i] = see(root, paths[i], largest_mebibytes); });
+  for_each_in_parallel(paths.size(), threads, [&](std::size_t i) { seen[i] = see(root, paths[i], largest_mebibytes); });
   FileTree archive;
   archive.passed_over = std::move(found.passed_over);
-  if (is_stopped()) return archive;
+  if (context().is_stopped()) return archive;
   std::vector<study::BatchFile> files;
   for (SeenFile& file : seen) {
     files.push_back(file.file);

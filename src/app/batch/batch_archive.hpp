@@ -34,9 +34,9 @@ struct FileTree {
 
 inline constexpr int kLargestMebibytes = 64;  ///< unless asked otherwise
 
-/// Looks at every file below `root` but those below `left_out`, and pairs them; without jobs if stopped. Files larger
-/// than `largest_mebibytes` are not read.
+/// Looks at every file below `root` but those below `left_out`, and pairs them; without jobs if its context is stopped.
+/// Files larger than `largest_mebibytes` are not read.
 FileTree survey(const std::filesystem::path& root, const std::filesystem::path& left_out, int largest_mebibytes,
-                int threads, const std::function<bool()>& is_stopped);
+                int threads);
 
 }  // namespace keyblock

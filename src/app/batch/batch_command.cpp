@@ -6,9 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -18,6 +16,8 @@
 #include "app/command.hpp"
 #include "app/option_checks.hpp"
 #include "app/progress.hpp"
+#include "app/stop_request.hpp"
+#include "base/context.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "formats/registry.hpp"
@@ -37,18 +37,6 @@ using Clock = std::chrono::steady_clock;
 using report::CatalogueRow;
 
 constexpr auto kBetweenReports = std::chrono::seconds(5);
-
-std::atomic<bool> stop_asked = false;
-
-// The second Ctrl-C ends at once: whatever the journal holds by then can be resumed.
-extern "C" void stop_after_running_jobs(int signal) {
-  stop_asked = true;
-  std::signal(signal, SIG_DFL);
-}
-
-bool is_stopped() {
-  return stop_asked;
-}
 
 struct BatchOptions {
   std::string root;
@@ -185,7 +173,9 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree&
   const JournalFile file(plan.folder / "journal.jsonl");
   Reports reports(open_jobs.size());
   std::mutex guard;
-  for_each_in_parallel(open_jobs.size(), thread_count(options), is_stopped, [&](std::size_t i) {
+  for_each_in_parallel(open_jobs.size(), thread_count(options), [&](std::size_t i) {
+    const Context own;  // a stop lets jobs end that have begun
+    const Under under(own);
     const study::BatchJob& job = *open_jobs[i];
     const Clock::time_point start = Clock::now();
     const std::string problem = archive.problem_of(job);
@@ -234,9 +224,8 @@ void write_catalogue(const BatchPlan& plan, const std::vector<CatalogueRow>& row
 ExitCode run_batch(const BatchOptions& options) {
   if (!options.row_files.empty()) return print_row(options);
   const BatchPlan plan = plan_of(options);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    if (std::signal(signal, stop_after_running_jobs) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks for
-  const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options), is_stopped);
+  listen_for_stops();  // whatever the journal holds by then can be resumed
+  const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options));
   if (!archive.passed_over.empty()) spdlog::warn("passed over: {}", study::sentence_of(archive.passed_over));
   study::Journal journal = begun_journal(options, plan);
   do_jobs(options, plan, archive, journal);
@@ -246,7 +235,7 @@ ExitCode run_batch(const BatchOptions& options) {
   const bool is_done = std::ranges::all_of(archive.jobs, [&](const study::BatchJob& job) {
     return journal.find(job.name, archive.files_of(job)) != nullptr;
   });
-  if (stop_asked && !is_done) {
+  if (context().is_stopped() && !is_done) {
     spdlog::warn("stopped by request; the same command with --resume added goes on");
     return ExitCode::stopped;
   }

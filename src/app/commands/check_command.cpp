@@ -256,14 +256,12 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const study
     if (const auto* cover = std::get_if<Cover>(&checked.problem.geometry); cover && report.errors.empty())
       manifold_of(*cover);  // throws where elements and loops do not fit together
     if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
-    report.profile = study::profile_for(asked, checked.problem);
-    auto [problem, overrides] = study::configured(checked.problem, asked.overrides(report.profile.name));
-    problem = with_followed_points(std::move(problem));
-    const Prepared prepared = prepare(problem, report.profile.name, overrides);
-    const Warnings of_histories = look_at_histories(problem, prepared);
-    report.warnings = joined(std::move(report.warnings), prepared.warnings);
-    report.warnings = joined(std::move(report.warnings), look_ahead(problem, prepared));
-    report.warnings = joined(std::move(report.warnings), of_histories);
+    const study::PlannedCase plan = study::planned(asked, checked.problem);
+    const Problem& problem = plan.problem;
+    const Prepared& prepared = plan.prepared;
+    report.profile = plan.profile;
+    report.warnings = joined(std::move(report.warnings), plan.warnings);
+    report.warnings = joined(std::move(report.warnings), look_at_histories(problem, prepared));
     report.plan = prepared.requirements;
     report.settings = all_settings_json(prepared.scene.settings);
     report.stages = stages_of(prepared.scene);

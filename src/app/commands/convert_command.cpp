@@ -13,6 +13,7 @@
 
 #include "app/command.hpp"
 #include "app/input/drawing_options.hpp"
+#include "app/messages.hpp"
 #include "base/error.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"

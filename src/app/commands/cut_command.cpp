@@ -13,6 +13,7 @@
 #include "app/command.hpp"
 #include "app/commands/mesh_options.hpp"
 #include "app/input/drawing_options.hpp"
+#include "app/messages.hpp"
 #include "app/picture_name.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"

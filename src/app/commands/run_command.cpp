@@ -19,8 +19,8 @@
 #include "app/progress.hpp"
 #include "app/stop_request.hpp"
 #include "app/strength/strength_reduction.hpp"
+#include "base/bytes/sha256.hpp"
 #include "base/error.hpp"
-#include "base/sha256.hpp"
 #include "cut/bodies/slivers.hpp"
 #include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
@@ -37,9 +37,6 @@
 
 namespace keyblock {
 namespace {
-
-// Unless asked otherwise, a run leaves at most this many frames: more are seldom looked at and fill the disk.
-constexpr int kMostFrames = 100;
 
 // What an interruption may cost, unless asked otherwise.
 constexpr double kCheckpointSeconds = 30;
@@ -80,25 +77,6 @@ std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& 
   return records;
 }
 
-int frame_interval(const RunOptions& options, const Problem& problem, const Settings& settings) {
-  if (options.record_every > 0) return options.record_every;
-  const int thinned = (settings.step_count + kMostFrames - 1) / kMostFrames;
-  return std::max(problem.analysis->save_interval.value_or(1), thinned);
-}
-
-std::string what_they_do(const std::vector<std::string>& options) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWords{
-      {{"set steps=", "shorter load steps may go on, unless this is the limit load"},
-       {"arc_length", "arc_length follows the equilibria beyond a limit load"},
-       {"motion=dynamic", "dynamic shows the motion"},
-       {"--profile legacy", "legacy makes each step from rest, as the old program did"}}};
-  std::string words;
-  for (const auto& [part, what] : kWords)
-    if (std::ranges::any_of(options, [&](const std::string& option) { return option.find(part) != std::string::npos; }))
-      words += fmt::format("{}{}", words.empty() ? "" : ", ", what);
-  return words;
-}
-
 // Statics says nothing of a scene from which a sliver falls.
 void print_sliver_hint(const Prepared& prepared, const RunOutcome& outcome) {
   const std::vector<BlockPolygon>& blocks = prepared.blocks.blocks;
@@ -121,17 +99,18 @@ void print_sliver_hint(const Prepared& prepared, const RunOutcome& outcome) {
 
 // What to try where a run failed.
 void print_hint(const Prepared& prepared, const RunOutcome& outcome) {
-  const Settings& settings = prepared.scene.settings;
-  const std::vector<std::string> options = what_to_try(prepared, outcome);
-  if (options.empty()) return;
-  if (settings.dynamics == Dynamics::shi)
+  const std::vector<Remedy> remedies = what_to_try(prepared, outcome);
+  if (remedies.empty()) return;
+  if (prepared.scene.settings.dynamics == Dynamics::shi)
     spdlog::info(
         "the rules of the old program are followed, as far as they are known from its traces (docs/old_slopes.md says "
-        "what is shown); to try: {}{}",
-        fmt::join(options, ", or "),
-        settings.quirks.velocity_from_coming_step ? ", which often lets a run go further whose step size changes" : "");
-  else
-    spdlog::info("to try: {} ({})", fmt::join(options, ", or "), what_they_do(options));
+        "what is shown)");
+  std::vector<std::string> options, what;
+  for (const Remedy& remedy : remedies) {
+    options.push_back(remedy.option);
+    what.push_back(remedy.what);
+  }
+  spdlog::info("to try: {} ({})", fmt::join(options, ", or "), fmt::join(what, ", "));
   if (outcome.failure == FailureKind::accelerates && prepared.scene.growth == nullptr)
     spdlog::info("the scene may be unstable as it is: keyblock fos finds by which factor its strength is too small");
 }
@@ -334,24 +313,23 @@ ProfileAnswer answer_of(const RunRecord& record, const Prepared& prepared, const
 ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
   Stopwatch watch;
   const study::AskedCase asked = case_of(options.given);
-  const formats::Case loaded = formats::load_case(asked.files, asked.choices);
+  formats::Case loaded = formats::load_case(asked.files, asked.choices);
   RunRecord record;
-  const ChosenProfile profile = study::profile_for(asked, loaded.problem);
-  record.profile = profile.name;
-  record.profile_because = profile.why;
   record.units = loaded.problem.units;
   record.inputs = input_records(loaded.files);
   record.timings.read = watch.lap();
-  const std::vector<Override> overrides = asked.overrides(profile.name);
-  auto [problem, left] = study::configured(loaded.problem, overrides);
-  problem.outputs = outputs_asked(problem.outputs, options.outputs);
-  problem = with_followed_points(std::move(problem));
-  const Prepared prepared = prepare(problem, profile.name, left);
-  record.record_every = frame_interval(options, problem, prepared.scene.settings);
-  record.warnings = joined(joined(loaded.warnings, prepared.warnings), look_ahead(problem, prepared));
+  loaded.problem.outputs = outputs_asked(loaded.problem.outputs, options.outputs);
+  const study::PlannedCase plan = study::planned(asked, loaded.problem);
+  const Prepared& prepared = plan.prepared;
+  const Problem& problem = plan.problem;
+  record.profile = plan.profile.name;
+  record.profile_because = plan.profile.why;
+  record.record_every =
+      options.record_every > 0 ? options.record_every : usual_frame_interval(problem, prepared.scene.settings);
+  record.warnings = joined(loaded.warnings, plan.warnings);
   record.timings.prepare = watch.lap();
   const std::string title = title_of(asked.files.front(), record.profile);
-  RunRequest request = request_of(options, asked.files, overrides, record, prepared.scene.settings);
+  RunRequest request = request_of(options, asked.files, plan.overrides, record, prepared.scene.settings);
   if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
   for (const std::string& file : asked.files) require_not_below(file, options.folder);
   RunJob job(
@@ -364,7 +342,7 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   job.open();
   ProgressLine progress(prepared.scene.settings.step_count, job.steps_before().value_or(0), softer_springs(prepared));
   print_start(prepared, job, saved != nullptr);
-  if (!job.run({[&](const StepReport& report) { progress.show(report); }, [] { return stop_signal() != 0; }})) {
+  if (!job.run([&](const StepReport& report) { progress.show(report); })) {
     spdlog::warn("{} before the first step; {}", stopped_how(), how_to_go_on(options.folder));
     return answer_of(job.record(), prepared, options.folder);
   }

@@ -12,7 +12,7 @@
 
 #include "app/command.hpp"
 #include "app/input/case_options.hpp"
-#include "base/stop.hpp"
+#include "app/messages.hpp"
 #include "formats/case.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
@@ -28,33 +28,9 @@ struct SifOptions {
 };
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr double kFarApart = 0.03;  // of |K|, between treatments: as much as domains may differ
 
 nlohmann::ordered_json json_of(const TipFactors& f) {
   return {{"K_I", f.k.mode_1}, {"K_II", f.k.mode_2}, {"J", f.j}, {"closed", f.is_closed}};
-}
-
-/// Of the two treatments of a tip, how far apart they are over |K| by the case's own.
-StressIntensity difference(const study::TipAtEnd& tip) {
-  const StressIntensity& own = tip.report.factors->k;
-  const StressIntensity& other = tip.other->factors->k;
-  const double size = std::hypot(own.mode_1, own.mode_2);
-  if (size == 0) return {};
-  return {(own.mode_1 - other.mode_1) / size, (own.mode_2 - other.mode_2) / size};
-}
-
-bool has_both(const study::TipAtEnd& tip) {
-  return tip.report.factors && tip.other && tip.other->factors;
-}
-
-/// Of the domains, then of the two treatments.
-std::string doubt_of(const study::TipAtEnd& tip) {
-  if (std::string doubt = doubt_of(tip.report); !doubt.empty() || !has_both(tip)) return doubt;
-  const StressIntensity d = difference(tip);
-  const double apart = std::max(std::abs(d.mode_1), std::abs(d.mode_2));
-  if (!(apart > kFarApart)) return {};
-  return fmt::format("the treatments with and without near-tip functions are {:.2g} % of K apart: a finer mesh",
-                     100 * apart);
 }
 
 nlohmann::ordered_json json_of(const study::TipAtEnd& tip) {
@@ -72,13 +48,13 @@ nlohmann::ordered_json json_of(const study::TipAtEnd& tip) {
     json["K_eq"] = tip.kink.equivalent;
   }
   if (tip.toughness) json["toughness"] = *tip.toughness;
-  if (has_both(tip)) {
+  if (study::has_both(tip)) {
     json["other_treatment"] = json_of(*tip.other->factors);
     json["other_treatment"]["side"] = tip.other->side;
-    json["other_treatment"]["difference_K_I"] = difference(tip).mode_1;
-    json["other_treatment"]["difference_K_II"] = difference(tip).mode_2;
+    json["other_treatment"]["difference_K_I"] = study::difference(tip).mode_1;
+    json["other_treatment"]["difference_K_II"] = study::difference(tip).mode_2;
   }
-  json["doubt"] = doubt_of(tip);
+  json["doubt"] = study::doubt_of(tip);
   json["domains"] = nlohmann::ordered_json::array();
   for (const DomainResult& domain : report.domains) {
     nlohmann::ordered_json row{{"domain", name_of(domain.choice)}};
@@ -101,7 +77,7 @@ void print_treatments(const study::TipAtEnd& tip, const study::CaseIntensity& fo
              "K_II", "J");
   row(found.has_functions, found.unknowns, tip.report.side, *tip.report.factors);
   row(!found.has_functions, found.other_unknowns, tip.other->side, *tip.other->factors);
-  const StressIntensity d = difference(tip);
+  const StressIntensity d = study::difference(tip);
   fmt::print("  {:43} {:11.3f} % {:11.3f} % of K\n", "difference", 100 * d.mode_1, 100 * d.mode_2);
 }
 
@@ -126,7 +102,7 @@ void print(const study::TipAtEnd& tip, std::size_t number, const study::CaseInte
              report.factors->j, unit_of(measures::kEnergyPerArea, units),
              report.factors->is_closed ? "its faces are pressed together; " : "", 100 * report.spread_1,
              100 * report.spread_2);
-  if (has_both(tip)) print_treatments(tip, found);
+  if (study::has_both(tip)) print_treatments(tip, found);
   fmt::print("  would go on by {:.2f} degrees, K_eq {:.6g}", tip.kink.angle * kDegrees, tip.kink.equivalent);
   if (tip.toughness)
     fmt::print(", {:.4g} of the toughness {:.6g}", tip.kink.equivalent / *tip.toughness, *tip.toughness);
@@ -139,8 +115,7 @@ ExitCode print_intensity(const SifOptions& options) {
   // The rules of the old programs know no tips.
   const std::string profile = study::profile_for(asked, input.problem, study::OldFiles::standard).name;
   const study::ConfiguredProblem made = study::configured(input.problem, asked.overrides(profile));
-  const study::CaseIntensity found =
-      study::intensity_at_end(made.problem, profile, made.overrides, [] { return is_stop_requested(); });
+  const study::CaseIntensity found = study::intensity_at_end(made.problem, profile, made.overrides);
   log_warnings(found.warnings);
   if (!found.failure.empty()) {
     spdlog::error("keyblock: error: {}", found.failure);

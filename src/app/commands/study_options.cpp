@@ -33,7 +33,7 @@ double load_average() {
 }  // namespace
 
 study::RunLimits StudyOptions::limits() const {
-  return {repeat, limit, [] { return stop_signal() != 0; }};
+  return {repeat, limit};
 }
 
 void add_study_options(CLI::App& options, StudyOptions& chosen) {

@@ -12,8 +12,8 @@
 #include "app/option_checks.hpp"
 #include "app/picture_name.hpp"
 #include "app/stop_request.hpp"
+#include "base/context.hpp"
 #include "base/error.hpp"
-#include "base/loop.hpp"
 #include "job/files.hpp"
 #include "problem/units/measure.hpp"
 #include "report/sweep_picture.hpp"
@@ -178,7 +178,7 @@ Action configure_sweep(CLI::App& options) {
       ->check(above_zero());
   options.add_option("--table", chosen->table, "write the map as a table (CSV)")->type_name("FILE");
   return [chosen] {
-    set_loop_threads(1);  // prices are processor time
+    context().use_threads(1);  // prices are processor time
     listen_for_stops();
     return run_sweep(*chosen);
   };

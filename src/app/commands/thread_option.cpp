@@ -1,14 +1,15 @@
 // `--threads` of the commands that make steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command.hpp"
-#include "base/loop.hpp"
+#include "base/context.hpp"
 
 namespace keyblock {
 
 void add_thread_option(CLI::App& options) {
   options
-      .add_option_function<int>("--threads", set_loop_threads,
-                                "threads of a step (default: as many as processors); results do not depend on it")
+      .add_option_function<int>(
+          "--threads", [](int count) { context().use_threads(count); },
+          "threads of a step (default: as many as processors); results do not depend on it")
       ->check(CLI::Range(1, 256));
 }
 

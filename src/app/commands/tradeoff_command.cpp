@@ -15,9 +15,9 @@
 #include "app/option_checks.hpp"
 #include "app/picture_name.hpp"
 #include "app/stop_request.hpp"
+#include "base/context.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
-#include "base/loop.hpp"
 #include "job/files.hpp"
 #include "report/tradeoff_picture.hpp"
 #include "run/settings_file.hpp"
@@ -274,7 +274,7 @@ Action configure_tradeoff(CLI::App& options) {
                   "file for the settings picked, for run --settings-file (default: CASE.settings)")
       ->type_name("FILE");
   return [chosen] {
-    set_loop_threads(1);  // prices are processor time
+    context().use_threads(1);  // prices are processor time
     listen_for_stops();
     return run_tradeoff(*chosen);
   };

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/messages.hpp"
 #include "app/option_checks.hpp"
 #include "app/picture_name.hpp"
 #include "base/printable.hpp"

@@ -10,12 +10,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/messages.hpp"
 #include "app/option_checks.hpp"
 #include "app/stop_request.hpp"
 #include "app/strength/trial_watch.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
-#include "base/stop.hpp"
 #include "formats/case.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
@@ -361,7 +361,6 @@ ExitCode reduce_strength(const study::AskedCase& asked, const ReductionOptions& 
                       look_ahead(chosen.input.problem, trials.prepared())));
   listen_for_stops();
   study::SearchOptions search{options.from, options.to, options.within.value_or(kWithin)};
-  search.wants_stop = [] { return stop_signal() != 0 || is_stop_requested(); };
   search.trial_limit = options.trial_limit;
   TrialWatch watch;
   search.on_begin = [&](double factor) { watch.begin(factor); };

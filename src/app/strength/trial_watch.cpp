@@ -10,8 +10,8 @@
 
 #include "app/messages.hpp"
 #include "app/progress.hpp"
+#include "base/context.hpp"
 #include "base/counted.hpp"
-#include "base/progress/headway.hpp"
 
 namespace keyblock {
 namespace {
@@ -22,8 +22,8 @@ constexpr double kLeastShareOfTrial = 0.02;
 
 }  // namespace
 
-TrialWatch::TrialWatch() : on_terminal_(isatty(STDERR_FILENO) == 1) {
-  forget_headway();
+TrialWatch::TrialWatch() : on_terminal_(isatty(STDERR_FILENO) == 1), context_(context()) {
+  context_.tell(nullptr, 0);
   if (shows_progress()) watching_ = std::thread([this] { watch(); });
 }
 
@@ -44,7 +44,7 @@ double TrialWatch::seconds_so_far(Clock::time_point now) const {
 
 void TrialWatch::begin(double factor) {
   const std::lock_guard lock(mutex_);
-  forget_headway();
+  context_.tell(nullptr, 0);
   factor_ = factor;
   begun_ = told_ = Clock::now();
   wakes_.notify_one();
@@ -66,7 +66,7 @@ void TrialWatch::tell(Clock::time_point now) {
   if (!shows_progress() || so_far < kPatienceWithTrials || (!on_terminal_ && since < kBetweenLines)) return;
   told_ = now;
   std::string words = fmt::format("F = {:.6g}: trial {}, {} so far", *factor_, made_ + 1, time_in_words(so_far));
-  if (const Headway way = headway(); way.what != nullptr) {
+  if (const Headway way = context_.headway(); way.what != nullptr) {
     words += fmt::format("; {}", way.what);
     if (way.share >= kLeastShareOfTrial) words += fmt::format(", about {:.0f} % of the way", 100 * way.share);
   }

@@ -8,6 +8,8 @@
 #include <optional>
 #include <thread>
 
+#include "base/context.hpp"
+
 namespace keyblock {
 
 /// Reports a trial that takes more than two seconds, every second on a terminal and every five in a log: its factor,
@@ -30,6 +32,7 @@ class TrialWatch {
   double seconds_so_far(Clock::time_point now) const;
 
   bool on_terminal_;
+  Context context_;               ///< of the search
   std::optional<double> factor_;  ///< of the trial that runs
   Clock::time_point begun_;
   Clock::time_point told_;

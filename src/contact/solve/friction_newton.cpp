@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/progress/system_limit.hpp"
+#include "base/context.hpp"
 #include "contact/solve/active_forces.hpp"
 
 namespace keyblock {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/progress/system_limit.hpp"
+#include "base/context.hpp"
 #include "contact/solve/active_forces.hpp"
 
 namespace keyblock {

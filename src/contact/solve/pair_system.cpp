@@ -12,8 +12,8 @@
 #include <limits>
 #include <optional>
 
+#include "base/context.hpp"
 #include "base/loop.hpp"
-#include "base/stop.hpp"
 #include "contact/solve/pair_operator.hpp"
 
 namespace keyblock {

@@ -9,8 +9,8 @@
 #include <charconv>
 #include <string_view>
 
+#include "base/bytes/sha256.hpp"
 #include "base/error.hpp"
-#include "base/sha256.hpp"
 #include "formats/registry.hpp"
 #include "formats/views/vtk.hpp"
 #include "formats/views/vtk_parts.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/archive.hpp"
-#include "base/sha256.hpp"
+#include "base/bytes/sha256.hpp"
 
 namespace keyblock {
 

@@ -176,7 +176,7 @@ class Attempts {
 
   std::variant<StepReport, StepFailure> accept(const OpenCloseOutcome& outcome) {
     State end = update(scene_.model, std::move(start_), settings_, outcome.increments, dt_, outcome.node_steps);
-    if (const std::string what = impossible(end); !what.empty()) return gone_wrong(end, what);
+    if (const std::optional<ElementIndex> bad = impossible(end)) return gone_wrong(*bad);
     stepping_.state = std::move(end);
     stepping_.contacts = std::move(contacts_);
     report_.step = stepping_.state.step;
@@ -232,24 +232,14 @@ class Attempts {
         last);
   }
 
-  StepFailure gone_wrong(const State& end, const std::string& what) const {
-    const ElementIndex bad = first_impossible(end);
-    StepFailure told{failure(fmt::format("{}; before the step it was {}; the old program has no such test, and goes on",
-                                         what, in_words(bad))),
-                     {}};
+  StepFailure gone_wrong(ElementIndex bad) const {
+    StepFailure told{failure(fmt::format("block {} is turned inside out or no longer finite; before the step it was "
+                                         "{}; the old program has no such test, and goes on",
+                                         bad.value + 1, in_words(bad))),
+                     {},
+                     FailureKind::inside_out};
     told.elements = {bad};
     return told;
-  }
-
-  // As `impossible` finds it.
-  static ElementIndex first_impossible(const State& end) {
-    State one;
-    one.elements.push_back({});
-    for (const ElementIndex e : indices(end.elements)) {
-      one.elements[ElementIndex{0}] = end.elements[e];
-      if (!impossible(one).empty()) return e;
-    }
-    return ElementIndex{0};
   }
 
   double drawn_area(ElementIndex e) const {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 #include "legacy/contact/springs.hpp"
 #include "legacy/step/cover_unknowns.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 #include "legacy/contact/contact_frames.hpp"
 #include "legacy/contact/springs.hpp"
 #include "legacy/step/shi_ledger.hpp"

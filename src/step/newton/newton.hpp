@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 #include "step/newton/tolerances.hpp"
 
 namespace keyblock {

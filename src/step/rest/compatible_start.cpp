@@ -7,8 +7,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "base/progress/headway.hpp"
-#include "base/stop.hpp"
+#include "base/context.hpp"
 #include "contact/rows/gap.hpp"
 #include "contact/solve/friction_newton.hpp"
 #include "step/newton/tolerances.hpp"

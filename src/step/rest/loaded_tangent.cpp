@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/loaded_tangent.hpp"
 
-#include "base/progress/system_limit.hpp"
+#include "base/context.hpp"
 #include "step/bodies/linear_static.hpp"
 
 namespace keyblock {

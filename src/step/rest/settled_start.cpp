@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/progress/headway.hpp"
+#include "base/context.hpp"
 #include "base/union_find.hpp"
 #include "contact/rows/gap.hpp"
 #include "contact/rows/joined_blocks.hpp"

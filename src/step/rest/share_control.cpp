@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/progress/headway.hpp"
+#include "base/context.hpp"
 
 namespace keyblock {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/progress/headway.hpp"
+#include "base/context.hpp"
 #include "contact/rows/gap.hpp"
 #include "step/bodies/integrator.hpp"
 #include "step/newton/tolerances.hpp"

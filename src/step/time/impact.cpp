@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 #include "contact/rows/gap.hpp"
 #include "contact/solve/friction_newton.hpp"
 #include "contact/solve/frictional_problem.hpp"

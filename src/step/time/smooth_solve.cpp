@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "base/progress/system_limit.hpp"
+#include "base/context.hpp"
 #include "step/newton/newton.hpp"
 #include "step/time/free_motion.hpp"
 #include "step/time/smooth_contacts.hpp"

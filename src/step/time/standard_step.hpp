@@ -27,6 +27,7 @@ struct StandardStep {
   std::vector<std::size_t> undecided;            ///< of the touches: those that went round in a cycle
   std::string failure;                           ///< why it was given up otherwise; empty if it was not
   std::vector<ElementIndex> moving;              ///< at rest: it was given up because these move away
+  std::optional<ElementIndex> turned;            ///< it was given up because this one turned inside out
 };
 
 /// Of two parts of a step, the residual of the one that has the larger.

@@ -7,6 +7,8 @@
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "run/cover_settings.hpp"
+#include "run/follow/history_option.hpp"
+#include "run/look_ahead.hpp"
 #include "run/settings_file.hpp"
 #include "settings/profile.hpp"
 #include "study/cases/named_files.hpp"
@@ -77,6 +79,17 @@ ConfiguredProblem configured(Problem problem, const std::vector<Override>& overr
   problem = with_named_files(std::move(problem), overrides);
   std::vector<Override> left = set_plan(problem, overrides);
   return {std::move(problem), std::move(left)};
+}
+
+PlannedCase planned(const AskedCase& asked, const Problem& problem) {
+  PlannedCase plan;
+  plan.profile = profile_for(asked, problem);
+  plan.overrides = asked.overrides(plan.profile.name);
+  ConfiguredProblem made = configured(problem, plan.overrides);
+  plan.problem = with_followed_points(std::move(made.problem));
+  plan.prepared = prepare(plan.problem, plan.profile.name, made.overrides);
+  plan.warnings = joined(plan.prepared.warnings, look_ahead(plan.problem, plan.prepared));
+  return plan;
 }
 
 }  // namespace keyblock::study

@@ -9,6 +9,7 @@
 
 #include "formats/format.hpp"
 #include "problem/problem.hpp"
+#include "run/prepare.hpp"
 #include "run/settings_of.hpp"
 #include "study/cases/case_file.hpp"
 
@@ -58,5 +59,18 @@ struct ConfiguredProblem {
 /// file. Throws InputError for a file that cannot be read and for a setting of the case file, std::invalid_argument for
 /// an override.
 ConfiguredProblem configured(Problem problem, const std::vector<Override>& overrides);
+
+/// A case made ready for its first step.
+struct PlannedCase {
+  ChosenProfile profile;
+  std::vector<Override> overrides;  ///< all settings that were asked for
+  Problem problem;                  ///< with the files and the mesh that settings name, and the points of histories
+  Prepared prepared;
+  Warnings warnings;  ///< of preparing, then of looking ahead
+};
+
+/// The way of `run`, `check` and the library: profile, settings, scene, a look ahead. Throws as `profile_for`,
+/// `configured`, `with_followed_points` and `prepare`.
+PlannedCase planned(const AskedCase& asked, const Problem& problem);
 
 }  // namespace keyblock::study

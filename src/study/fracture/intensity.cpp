@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/fracture/intensity.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 #include "model/continuum.hpp"
 #include "run/bodies/planned_bodies.hpp"
 #include "run/growth/bonded_faces.hpp"
@@ -16,6 +19,8 @@
 namespace keyblock::study {
 namespace {
 
+constexpr double kFarApart = 0.03;  // of |K|, between treatments: as much as domains may differ
+
 GrowthCriterion criterion_of(const Problem& problem) {
   return problem.covers && problem.covers->growth ? problem.covers->growth->criterion : GrowthCriterion::hoop_stress;
 }
@@ -24,8 +29,7 @@ Place place_of(const Problem& problem) {
   return problem.covers ? problem.covers->place : problem.analysis->place;
 }
 
-CaseIntensity intensity_by_one(Problem problem, const std::string& profile, const std::vector<Override>& overrides,
-                               const std::function<bool()>& wants_stop) {
+CaseIntensity intensity_by_one(Problem problem, const std::string& profile, const std::vector<Override>& overrides) {
   const GrowthCriterion criterion = criterion_of(problem);
   if (problem.covers) {
     problem.covers->mesh.tip_side = tip_side_of(*problem.covers);
@@ -39,7 +43,7 @@ CaseIntensity intensity_by_one(Problem problem, const std::string& profile, cons
   result.unknowns = prepared.requirements.unknowns;
   const std::unique_ptr<Stepper> stepper = stepper_for(std::move(prepared.scene));
   while (stepper->state().step < stepper->settings().step_count && !stepper->is_done()) {
-    if (wants_stop()) throw StopRequested();
+    leave_if_stopped();
     const auto step = stepper->advance();
     if (const auto* failure = std::get_if<StepFailure>(&step)) {
       result.failure = failure->reason;
@@ -93,9 +97,30 @@ void put_other_treatment(CaseIntensity& found, const CaseIntensity& other) {
 
 }  // namespace
 
+bool has_both(const TipAtEnd& tip) {
+  return tip.report.factors && tip.other && tip.other->factors;
+}
+
+StressIntensity difference(const TipAtEnd& tip) {
+  const StressIntensity& own = tip.report.factors->k;
+  const StressIntensity& other = tip.other->factors->k;
+  const double size = std::hypot(own.mode_1, own.mode_2);
+  if (size == 0) return {};
+  return {(own.mode_1 - other.mode_1) / size, (own.mode_2 - other.mode_2) / size};
+}
+
+std::string doubt_of(const TipAtEnd& tip) {
+  if (std::string doubt = doubt_of(tip.report); !doubt.empty() || !has_both(tip)) return doubt;
+  const StressIntensity d = difference(tip);
+  const double apart = std::max(std::abs(d.mode_1), std::abs(d.mode_2));
+  if (!(apart > kFarApart)) return {};
+  return fmt::format("the treatments with and without near-tip functions are {:.2g} % of K apart: a finer mesh",
+                     100 * apart);
+}
+
 CaseIntensity intensity_at_end(const Problem& problem, const std::string& profile,
-                               const std::vector<Override>& overrides, const std::function<bool()>& wants_stop) {
-  CaseIntensity found = intensity_by_one(problem, profile, overrides, wants_stop);
+                               const std::vector<Override>& overrides) {
+  CaseIntensity found = intensity_by_one(problem, profile, overrides);
   if (!found.failure.empty()) return found;
   if (!problem.covers) {
     found.no_other = "the case has no plan of covers";
@@ -107,7 +132,7 @@ CaseIntensity intensity_at_end(const Problem& problem, const std::string& profil
     return found;
   }
   try {
-    put_other_treatment(found, intensity_by_one(with_other_treatment(problem, found), profile, overrides, wants_stop));
+    put_other_treatment(found, intensity_by_one(with_other_treatment(problem, found), profile, overrides));
   } catch (const InputError& error) {
     found.no_other = error.sentence();
   }

@@ -29,6 +29,14 @@ struct TipAtEnd {
   std::optional<OtherTreatment> other = {};
 };
 
+/// Whether both treatments found factors.
+bool has_both(const TipAtEnd& tip);
+/// Of two treatments, how far they are apart over |K| by the case's own.
+StressIntensity difference(const TipAtEnd& tip);
+/// Why the factors of a tip cannot be trusted, in words: of the domains, then of the two treatments; empty where
+/// nothing speaks against them.
+std::string doubt_of(const TipAtEnd& tip);
+
 struct CaseIntensity {
   std::vector<TipAtEnd> tips;
   int unknowns = 0;
@@ -46,6 +54,6 @@ struct CaseIntensity {
 /// tip, or none on sides of 1/320 of it. Throws InputError for a case without bodies on covers or without a tip in
 /// them, and as `prepare`.
 CaseIntensity intensity_at_end(const Problem& problem, const std::string& profile,
-                               const std::vector<Override>& overrides, const std::function<bool()>& wants_stop);
+                               const std::vector<Override>& overrides);
 
 }  // namespace keyblock::study

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -136,7 +136,7 @@ class FactorSearch {
     long long longest = 0;
     for (const auto& [_, made] : made_)
       if (made.told.verdict != Verdict::undecided) longest = std::max(longest, made.told.systems);
-    return trials_.run(factor, options_.wants_stop, trial_limit(options_.trial_limit, longest));
+    return trials_.run(factor, trial_limit(options_.trial_limit, longest));
   }
 
   void judge() {

@@ -26,7 +26,6 @@ struct SearchOptions {
   bool seeks_knee = true;      ///< the bracket of the knee is closed too
   std::optional<long long> trial_limit = {};  ///< linear systems after which a trial is undecided; 0: none; none:
                                               ///< `trial_limit`
-  std::function<bool()> wants_stop = [] { return false; };
   std::function<void(double factor)> on_begin = [](double) {};  ///< before each trial
   std::function<void(const StrengthTrial&)> on_trial = [](const StrengthTrial&) {};
   std::function<void(const std::string&)> on_loose = {};  ///< told that a block is left out, and the search begins anew

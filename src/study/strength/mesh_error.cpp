@@ -7,7 +7,7 @@
 #include <cmath>
 #include <exception>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 
 namespace keyblock::study {
 namespace {

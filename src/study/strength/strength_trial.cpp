@@ -12,9 +12,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/context.hpp"
 #include "base/counted.hpp"
-#include "base/progress/system_limit.hpp"
-#include "base/stop.hpp"
 #include "base/words/plain_number.hpp"
 #include "geometry/polygon.hpp"
 #include "run/record.hpp"
@@ -124,10 +123,10 @@ StrengthState state_of(const Stepper& stepper) {
 }
 
 /// Steps to the end of the scene, or to the first that fails.
-TrialOutcome stepped(std::unique_ptr<Stepper> stepper, const std::function<bool()>& wants_stop) {
+TrialOutcome stepped(std::unique_ptr<Stepper> stepper) {
   TrialOutcome made;
   while (stepper->state().step < stepper->settings().step_count && !stepper->is_done()) {
-    if (wants_stop()) throw StopRequested();
+    leave_if_stopped();
     const auto step = stepper->advance();
     if (const auto* report = std::get_if<StepReport>(&step)) {
       made.told.rounds += report->passes;
@@ -288,27 +287,28 @@ StrengthTrials StrengthTrials::on_coarser_mesh(double times) const {
   return coarser;
 }
 
-TrialOutcome StrengthTrials::run(double factor, const std::function<bool()>& wants_stop,
-                                 std::optional<long long> most_systems) const {
-  const SystemLimit limit(most_systems);
+TrialOutcome StrengthTrials::run(double factor, std::optional<long long> most_systems) const {
+  const Context trial = context().part({.systems = most_systems});
   try {
-    TrialOutcome made = decided(factor, wants_stop);
-    made.told.systems = limit.solved();
+    const Under under(trial);
+    TrialOutcome made = decided(factor);
+    made.told.systems = trial.systems();
     return made;
   } catch (const StopRequested&) {
-    if (!limit.is_reached() || is_stop_requested()) throw;
+    if (context().is_stopped() || !most_systems || trial.systems() < *most_systems)
+      throw;  // the search, and not this trial alone
     TrialOutcome given_up;
     given_up.told.factor = factor;
-    given_up.told.systems = limit.solved();
-    given_up.told.why = fmt::format("given up after {} linear systems (--trial-limit)", limit.solved());
+    given_up.told.systems = trial.systems();
+    given_up.told.why = fmt::format("given up after {} linear systems (--trial-limit)", trial.systems());
     return given_up;
   }
 }
 
-TrialOutcome StrengthTrials::decided(double factor, const std::function<bool()>& wants_stop) const {
+TrialOutcome StrengthTrials::decided(double factor) const {
   Scene scene = prepared_at(factor).scene;
   scene.load_cuts = kLoadCuts;
-  TrialOutcome made = stepped(stepper_for(std::move(scene)), wants_stop);
+  TrialOutcome made = stepped(stepper_for(std::move(scene)));
   // Of rock that yields no calculation shows more than that it finds no equilibrium. Where none does, it is contacts
   // that do not settle, and nothing is decided.
   if (made.told.verdict == Verdict::undecided && may_yield() && made.rock_yields) made.told.verdict = Verdict::falls;

@@ -90,11 +90,10 @@ class StrengthTrials {
   /// From no load. Beginning at the equilibrium of another trial was tried on rock: what stands takes twice as many
   /// rounds, what falls three times, and where ψ < φ the factor becomes another. Beyond `most_systems` linear systems
   /// it is given up as undecided. Throws StopRequested.
-  TrialOutcome run(double factor, const std::function<bool()>& wants_stop,
-                   std::optional<long long> most_systems = std::nullopt) const;
+  TrialOutcome run(double factor, std::optional<long long> most_systems = std::nullopt) const;
 
  private:
-  TrialOutcome decided(double factor, const std::function<bool()>& wants_stop) const;
+  TrialOutcome decided(double factor) const;
   void note_exempt(const ExemptCount& held);
   Prepared prepared_at(double factor, ExemptCount* held = nullptr) const;
   bool may_yield() const;

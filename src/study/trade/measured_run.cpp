@@ -13,7 +13,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "base/stop.hpp"
+#include "base/context.hpp"
 #include "model/continuum.hpp"
 #include "run/run.hpp"
 #include "settings/profile.hpp"
@@ -89,11 +89,12 @@ void run_scene(const StudyCase& chosen, const Scene& scene, const RunLimits& lim
   Observer observer;
   observer.on_step = [&](const StepReport& report) { reading.add(report); };
   observer.on_frame = [&](const Frame& frame) { reading.add(frame, scene.settings.time_step); };
-  bool is_asked = false;
-  observer.wants_stop = [&] {
-    is_asked = limits.wants_stop();
-    return is_asked || cpu_seconds() - begin > limits.cpu_seconds;
+  const Context& whole = context();
+  const Context limited = whole.part();
+  observer.between_steps = [&](const Stepper&) {
+    if (cpu_seconds() - begin > limits.cpu_seconds) limited.stop();
   };
+  const Under under(limited);
   const RunOutcome outcome = run(scene, frame_interval(chosen.expected, scene.settings), observer);
   measured.seconds = cpu_seconds() - begin;
   measured.steps = outcome.steps;
@@ -101,6 +102,7 @@ void run_scene(const StudyCase& chosen, const Scene& scene, const RunLimits& lim
     measured.end = MeasuredEnd::failed;
     measured.reason = outcome.reason;
   } else if (outcome.end == RunEnd::stopped) {
+    const bool is_asked = whole.is_stopped();
     const std::string at = fmt::format("at step {} of {}", outcome.steps, scene.settings.step_count);
     measured.end = is_asked ? MeasuredEnd::stopped : MeasuredEnd::over_limit;
     measured.reason =
@@ -128,7 +130,7 @@ void best_of(const RunLimits& limits, MeasuredRun& measured, const Run& run) {
     ++measured.timings;
     sum += measured.seconds;
     best = std::min(best, measured.seconds);
-  } while (measured.end == MeasuredEnd::finished && measured.timings < kMostTimings && !limits.wants_stop() &&
+  } while (measured.end == MeasuredEnd::finished && measured.timings < kMostTimings && !context().is_stopped() &&
            (measured.timings < limits.repeat || sum < kLeastTimed));
   measured.seconds = best;
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,9 +33,8 @@ struct RunPlan {
 };
 
 struct RunLimits {
-  int repeat = 1;                                           ///< the best of so many
-  double cpu_seconds = 60;                                  ///< of one run; a linear solution is not interrupted
-  std::function<bool()> wants_stop = [] { return false; };  ///< ends the run at hand, and all runs after it
+  int repeat = 1;           ///< the best of so many
+  double cpu_seconds = 60;  ///< of one run; steps are not interrupted
 };
 
 enum class MeasuredEnd { finished, failed, refused, over_limit, stopped };

@@ -10,6 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/context.hpp"
 #include "settings/profile.hpp"
 #include "study/trade/extrapolation.hpp"
 
@@ -139,7 +140,7 @@ class Study {
   bool is_stopped() const { return std::ranges::any_of(result_.runs, was_stopped); }
 
   void add(const RunPlan& plan) {
-    if (limits_.wants_stop()) {
+    if (context().is_stopped()) {
       result_.runs.push_back(not_run(plan, MeasuredEnd::stopped, "not run"));
       return;
     }

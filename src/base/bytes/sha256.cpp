@@ -1,6 +1,6 @@
 // OpenSSL's digest as text.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/sha256.hpp"
+#include "base/bytes/sha256.hpp"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>

@@ -1,6 +1,6 @@
 // Compiled as C++23, where the library has it: only then can a string be made long without being filled first.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/file_bytes.hpp"
+#include "base/bytes/file_bytes.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
