@@ -10,7 +10,7 @@ PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3
            libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev \
            libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 libyaml-cpp-dev
 
-.PHONY: help build install debug run test cases index fronts validate bench bare sanitize fuzz format tidy clean packages
+.PHONY: help build install uninstall deb debug run test cases index fronts validate bench bare sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## use | | this list
@@ -72,14 +72,22 @@ build: packages ## use | 16 min | compiles the program build/keyblock and its te
 
 # The program is that of this kind of machine (KEYBLOCK_NATIVE); root's paths are /usr/local, others may say PREFIX=$$HOME/.local.
 PREFIX ?= /usr/local
-install: packages ## use | 1 s | puts program, man page and completion of bash below PREFIX=/usr/local (DESTDIR before it)
+install: packages ## use | 1 s | puts program, library, header, man page and completion below PREFIX=/usr/local (DESTDIR before it)
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
-	cmake --build build --parallel $(JOBS) --target keyblock
-	install -D -m 755 build/keyblock "$(DESTDIR)$(PREFIX)/bin/keyblock"
-	build/keyblock shell man >build/keyblock.1
-	build/keyblock shell bash >build/keyblock.bash
-	install -D -m 644 build/keyblock.1 "$(DESTDIR)$(PREFIX)/share/man/man1/keyblock.1"
-	install -D -m 644 build/keyblock.bash "$(DESTDIR)$(PREFIX)/share/bash-completion/completions/keyblock"
+	cmake --build build --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages
+	cmake --install build --prefix "$(PREFIX)"
+	cp build/install_manifest.txt build/installed.txt
+	[ -n "$(DESTDIR)" ] || [ "$$(id -u)" != 0 ] || ldconfig
+
+uninstall: ## use | 1 s | removes what `make install` put there last
+	xargs -d '\n' -I {} rm -f "$(DESTDIR){}" <build/installed.txt
+
+# For any machine of this architecture, not for this one alone.
+deb: packages ## use | 16 min | makes a Debian package of what `make install` puts there, in build-deb
+	@$(call install_missing,dpkg-dev file)
+	cmake -S . -B build-deb -G Ninja -DCMAKE_BUILD_TYPE=Release -DKEYBLOCK_NATIVE=OFF
+	cmake --build build-deb --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages
+	cd build-deb && cpack -G DEB
 
 debug: packages ## care | long | compiles with assertions and debug information in build-debug, each file by itself
 	cmake -S . -B build-debug -G Ninja -DCMAKE_BUILD_TYPE=Debug -DKEYBLOCK_BATCHES=OFF

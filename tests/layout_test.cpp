@@ -94,11 +94,13 @@ struct ClassLines {
   std::size_t lines = 0;
 };
 
-/// Of a unit, its header and its source being one: units may each have a class of one name.
+/// Of a unit, its header and its source being one: units may each have a class of one name. All of the public library
+/// are one, whose header stands apart.
 std::map<std::string, ClassLines> lines_of_classes() {
   std::map<std::string, ClassLines> classes;
-  each_source({"src", "formats"}, [&](const auto& name, const auto& lines) {
-    const std::string unit = fs::path(name).replace_extension().string() + ": ";
+  each_source({"include", "src", "formats"}, [&](const auto& name, const auto& lines) {
+    const bool is_public = name.find("src/api/") != std::string::npos || name.find("include/") != std::string::npos;
+    const std::string unit = (is_public ? "api" : fs::path(name).replace_extension().string()) + ": ";
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const bool is_member = may_begin_function(lines[i]);
       const std::string found = is_member ? class_of_member(lines[i]) : class_begun(lines[i]);

@@ -1,0 +1,280 @@
+// Keyblock as a library: reads a case, makes it ready, runs it step by step, hands out what moved.
+//
+//   #include <keyblock/keyblock.hpp>
+//   namespace kb = keyblock::api;
+//   kb::Run run(kb::Plan(kb::Case::read({"slope.json"})));
+//   run.go_on();
+//   double x = run.frame().displacement()(0, 0);
+//
+// Numbers of blocks, materials and cracks count from 1, as in case files and tables; rows of columns from 0. Quantities
+// have the units of the case (Case::units). Nothing prints, and nothing but Case::write touches a file that it was not
+// told to read. Every function may throw Error, or what it names, and std::bad_alloc.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#define KEYBLOCK_API __attribute__((visibility("default")))
+
+namespace keyblock::api {
+inline namespace v1 {
+
+/// A place in a text file; line and column count from 1, 0: the file as a whole.
+struct Place {
+  std::string file;
+  int line = 0, column = 0;
+};
+
+/// Odd but usable input, or a doubt: `code` is a stable word (`keyblock explain CODE` tells what to do).
+struct Warning {
+  std::string code, sentence;
+  Place place;
+};
+
+struct KEYBLOCK_API Error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// Input that cannot be used: `what()` is "file:line:column: error: expected …, found …".
+struct KEYBLOCK_API InputError : Error {
+  InputError(const std::string& what, Place at) : Error(what), place(std::move(at)) {}
+  Place place;
+};
+/// A setting, a profile or a pointer that is none.
+struct KEYBLOCK_API SettingError : Error {
+  using Error::Error;
+};
+/// Thrown by what `Context::stop` ends before it has a result.
+struct KEYBLOCK_API Stopped : Error {
+  using Error::Error;
+};
+
+/// Who stops a computation, and with how many threads it runs. Copies share one state; any thread may use it.
+class KEYBLOCK_API Context {
+ public:
+  /// Threads of a step, at most 256; 0: as many as there are processors. Results do not depend on it, to the last bit.
+  /// Throws SettingError.
+  explicit Context(int threads = 0);
+  /// Heard within steps and searches, and not taken back. May be called by a signal handler.
+  void stop() const noexcept;
+  bool is_stopped() const noexcept;
+  /// What a long search does and its share of the way (0: not known); empty while none is told.
+  std::pair<std::string, double> headway() const;
+
+  struct State;
+  const State& state() const { return *state_; }
+
+ private:
+  std::shared_ptr<State> state_;
+};
+
+/// A profile ("standard", "legacy", …; empty: as the files ask) and settings above it, as `--profile` and `--set`.
+struct Choices {
+  std::string profile = {};
+  std::vector<std::pair<std::string, std::string>> set = {};
+};
+
+/// What files say. A value: copies share it, and nothing changes it.
+class KEYBLOCK_API Case {
+ public:
+  /// The files of a case in any order, or its folder. Throws InputError.
+  static Case read(const std::vector<std::string>& paths);
+  const std::vector<Warning>& warnings() const;
+  /// Names of the units of length, mass and time; each empty where the case does not declare it.
+  std::vector<std::string> units() const;
+  /// The case as a case file of Keyblock (`keyblock formats --schema`).
+  std::string json() const;
+  /// A value of that file by its JSON pointer (RFC 6901), as JSON: "/analysis/joint_materials/0/friction_angle_deg".
+  /// Throws SettingError where there is none.
+  std::string get(std::string_view pointer) const;
+  /// The same case with another value there, given as JSON. Throws SettingError for a pointer to nothing, InputError
+  /// for a value that the file must not have.
+  Case with(std::string_view pointer, std::string_view value) const;
+  Case with(std::string_view pointer, double value) const;
+  /// Writes it in a format of `keyblock convert --to`. Gives in sentences what the format cannot hold, what is added,
+  /// and by which other rules a run of it goes. Throws SettingError for no format, Error where a file is there already.
+  std::vector<std::string> write(const std::string& path, std::string_view format = "keyblock-case") const;
+
+  struct Data;
+  const Data& data() const { return *data_; }
+
+ private:
+  explicit Case(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+  std::shared_ptr<const Data> data_;
+};
+
+/// A case made ready for its first step. A value: many runs may share it.
+class KEYBLOCK_API Plan {
+ public:
+  /// Throws InputError, SettingError.
+  explicit Plan(const Case& of, const Choices& choices = {}, const Context& context = Context());
+  const std::string& profile() const;
+  const std::string& why_profile() const;
+  std::vector<std::pair<std::string, std::string>> settings() const;  ///< name and value, all
+  std::vector<Warning> warnings() const;                              ///< of reading, preparing and looking ahead
+  int unknowns() const;
+  int blocks() const;  ///< on covers: elements
+  int steps() const;
+
+  struct Data;
+  const std::shared_ptr<const Data>& data() const { return data_; }
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// A table of numbers, row after row without gaps. Copies share it.
+template <class T>
+class Column {
+ public:
+  Column(std::vector<T> values, std::size_t width)
+      : values_(std::make_shared<const std::vector<T>>(std::move(values))), width_(width) {}
+  std::size_t rows() const { return values_->size() / width_; }
+  std::size_t width() const { return width_; }
+  /// Throws Error beyond the last row or column.
+  const T& operator()(std::size_t row, std::size_t column = 0) const {
+    if (row >= rows() || column >= width_) throw Error("expected a row and a column of the table, found one beyond");
+    return (*values_)[row * width_ + column];
+  }
+  std::span<const T> values() const { return *values_; }
+
+ private:
+  std::shared_ptr<const std::vector<T>> values_;
+  std::size_t width_;
+};
+
+/// One instant. Columns are made when asked for; n blocks, c contacts, p measured
+/// points, t crack tips.
+class KEYBLOCK_API Frame {
+ public:
+  int step() const;
+  double time() const;
+  double load_factor() const;                 ///< by which growth multiplies the loads
+  Column<int> number() const;                 ///< n, of blocks (on covers: elements), for the whole run
+  Column<int> material() const;               ///< n
+  Column<double> centroid() const;            ///< n × 2
+  Column<double> displacement() const;        ///< n × 2, of centroids since the start
+  Column<double> rotation() const;            ///< n, rad, to the left
+  Column<double> velocity() const;            ///< n × 3: x, y, rad over time
+  Column<double> stress() const;              ///< n × 4: xx, yy, xy, zz, tension positive
+  Column<double> area() const;                ///< n
+  Column<double> vertices() const;            ///< all corners × 2, loop after loop
+  Column<int> loops() const;                  ///< loops × 2: row of the block, number of its corners
+  Column<double> point() const;               ///< p × 2
+  Column<double> point_displacement() const;  ///< p × 2
+  Column<int> contact() const;                ///< c × 3: number of the block, of the other, 0 open, 1 sticks, 2 slides
+  Column<double> contact_point() const;       ///< c × 2
+  Column<double> contact_normal() const;      ///< c × 2, unit, out of the other block
+  Column<double> contact_force() const;       ///< c × 2: pressure and shear, over thickness
+  Column<double> contact_gap() const;         ///< c, positive where faces are apart
+  Column<int> tip() const;           ///< t × 2: number of the crack or of a joint that ends inside, 1 at its end or 0
+  Column<double> tip_place() const;  ///< t × 2, undeformed
+  Column<double> tip_factors() const;   ///< t × 3: K_I, K_II, J; NaN where no domain about the tip is free
+  Column<double> crack_length() const;  ///< t, of the crack, all of its pieces
+
+  struct Data;
+  explicit Frame(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// An accepted step.
+struct Step {
+  int number = 0;
+  double time = 0, dt = 0;
+  int systems = 0;      ///< solves of contact forces, or rounds of open and close
+  double residual = 0;  ///< out of balance, over the largest load
+  double penetration = 0;
+};
+
+enum class End { running, finished, stopped, failed, doubtful };
+
+struct Outcome {
+  End end = End::running;  ///< doubtful: came to its end, and its numbers cannot be trusted
+  std::string reason;      ///< why it failed
+  int steps = 0;
+  double time = 0;
+  std::vector<std::string> sentences;  ///< how the motion ended
+  std::vector<Warning> warnings;       ///< of the plan and the run, doubts among them
+  std::vector<Warning> doubts;
+};
+
+/// Steps made one at a time. Prints nothing and writes nothing.
+class KEYBLOCK_API Run {
+ public:
+  /// Seeks the start. Throws InputError, Stopped.
+  explicit Run(const Plan& plan, const Context& context = Context());
+  Run(Run&&) noexcept;
+  Run& operator=(Run&&) noexcept;
+  ~Run();
+  /// Makes one step; false where the run is at its end, stopped or failed, and `outcome` says which.
+  bool advance();
+  /// To the end, or until `until` is true behind a step: the run may then go on.
+  const Outcome& go_on(const std::function<bool(const Run&)>& until = {});
+  const Step& last() const;
+  Frame frame() const;             ///< of now
+  const Outcome& outcome() const;  ///< `running` before the end
+
+  struct State;
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
+/// A trial of a strength reduction.
+struct Trial {
+  double factor = 1;
+  std::string verdict;  ///< "stands", "falls", "undecided"
+  std::string why;
+  double displacement = 0;  ///< the largest
+};
+
+struct Strength {
+  std::optional<double> stands, falls;  ///< the bracket of the factor of safety
+  std::string end;                      ///< "bracketed", "falls", "stands", "undecided", "stopped"
+  std::vector<Trial> trials;
+  std::vector<std::string> notes;
+  std::vector<Warning> warnings;  ///< of reading, preparing and looking ahead
+};
+
+/// Divides the strength of "joints", "rock" or "both" until the case no longer stands: the search of `keyblock fos`, without
+/// its second one on a coarser mesh. What the `case.json` of a folder asks of such a search is not read.
+KEYBLOCK_API Strength factor_of_safety(const Case& of, std::string_view what = "joints", double within = 0.01,
+                                       const Choices& choices = {}, const Context& context = Context());
+
+/// A crack tip at the end of the loads.
+struct Tip {
+  double x = 0, y = 0;              ///< undeformed
+  double ahead_x = 0, ahead_y = 0;  ///< of length 1, along the crack into the rock
+  double k1 = 0, k2 = 0;            ///< stress intensity, force over length^1.5
+  double j = 0;                     ///< energy release rate, force over length
+  double kink_deg = 0;              ///< where it would go on, from straight ahead to the left
+  double k_equivalent = 0;
+  double spread = 0;  ///< of K_I between integration domains, as a share of K
+  std::string doubt;  ///< why it cannot be trusted; empty where nothing speaks against it
+};
+
+struct Intensity {
+  std::vector<Tip> tips;
+  std::vector<Warning> warnings;
+};
+
+/// Stress intensity factors of all tips, as `keyblock sif`. Throws InputError for a case without cracks.
+KEYBLOCK_API Intensity stress_intensity(const Case& of, const Choices& choices = {},
+                                        const Context& context = Context());
+
+/// "0.1.0".
+KEYBLOCK_API std::string version();
+
+}  // namespace v1
+}  // namespace keyblock::api

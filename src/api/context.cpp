@@ -1,0 +1,32 @@
+// The context of the library behind that of the caller.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "api/parts.hpp"
+
+namespace keyblock::api {
+inline namespace v1 {
+
+Context::Context(int threads) : state_(std::make_shared<State>()) {
+  constexpr int kMost = 256;  // as --threads
+  if (threads < 0 || threads > kMost) throw SettingError("expected 0 to 256 threads, found " + std::to_string(threads));
+  state_->context.use_threads(threads);
+}
+
+void Context::stop() const noexcept {
+  state_->context.stop();
+}
+
+bool Context::is_stopped() const noexcept {
+  return state_->context.is_stopped();
+}
+
+std::pair<std::string, double> Context::headway() const {
+  const Headway way = state_->context.headway();
+  return {way.what ? way.what : "", way.share};
+}
+
+std::string version() {
+  return KEYBLOCK_VERSION;
+}
+
+}  // namespace v1
+}  // namespace keyblock::api

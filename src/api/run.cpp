@@ -1,0 +1,140 @@
+// Steps at the call of whoever made the run; the same watch and judgement as `keyblock run`.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/run.hpp"
+
+#include <optional>
+
+#include "api/parts.hpp"
+#include "job/run_doubts.hpp"
+#include "job/run_warnings.hpp"
+#include "job/verdict/end_of_motion.hpp"
+#include "run/record.hpp"
+#include "run/steppers.hpp"
+
+namespace keyblock::api {
+inline namespace v1 {
+
+struct Run::State {
+  State(const Plan& of, const Context& under)
+      : plan(of),
+        context(under.state().context),
+        watch(prepared()),
+        observer(what_is_told()),
+        stepper(stepper_for(prepared().scene)),
+        loop(prepared().scene, *stepper, usual_frame_interval(plan.data()->planned.problem, prepared().scene.settings),
+             observer) {
+    record.profile = plan.profile();
+    record.units = plan.data()->planned.problem.units;
+    record.warnings = joined(plan.data()->of.data().input.warnings, plan.data()->planned.warnings);
+    const int stride = stride_of(prepared().scene.settings.step_count);
+    record.steps = StepRows(stride);
+    record.ledger = LedgerRows(stride);
+    loop.tell_start();
+    context.tell(nullptr, 0);
+  }
+
+  const Prepared& prepared() const { return plan.data()->planned.prepared; }
+
+  Observer what_is_told() {
+    Observer told;
+    told.on_step = [this](const StepReport& report) {
+      last = {report.step, report.time, report.dt, report.passes, report.residual, report.greatest_penetration};
+      record.totals.add(report);
+      record.steps.add(report);
+      watch.add(report);
+    };
+    told.on_ledger = [this](const LedgerRow& row) {
+      record.ledger_sums.add(row);
+      record.ledger.add(row);
+      watch.blocks().add(row);
+    };
+    told.on_state = [this](const Stepper& now) { watch.blocks().add(now); };
+    told.on_contacts = [this](const ContactFrames& now) { contacts = now; };
+    told.on_frame = [this](const keyblock::Frame& frame) {
+      watch.blocks().add(frame, contacts, stepper->model(), prepared().scene.settings);
+      if (!first) first = frame;
+      last_frame = frame;
+    };
+    return told;
+  }
+
+  void judge() {
+    const keyblock::Place& place = plan.data()->planned.problem.analysis->place;
+    record.outcome = loop.end();
+    record.warnings = joined(record.warnings, watch.warnings(place));
+    record.extremes = extremes_of(*first, last_frame, record.outcome.field);
+    record.plastic = plastic_extremes_of(last_frame);
+    keyblock::judge(record, prepared(), watch, *first, last_frame, place);
+    outcome.end = record.outcome.end == RunEnd::failed    ? End::failed
+                  : record.outcome.end == RunEnd::stopped ? End::stopped
+                  : record.doubts.empty()                 ? End::finished
+                                                          : End::doubtful;
+    outcome.reason = record.outcome.reason;
+    outcome.steps = record.outcome.steps;
+    outcome.time = record.outcome.time;
+    if (record.motion) outcome.sentences = sentences(prepared(), record, *record.motion);
+    outcome.warnings = public_warnings(record.warnings);
+    outcome.doubts = public_warnings(record.doubts);
+  }
+
+  Plan plan;
+  keyblock::Context context;
+  RunRecord record;
+  StepWatch watch;
+  ContactFrames contacts;
+  std::optional<keyblock::Frame> first;
+  keyblock::Frame last_frame;
+  Observer observer;
+  std::unique_ptr<Stepper> stepper;
+  StepLoop loop;
+  Step last;
+  Outcome outcome;
+};
+
+Run::Run(const Plan& plan, const Context& context) {
+  state_ = guarded([&] {
+    const Under under(context.state().context);
+    return std::make_unique<State>(plan, context);
+  });
+}
+
+Run::Run(Run&&) noexcept = default;
+Run& Run::operator=(Run&&) noexcept = default;
+Run::~Run() = default;
+
+bool Run::advance() {
+  return guarded([&] {
+    const Under under(state_->context);
+    if (state_->outcome.end != End::running) return false;
+    const bool is_made = state_->loop.step();
+    state_->context.tell(nullptr, 0);
+    if (is_made) return true;
+    state_->judge();
+    return false;
+  });
+}
+
+const Outcome& Run::go_on(const std::function<bool(const Run&)>& until) {
+  while (advance())
+    if (until && until(*this)) break;
+  return state_->outcome;
+}
+
+const Step& Run::last() const {
+  return state_->last;
+}
+
+Frame Run::frame() const {
+  return guarded([&] {
+    const Under under(state_->context);
+    return Frame(
+        std::make_shared<const Frame::Data>(Frame::Data{frame_now(*state_->stepper), state_->stepper->contacts()}));
+  });
+}
+
+const Outcome& Run::outcome() const {
+  return state_->outcome;
+}
+
+}  // namespace v1
+}  // namespace keyblock::api

@@ -1,0 +1,81 @@
+// Factor of safety and stress intensity, as `keyblock fos` and `keyblock sif` have them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "api/parts.hpp"
+#include "run/look_ahead.hpp"
+#include "study/fracture/intensity.hpp"
+#include "study/strength/factor_of_safety.hpp"
+#include "study/strength/reduced_problem.hpp"
+
+namespace keyblock::api {
+namespace {
+
+constexpr double kDegrees = 57.29577951308232;
+
+/// Profile and settings of a study that the rules of the old programs cannot answer.
+std::pair<std::string, study::ConfiguredProblem> for_study(const Case& of, const Choices& choices) {
+  const study::AskedCase asked = asked_under(of, choices);
+  const Problem& problem = of.data().input.problem;
+  std::string profile = study::profile_for(asked, problem, study::OldFiles::standard).name;
+  study::ConfiguredProblem made = study::configured(problem, asked.overrides(profile));
+  return {std::move(profile), std::move(made)};
+}
+
+Tip tip_of(const study::TipAtEnd& at_end) {
+  const TipReport& report = at_end.report;
+  Tip tip;
+  tip.x = report.tip.at.x;
+  tip.y = report.tip.at.y;
+  tip.ahead_x = report.tip.ahead.x;
+  tip.ahead_y = report.tip.ahead.y;
+  if (report.factors) {
+    tip.k1 = report.factors->k.mode_1;
+    tip.k2 = report.factors->k.mode_2;
+    tip.j = report.factors->j;
+  }
+  tip.kink_deg = kDegrees * at_end.kink.angle;
+  tip.k_equivalent = at_end.kink.equivalent;
+  tip.spread = report.spread_1;
+  tip.doubt = study::doubt_of(at_end);
+  return tip;
+}
+
+}  // namespace
+
+inline namespace v1 {
+
+Strength factor_of_safety(const Case& of, std::string_view what, double within, const Choices& choices,
+                          const Context& context) {
+  return guarded([&] {
+    const Under under(context.state().context);
+    auto [profile, made] = for_study(of, choices);
+    const study::StrengthTrials trials(std::move(made.problem), profile, std::move(made.overrides),
+                                       study::reduced_of(std::string(what)));
+    study::SearchOptions options;
+    options.within = within;
+    const study::FactorOfSafety found = study::factor_of_safety(trials, options);
+    context.state().context.tell(nullptr, 0);
+    Strength strength{found.bracket.stands, found.bracket.falls, study::name_of(found.end), {}, found.notes, {}};
+    const Problem& problem = of.data().input.problem;
+    strength.warnings = public_warnings(
+        joined(joined(of.data().input.warnings, trials.prepared().warnings), look_ahead(problem, trials.prepared())));
+    for (const study::StrengthTrial& trial : found.trials)
+      strength.trials.push_back({trial.factor, study::name_of(trial.verdict), trial.why, trial.displacement});
+    return strength;
+  });
+}
+
+Intensity stress_intensity(const Case& of, const Choices& choices, const Context& context) {
+  return guarded([&] {
+    const Under under(context.state().context);
+    const auto [profile, made] = for_study(of, choices);
+    const study::CaseIntensity found = study::intensity_at_end(made.problem, profile, made.overrides);
+    if (!found.failure.empty()) throw Error(found.failure);
+    context.state().context.tell(nullptr, 0);
+    Intensity all{{}, public_warnings(joined(of.data().input.warnings, found.warnings))};
+    for (const study::TipAtEnd& tip : found.tips) all.tips.push_back(tip_of(tip));
+    return all;
+  });
+}
+
+}  // namespace v1
+}  // namespace keyblock::api

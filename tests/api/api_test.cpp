@@ -1,0 +1,225 @@
+// The public library: what a program outside gets, and that two runs in one process know nothing of each other.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <keyblock/keyblock.hpp>
+#include <numbers>
+#include <thread>
+
+namespace keyblock::api_test {
+namespace {
+
+namespace kb = keyblock::api;
+
+const std::string kCases = std::string(KEYBLOCK_SOURCE_DIR) + "/legacy_cases/";
+constexpr const char* kFriction = "/analysis/joint_materials/0/friction_angle_deg";
+constexpr double kRadian = std::numbers::pi / 180;
+
+std::string corner(double x, double y) {
+  return "[" + std::to_string(x) + ", " + std::to_string(y) + ", 1]";
+}
+
+kb::Case slide() {
+  return kb::Case::read({kCases + "sliding_block/a30_p20"});
+}
+
+/// Courses of bricks, every other one set off by half a brick, on a floor that is held.
+kb::Case wall(int bricks, int courses) {
+  std::string blocks;
+  const auto add = [&](double left, double bottom, double right, double top) {
+    blocks += (blocks.empty() ? "" : ",\n") + std::string(R"({"material": 1, "outer": [)") + corner(left, bottom) +
+              ", " + corner(right, bottom) + ", " + corner(right, top) + ", " + corner(left, top) + "]}";
+  };
+  add(-1, -1, bricks + 1, 0);
+  for (int course = 0; course < courses; ++course)
+    for (int i = 0; i < bricks; ++i) {
+      const double left = i + (course % 2) * 0.5;
+      add(left, 0.5 * course, left + 1, 0.5 * course + 0.5);
+    }
+  const std::string path = ::testing::TempDir() + "keyblock_api_wall.json";
+  std::ofstream(path)
+      << R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"}, "blocks": {"blocks": [)" << blocks
+      << R"(], "fixed_points": [[-0.5, -0.5, 1], [)" << bricks << R"(, -0.5, 1]]},
+    "analysis": {"step_count": 3, "time_step": "2 ms", "block_materials": [{"like": "sandstone"}],
+                 "joint_materials": [{"friction_angle_deg": 30}]}})";
+  return kb::Case::read({path});
+}
+
+/// Of the last block.
+double way(const kb::Frame& frame) {
+  const auto moved = frame.displacement();
+  return std::hypot(moved(moved.rows() - 1, 0), moved(moved.rows() - 1, 1));
+}
+
+/// ½ g (sin 30° - cos 30° tan φ) t².
+double way_of_slide(double friction_deg, double gravity, double time) {
+  return 0.5 * gravity * (std::sin(30 * kRadian) - std::cos(30 * kRadian) * std::tan(friction_deg * kRadian)) * time *
+         time;
+}
+
+std::vector<double> state_after(const kb::Plan& plan, const kb::Context& context) {
+  kb::Run run(plan, context);
+  run.go_on();
+  const auto vertices = run.frame().vertices();
+  return {vertices.values().begin(), vertices.values().end()};
+}
+
+// Pages of this process in memory.
+long resident_pages() {
+  std::ifstream file("/proc/self/statm");
+  long size = 0, resident = 0;
+  file >> size >> resident;
+  return resident;
+}
+
+}  // namespace
+
+TEST(Api, a_block_slides_as_theory_has_it_at_each_friction) {
+  const kb::Case base = slide();
+  for (const double friction : {0.0, 10.0, 20.0, 25.0}) {
+    kb::Run run(
+        kb::Plan(base.with(kFriction, friction), {"standard", {{"enforcement", "lagrange"}, {"basis", "rigid"}}}));
+    const kb::Outcome& outcome = run.go_on();
+    EXPECT_EQ(outcome.end, kb::End::finished) << outcome.reason;
+    const double expected = way_of_slide(friction, 9.81, outcome.time);
+    EXPECT_NEAR(way(run.frame()), expected, 1e-6 * expected) << friction;
+  }
+}
+
+TEST(Api, a_value_of_a_case_is_read_and_changed_and_the_case_stays) {
+  const kb::Case base = slide();
+  EXPECT_EQ(base.get(kFriction), "20");
+  const kb::Case other = base.with(kFriction, 12.5);
+  EXPECT_EQ(other.get(kFriction), "12.5");
+  EXPECT_EQ(base.get(kFriction), "20");
+  EXPECT_EQ(kb::Plan(other).profile(), kb::Plan(base).profile()) << "the rules of an old file stay";
+  EXPECT_THROW(base.get("/analysis/no_such_thing"), kb::SettingError);
+  EXPECT_THROW(base.with("no pointer", 1), kb::SettingError);
+  EXPECT_THROW(base.with(kFriction, "{"), kb::SettingError);
+  EXPECT_THROW(base.with(kFriction, "\"steep\""), kb::InputError);
+}
+
+TEST(Api, errors_name_their_place) {
+  const std::string path = ::testing::TempDir() + "api_bad_case.json";
+  std::ofstream(path) << "{\"keyblock\": 2,\n \"blocks\": 7}";
+  try {
+    kb::Case::read({path});
+    FAIL() << "it was read";
+  } catch (const kb::InputError& error) {
+    EXPECT_EQ(error.place.line, 2);
+    EXPECT_NE(error.place.file.find("api_bad_case.json"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("expected"), std::string::npos);
+  }
+  EXPECT_THROW(kb::Plan(slide(), {"no_profile", {}}), kb::SettingError);
+  EXPECT_THROW(kb::Plan(slide(), {"", {{"no_setting", "1"}}}), kb::SettingError);
+  EXPECT_THROW(kb::Case::read({}), kb::SettingError);
+}
+
+TEST(Api, a_run_left_by_its_caller_goes_on_to_the_same_bits) {
+  const kb::Plan plan(slide());
+  const kb::Context context(1);
+  kb::Run run(plan, context);
+  run.go_on([](const kb::Run& now) { return now.last().number == 7; });
+  EXPECT_EQ(run.outcome().end, kb::End::running);
+  EXPECT_EQ(run.frame().step(), 7);
+  EXPECT_EQ(run.go_on().steps, plan.steps());
+  const auto vertices = run.frame().vertices();
+  EXPECT_EQ(std::vector<double>(vertices.values().begin(), vertices.values().end()), state_after(plan, context));
+  EXPECT_FALSE(run.advance());
+}
+
+TEST(Api, columns_of_a_frame_fit_together) {
+  kb::Run run((kb::Plan(slide())));
+  run.go_on();
+  const kb::Frame end = run.frame();
+  const auto blocks = end.number().rows();
+  ASSERT_GT(blocks, 1U);
+  EXPECT_EQ(end.centroid().rows(), blocks);
+  EXPECT_EQ(end.stress().width(), 4U);
+  std::size_t corners = 0;
+  const auto loops = end.loops();
+  for (std::size_t i = 0; i < loops.rows(); ++i) corners += static_cast<std::size_t>(loops(i, 1));
+  EXPECT_EQ(end.vertices().rows(), corners);
+  const auto contact = end.contact();
+  ASSERT_GT(contact.rows(), 0U);
+  EXPECT_EQ(end.contact_force().rows(), contact.rows());
+  double pressure = 0;
+  for (std::size_t i = 0; i < contact.rows(); ++i) pressure += end.contact_force()(i, 0);
+  EXPECT_GT(pressure, 0);
+}
+
+// A wall has so many contacts that its loops take threads; both runs share the plan, and one sets up threads as the
+// other steps.
+TEST(Api, two_runs_in_two_threads_give_the_bytes_of_one_alone) {
+  const kb::Plan plan(wall(30, 25), {"standard", {{"start", "sudden"}}});
+  ASSERT_GT(plan.blocks(), 700);
+  const std::vector<double> alone = state_after(plan, kb::Context(1));
+  std::vector<double> beside;
+  std::thread thread([&] { beside = state_after(plan, kb::Context(2)); });
+  const std::vector<double> first = state_after(plan, kb::Context(3));
+  thread.join();
+  EXPECT_EQ(first, alone);
+  EXPECT_EQ(beside, alone);
+}
+
+// Of bodies on covers in time a plan holds a factor that all its runs solve with.
+TEST(Api, two_runs_of_a_plan_on_covers_give_the_bytes_of_one_alone) {
+  const kb::Plan plan(kb::Case::read({kCases + "sudden_load_on_covers/undamped"}), {"", {{"steps", "30"}}});
+  const std::vector<double> alone = state_after(plan, kb::Context(1));
+  std::vector<double> beside;
+  std::thread thread([&] { beside = state_after(plan, kb::Context(1)); });
+  EXPECT_EQ(state_after(plan, kb::Context(1)), alone);
+  thread.join();
+  EXPECT_EQ(beside, alone);
+}
+
+TEST(Api, a_stopped_run_leaves_the_other_alone) {
+  const kb::Plan plan(slide());
+  const kb::Context stopped(1), other(1);
+  const std::vector<double> alone = state_after(plan, other);
+  kb::Run run(plan, stopped);
+  EXPECT_TRUE(run.advance());
+  std::vector<double> beside;
+  std::thread thread([&] { beside = state_after(plan, other); });
+  stopped.stop();
+  EXPECT_FALSE(run.advance());
+  thread.join();
+  EXPECT_EQ(run.outcome().end, kb::End::stopped);
+  EXPECT_EQ(run.outcome().steps, 1);
+  EXPECT_EQ(beside, alone);
+  EXPECT_FALSE(other.is_stopped());
+}
+
+TEST(Api, a_thousand_plans_leave_no_memory) {
+  const kb::Case base = slide();
+  for (int i = 0; i < 100; ++i) kb::Run(kb::Plan(base)).advance();
+  const long before = resident_pages();
+  for (int i = 0; i < 1000; ++i) kb::Run(kb::Plan(base)).advance();
+  EXPECT_LT(resident_pages() - before, 500) << "pages of 4 kB: a plan of one block takes some 20";
+}
+
+TEST(Api, the_factor_of_safety_of_a_block_on_a_plane_is_the_ratio_of_tangents) {
+  const kb::Case steep = slide().with(kFriction, 40);
+  const kb::Strength found = kb::factor_of_safety(steep);
+  EXPECT_EQ(found.end, "bracketed");
+  const double factor = std::tan(40 * kRadian) / std::tan(30 * kRadian);
+  EXPECT_LE(*found.stands, factor * (1 + 1e-3));
+  EXPECT_GE(*found.falls, factor * (1 - 1e-3));
+  const kb::Context stopped;
+  stopped.stop();
+  EXPECT_EQ(kb::factor_of_safety(steep, "joints", 0.01, {}, stopped).end, "stopped");
+}
+
+TEST(Api, stress_intensity_is_that_of_the_command) {
+  const std::vector<kb::Tip> tips =
+      kb::stress_intensity(kb::Case::read({kCases + "stress_intensity/edge_crack_05"})).tips;
+  ASSERT_EQ(tips.size(), 1U);
+  EXPECT_EQ(tips.front().doubt, "");
+  EXPECT_GT(tips.front().k1, 0);
+  EXPECT_LT(std::abs(tips.front().k2), 0.01 * tips.front().k1);
+  EXPECT_THROW(kb::stress_intensity(slide()), kb::InputError);
+}
+
+}  // namespace keyblock::api_test

@@ -1,0 +1,33 @@
+# Installs into a folder of its own, builds the examples against that alone, and runs each. Run: cmake -DROOT=<the repository>
+# -DBUILD=<its build> -P tests/api/installed_test.cmake
+cmake_minimum_required(VERSION 3.25)
+set(folder ${BUILD}/installed_test)
+file(REMOVE_RECURSE ${folder})
+set(cases ${ROOT}/legacy_cases)
+
+function(run)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${folder} OUTPUT_VARIABLE told ERROR_VARIABLE told RESULT_VARIABLE code)
+  set(told "${told}" PARENT_SCOPE)
+  set(code "${code}" PARENT_SCOPE)
+endfunction()
+function(expect wanted_code pattern)
+  run(${ARGN})
+  if(NOT code EQUAL wanted_code OR NOT told MATCHES "${pattern}")
+    message(FATAL_ERROR "expected exit code ${wanted_code} and \"${pattern}\", found ${code}: ${ARGN}\n${told}")
+  endif()
+endfunction()
+
+file(MAKE_DIRECTORY ${folder})
+expect(0 "" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/usr)
+expect(0 "" ${CMAKE_COMMAND} -S ${ROOT}/examples -B ${folder}/examples -DCMAKE_PREFIX_PATH=${folder}/usr)
+expect(0 "" ${CMAKE_COMMAND} --build ${folder}/examples --parallel 2)
+set(examples ${folder}/examples)
+expect(0 "2 blocks, 1000 steps, profile legacy" ${examples}/old_file ${folder}/case.json ${cases}/sliding_block/a30_p20/a30_p20.geo
+  ${cases}/sliding_block/a30_p20/a30_p20.ana)
+expect(3 "no_such_file" ${examples}/old_file ${folder}/case.json ${folder}/no_such_file)
+expect(0 "block 2 moved 0.9" ${examples}/slope ${cases}/sliding_block/a30_p20)
+expect(0 "step [0-9]+, time 0.[0-9]+" ${examples}/stop 0.2 ${cases}/sliding_block/a30_p20)
+expect(0 "10 1.7.*15 .*20 0.9.*25 0.4" ${examples}/sweep ${cases}/sliding_block/a30_p20)
+expect(0 "1 crack 1 at .*K_I" ${examples}/crack ${cases}/crack_growth/cantilever_straight)
+expect(0 "keyblock" ${folder}/usr/bin/keyblock version)
+expect(0 "-lkeyblock" ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder}/usr/lib/pkgconfig cat ${folder}/usr/lib/pkgconfig/keyblock.pc)
