@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 
 #include "base/bytes/sha256.hpp"
@@ -20,11 +21,17 @@ constexpr std::size_t kGrowth = 1 << 20;   // of the file in memory
 constexpr std::string_view kOpening = "keyblock checkpoint, layout ";
 constexpr std::string_view kDigestWord = ", sha256 ";
 
+/// A call of HDF5 that failed, for want of memory or because of what a file holds.
+class Refused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// An identifier of HDF5, closed at the end of its life; a negative one is a call that failed.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
-    if (id < 0) throw std::runtime_error("HDF5 refuses a call: out of memory, or an odd file");
+    if (id < 0) throw Refused("HDF5 refuses a call: out of memory, or an odd file");
   }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
@@ -37,7 +44,7 @@ class Handle {
 };
 
 void require(bool done) {
-  if (!done) throw std::runtime_error("HDF5 cannot read or write a dataset");
+  if (!done) throw Refused("HDF5 cannot read or write a dataset");
 }
 
 Handle access_in_memory() {
@@ -84,7 +91,8 @@ void write(hid_t place, const ArchiveNode& node) {
   for (const auto& child : node.children) write(group, *child);
 }
 
-std::string image_of(const ArchiveNode& root) {
+// What is written is sound, and stays in memory: where HDF5 refuses it, there is not enough of that.
+std::string image_of(const ArchiveNode& root) try {
   const Handle access = access_in_memory();
   H5Pset_fapl_core(access, kGrowth, false);
   const Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
@@ -95,6 +103,8 @@ std::string image_of(const ArchiveNode& root) {
   std::string image(static_cast<std::size_t>(size), '\0');
   require(H5Fget_file_image(file, image.data(), image.size()) == size);
   return image;
+} catch (const Refused&) {
+  throw std::bad_alloc();
 }
 
 // `most`: bytes that the file has; a dataset that claims more is not believed.
