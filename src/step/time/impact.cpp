@@ -282,8 +282,12 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   const Eigen::VectorXd shifts = solution.forces.cwiseProduct(times_of(meetings, solution.forces.size()));
   Jump jump{plus(q, 1, answer(rows, flexibility, shifts)),
             plus(v, 1, answer(rows, flexibility, solution.forces)),
+            0,
             solution.solves,
             {}};
+  const auto of_touches = static_cast<Eigen::Index>(2 * touches.size());
+  const Eigen::VectorXd met = rates(rows, rigid_part(v)) + rates(rows, rigid_part(jump.v));
+  jump.lost = std::max(0.0, -solution.forces.head(of_touches).dot(met.head(of_touches)) / 2);
   if (!solution.converged)
     std::ranges::copy_if(solution.undecided, std::back_inserter(jump.undecided),
                          [&](std::size_t i) { return i < meetings.size(); });

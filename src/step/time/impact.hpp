@@ -28,7 +28,8 @@ struct Impacts {
 struct Jump {
   UnknownsTable q;
   UnknownsTable v;
-  int solves = 0;                      ///< linear systems factorised
+  double lost = 0;  ///< energy that the impulses took, ≥ 0: −Σ p·(u⁻ + u⁺)/2 (Thomson & Tait 1867)
+  int solves = 0;   ///< linear systems factorised
   std::vector<std::size_t> undecided;  ///< meetings whose impulses would not settle
 };
 

@@ -46,17 +46,12 @@ ImpactMeeting meeting(const Touch& touch, double dt, double at_start, double at_
   return {touch, std::min(dt, 2 * overshoot / (at_surface - at_end)), -at_end - at_surface};
 }
 
-// Overlaps are removed as far as the step gave up energy, of motion and of its loads, and no farther: what is left of
-// one stays.
-void put_back_by_energy(const SmoothStep& of, const UnknownsTable& jumped, const UnknownsTable& v,
-                        UnknownsTable& separated) {
-  const UnknownsTable loads = loads_at(of.scene, of.smooth.q, of.time + of.dt);
-  const UnknownsTable way = plus(separated, -1, jumped);
-  const double lifted = -dot(loads, way);
-  if (lifted <= 0) return;
-  const double given_up = kinetic_energy(of.scene, of.start.v) - kinetic_energy(of.scene, v) +
-                          dot(loads, plus(jumped, -1, of.start.q));
-  if (lifted > given_up) separated = plus(jumped, std::max(0.0, given_up) / lifted, way);
+// Overlaps are removed against the loads as far as the energy reaches that the jump took, and no farther: what is left
+// of one stays. The energy of the contacts it is, which a support that moves does not change.
+void put_back_by_energy(const SmoothStep& of, const Jump& jump, UnknownsTable& separated) {
+  const UnknownsTable way = plus(separated, -1, jump.q);
+  const double lifted = -dot(loads_at(of.scene, of.smooth.q, of.time + of.dt), way);
+  if (lifted > jump.lost) separated = plus(jump.q, jump.lost / lifted, way);
 }
 
 }  // namespace
@@ -109,7 +104,7 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
     separated = std::move(next);
     if (!has_pushed) break;
   }
-  put_back_by_energy(of, jump.q, step.motion.v, separated.q);
+  put_back_by_energy(of, jump, separated.q);
   step.motion.q = with_points_in_place(of.scene, std::move(separated.q), of.time + of.dt, flexibility);
   step.solves += jump.solves + separated.solves;
   step.locked_overlaps += separated.locked;
