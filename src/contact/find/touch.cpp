@@ -34,9 +34,6 @@ constexpr double kNearCorner = 4;
 // end is what meets next, and either normal serves.
 constexpr double kWedge = 0.1;
 
-// Cosine of the angle between two faces that are in line: two and a half degrees.
-constexpr double kInLine = 0.999;
-
 // Least and greatest length that a rounded corner takes of the shorter of its two edges.
 constexpr double kLeastTangent = 1e-6;
 constexpr double kMostTangent = 0.4;

@@ -68,6 +68,9 @@ Touch guided(const Touch& arc, EdgeName guide);
 /// Whether `touch` is a corner along an edge of `arc` that guides it. False where `arc` is none.
 bool is_guided(const Touch& touch, const Touch& arc);
 
+/// Cosine of the angle between two faces that are in line, and carry a block as one: two and a half degrees.
+inline constexpr double kInLine = 0.999;
+
 /// A corner along an edge with which a face that ends at the corner is in line.
 struct InLine {
   Touch touch;

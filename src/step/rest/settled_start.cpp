@@ -31,7 +31,6 @@ class Settling {
   }
 
   Settled run() {
-    found_ = touches_of(scene_, motion_, scales_, scene_.settings.time_step);
     found_ = resting_touches(scene_, motion_, scales_);
     const UnknownsTable drawn = motion_.q;
     leave_unsupported(found_);

@@ -31,9 +31,6 @@ constexpr double kPushedOut = 1e-7;
 // Difference of the gaps of an arc and of its edge that is round-off, as a share of the length that the arc takes.
 constexpr double kNoSinking = 1e-9;
 
-// Cosine of the angle between two faces that carry a block as one: two and a half degrees.
-constexpr double kSameLine = 0.999;
-
 double top_speed(const StandardScene& scene, const UnknownsTable& v) {
   double top = 0;
   for (const auto& group : scene.groups) top = std::max(top, group->fastest_point(v));
@@ -251,7 +248,7 @@ double handed_on(const Motion& start, const Touch& touch, const Touches& present
   const Point normal = normal_of(touch, vertices);
   for (const auto& [other, memory] : start.closed.at(touch.vertex)) {
     if (other.kind != TouchKind::corner || std::ranges::count(present, other) > 0) continue;
-    if (dot(normal, normal_of(other, vertices)) > kSameLine) return memory.compression;
+    if (dot(normal, normal_of(other, vertices)) > kInLine) return memory.compression;
   }
   return 0;
 }
