@@ -48,7 +48,7 @@ struct KEYBLOCK_API InputError : Error {
   InputError(const std::string& what, Place at) : Error(what), place(std::move(at)) {}
   Place place;
 };
-/// A setting, a profile or a pointer that is none.
+/// An unknown setting, profile or pointer.
 struct KEYBLOCK_API SettingError : Error {
   using Error::Error;
 };
@@ -57,7 +57,7 @@ struct KEYBLOCK_API Stopped : Error {
   using Error::Error;
 };
 
-/// Who stops a computation, and with how many threads it runs. Copies share one state; any thread may use it.
+/// Stops a computation and limits its threads. Copies share one state; any thread may use it.
 class KEYBLOCK_API Context {
  public:
   /// Threads of a step, at most 256; 0: as many as there are processors. Results do not depend on it, to the last bit.
@@ -66,7 +66,7 @@ class KEYBLOCK_API Context {
   /// Heard within steps and searches, and not taken back. May be called by a signal handler.
   void stop() const noexcept;
   bool is_stopped() const noexcept;
-  /// What a long search does and its share of the way (0: not known); empty while none is told.
+  /// Name of the search that runs and its progress, 0 to 1 (0: unknown). The name is empty between searches.
   std::pair<std::string, double> headway() const;
 
   struct State;
@@ -82,7 +82,7 @@ struct Choices {
   std::vector<std::pair<std::string, std::string>> set = {};
 };
 
-/// What files say. A value: copies share it, and nothing changes it.
+/// The content of case files. Copies share it; nothing changes it.
 class KEYBLOCK_API Case {
  public:
   /// The files of a case in any order, or its folder. Throws InputError.
@@ -93,7 +93,7 @@ class KEYBLOCK_API Case {
   /// The case as a case file of Keyblock (`keyblock formats --schema`).
   std::string json() const;
   /// A value of that file by its JSON pointer (RFC 6901), as JSON: "/analysis/joint_materials/0/friction_angle_deg".
-  /// Throws SettingError where there is none.
+  /// Throws SettingError if the case has no such value.
   std::string get(std::string_view pointer) const;
   /// The same case with another value there, given as JSON. Throws SettingError for a pointer to nothing, InputError
   /// for a value that the file must not have.
@@ -112,7 +112,7 @@ class KEYBLOCK_API Case {
   std::shared_ptr<const Data> data_;
 };
 
-/// A case made ready for its first step. A value: many runs may share it.
+/// A case made ready for its first step. Many runs may share it.
 class KEYBLOCK_API Plan {
  public:
   /// Throws InputError, SettingError.

@@ -59,7 +59,7 @@ Case::Data changed(const Case::Data& before, const std::string& text) {
   return after;
 }
 
-// As an error of the library: nothing is wrong with a setting.
+// Throws Error: a file that exists is no fault of a setting.
 void require_nothing_there(const std::filesystem::path& file) {
   try {
     require_free(file, Overwrite::no);

@@ -1,4 +1,4 @@
-// What stands behind the opaque types of the public header.
+// The data of the opaque types of the public header, and its errors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,5 +1,7 @@
 // Factor of safety and stress intensity, as `keyblock fos` and `keyblock sif` have them.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <numbers>
+
 #include "api/parts.hpp"
 #include "run/look_ahead.hpp"
 #include "study/fracture/intensity.hpp"
@@ -9,7 +11,7 @@
 namespace keyblock::api {
 namespace {
 
-constexpr double kDegrees = 57.29577951308232;
+constexpr double kDegrees = 180 / std::numbers::pi;
 
 /// Profile and settings of a study that the rules of the old programs cannot answer.
 std::pair<std::string, study::ConfiguredProblem> for_study(const Case& of, const Choices& choices) {

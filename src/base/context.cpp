@@ -1,4 +1,5 @@
-// Two numbers of headway may be of two moments: they are for a line of progress.
+// A state of atomics for each context, linked to that of the whole. Name and share of a headway may be of two moments:
+// they serve a line of progress.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/context.hpp"
 

@@ -42,8 +42,7 @@ class RunJob {
   std::optional<int> steps_before() const;
 
   /// Tells `on_step` of each step. False where it was stopped before its first step: nothing is told then, and
-  /// `--resume` begins again. Throws
-  /// InputError, and leaves no folder that it made, where the start cannot be.
+  /// `--resume` begins again. Throws InputError, and leaves no folder that it made, where the start cannot be.
   bool run(const std::function<void(const StepReport&)>& on_step);
 
   /// Writes all results and the record, which it returns as JSON.

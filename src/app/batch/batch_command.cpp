@@ -224,7 +224,7 @@ void write_catalogue(const BatchPlan& plan, const std::vector<CatalogueRow>& row
 ExitCode run_batch(const BatchOptions& options) {
   if (!options.row_files.empty()) return print_row(options);
   const BatchPlan plan = plan_of(options);
-  listen_for_stops();  // whatever the journal holds by then can be resumed
+  listen_for_stops();  // a stopped batch goes on from its journal
   const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options));
   if (!archive.passed_over.empty()) spdlog::warn("passed over: {}", study::sentence_of(archive.passed_over));
   study::Journal journal = begun_journal(options, plan);
