@@ -283,11 +283,14 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   Jump jump{plus(q, 1, answer(rows, flexibility, shifts)),
             plus(v, 1, answer(rows, flexibility, solution.forces)),
             0,
+            0,
             solution.solves,
             {}};
   const auto of_touches = static_cast<Eigen::Index>(2 * touches.size());
   const Eigen::VectorXd met = rates(rows, rigid_part(v)) + rates(rows, rigid_part(jump.v));
   jump.lost = std::max(0.0, -solution.forces.head(of_touches).dot(met.head(of_touches)) / 2);
+  const Eigen::Index of_points = met.size() - of_touches;
+  jump.given = solution.forces.tail(of_points).dot(met.tail(of_points)) / 2;
   if (!solution.converged)
     std::ranges::copy_if(solution.undecided, std::back_inserter(jump.undecided),
                          [&](std::size_t i) { return i < meetings.size(); });
@@ -311,10 +314,11 @@ UnknownsTable with_points_in_place(const StandardScene& scene, UnknownsTable q, 
   return q;
 }
 
-UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
-                                   const Touches& closed, const std::vector<HeldSlip>& slips, double time, double dt,
-                                   const Flexibility& flexibility, double per_force) {
-  if (closed.empty() && scene.held.empty()) return v;
+PushedVelocities with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
+                                      const Touches& closed, const std::vector<HeldSlip>& slips, double time, double dt,
+                                      const PushAnswer& answered) {
+  if (closed.empty() && scene.held.empty()) return {std::move(v)};
+  const Flexibility& flexibility = answered.flexibility;
   const ContactRows rows = rows_with_points(scene, q, closed);
   FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, v), {}, 0, 0, {}};
   problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())) -= wanted_velocities(scene.held, time, dt);
@@ -323,7 +327,7 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
     problem.laws.push_back(slips[i].sticks ? kHeld : kBilateral);
     if (!slips[i].coulomb) continue;
     problem.laws.back().friction = *slips[i].coulomb;
-    had.segment<2>(static_cast<Eigen::Index>(2 * i)) = per_force * slips[i].force;
+    had.segment<2>(static_cast<Eigen::Index>(2 * i)) = answered.per_force * slips[i].force;
   }
   const bool has_coulomb = std::ranges::any_of(slips, [](const HeldSlip& slip) { return slip.coulomb.has_value(); });
   if (has_coulomb) problem.b -= problem.w * had;
@@ -354,7 +358,11 @@ UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTab
   }
   // Where slivers slide, friction may drive the pushes that it follows from, more in each round.
   const bool grows = change > std::max(first_change, problem.acceptable);
-  return plus(v, 1, answer(rows, flexibility, (grows ? smooth : pushes + friction) - had));
+  const Eigen::VectorXd made = (grows ? smooth : pushes + friction) - had;
+  UnknownsTable pushed = plus(v, 1, answer(rows, flexibility, made));
+  const auto of_points = static_cast<Eigen::Index>(2 * scene.held.size());
+  const Eigen::VectorXd met = rates(rows, v) + rates(rows, pushed);
+  return {std::move(pushed), made.tail(of_points).dot(met.tail(of_points)) / (2 * answered.mass)};
 }
 
 }  // namespace keyblock

@@ -28,8 +28,9 @@ struct Impacts {
 struct Jump {
   UnknownsTable q;
   UnknownsTable v;
-  double lost = 0;  ///< energy that the impulses took, ≥ 0: −Σ p·(u⁻ + u⁺)/2 (Thomson & Tait 1867)
-  int solves = 0;   ///< linear systems factorised
+  double lost = 0;  ///< energy that contacts took, ≥ 0: −Σ p·(u⁻ + u⁺)/2 of their impulses (Thomson & Tait 1867)
+  double given = 0;                    ///< energy that held points gave, likewise: their supports may move
+  int solves = 0;                      ///< linear systems factorised
   std::vector<std::size_t> undecided;  ///< meetings whose impulses would not settle
 };
 
@@ -77,14 +78,25 @@ struct HeldSlip {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< coulomb: that the touch had in the step
 };
 
+/// What answers a push: the inertia that a step reaches, M + θ dt² K, or the mass alone.
+struct PushAnswer {
+  const Flexibility& flexibility;
+  double per_force = 1;  ///< push over a force of the step
+  double mass = 1;       ///< push over impulse: the flexibility of a rigid body is M⁻¹ over this
+};
+
+/// Velocities that pushes made.
+struct PushedVelocities {
+  UnknownsTable v;
+  double given = 0;  ///< energy that held points gave: their supports may move
+};
+
 /// Makes the normal velocity of closed touches zero and that of held points what their motion wants: both are kept in
-/// positions, and without this their rates would change sign each step. `flexibility` is that of the step, A⁻¹: what
-/// answers is the inertia that a step reaches, M + θ dt² K up to a factor, so that strains too stiff for the step are
-/// not struck by round-off of gaps. Where a contact slides with friction, so does the impulse: else what the
-/// impulses bear of the normal force would be without. `per_force`: impulse, in the unit of which the flexibility makes
-/// velocity, over a force of the step.
-UnknownsTable with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
-                                   const Touches& closed, const std::vector<HeldSlip>& slips, double time, double dt,
-                                   const Flexibility& flexibility, double per_force);
+/// positions, and without this their rates would change sign each step. What answers is the inertia that a step
+/// reaches, so that strains too stiff for the step are not struck by round-off of gaps. Where a contact slides with
+/// friction, so does the impulse: else what the impulses bear of the normal force would be without.
+PushedVelocities with_held_velocities(const StandardScene& scene, const UnknownsTable& q, UnknownsTable v,
+                                      const Touches& closed, const std::vector<HeldSlip>& slips, double time, double dt,
+                                      const PushAnswer& answered);
 
 }  // namespace keyblock

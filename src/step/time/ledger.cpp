@@ -202,8 +202,9 @@ StepAccount account_of(const StandardScene& scene, const StepTrail& trail) {
   account.flow.external += taken;
   const double smooth = kinetic_energy(scene, trail.smooth.v);
   const double cleaned = kinetic_energy(scene, trail.cleaned);
-  account.flow.clean_up += smooth - cleaned;
-  account.flow.impact += cleaned - kinetic_energy(scene, trail.end.v);
+  account.flow.clean_up += smooth - cleaned + trail.given.clean_up;
+  account.flow.impact += cleaned - kinetic_energy(scene, trail.end.v) + trail.given.jump;
+  account.flow.external += trail.given.clean_up + trail.given.jump;
   return account;
 }
 

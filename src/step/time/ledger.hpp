@@ -8,6 +8,12 @@
 
 namespace keyblock {
 
+/// Energy that moving supports gave by impulses, beside the work that their forces did in the smooth motion.
+struct SupportWork {
+  double clean_up = 0;
+  double jump = 0;
+};
+
 /// What an accepted step leaves behind for the books; it refers to what the step holds.
 struct StepTrail {
   const Motion& start;
@@ -19,6 +25,7 @@ struct StepTrail {
   const Motion& end;             ///< after projection and jump
   double dt = 0;
   const StepRule& rule;
+  SupportWork given = {};
 };
 
 /// What one step adds to the sums of the ledger.

@@ -118,7 +118,9 @@ class Attempt {
       held_touches.push_back(parts_.smooth[i]);
       slips.push_back(slip_held(i));
     }
-    step_.motion.v = cleaned_up(held_touches, slips, start_.given_up + energy_of_closing(held));
+    PushedVelocities pushed = cleaned_up(held_touches, slips, start_.given_up + energy_of_closing(held));
+    step_.motion.v = std::move(pushed.v);
+    step_.given.clean_up = pushed.given;
     if (one_resolves_impact(held_touches))
       step_.motion.given_up = std::max(0.0, kinetic_energy(scene_, smooth_.v) - kinetic_energy(scene_, step_.motion.v));
     const UnknownsTable cleaned = step_.motion.v;
@@ -133,7 +135,7 @@ class Attempt {
     if (rule_.carries_acceleration()) step_.motion.a = with_held_at_ease(scene_, step_.motion);
     if (scene_.settings.ledger == Bookkeeping::on)
       step_.account = account_of(scene_, {start_, loads_, parts_.smooth, StepConstraints(scene_, start_, time_, dt_),
-                                          smooth_, cleaned, step_.motion, dt_, rule_});
+                                          smooth_, cleaned, step_.motion, dt_, rule_, step_.given});
     return std::move(step_);
   }
 
@@ -214,22 +216,25 @@ class Attempt {
   // The inertia that a step reaches is not that of the kinetic energy, which may therefore rise. Where mass alone
   // answers it falls, and contacts have no velocity either: where it would rise by more than contacts took as they
   // closed, and the step before gave up, there is as much of that as keeps it.
-  UnknownsTable cleaned_up(const Touches& held, const std::vector<HeldSlip>& slips, double at_most) const {
-    const auto answered_by = [&](const Flexibility& answer, double per_force) {
-      return with_held_velocities(scene_, smooth_.q, smooth_.v, held, slips, time_, dt_, answer, per_force);
+  PushedVelocities cleaned_up(const Touches& held, const std::vector<HeldSlip>& slips, double at_most) const {
+    const auto answered_by = [&](const PushAnswer& answer) {
+      return with_held_velocities(scene_, smooth_.q, smooth_.v, held, slips, time_, dt_, answer);
     };
-    UnknownsTable cleaned = answered_by(smooth_.flexibility, rule_.end_velocity.increment);
+    PushedVelocities cleaned =
+        answered_by({smooth_.flexibility, rule_.end_velocity.increment, rule_.inertia.increment});
     if (!one_resolves_impact(held)) return cleaned;
     const double most = kinetic_energy(scene_, smooth_.v) + at_most;
-    if (kinetic_energy(scene_, cleaned) <= most) return cleaned;
-    const UnknownsTable calm = answered_by(mass_flexibility(scene_), dt_);
-    const double left = most - kinetic_energy(scene_, calm);
+    if (kinetic_energy(scene_, cleaned.v) <= most) return cleaned;
+    const Flexibility mass = mass_flexibility(scene_);
+    PushedVelocities calm = answered_by({mass, dt_});
+    const double left = most - kinetic_energy(scene_, calm.v);
     if (left <= 0) return calm;  // friction of slivers, or driven points
-    const UnknownsTable change = plus(cleaned, -1, calm);
+    const UnknownsTable change = plus(cleaned.v, -1, calm.v);
     const UnknownsTable pushed = momentum(scene_, change);
-    const double slope = dot(calm, pushed);
+    const double slope = dot(calm.v, pushed);
     const double curvature = dot(change, pushed);
-    return plus(calm, (std::sqrt(slope * slope + 2 * curvature * left) - slope) / curvature, change);
+    const double part = (std::sqrt(slope * slope + 2 * curvature * left) - slope) / curvature;
+    return {plus(calm.v, part, change), calm.given + part * (cleaned.given - calm.given)};
   }
 
   // Where friction is one of the way of the step, a contact that sticks keeps no velocity along its edge, which would

@@ -83,11 +83,14 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
   struck.bonds = of.smooth.bonds;
   struck.slow = of.slow;
   Jump jump = after_jump(of.scene, of.smooth.q, step.motion.v, struck, flexibility);
+  step.given.jump = jump.given;
   for (std::size_t i : jump.undecided) step.undecided.push_back(of.touches + met[i]);
   step.motion.v = std::move(jump.v);
   if (!jump.undecided.empty())  // points that are held do not take part in what is left open
-    step.motion.v = with_held_velocities(of.scene, of.smooth.q, std::move(step.motion.v), {}, {}, of.time, of.dt,
-                                         of.smooth.flexibility, of.rule.end_velocity.increment);
+    step.motion.v =
+        with_held_velocities(of.scene, of.smooth.q, std::move(step.motion.v), {}, {}, of.time, of.dt,
+                             {of.smooth.flexibility, of.rule.end_velocity.increment, of.rule.inertia.increment})
+            .v;
   Separated separated{.q = jump.q};
   Touches not_driven_in;
   std::set<Touch> known;
