@@ -99,7 +99,7 @@ struct ClassLines {
 std::map<std::string, ClassLines> lines_of_classes() {
   std::map<std::string, ClassLines> classes;
   each_source({"include", "src", "formats"}, [&](const auto& name, const auto& lines) {
-    const bool is_public = name.find("src/api/") != std::string::npos || name.find("include/") != std::string::npos;
+    const bool is_public = name.find("src/library/") != std::string::npos || name.find("include/") != std::string::npos;
     const std::string unit = (is_public ? "api" : fs::path(name).replace_extension().string()) + ": ";
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const bool is_member = may_begin_function(lines[i]);

@@ -248,8 +248,9 @@ struct Strength {
 };
 
 /// Divides the strength of "joints", "rock" or "both" until the case no longer stands: the search of `keyblock fos`, without
-/// its second one on a coarser mesh. What the `case.json` of a folder asks of such a search is not read.
-KEYBLOCK_API Strength factor_of_safety(const Case& of, std::string_view what = "joints", double within = 0.01,
+/// its second one on a coarser mesh. Left open (empty, 0), what is reduced and the width of the bracket are those that
+/// the `case.json` of a folder asks for, else "joints" and 0.01.
+KEYBLOCK_API Strength factor_of_safety(const Case& of, std::string_view what = {}, double within = 0,
                                        const Choices& choices = {}, const Context& context = Context());
 
 /// A crack tip at the end of the loads.

@@ -1,48 +1,71 @@
-// A case made ready by the one way there is (`study::planned`).
+// One step after the other.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "api/parts.hpp"
-#include "settings/settings_table.hpp"
+#include "api/plan.hpp"
 
-namespace keyblock::api {
-inline namespace v1 {
+#include <fmt/format.h>
 
-Plan::Plan(const Case& of, const Choices& choices, const Context& context) {
-  data_ = guarded([&] {
-    const Under under(context.state().context);
-    return std::make_shared<const Data>(Data{of, study::planned(asked_under(of, choices), of.data().input.problem)});
-  });
+#include <utility>
+
+#include "api/named_files.hpp"
+#include "base/error.hpp"
+#include "run/cover_settings.hpp"
+#include "run/follow/history_option.hpp"
+#include "run/look_ahead.hpp"
+#include "settings/profile.hpp"
+
+namespace keyblock {
+
+namespace {
+
+ConfiguredCase with_settings(ChosenProfile profile, std::vector<Override> asked, const Problem& problem) {
+  ConfiguredCase made{std::move(profile), std::move(asked), {}, {}};
+  made.problem = with_named_files(problem, made.asked);
+  made.overrides = set_plan(made.problem, made.asked);
+  return made;
 }
 
-const std::string& Plan::profile() const {
-  return data_->planned.profile.name;
+}  // namespace
+
+std::string why_not_run(const AskedCase& asked, const std::string& profile) {
+  const auto found = asked.file.not_run.find(rules_of(profile));
+  return found == asked.file.not_run.end() ? std::string() : found->second;
 }
 
-const std::string& Plan::why_profile() const {
-  return data_->planned.profile.why;
+ChosenProfile profile_for(const AskedCase& asked, const Problem& problem, OldFiles old_files) {
+  ChosenProfile chosen = chosen_profile(problem, asked.profile, asked.common);
+  const bool is_open = asked.profile.empty() && problem.choices.profile.empty() && chosen.name == "legacy";
+  if (is_open && old_files == OldFiles::standard)
+    chosen = {"standard", "the rules of the old programs do not answer this"};
+  else if (is_open && !why_not_run(asked, "legacy").empty())
+    chosen = {"standard", fmt::format("{} says of legacy: {}", asked.file.path, why_not_run(asked, "legacy"))};
+  if (const std::string why = why_not_run(asked, chosen.name); !why.empty())
+    throw UsageError(fmt::format("{} says of profile {}: {}", asked.file.path, chosen.name, why));
+  return chosen;
 }
 
-std::vector<std::pair<std::string, std::string>> Plan::settings() const {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const SettingText& setting : list(data_->planned.prepared.scene.settings))
-    all.emplace_back(setting.name, setting.value);
-  return all;
+ConfiguredCase configured(const AskedCase& asked, const Problem& problem, OldFiles old_files) {
+  ChosenProfile profile = profile_for(asked, problem, old_files);
+  std::vector<Override> settings = asked.overrides(profile.name);
+  return with_settings(std::move(profile), std::move(settings), problem);
 }
 
-std::vector<Warning> Plan::warnings() const {
-  return public_warnings(joined(data_->of.data().input.warnings, data_->planned.warnings));
+ConfiguredCase configured_under(const std::string& profile, const AskedCase& asked, const Problem& problem,
+                                const std::vector<Override>& more) {
+  std::vector<Override> settings = asked.overrides(profile);
+  settings.insert(settings.end(), more.begin(), more.end());
+  return with_settings({profile, {}}, std::move(settings), problem);
 }
 
-int Plan::unknowns() const {
-  return data_->planned.prepared.requirements.unknowns;
+Prepared prepared_case(const ConfiguredCase& made) {
+  return prepare(made.problem, made.profile.name, made.overrides);
 }
 
-int Plan::blocks() const {
-  return static_cast<int>(data_->planned.prepared.scene.model.elements.size());
+PlannedCase planned(const AskedCase& asked, const Problem& problem) {
+  PlannedCase plan{configured(asked, problem), {}, {}};
+  plan.problem = with_followed_points(std::move(plan.problem));
+  plan.prepared = prepared_case(plan);
+  plan.warnings = joined(plan.prepared.warnings, look_ahead(plan.problem, plan.prepared));
+  return plan;
 }
 
-int Plan::steps() const {
-  return data_->planned.prepared.scene.settings.step_count;
-}
-
-}  // namespace v1
-}  // namespace keyblock::api
+}  // namespace keyblock

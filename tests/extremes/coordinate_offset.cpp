@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "api/case_folder.hpp"
 #include "formats/case.hpp"
-#include "study/cases/cases.hpp"
 #include "tests/extremes/extreme.hpp"
 #include "tests/extremes/extreme_scenes.hpp"
 
@@ -61,7 +61,7 @@ Problem far_away(Problem problem) {
   return problem;
 }
 
-Extremes compare(const study::CaseFolder& folder) {
+Extremes compare(const CaseFolder& folder) {
   const Problem problem = formats::load_case(folder.inputs()).problem;
   const Run here = run_standard(problem);
   const Run there = run_standard(far_away(problem));
@@ -84,7 +84,7 @@ Extremes compare(const study::CaseFolder& folder) {
 
 Extremes coordinate_offset(Effort effort) {
   Extremes rows;
-  for (const study::CaseFolder& folder : study::find_cases({KEYBLOCK_SOURCE_DIR "/legacy_cases"})) {
+  for (const CaseFolder& folder : find_cases({KEYBLOCK_SOURCE_DIR "/legacy_cases"})) {
     const bool is_brief = std::ranges::any_of(kBrief, [&](const char* name) { return folder.name == name; });
     if (!folder.has_expected || (effort == Effort::brief && !is_brief)) continue;
     const Extremes more = compare(folder);

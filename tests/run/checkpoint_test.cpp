@@ -9,14 +9,14 @@
 #include <cmath>
 #include <limits>
 
+#include "api/case_folder.hpp"
+#include "api/named_files.hpp"
 #include "base/context.hpp"
 #include "formats/case.hpp"
 #include "result/describe.hpp"
 #include "run/prepare.hpp"
 #include "run/run.hpp"
 #include "run/steppers.hpp"
-#include "study/cases/cases.hpp"
-#include "study/cases/named_files.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace keyblock::checkpoint_test {
@@ -56,12 +56,12 @@ const std::vector<Sample>& samples() {
 
 Scene scene_of_sample(const Sample& sample, const std::string& profile) {
   const std::string path = std::string(KEYBLOCK_SOURCE_DIR) + "/legacy_cases/" + sample.folder;
-  const study::CaseFolder folder = study::find_cases({path}).front();
+  const CaseFolder folder = find_cases({path}).front();
   Problem problem = formats::load_case(folder.inputs()).problem;
   problem.analysis->step_count = kSteps;
   std::vector<Override> settings = sample.settings;
-  for (auto& [name, value] : settings) value = study::from_folder(folder.folder, name, value);
-  return prepare(study::with_named_files(problem, settings), profile, settings).scene;
+  for (auto& [name, value] : settings) value = from_folder(folder.folder, name, value);
+  return prepare(with_named_files(problem, settings), profile, settings).scene;
 }
 
 /// All that a run tells.

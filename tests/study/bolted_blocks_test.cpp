@@ -122,7 +122,8 @@ FactorOfSafety factor_of(const std::string& text, double within) {
   support::write_text(file, text);
   SearchOptions options;
   options.within = within;
-  return factor_of_safety({formats::load_case({file}).problem, "standard", {}, Reduced::joints}, options);
+  return factor_of_safety({configured_under("standard", {}, formats::load_case({file}).problem), Reduced::joints},
+                          options);
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ double tangent(double degrees) {
 
 StrengthTrials block_on_plane(const std::vector<Override>& overrides = {}) {
   const std::string name = kCases + "strength_reduction/block_on_plane/block_on_plane";
-  return {formats::load_case({name + ".blk", name + ".ana"}).problem, "standard", overrides, Reduced::joints};
+  const Problem problem = formats::load_case({name + ".blk", name + ".ana"}).problem;
+  return {configured_under("standard", {}, problem, overrides), Reduced::joints};
 }
 
 StrengthTrials slope(double dilation_deg) {
@@ -31,8 +32,7 @@ StrengthTrials slope(double dilation_deg) {
   Strength strength = *problem.analysis->block_materials[0].strength;
   strength.values.dilation_deg = dilation_deg;
   problem.analysis->block_materials[0].strength = std::make_shared<const Strength>(strength);
-  set_plan(problem, {{"mesh.side", "2"}});
-  return {std::move(problem), "standard", {}, Reduced::rock};
+  return {configured_under("standard", {}, problem, {{"mesh.side", "2"}}), Reduced::rock};
 }
 
 }  // namespace

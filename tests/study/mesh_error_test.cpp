@@ -31,7 +31,7 @@ StrengthTrials sand_slope(double side) {
     "poissons_ratio": 0.3, "strength": {{"surface": "mohr_coulomb", "cohesion": 0, "friction_deg": 35,
     "dilation_deg": 35}}}}], "joint_materials": [{{}}]}}}})",
                                         side));
-  return {formats::load_case({file}).problem, "standard", {}, Reduced::rock};
+  return {configured_under("standard", {}, formats::load_case({file}).problem), Reduced::rock};
 }
 
 }  // namespace
@@ -59,8 +59,8 @@ TEST(MeshError, of_a_slope_of_sand_is_seen) {
 
 TEST(MeshError, joints_alone_have_none) {
   const std::string name = KEYBLOCK_SOURCE_DIR "/legacy_cases/strength_reduction/block_on_plane/block_on_plane";
-  const StrengthTrials trials{
-      formats::load_case({name + ".blk", name + ".ana"}).problem, "standard", {}, Reduced::joints};
+  const Problem problem = formats::load_case({name + ".blk", name + ".ana"}).problem;
+  const StrengthTrials trials{configured_under("standard", {}, problem), Reduced::joints};
   EXPECT_FALSE(trials.depends_on_mesh());
 }
 

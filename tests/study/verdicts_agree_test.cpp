@@ -48,7 +48,7 @@ TEST(VerdictsAgree, a_slope_stands_and_moves_in_time_where_the_search_says) {
     SearchOptions options;
     options.within = 0.004;
     const FactorOfSafety found =
-        factor_of_safety({problem, "standard", {{"slivers", "glue"}}, Reduced::joints}, options);
+        factor_of_safety({configured_under("standard", {}, problem, {{"slivers", "glue"}}), Reduced::joints}, options);
     ASSERT_EQ(found.end, SearchEnd::bracketed);
     EXPECT_LT(way_in_time(problem, 0.99 * *found.bracket.stands), 1e-3) << "stands at " << *found.bracket.stands;
     EXPECT_GT(way_in_time(problem, 1.01 * *found.bracket.falls), 3e-3) << "falls at " << *found.bracket.falls;

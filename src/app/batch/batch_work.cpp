@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "api/case_folder.hpp"
 #include "app/exit_code.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
@@ -19,7 +20,6 @@
 #include "study/batch/batch_check.hpp"
 #include "study/batch/batch_journal.hpp"
 #include "study/batch/batch_verdict.hpp"
-#include "study/cases/cases.hpp"
 #include "study/convert/convert.hpp"
 
 namespace keyblock {
@@ -112,7 +112,7 @@ CatalogueAnswer run_in(const BatchPlan& plan, const study::BatchJob& job, const 
 bool is_the_case_of_its_folder(const BatchPlan& plan, const study::BatchJob& job) {
   const fs::path folder = study::place_of(plan.root, job.files.front()).parent_path();
   if (!fs::exists(folder / "expected.csv")) return false;
-  const std::vector<std::string> inputs = study::CaseFolder{folder, {}, true, false}.inputs();
+  const std::vector<std::string> inputs = CaseFolder{folder, {}, true, false}.inputs();
   return std::ranges::equal(inputs, job.files, [&](const std::string& input, const std::string& file) {
     return fs::path(input) == study::place_of(plan.root, file);
   });

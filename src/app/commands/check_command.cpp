@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "api/case_folder.hpp"
+#include "api/plan.hpp"
 #include "app/command.hpp"
 #include "app/input/case_options.hpp"
 #include "app/option_checks.hpp"
@@ -28,8 +30,6 @@
 #include "run/look_ahead.hpp"
 #include "run/prepare.hpp"
 #include "run/trial_steps.hpp"
-#include "study/cases/asked_case.hpp"
-#include "study/cases/cases.hpp"
 
 namespace keyblock {
 namespace {
@@ -243,8 +243,7 @@ Warnings look_at_histories(const Problem& problem, const Prepared& prepared) {
   return Followed(problem.outputs.histories, prepared.scene, joints, problem.units).of_distant_pairs();
 }
 
-CaseReport report_of(const std::vector<formats::FileReading>& files, const study::AskedCase& asked,
-                     double trial_seconds) {
+CaseReport report_of(const std::vector<formats::FileReading>& files, const AskedCase& asked, double trial_seconds) {
   std::vector<formats::Content> contents;
   for (const formats::FileReading& file : files)
     if (file.reading) contents.push_back(file.reading->content);
@@ -256,7 +255,7 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const study
     if (const auto* cover = std::get_if<Cover>(&checked.problem.geometry); cover && report.errors.empty())
       manifold_of(*cover);  // throws where elements and loops do not fit together
     if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
-    const study::PlannedCase plan = study::planned(asked, checked.problem);
+    const PlannedCase plan = planned(asked, checked.problem);
     const Problem& problem = plan.problem;
     const Prepared& prepared = plan.prepared;
     report.profile = plan.profile;
@@ -307,7 +306,7 @@ std::size_t log_errors(const std::vector<formats::FileReading>& files, const Cas
 void require_one_case(const CaseOptions& given) {
   for (const std::string& path : given.paths) {
     if (!std::filesystem::is_directory(path)) continue;
-    if (given.paths.size() == 1 && study::find_cases({path}).size() == 1) continue;
+    if (given.paths.size() == 1 && find_cases({path}).size() == 1) continue;
     throw UsageError(fmt::format(
         "check: expected files, the folder of one case, or a folder of cases alone; found the folder {} {}", path,
         given.paths.size() > 1              ? "beside others"
@@ -321,7 +320,7 @@ void require_one_case(const CaseOptions& given) {
 bool is_folder_of_cases(const std::vector<std::string>& paths) {
   if (paths.size() != 1 || !std::filesystem::is_directory(paths.front())) return false;
   try {
-    return study::find_cases({paths.front()}).size() != 1;
+    return find_cases({paths.front()}).size() != 1;
   } catch (const InputError&) {
     return true;  // files without expected values
   }
@@ -333,7 +332,7 @@ ExitCode check_files(const CheckOptions& options) {
       given.settings_file.empty())
     return check_folder(given.paths.front(), given.profile, options.as_json);
   require_one_case(given);
-  const study::AskedCase asked = case_of(given);
+  const AskedCase asked = case_of(given);
   const std::vector<formats::FileReading> files = formats::read_files(asked.files, asked.choices);
   const CaseReport report = report_of(files, asked, options.trial_seconds);
   if (options.as_json) {

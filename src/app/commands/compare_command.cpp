@@ -103,9 +103,9 @@ std::string picture_of(const CaseComparison& comparison) {
 
 /// All cases and traces rerun, and the names of those that could not be run.
 // A case file that cannot be read is told of when the case is run.
-bool is_slow(const study::CaseFolder& folder) {
+bool is_slow(const CaseFolder& folder) {
   try {
-    return study::read_case_file(folder).is_slow;
+    return read_case_file(folder).is_slow;
   } catch (const std::exception&) {
     return false;
   }
@@ -118,7 +118,7 @@ struct Comparison {
   std::size_t slow = 0;  ///< cases left out
 
   /// Reruns one folder. A case that cannot be read is told and counted; the others go on.
-  void add(const study::CaseFolder& folder, const CompareOptions& options) {
+  void add(const CaseFolder& folder, const CompareOptions& options) {
     try {
       if (folder.has_expected) cases.push_back(study::compare_in(folder, options.profiles()));
       if (folder.has_trace) traces.push_back(study::follow_trace(folder));
@@ -169,17 +169,17 @@ ExitCode verdict(const Comparison& all) {
 
 ExitCode compare(const CompareOptions& options) {
   Comparison all;
-  const std::vector<study::CaseFolder> folders = study::find_cases(options.cases);
-  const auto with_values = std::ranges::count_if(folders, &study::CaseFolder::has_expected);
+  const std::vector<CaseFolder> folders = find_cases(options.cases);
+  const auto with_values = std::ranges::count_if(folders, &CaseFolder::has_expected);
   if (!options.picture.empty() && with_values != 1)
     throw UsageError(fmt::format("--picture: expected one case with expected values, found {}", with_values));
   std::vector<std::filesystem::path> inputs;
-  for (const study::CaseFolder& folder : folders) inputs.emplace_back(folder.folder);
+  for (const CaseFolder& folder : folders) inputs.emplace_back(folder.folder);
   require_picture_name("--picture", options.picture);
   require_writable({options.picture}, inputs, overwrite_if(options.force));
   // Slow cases alone were asked for by name.
-  const bool only_slow = std::ranges::all_of(folders, [](const study::CaseFolder& f) { return is_slow(f); });
-  for (const study::CaseFolder& folder : folders) {
+  const bool only_slow = std::ranges::all_of(folders, [](const CaseFolder& f) { return is_slow(f); });
+  for (const CaseFolder& folder : folders) {
     const std::size_t before = all.cases.size();
     if (!options.with_slow && !only_slow && is_slow(folder)) {
       ++all.slow;

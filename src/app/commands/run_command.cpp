@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "api/plan.hpp"
 #include "app/command.hpp"
 #include "app/commands/both_profiles.hpp"
 #include "app/input/case_options.hpp"
@@ -33,7 +34,6 @@
 #include "settings/profile.hpp"
 #include "settings/settings_guide.hpp"
 #include "settings/settings_table.hpp"
-#include "study/cases/asked_case.hpp"
 
 namespace keyblock {
 namespace {
@@ -312,14 +312,15 @@ ProfileAnswer answer_of(const RunRecord& record, const Prepared& prepared, const
 // for a new run.
 ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_request, Archive* saved) {
   Stopwatch watch;
-  const study::AskedCase asked = case_of(options.given);
-  formats::Case loaded = formats::load_case(asked.files, asked.choices);
+  const OpenCase asked = opened(case_of(options.given));
+  const formats::Case& loaded = asked.input;
+  Problem problem_asked = loaded.problem;
   RunRecord record;
   record.units = loaded.problem.units;
   record.inputs = input_records(loaded.files);
   record.timings.read = watch.lap();
-  loaded.problem.outputs = outputs_asked(loaded.problem.outputs, options.outputs);
-  const study::PlannedCase plan = study::planned(asked, loaded.problem);
+  problem_asked.outputs = outputs_asked(problem_asked.outputs, options.outputs);
+  const PlannedCase plan = planned(asked, problem_asked);
   const Prepared& prepared = plan.prepared;
   const Problem& problem = plan.problem;
   record.profile = plan.profile.name;
@@ -329,7 +330,7 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   record.warnings = joined(loaded.warnings, plan.warnings);
   record.timings.prepare = watch.lap();
   const std::string title = title_of(asked.files.front(), record.profile);
-  RunRequest request = request_of(options, asked.files, plan.overrides, record, prepared.scene.settings);
+  RunRequest request = request_of(options, asked.files, plan.asked, record, prepared.scene.settings);
   if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
   for (const std::string& file : asked.files) require_not_below(file, options.folder);
   RunJob job(
@@ -411,9 +412,8 @@ ProfileAnswer answer_under(const RunOptions& options, const std::string& profile
 
 // Under the rules of the old programs and under those of today; first those that the files ask for.
 ExitCode run_both(const RunOptions& options) {
-  const study::AskedCase asked = case_of(options.given);
-  const formats::Case input = formats::load_case(asked.files, asked.choices);
-  const bool is_old = rules_of(profile_of(input.problem, {}, asked.common)) == "legacy";
+  const OpenCase asked = opened(case_of(options.given));
+  const bool is_old = rules_of(profile_of(asked.input.problem, {}, asked.common)) == "legacy";
   std::vector<ProfileAnswer> answers;
   for (const char* profile : {is_old ? "legacy" : "standard", is_old ? "standard" : "legacy"}) {
     answers.push_back(answer_under(options, profile));
@@ -425,7 +425,7 @@ ExitCode run_both(const RunOptions& options) {
         side_by_side_json(answers[0], answers[1]).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
         "the folders of both runs");
   else
-    fmt::print("{}", side_by_side(answers[0], answers[1], input.problem.units));
+    fmt::print("{}", side_by_side(answers[0], answers[1], asked.input.problem.units));
   return code_of_both(answers[0], answers[1]);
 }
 

@@ -10,13 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "api/plan.hpp"
 #include "app/command.hpp"
 #include "app/input/case_options.hpp"
 #include "app/messages.hpp"
-#include "formats/case.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
-#include "study/cases/asked_case.hpp"
 #include "study/fracture/intensity.hpp"
 
 namespace keyblock {
@@ -110,12 +109,9 @@ void print(const study::TipAtEnd& tip, std::size_t number, const study::CaseInte
 }
 
 ExitCode print_intensity(const SifOptions& options) {
-  const study::AskedCase asked = case_of(options.given);
-  const formats::Case input = formats::load_case(asked.files, asked.choices);
-  // The rules of the old programs know no tips.
-  const std::string profile = study::profile_for(asked, input.problem, study::OldFiles::standard).name;
-  const study::ConfiguredProblem made = study::configured(input.problem, asked.overrides(profile));
-  const study::CaseIntensity found = study::intensity_at_end(made.problem, profile, made.overrides);
+  const OpenCase open = opened(case_of(options.given));
+  const ConfiguredCase made = configured(open, open.input.problem, OldFiles::standard);  // the old rules know no tips
+  const study::CaseIntensity found = study::intensity_at_end(made);
   log_warnings(found.warnings);
   if (!found.failure.empty()) {
     spdlog::error("keyblock: error: {}", found.failure);
@@ -129,7 +125,7 @@ ExitCode print_intensity(const SifOptions& options) {
     spdlog::warn("tip {}: {}", i + 1, doubt);
   }
   if (options.as_json) {
-    nlohmann::ordered_json json{{"profile", profile},
+    nlohmann::ordered_json json{{"profile", made.profile.name},
                                 {"unknowns", found.unknowns},
                                 {"time", found.time},
                                 {"in_motion", found.is_in_motion},
@@ -144,7 +140,7 @@ ExitCode print_intensity(const SifOptions& options) {
   } else {
     fmt::print("{} unknowns, {}\n", found.unknowns,
                found.is_in_motion ? fmt::format("in motion at time {:g}", found.time) : "at rest");
-    for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1, found, input.problem.units);
+    for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1, found, open.input.problem.units);
     if (!found.no_other.empty()) fmt::print("no other treatment of tips: {}\n", found.no_other);
   }
   return is_sure ? ExitCode::ok : ExitCode::check_failed;

@@ -29,8 +29,8 @@ CaseOptionList add_case_options(CLI::App& options, CaseOptions& chosen, const st
   return list;
 }
 
-study::AskedCase case_of(const CaseOptions& chosen) {
-  study::AskedCase asked = study::asked_case(
+AskedCase case_of(const CaseOptions& chosen) {
+  AskedCase asked = asked_case(
       {chosen.paths, chosen.settings_file, chosen.profile, overrides_of(chosen.sets), chosen.reading.choices});
   take_layers(asked.files, chosen.reading.layers);
   return asked;

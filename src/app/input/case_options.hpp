@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "api/asked_case.hpp"
 #include "app/input/drawing_options.hpp"
-#include "study/cases/asked_case.hpp"
 
 namespace keyblock {
 
@@ -31,8 +31,8 @@ struct CaseOptionList {
 /// Adds the files of a case, `--profile`, `--set`, `--settings-file` and the options of a drawing.
 CaseOptionList add_case_options(CLI::App& options, CaseOptions& chosen, const std::string& about_files);
 
-/// The case that the options ask for. Throws UsageError for a `--set` that is no key=value, and as study::asked_case.
-study::AskedCase case_of(const CaseOptions& chosen);
+/// The case that the options ask for. Throws UsageError for a `--set` that is no key=value, and as asked_case.
+AskedCase case_of(const CaseOptions& chosen);
 
 /// key=value, as `--set` has it. Throws UsageError.
 std::vector<Override> overrides_of(const std::vector<std::string>& sets);

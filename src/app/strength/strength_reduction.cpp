@@ -16,7 +16,6 @@
 #include "app/strength/trial_watch.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
-#include "formats/case.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
@@ -36,16 +35,12 @@ using study::StrengthTrial;
 using study::Verdict;
 
 /// The case as it was read.
-struct ReducedCase {
-  std::string name;
-  std::vector<std::string> files;
-  formats::Case input;
-  std::string profile;
-  std::vector<Override> overrides;
+struct ReducedCase : OpenCase {
+  ConfiguredCase made;
+  ReductionAsked reduction;
 };
 
-constexpr double kWithin = 0.01;  // width of the bracket unless asked otherwise
-constexpr double kLower = 20;     // of what a message proposes to begin at
+constexpr double kLower = 20;  // of what a message proposes to begin at
 constexpr std::array<const char*, 4> kFiles{"fos.json", "trials.csv", "picture.svg", "fos.svg"};
 
 Json number_or_none(const std::optional<double>& value) {
@@ -100,14 +95,14 @@ Json mesh_error_json(const std::optional<study::MeshError>& error) {
           {"extrapolated_factor", error->extrapolated}};
 }
 
-Json json_of(const ReducedCase& chosen, const ReductionOptions& options, const FactorOfSafety& found) {
+Json json_of(const ReducedCase& chosen, const FactorOfSafety& found) {
   Json trials = Json::array();
   for (const StrengthTrial& trial : found.trials) trials.push_back(trial_json(trial));
   return {{"program", "keyblock"},
           {"version", KEYBLOCK_VERSION},
           {"case", chosen.name},
-          {"profile", chosen.profile},
-          {"reduced", study::name_of(found.what)},
+          {"profile", chosen.made.profile.name},
+          {"reduced", name_of(found.what)},
           {"end", study::name_of(found.end)},
           {"factor_of_safety", found.end == SearchEnd::bracketed ? Json(found.bracket.middle()) : Json()},
           {"bracket", bracket_json(found.bracket)},
@@ -116,7 +111,7 @@ Json json_of(const ReducedCase& chosen, const ReductionOptions& options, const F
           {"serviceability", service_json(found)},
           {"knee_times", study::kKnee},
           {"mesh_error", mesh_error_json(found.mesh_error)},
-          {"exempt", options.exempt},
+          {"exempt", chosen.reduction.exempt},
           {"lower_estimate", found.is_lower_estimate},
           {"left_out", blocks_json(found.left_out)},
           {"notes", found.notes},
@@ -161,7 +156,7 @@ std::string sentence_of(const FactorOfSafety& found) {
 std::string table_of(const ReducedCase& chosen, const FactorOfSafety& found) {
   std::string table =
       fmt::format("{}: strength of {} divided by F\n{:>10}  {:<14}{:>14}{:>8}  {}\n", chosen.name,
-                  found.what == study::Reduced::both ? "joints and rock" : study::name_of(found.what), "F", "",
+                  found.what == Reduced::both ? "joints and rock" : name_of(found.what), "F", "",
                   with_declared("displacement", measures::kLength, chosen.input.problem.units), "rounds", "why");
   std::vector<StrengthTrial> trials = found.trials;
   std::ranges::sort(trials, {}, &StrengthTrial::factor);
@@ -247,10 +242,11 @@ void write_files(const ReducedCase& chosen, const ReductionOptions& options, con
 }
 
 void require_options(const ReducedCase& chosen, const ReductionOptions& options) {
-  if (options.from && options.to && !(*options.to > *options.from))
-    throw UsageError(fmt::format("--to: expected more than --from {}, found {}", *options.from, *options.to));
-  if (!options.from && options.to && !(*options.to > 1))
-    throw UsageError(fmt::format("--to: expected more than 1, where no --from is given, found {}", *options.to));
+  const auto& [what, from, to, within, exempt] = chosen.reduction;
+  if (from && to && !(*to > *from))
+    throw UsageError(fmt::format("--to: expected more than --from {}, found {}", *from, *to));
+  if (!from && to && !(*to > 1))
+    throw UsageError(fmt::format("--to: expected more than 1, where no --from is given, found {}", *to));
   if (options.folder.empty()) return;
   if (std::filesystem::exists(options.folder) && !std::filesystem::is_directory(options.folder))
     throw UsageError(fmt::format("{}: expected a folder, found a file", options.folder));
@@ -260,19 +256,17 @@ void require_options(const ReducedCase& chosen, const ReductionOptions& options)
 }
 
 // Refuses what the command line exempts without effect; a case file may exempt for any reduction.
-void require_effect(const std::vector<std::string>& exempt, const std::string& what) {
+void require_effect(const std::vector<std::string>& exempt, Reduced what) {
   for (const std::string& word : exempt) {
     const bool is_of_rock = word.starts_with("material:");
-    if (is_of_rock ? what == "joints" : what == "rock" && word.starts_with("joint_material:"))
+    if (is_of_rock ? what == Reduced::joints : what == Reduced::rock && word.starts_with("joint_material:"))
       throw UsageError(fmt::format(
-          "--exempt {}: it has no effect, because only the strength of {} is reduced (--reduce)", word, what));
+          "--exempt {}: it has no effect, because only the strength of {} is reduced (--reduce)", word, name_of(what)));
   }
 }
 
-study::StrengthTrials trials_of(const ReducedCase& chosen, const ReductionOptions& options) {
-  study::ConfiguredProblem made = study::configured(chosen.input.problem, chosen.overrides);
-  return {std::move(made.problem), chosen.profile, std::move(made.overrides), study::reduced_of(options.what),
-          study::exempt_of(options.exempt)};
+study::StrengthTrials trials_of(const ReducedCase& chosen) {
+  return {chosen.made, *chosen.reduction.what, exempt_of(chosen.reduction.exempt)};
 }
 
 bool was_stopped(const FactorOfSafety& found) {
@@ -304,24 +298,12 @@ void add_mesh_error(const study::StrengthTrials& trials, FactorOfSafety& found, 
   found.notes.push_back(study::in_words(*found.mesh_error));
 }
 
-ReducedCase reduced_case(const study::AskedCase& asked) {
-  ReducedCase chosen{asked.name, asked.files, formats::load_case(asked.files, asked.choices), {}, {}};
-  chosen.profile = study::profile_for(asked, chosen.input.problem, study::OldFiles::standard).name;
-  chosen.overrides = asked.overrides(chosen.profile);
+ReducedCase reduced_case(const AskedCase& asked, const ReductionOptions& options) {
+  ReducedCase chosen{opened(asked), {}, options.asked};
+  if (!options.what.empty()) chosen.reduction.what = reduced_of(options.what);
+  chosen.reduction = completed(std::move(chosen.reduction), asked.file.reduction);
+  chosen.made = configured(chosen, chosen.input.problem, OldFiles::standard);
   return chosen;
-}
-
-// Takes from `case.json` what the command line leaves open.
-ReductionOptions with_those_of_case(ReductionOptions options, const study::CaseFile& file) {
-  if (const auto& asked = file.reduction) {
-    if (options.what.empty()) options.what = study::name_of(asked->what);
-    if (!options.from) options.from = asked->from;
-    if (!options.to) options.to = asked->to;
-    if (!options.within) options.within = asked->within;
-    if (options.exempt.empty()) options.exempt = asked->exempt;
-  }
-  if (options.what.empty()) options.what = "joints";
-  return options;
 }
 
 }  // namespace
@@ -329,11 +311,12 @@ ReductionOptions with_those_of_case(ReductionOptions options, const study::CaseF
 std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOptions& chosen) {
   return {
       options
-          .add_option("--from", chosen.from,
+          .add_option("--from", chosen.asked.from,
                       "first factor, at which the case must stand (default: 1, and less where that falls)")
           ->check(above_zero()),
-      options.add_option("--to", chosen.to, "largest factor (default: 16 times the first)")->check(above_zero()),
-      options.add_option("--to-within", chosen.within, "width of the bracket (default: 0.01)")->check(above_zero()),
+      options.add_option("--to", chosen.asked.to, "largest factor (default: 16 times the first)")->check(above_zero()),
+      options.add_option("--to-within", chosen.asked.within, "width of the bracket (default: 0.01)")
+          ->check(above_zero()),
       options
           .add_option("--trial-limit", chosen.trial_limit,
                       "linear systems after which a trial is given up as undecided, which ends the search with the "
@@ -342,7 +325,7 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
           ->type_name("SYSTEMS")
           ->check(count_of_systems()),
       options
-          .add_option("--exempt", chosen.exempt,
+          .add_option("--exempt", chosen.asked.exempt,
                       "what keeps its strength: material:N, joint_material:N, box:x1,y1,x2,y2 or "
                       "polygon:x1,y1,x2,y2,x3,y3,…; may be repeated")
           ->type_name("WHAT")
@@ -351,16 +334,16 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
                        "do not estimate the error of the mesh by a search on a coarser one")};
 }
 
-ExitCode reduce_strength(const study::AskedCase& asked, const ReductionOptions& given) {
-  const ReducedCase chosen = reduced_case(asked);
-  const ReductionOptions options = with_those_of_case(given, asked.file);
+ExitCode reduce_strength(const AskedCase& asked, const ReductionOptions& options) {
+  const ReducedCase chosen = reduced_case(asked, options);
   require_options(chosen, options);
-  require_effect(given.exempt, options.what);
-  const study::StrengthTrials trials = trials_of(chosen, options);
+  require_effect(options.asked.exempt, *chosen.reduction.what);
+  const study::StrengthTrials trials = trials_of(chosen);
   log_warnings(joined(joined(chosen.input.warnings, trials.prepared().warnings),
                       look_ahead(chosen.input.problem, trials.prepared())));
   listen_for_stops();
-  study::SearchOptions search{options.from, options.to, options.within.value_or(kWithin)};
+  const ReductionAsked& of_search = chosen.reduction;
+  study::SearchOptions search{of_search.from, of_search.to, *of_search.within};
   search.trial_limit = options.trial_limit;
   TrialWatch watch;
   search.on_begin = [&](double factor) { watch.begin(factor); };
@@ -371,7 +354,7 @@ ExitCode reduce_strength(const study::AskedCase& asked, const ReductionOptions& 
   search.on_loose = [](const std::string& sentence) { spdlog::info("{}; the search begins anew", sentence); };
   FactorOfSafety found = study::factor_of_safety(trials, search);
   if (options.seeks_mesh_error) add_mesh_error(trials, found, search);
-  const std::string json = json_of(chosen, options, found).dump(1, ' ', false, Json::error_handler_t::replace);
+  const std::string json = json_of(chosen, found).dump(1, ' ', false, Json::error_handler_t::replace);
   if (options.as_json)
     fmt::print("{}\n", json);
   else

@@ -7,18 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "api/plan.hpp"
 #include "app/exit_code.hpp"
-#include "study/cases/asked_case.hpp"
 
 namespace keyblock {
 
 struct ReductionOptions {
-  std::string what;  ///< joints, rock or both; empty: none
-  std::optional<double> from;
-  std::optional<double> to;
-  std::optional<double> within;
+  std::string what;                      ///< joints, rock or both; empty: none
+  ReductionAsked asked;                  ///< but for what
   std::optional<long long> trial_limit;  ///< linear systems; 0: none
-  std::vector<std::string> exempt;       ///< as `study::exempt_of` reads them
   bool seeks_mesh_error = true;
   std::string folder;
   bool as_json = false;
@@ -31,6 +28,6 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
 /// Searches, prints and writes; what the options leave open is taken from `case.json`. The profile is `standard` for
 /// old files too, unless one is asked for: the search is one of statics. Throws UsageError for options that do not fit
 /// and for a profile that `case.json` does not run, InputError for a case that cannot be reduced.
-ExitCode reduce_strength(const study::AskedCase& asked, const ReductionOptions& given);
+ExitCode reduce_strength(const AskedCase& asked, const ReductionOptions& options);
 
 }  // namespace keyblock

@@ -5,13 +5,11 @@
 #include <new>
 #include <variant>
 
+#include "api/plan.hpp"
 #include "cut/bodies/cut_blocks.hpp"
 #include "report/thumbnail.hpp"
-#include "run/look_ahead.hpp"
-#include "run/prepare.hpp"
 #include "study/batch/batch_files.hpp"
 #include "study/batch/scene_sentence.hpp"
-#include "study/cases/asked_case.hpp"
 
 namespace keyblock::study {
 
@@ -75,8 +73,9 @@ Warnings look_at_scene(CatalogueRow& row, const Problem& problem) {
 Warnings warnings_before_steps(const Problem& problem, const std::string& profile, CheckDepth depth,
                                const Warnings& of_cut) {
   try {
-    const Prepared prepared = prepare(configured(problem, {}).problem, profile_of(problem, profile), {});
-    return joined(prepared.warnings, look_ahead(problem, prepared));
+    AskedCase asked;
+    asked.profile = profile;
+    return planned(asked, problem).warnings;
   } catch (const InputError&) {
     if (depth == CheckDepth::plan) throw;
     return of_cut;

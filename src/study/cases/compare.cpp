@@ -8,28 +8,23 @@
 #include <stdexcept>
 #include <variant>
 
-#include "formats/case.hpp"
+#include "api/plan.hpp"
 #include "model/continuum.hpp"
-#include "run/prepare.hpp"
-#include "settings/profile.hpp"
-#include "study/cases/asked_case.hpp"
 #include "study/strength/factor_of_safety.hpp"
 
 namespace keyblock::study {
 namespace {
 
 /// All that the folder holds, read once for all its runs.
-struct Loaded {
-  CaseFolder folder;
+struct Loaded : OpenCase {
+  std::string label;  ///< for tables
   std::string table;  ///< path of expected.csv
-  CaseFile file;
   std::vector<ExpectedValue> expected;
-  formats::Case input;
 };
 
 Loaded load(const CaseFolder& folder) {
   const std::string table = (folder.folder / "expected.csv").string();
-  return {folder, table, read_case_file(folder), read_expected(table), formats::load_case(folder.inputs())};
+  return {opened(asked_case({{folder.folder.string()}, {}, {}, {}})), folder.name, table, read_expected(table)};
 }
 
 int first_block(const std::vector<ComparedValue>& values) {
@@ -38,9 +33,10 @@ int first_block(const std::vector<ComparedValue>& values) {
   return followed == values.end() ? 1 : *followed->block;
 }
 
-ConfiguredProblem configured_as_in_file(const Loaded& loaded, const std::vector<Override>& overrides) {
+ConfiguredCase configured_as_in_file(const Loaded& loaded, const std::string& profile,
+                                     const std::vector<Override>& more) {
   try {
-    return configured(loaded.input.problem, overrides);
+    return configured_under(profile, loaded, loaded.input.problem, more);
   } catch (const std::invalid_argument& error) {
     throw InputError({loaded.file.path, 0, 0}, error.what());
   }
@@ -48,10 +44,10 @@ ConfiguredProblem configured_as_in_file(const Loaded& loaded, const std::vector<
 
 // A setting that is none is the case file's fault; a scene that the profile refuses is a result: the sentence why.
 std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, const std::string& profile,
-                                                        const std::vector<Override>& overrides) {
-  const ConfiguredProblem made = configured_as_in_file(loaded, overrides);
+                                                        const std::vector<Override>& more) {
+  const ConfiguredCase made = configured_as_in_file(loaded, profile, more);
   try {
-    return prepare(made.problem, profile, made.overrides);
+    return prepared_case(made);
   } catch (const std::invalid_argument& error) {
     throw InputError({loaded.file.path, 0, 0}, error.what());
   } catch (const InputError& error) {
@@ -78,13 +74,12 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
 }
 
 // The last state that stands, at the instant 0: a factor belongs to none.
-ComparedCase reduced_and_picked(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
-  const ReductionAsked& asked = *loaded.file.reduction;
-  ConfiguredProblem made = configured(loaded.input.problem, overrides);
-  const StrengthTrials trials(std::move(made.problem), compared.profile, std::move(made.overrides), asked.what,
+ComparedCase reduced_and_picked(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& more) {
+  const ReductionAsked asked = completed({}, loaded.file.reduction);
+  const StrengthTrials trials(configured_under(compared.profile, loaded, loaded.input.problem, more), *asked.what,
                               exempt_of(asked.exempt));
   compared.warnings = joined(loaded.input.warnings, trials.prepared().warnings);
-  SearchOptions search{asked.from, asked.to, asked.within};
+  SearchOptions search{asked.from, asked.to, *asked.within};
   search.seeks_knee = false;
   FactorOfSafety found = factor_of_safety(trials, search);
   if (found.end != SearchEnd::bracketed) {
@@ -102,10 +97,9 @@ ComparedCase reduced_and_picked(const Loaded& loaded, ComparedCase compared, con
   return compared;
 }
 
-ComparedCase compared_by_reduction(const Loaded& loaded, ComparedCase compared,
-                                   const std::vector<Override>& overrides) {
+ComparedCase compared_by_reduction(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& more) {
   try {
-    return reduced_and_picked(loaded, compared, overrides);
+    return reduced_and_picked(loaded, compared, more);
   } catch (const std::invalid_argument& error) {
     throw InputError({loaded.file.path, 0, 0}, error.what());
   } catch (const InputError& error) {
@@ -114,10 +108,10 @@ ComparedCase compared_by_reduction(const Loaded& loaded, ComparedCase compared,
   }
 }
 
-ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& overrides) {
-  compared.name = loaded.folder.name;
-  if (loaded.file.reduction) return compared_by_reduction(loaded, std::move(compared), overrides);
-  const auto made = prepared_or_refused(loaded, compared.profile, overrides);
+ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& more) {
+  compared.name = loaded.label;
+  if (loaded.file.reduction) return compared_by_reduction(loaded, std::move(compared), more);
+  const auto made = prepared_or_refused(loaded, compared.profile, more);
   if (const auto* why = std::get_if<std::string>(&made)) {
     compared.not_run = *why;
     return compared;
@@ -131,13 +125,11 @@ ComparedCase compared_with(const Loaded& loaded, ComparedCase compared, const st
 
 ComparedCase plain_run(const Loaded& loaded, const std::string& profile) {
   ComparedCase compared;
-  compared.name = loaded.folder.name;
+  compared.name = loaded.label;
   compared.profile = profile;
   compared.values = values_to_find(loaded.expected, profile);
-  const auto not_run = loaded.file.not_run.find(rules_of(profile));
-  if (not_run == loaded.file.not_run.end())
-    return compared_with(loaded, std::move(compared), loaded.file.overrides(profile));
-  compared.not_run = not_run->second;
+  compared.not_run = why_not_run(loaded, profile);
+  if (compared.not_run.empty()) return compared_with(loaded, std::move(compared), {});
   for (ComparedValue& v : compared.values) v.is_judged = false;
   return compared;
 }
@@ -154,7 +146,7 @@ ComparedCase variant_run(const Loaded& loaded, const Variant& variant) {
     v.listed_miss.clear();
   }
   try {
-    return compared_with(loaded, compared, loaded.file.overrides(variant));
+    return compared_with(loaded, compared, variant.set);
   } catch (const InputError& error) {  // the other runs of the case go on
     compared.not_run = error.what();
     return compared;
@@ -178,7 +170,7 @@ ComparedCase compare_case(const CaseFolder& folder, const std::string& profile) 
 
 CaseComparison compare_in(const CaseFolder& folder, const std::vector<std::string>& profiles) {
   const Loaded loaded = load(folder);
-  CaseComparison comparison{loaded.folder.name, loaded.file.about, {}, {}};
+  CaseComparison comparison{loaded.label, loaded.file.about, {}, {}};
   for (const std::string& profile : profiles) comparison.plain.push_back(plain_run(loaded, profile));
   for (const Variant& variant : loaded.file.variants)
     if (std::ranges::find(profiles, variant.profile) != profiles.end())

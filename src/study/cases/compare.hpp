@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "api/case_file.hpp"
+#include "api/case_folder.hpp"
 #include "base/error.hpp"
 #include "result/frame.hpp"
 #include "run/run.hpp"
-#include "study/cases/case_file.hpp"
-#include "study/cases/cases.hpp"
 #include "study/cases/compared_values.hpp"
 
 namespace keyblock::study {

@@ -174,9 +174,10 @@ bool TraceDifference::holds() const {
 }
 
 TraceDifference follow_trace(const CaseFolder& folder) {
-  const formats::Case loaded = formats::load_case(folder.inputs());
-  Follower follower(folder, greatest_modulus(*loaded.problem.analysis));
-  const Prepared prepared = prepare(loaded.problem, "legacy", {{"steps", fmt::format("{}", follower.last())}});
+  const OpenCase open = opened(asked_case({{folder.folder.string()}, {}, "legacy", {}}));
+  Follower follower(folder, greatest_modulus(*open.input.problem.analysis));
+  const std::vector<Override> as_long{{"steps", fmt::format("{}", follower.last())}};
+  const Prepared prepared = prepared_case(configured_under("legacy", open, open.input.problem, as_long));
   Observer observer;
   observer.on_step = [&](const StepReport& report) { follower.step(report); };
   observer.on_frame = [&](const Frame& frame) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "study/cases/cases.hpp"
+#include "api/case_folder.hpp"
 
 namespace keyblock::study {
 

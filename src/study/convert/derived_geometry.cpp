@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "cut/bodies/cut_blocks.hpp"
@@ -164,18 +165,18 @@ class BlocksOfCover {
   }
 
   void set_materials() {
-    std::vector<char> is_known(blocks_.blocks.size(), 0);
-    std::vector<char> is_mixed(blocks_.blocks.size(), 0);
+    std::set<std::size_t> known, mixed;
     for (const CoverElement& element : cover_.elements) {
       const auto polygon = cover_.polygon(element);
       const auto block = block_at(centroid(polygon));
       if (!block) continue;
       int& material = blocks_.blocks[*block].material;
-      if (is_known[*block] && material != element.material) is_mixed[*block] = 1;
-      if (!is_known[*block]) material = element.material;
-      is_known[*block] = 1;
+      if (known.insert(*block).second)
+        material = element.material;
+      else if (material != element.material)
+        mixed.insert(*block);
     }
-    if (const auto count = std::ranges::count(is_mixed, 1); count > 0)
+    if (const std::size_t count = mixed.size(); count > 0)
       warnings_.push_back({"one_material_a_block", cover_.place,
                            fmt::format("{} of {} blocks hold elements of several materials and take that of the first",
                                        count, blocks_.blocks.size())});

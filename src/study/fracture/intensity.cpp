@@ -29,13 +29,14 @@ Place place_of(const Problem& problem) {
   return problem.covers ? problem.covers->place : problem.analysis->place;
 }
 
-CaseIntensity intensity_by_one(Problem problem, const std::string& profile, const std::vector<Override>& overrides) {
+CaseIntensity intensity_by_one(ConfiguredCase made) {
+  Problem& problem = made.problem;
   const GrowthCriterion criterion = criterion_of(problem);
   if (problem.covers) {
     problem.covers->mesh.tip_side = tip_side_of(*problem.covers);
     problem.covers->growth.reset();
   }
-  Prepared prepared = prepare(problem, profile, overrides);
+  Prepared prepared = prepared_case(made);
   if (!prepared.scene.model.continuum)
     throw InputError(place_of(problem), "expected bodies on covers, in which cracks end, found blocks alone");
   CaseIntensity result;
@@ -75,14 +76,14 @@ CaseIntensity intensity_by_one(Problem problem, const std::string& profile, cons
 // Of the room about the narrowest tip: K within 0.3 % by functions, within 0.7 % by bisection.
 constexpr double kSidesWithFunctions = 8, kSidesWithout = 320;
 
-/// The problem with the other treatment of its tips.
-Problem with_other_treatment(Problem problem, const CaseIntensity& found) {
+/// The case with the other treatment of its tips.
+ConfiguredCase with_other_treatment(ConfiguredCase made, const CaseIntensity& found) {
   double room = found.tips.front().report.tip.room;
   for (const TipAtEnd& tip : found.tips) room = std::min(room, tip.report.tip.room);
-  MeshPlan& mesh = problem.covers->mesh;
+  MeshPlan& mesh = made.problem.covers->mesh;
   mesh.tip_functions = found.has_functions ? TipFunctionPlan{} : TipFunctionPlan{TipFunctions::williams, 0};
   mesh.tip_side = room / (found.has_functions ? kSidesWithout : kSidesWithFunctions);
-  return problem;
+  return made;
 }
 
 void put_other_treatment(CaseIntensity& found, const CaseIntensity& other) {
@@ -118,21 +119,20 @@ std::string doubt_of(const TipAtEnd& tip) {
                      100 * apart);
 }
 
-CaseIntensity intensity_at_end(const Problem& problem, const std::string& profile,
-                               const std::vector<Override>& overrides) {
-  CaseIntensity found = intensity_by_one(problem, profile, overrides);
+CaseIntensity intensity_at_end(const ConfiguredCase& made) {
+  CaseIntensity found = intensity_by_one(made);
   if (!found.failure.empty()) return found;
-  if (!problem.covers) {
+  if (!made.problem.covers) {
     found.no_other = "the case has no plan of covers";
     return found;
   }
-  found.has_functions = problem.covers->mesh.tip_functions.are_asked();
+  found.has_functions = made.problem.covers->mesh.tip_functions.are_asked();
   if (found.is_in_motion) {
     found.no_other = "near-tip functions are of linear statics";
     return found;
   }
   try {
-    put_other_treatment(found, intensity_by_one(with_other_treatment(problem, found), profile, overrides));
+    put_other_treatment(found, intensity_by_one(with_other_treatment(made, found)));
   } catch (const InputError& error) {
     found.no_other = error.sentence();
   }

@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "api/plan.hpp"
 #include "base/error.hpp"
 #include "fracture/kink.hpp"
 #include "fracture/tip_report.hpp"
-#include "problem/problem.hpp"
-#include "run/settings_of.hpp"
 
 namespace keyblock::study {
 
@@ -52,8 +51,7 @@ struct CaseIntensity {
 /// Steps the case to its end and takes the integrals there; growth of its cracks is left out. Then the same with the
 /// other treatment of tips, where that can be: near-tip functions on sides of an eighth of the room about the narrowest
 /// tip, or none on sides of 1/320 of it. Throws InputError for a case without bodies on covers or without a tip in
-/// them, and as `prepare`.
-CaseIntensity intensity_at_end(const Problem& problem, const std::string& profile,
-                               const std::vector<Override>& overrides);
+/// them, and as `prepared_case`.
+CaseIntensity intensity_at_end(const ConfiguredCase& made);
 
 }  // namespace keyblock::study

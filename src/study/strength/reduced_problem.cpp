@@ -17,8 +17,6 @@
 namespace keyblock::study {
 namespace {
 
-constexpr std::array<const char*, 3> kNames{"joints", "rock", "both"};
-
 bool has_strength(const JointMaterial& joint) {
   return joint.friction_angle_deg > 0 || joint.cohesion > 0 || joint.tensile_strength > 0;
 }
@@ -33,17 +31,6 @@ std::vector<std::size_t> not_exempt(const std::vector<Material>& materials, cons
 }
 
 }  // namespace
-
-std::string name_of(Reduced what) {
-  return kNames.at(static_cast<std::size_t>(what));
-}
-
-Reduced reduced_of(const std::string& name) {
-  const auto* const found = std::ranges::find(kNames, name);
-  if (found == kNames.end())
-    throw std::invalid_argument(fmt::format("expected joints, rock or both, found \"{}\"", name));
-  return static_cast<Reduced>(found - kNames.begin());
-}
 
 Problem with_reduced_strength(Problem problem, Reduced what, const Exempt& exempt, double factor) {
   if (!problem.analysis) return problem;

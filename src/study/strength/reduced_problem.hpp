@@ -2,20 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-
+#include "api/case_file.hpp"
+#include "api/strength_choice.hpp"
 #include "problem/problem.hpp"
-#include "study/strength/exempt.hpp"
 
 namespace keyblock::study {
-
-enum class Reduced { joints, rock, both };
-
-/// A word for tables: "joints", "rock", "both".
-std::string name_of(Reduced what);
-
-/// Throws std::invalid_argument for a word that is none.
-Reduced reduced_of(const std::string& name);
 
 /// Divides c, tan φ and tensile strength of the joint materials by `factor` > 0, and reduces the strengths of the block
 /// materials as `reduced` (material/reduced_strength.hpp) says. Exempt materials stay. If there are exempt regions, all

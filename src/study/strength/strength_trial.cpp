@@ -164,40 +164,35 @@ std::string name_of(Verdict verdict) {
   return kNames.at(static_cast<std::size_t>(verdict));
 }
 
-StrengthTrials::StrengthTrials(Problem problem, std::string profile, std::vector<Override> overrides, Reduced what,
-                               Exempt exempt)
-    : problem_(std::move(problem)),
-      profile_(std::move(profile)),
-      overrides_(std::move(overrides)),
-      what_(what),
-      exempt_(std::move(exempt)) {
-  require_exempt(exempt_, problem_);
-  require_strength(problem_, what_, exempt_);
-  if (problem_.analysis) {
-    const Settings settings = settings_of(problem_, profile_, overrides_);
+StrengthTrials::StrengthTrials(ConfiguredCase made, Reduced what, Exempt exempt)
+    : made_(std::move(made)), what_(what), exempt_(std::move(exempt)) {
+  require_exempt(exempt_, made_.problem);
+  require_strength(made_.problem, what_, exempt_);
+  if (made_.problem.analysis) {
+    const Settings settings = settings_of(made_.problem, made_.profile.name, made_.overrides);
     if (settings.dynamics != Dynamics::standard)
-      throw InputError(problem_.analysis->place,
+      throw InputError(made_.problem.analysis->place,
                        "expected a profile with statics (standard, draft, reference), for strength is reduced there; "
                        "found the rules of the old programs");
     const bool is_in_time = settings.standard.motion == MotionRule::dynamic;
     if (is_in_time) {
-      put_setting(overrides_, "motion", "static");
+      put_setting(made_.overrides, "motion", "static");
       notes_.emplace_back("the case is one of motion in time: its equilibrium under the same loads is sought");
     }
-    if (is_in_time && problem_.stages.empty() && has_constant_loads(problem_, settings)) {
-      const int steps = is_on_covers(problem_) ? std::min(settings.step_count, kLoadParts) : 1;
-      put_setting(overrides_, "steps", fmt::format("{}", steps));
+    if (is_in_time && made_.problem.stages.empty() && has_constant_loads(made_.problem, settings)) {
+      const int steps = is_on_covers(made_.problem) ? std::min(settings.step_count, kLoadParts) : 1;
+      put_setting(made_.overrides, "steps", fmt::format("{}", steps));
     }
   }
   // Of elastic rock: the same at every factor.
-  MeshByError found = with_mesh_found(problem_, profile_, overrides_);
-  problem_ = found.problem;
+  MeshByError found = with_mesh_found(made_.problem, made_.profile.name, made_.overrides);
+  made_.problem = found.problem;
   ExemptCount held;
   prepared_ = prepared_at(1, &held);
   tell(found, prepared_);
   note_exempt(held);
   if (what_ == Reduced::joints && prepared_.scene.is_untouched)
-    throw InputError(problem_.analysis->place,
+    throw InputError(made_.problem.analysis->place,
                      "expected bodies that touch, whose joints are to be reduced, found bodies on covers that do not "
                      "feel each other");
 }
@@ -211,18 +206,21 @@ void StrengthTrials::note_exempt(const ExemptCount& held) {
           fmt::format("--exempt: expected a region that holds the centre of a block or element, or the middle of a "
                       "joint edge, found none in {}",
                       exempt_.regions.front().words));
-    words += fmt::format("; the regions hold {} and {}", counted(held.elements, problem_.covers ? "element" : "block"),
-                         counted(held.edges, "joint edge"));
+    words +=
+        fmt::format("; the regions hold {} and {}", counted(held.elements, made_.problem.covers ? "element" : "block"),
+                    counted(held.edges, "joint edge"));
   }
   notes_.push_back(std::move(words));
 }
 
 Prepared StrengthTrials::prepared_at(double factor, ExemptCount* held) const {
-  Prepared prepared = prepare(with_reduced_strength(problem_, what_, exempt_, factor), profile_, overrides_);
-  if (!exempt_.regions.empty() && problem_.analysis) {
+  ConfiguredCase reduced = made_;
+  reduced.problem = with_reduced_strength(made_.problem, what_, exempt_, factor);
+  Prepared prepared = prepared_case(reduced);
+  if (!exempt_.regions.empty() && made_.problem.analysis) {
     const ExemptCount count =
-        exempt_regions(prepared, exempt_, static_cast<int>(problem_.analysis->block_materials.size()),
-                       static_cast<int>(problem_.analysis->joint_materials.size()));
+        exempt_regions(prepared, exempt_, static_cast<int>(made_.problem.analysis->block_materials.size()),
+                       static_cast<int>(made_.problem.analysis->joint_materials.size()));
     if (held != nullptr) *held = count;
   }
   if (!whole_) return prepared;
@@ -235,7 +233,8 @@ Prepared StrengthTrials::prepared_at(double factor, ExemptCount* held) const {
 
 bool StrengthTrials::may_leave_out(const std::vector<int>& blocks) const {
   const Blocks& whole = whole_ ? *whole_ : prepared_.blocks;
-  if (blocks.empty() || whole.blocks.empty() || is_on_covers(problem_) || !problem_.stages.empty()) return false;
+  if (blocks.empty() || whole.blocks.empty() || is_on_covers(made_.problem) || !made_.problem.stages.empty())
+    return false;
   const double all = area_of(whole);
   double sum = 0;
   for (const int block : left_out_) sum += area_of(whole.blocks[static_cast<std::size_t>(block)]);
@@ -260,25 +259,25 @@ void StrengthTrials::leave_out(const std::vector<int>& blocks) {
                     block + 1, plain(at.x), plain(at.y), plain(area_of(polygon), 3), 100 * area_of(polygon) / mean));
   }
   left_out_.insert(left_out_.end(), blocks.begin(), blocks.end());
-  problem_.geometry = without(*whole_, left_out_);
+  made_.problem.geometry = without(*whole_, left_out_);
   prepared_ = prepared_at(1);
 }
 
 bool StrengthTrials::may_yield() const {
   return what_ != Reduced::joints &&
-         std::ranges::any_of(problem_.analysis->block_materials,
+         std::ranges::any_of(made_.problem.analysis->block_materials,
                              [](const BlockMaterial& rock) { return rock.strength != nullptr; });
 }
 
 bool StrengthTrials::depends_on_mesh() const {
-  return may_yield() && is_on_covers(problem_);
+  return may_yield() && is_on_covers(made_.problem);
 }
 
 StrengthTrials StrengthTrials::on_coarser_mesh(double times) const {
   StrengthTrials coarser = *this;
-  if (!problem_.covers || (problem_.covers->mesh.side == 0 && problem_.covers->mesh.half_rows < 2))
-    throw InputError(problem_.analysis->place, "expected a mesh whose side is given, found none");
-  MeshPlan& mesh = coarser.problem_.covers->mesh;
+  if (!made_.problem.covers || (made_.problem.covers->mesh.side == 0 && made_.problem.covers->mesh.half_rows < 2))
+    throw InputError(made_.problem.analysis->place, "expected a mesh whose side is given, found none");
+  MeshPlan& mesh = coarser.made_.problem.covers->mesh;
   mesh.side *= times;
   mesh.tip_side *= times;
   mesh.half_rows = mesh.half_rows > 0 ? std::max(1, static_cast<int>(std::lround(mesh.half_rows / times))) : 0;

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "api/plan.hpp"
+#include "api/strength_choice.hpp"
 #include "cut/bodies/slivers.hpp"
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
-#include "run/prepare.hpp"
 #include "run/verdict/far_from_drawing.hpp"
-#include "study/strength/exempt.hpp"
 #include "study/strength/reduced_problem.hpp"
 
 namespace keyblock::study {
@@ -65,10 +65,9 @@ class StrengthTrials {
  public:
   /// Throws InputError for a problem that cannot be prepared, or has nothing to reduce; std::invalid_argument for a
   /// profile or an override that is none.
-  StrengthTrials(Problem problem, std::string profile, std::vector<Override> overrides, Reduced what,
-                 Exempt exempt = {});
+  StrengthTrials(ConfiguredCase made, Reduced what, Exempt exempt = {});
 
-  const Problem& problem() const { return problem_; }
+  const Problem& problem() const { return made_.problem; }
   Reduced what() const { return what_; }
   const Exempt& exempt() const { return exempt_; }
   /// Returns true if elastoplastic rock of NMM bodies is reduced, so that the factor depends on their mesh.
@@ -98,9 +97,7 @@ class StrengthTrials {
   Prepared prepared_at(double factor, ExemptCount* held = nullptr) const;
   bool may_yield() const;
 
-  Problem problem_;
-  std::string profile_;
-  std::vector<Override> overrides_;
+  ConfiguredCase made_;
   Reduced what_;
   Exempt exempt_;
   std::vector<std::string> notes_;

@@ -13,11 +13,11 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "api/case_folder.hpp"
 #include "base/context.hpp"
 #include "model/continuum.hpp"
 #include "run/run.hpp"
 #include "settings/profile.hpp"
-#include "study/cases/cases.hpp"
 #include "study/cases/compared_values.hpp"
 
 namespace keyblock::study {
@@ -148,16 +148,15 @@ void require_points(const StudyCase& chosen, const Problem& problem, std::size_t
 
 void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& measured) {
   const RunPlan& plan = measured.plan;
-  std::vector<Override> overrides = chosen.overrides(plan.profile);
-  overrides.insert(overrides.end(), plan.set.begin(), plan.set.end());
-  const auto [problem, left] = configured(chosen.input.problem, overrides);
+  ConfiguredCase made = configured_under(plan.profile, chosen, chosen.input.problem, plan.set);
   const double begin = cpu_seconds();
-  const MeshByError found = with_mesh_found(problem, plan.profile, left);
+  MeshByError found = with_mesh_found(made.problem, made.profile.name, made.overrides);
+  made.problem = std::move(found.problem);
   const double finding = found.rounds.empty() ? 0 : cpu_seconds() - begin;
-  const Prepared prepared = prepare(found.problem, plan.profile, left);
+  const Prepared prepared = prepared_case(made);
   const Model& model = prepared.scene.model;
   require_there(chosen, model);
-  require_points(chosen, problem, model.measured_points.size());
+  require_points(chosen, made.problem, model.measured_points.size());
   measured.unknowns = prepared.requirements.unknowns;
   // A finer mesh that was asked for is not the one there is.
   for (const Warning& warning : found.warnings)
@@ -181,9 +180,7 @@ void tell(MeasuredRun& measured, MeasuredEnd end, const std::string& reason) {
 }  // namespace
 
 StudyCase study_case(const std::vector<std::string>& paths) {
-  AskedCase asked = asked_case({paths, {}, {}, {}});
-  StudyCase chosen{std::move(asked), {}, {}};
-  chosen.input = formats::load_case(chosen.files, chosen.choices);
+  StudyCase chosen{opened(asked_case({paths, {}, {}, {}})), {}};
   const fs::path table = chosen.folder / "expected.csv";
   if (!chosen.folder.empty() && fs::exists(table)) chosen.expected = read_expected(table.string());
   // Of many runs, not of one.
@@ -199,8 +196,8 @@ std::string name_of(MeasuredEnd end) {
 MeasuredRun measured_run(const StudyCase& chosen, const RunPlan& plan, const RunLimits& limits) {
   MeasuredRun measured;
   measured.plan = plan;
-  if (const auto not_run = chosen.file.not_run.find(rules_of(plan.profile)); not_run != chosen.file.not_run.end()) {
-    tell(measured, MeasuredEnd::refused, not_run->second);
+  if (const std::string why = why_not_run(chosen, plan.profile); !why.empty()) {
+    tell(measured, MeasuredEnd::refused, why);
     return measured;
   }
   try {

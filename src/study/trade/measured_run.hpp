@@ -5,20 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "formats/case.hpp"
-#include "run/prepare.hpp"
-#include "study/cases/asked_case.hpp"
+#include "api/plan.hpp"
 #include "study/cases/expected.hpp"
 
 namespace keyblock::study {
 
 /// A case that is to be run in many ways, read once.
-struct StudyCase : AskedCase {
-  formats::Case input;
+struct StudyCase : OpenCase {
   std::vector<ExpectedValue> expected;  ///< reference of the runs; empty: the displacements at the end are taken
 };
 
-/// Reads the case of one folder (study/cases/cases.hpp), or of the files of one. Throws InputError as reading does, and
+/// Reads the case of one folder (api/case_folder.hpp), or of the files of one. Throws InputError as reading does, and
 /// for a folder of several cases.
 StudyCase study_case(const std::vector<std::string>& paths);
 

@@ -37,9 +37,8 @@ struct Base {
 
 Base base_of(const StudyCase& chosen, const std::string& profile, const std::vector<Override>& more = {}) {
   Base base;
-  std::vector<Override> overrides = chosen.overrides(profile);
-  overrides.insert(overrides.end(), more.begin(), more.end());
-  auto [problem, left] = configured(chosen.input.problem, overrides);
+  ConfiguredCase made = configured_under(profile, chosen, chosen.input.problem, more);
+  Problem& problem = made.problem;
   base.has_plan = problem.covers.has_value();
   base.has_cover_file = std::holds_alternative<Cover>(problem.geometry);
   base.has_blocks = !base.has_cover_file && !(base.has_plan && problem.covers->mesh.materials.empty());
@@ -48,7 +47,7 @@ Base base_of(const StudyCase& chosen, const std::string& profile, const std::vec
     base.plan.functions = functions_of(*problem.covers, problem.analysis->block_materials);
   }
   if (base.has_plan) problem.covers->mesh.error = 0;  // says nothing of what is asked here
-  const Scene scene = prepare(problem, profile, left).scene;
+  const Scene scene = prepared_case(made).scene;
   base.is_untouched = scene.is_untouched;
   base.settings = scene.settings;
   if (base.settings.standard.motion == MotionRule::dynamic) base.step_factor = step_factor(profile);

@@ -1,6 +1,6 @@
 // Walks folders for cases.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/cases/cases.hpp"
+#include "api/case_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace keyblock::study {
+namespace keyblock {
 
 namespace fs = std::filesystem;
 
@@ -72,4 +72,4 @@ CaseFolder the_case_in(const std::string& path) {
   return folders.front();
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock

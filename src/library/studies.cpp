@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <numbers>
 
-#include "api/parts.hpp"
+#include "library/parts.hpp"
 #include "run/look_ahead.hpp"
 #include "study/fracture/intensity.hpp"
 #include "study/strength/factor_of_safety.hpp"
@@ -13,13 +13,9 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-/// Profile and settings of a study that the rules of the old programs cannot answer.
-std::pair<std::string, study::ConfiguredProblem> for_study(const Case& of, const Choices& choices) {
-  const study::AskedCase asked = asked_under(of, choices);
-  const Problem& problem = of.data().input.problem;
-  std::string profile = study::profile_for(asked, problem, study::OldFiles::standard).name;
-  study::ConfiguredProblem made = study::configured(problem, asked.overrides(profile));
-  return {std::move(profile), std::move(made)};
+/// For a study that the rules of the old programs cannot answer.
+ConfiguredCase for_study(const Case& of, const Choices& choices) {
+  return configured(asked_under(of, choices), of.data().open.input.problem, OldFiles::standard);
 }
 
 Tip tip_of(const study::TipAtEnd& at_end) {
@@ -49,17 +45,18 @@ Strength factor_of_safety(const Case& of, std::string_view what, double within, 
                           const Context& context) {
   return guarded([&] {
     const Under under(context.state().context);
-    auto [profile, made] = for_study(of, choices);
-    const study::StrengthTrials trials(std::move(made.problem), profile, std::move(made.overrides),
-                                       study::reduced_of(std::string(what)));
-    study::SearchOptions options;
-    options.within = within;
+    ReductionAsked given;
+    if (!what.empty()) given.what = reduced_of(std::string(what));
+    if (within > 0) given.within = within;
+    const ReductionAsked asked = completed(std::move(given), of.data().open.file.reduction);
+    const study::StrengthTrials trials(for_study(of, choices), *asked.what, exempt_of(asked.exempt));
+    const study::SearchOptions options{asked.from, asked.to, *asked.within};
     const study::FactorOfSafety found = study::factor_of_safety(trials, options);
     context.state().context.tell(nullptr, 0);
     Strength strength{found.bracket.stands, found.bracket.falls, study::name_of(found.end), {}, found.notes, {}};
-    const Problem& problem = of.data().input.problem;
-    strength.warnings = public_warnings(
-        joined(joined(of.data().input.warnings, trials.prepared().warnings), look_ahead(problem, trials.prepared())));
+    const Problem& problem = of.data().open.input.problem;
+    strength.warnings = public_warnings(joined(joined(of.data().open.input.warnings, trials.prepared().warnings),
+                                               look_ahead(problem, trials.prepared())));
     for (const study::StrengthTrial& trial : found.trials)
       strength.trials.push_back({trial.factor, study::name_of(trial.verdict), trial.why, trial.displacement});
     return strength;
@@ -69,11 +66,10 @@ Strength factor_of_safety(const Case& of, std::string_view what, double within, 
 Intensity stress_intensity(const Case& of, const Choices& choices, const Context& context) {
   return guarded([&] {
     const Under under(context.state().context);
-    const auto [profile, made] = for_study(of, choices);
-    const study::CaseIntensity found = study::intensity_at_end(made.problem, profile, made.overrides);
+    const study::CaseIntensity found = study::intensity_at_end(for_study(of, choices));
     if (!found.failure.empty()) throw Error(found.failure);
     context.state().context.tell(nullptr, 0);
-    Intensity all{{}, public_warnings(joined(of.data().input.warnings, found.warnings))};
+    Intensity all{{}, public_warnings(joined(of.data().open.input.warnings, found.warnings))};
     for (const study::TipAtEnd& tip : found.tips) all.tips.push_back(tip_of(tip));
     return all;
   });

@@ -1,6 +1,6 @@
 // Cases are the folders with expected values or a trace, however deep.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/cases/cases.hpp"
+#include "api/case_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study::study_cases_test {
+namespace keyblock::case_folder_test {
 
 namespace fs = std::filesystem;
 using support::fresh_folder;
@@ -49,4 +49,4 @@ TEST(CaseFolders, a_path_without_any_is_refused) {
   EXPECT_THROW(find_cases({fresh_folder("no_cases") + "/none"}), InputError);
 }
 
-}  // namespace keyblock::study::study_cases_test
+}  // namespace keyblock::case_folder_test

@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include "api/parts.hpp"
+#include "library/parts.hpp"
 
 namespace keyblock::api {
 namespace {

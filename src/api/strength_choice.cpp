@@ -1,10 +1,11 @@
 // Words to polygons; elements and edges by where their middle lies.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/strength/exempt.hpp"
+#include "api/strength_choice.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -17,8 +18,10 @@
 #include "geometry/polygon.hpp"
 #include "model/continuum.hpp"
 
-namespace keyblock::study {
+namespace keyblock {
 namespace {
+
+constexpr std::array<const char*, 3> kReduced{"joints", "rock", "both"};
 
 [[noreturn]] void refuse(const std::string& word) {
   throw std::invalid_argument(
@@ -95,6 +98,29 @@ Point centroid_of(const Model& model, const Element& element) {
 
 }  // namespace
 
+std::string name_of(Reduced what) {
+  return kReduced.at(static_cast<std::size_t>(what));
+}
+
+Reduced reduced_of(const std::string& name) {
+  const auto* const found = std::ranges::find(kReduced, name);
+  if (found == kReduced.end())
+    throw std::invalid_argument(fmt::format("expected joints, rock or both, found \"{}\"", name));
+  return static_cast<Reduced>(found - kReduced.begin());
+}
+
+ReductionAsked completed(ReductionAsked given, const std::optional<ReductionAsked>& of_case) {
+  const ReductionAsked usual{Reduced::joints, {}, {}, ReductionAsked::kWithin, {}};
+  for (const ReductionAsked& other : {of_case.value_or(ReductionAsked()), usual}) {
+    if (!given.what) given.what = other.what;
+    if (!given.from) given.from = other.from;
+    if (!given.to) given.to = other.to;
+    if (!given.within) given.within = other.within;
+    if (given.exempt.empty()) given.exempt = other.exempt;
+  }
+  return given;
+}
+
 Exempt exempt_of(const std::vector<std::string>& words) {
   Exempt exempt;
   for (const std::string& word : words) {
@@ -163,4 +189,4 @@ ExemptCount exempt_regions(Prepared& prepared, const Exempt& exempt, int block_m
   return count;
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock

@@ -1,21 +1,22 @@
 // Reads case.json, key by key.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/cases/case_file.hpp"
+#include "api/case_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "api/named_files.hpp"
 #include "formats/registry.hpp"
 #include "run/settings_file.hpp"
 #include "settings/profile.hpp"
-#include "study/cases/named_files.hpp"
 
-namespace keyblock::study {
+namespace keyblock {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -23,7 +24,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kNotRun = "not run: ";
 
 /// A value of the file and the key it stands under, for messages.
-struct Node {
+struct CaseValue {
   const CaseFolder& folder;
   const std::string& file;
   std::string key;
@@ -33,7 +34,7 @@ struct Node {
     throw InputError({file, 0, 0}, fmt::format("key {}: expected {}, found {}", key.empty() ? "(top)" : key, expected,
                                                json.dump(-1, ' ', false, Json::error_handler_t::replace)));
   }
-  Node at(const std::string& name) const {
+  CaseValue at(const std::string& name) const {
     return {folder, file, key.empty() ? name : key + "." + name, json.at(name)};
   }
   void require_object() const {
@@ -66,7 +67,7 @@ bool takes(const std::string& name, const std::string& value) {
 }
 
 // A setting that is off or on may be false or true.
-std::string setting_text(const Node& object, const std::string& name) {
+std::string setting_text(const CaseValue& object, const std::string& name) {
   const Json& value = object.json.at(name);
   if (value.is_number()) return value.dump();
   if (value.is_boolean())
@@ -75,7 +76,7 @@ std::string setting_text(const Node& object, const std::string& name) {
   return object.at(name).text();
 }
 
-std::vector<Override> overrides_of(const Node& object) {
+std::vector<Override> overrides_of(const CaseValue& object) {
   object.require_object();
   std::vector<Override> overrides;
   for (const auto& [name, value] : object.json.items())
@@ -84,7 +85,7 @@ std::vector<Override> overrides_of(const Node& object) {
 }
 
 // A wrong one is told here, with its key. One of a variant is told when that is run: it leaves the other runs.
-std::vector<Override> checked(const Node& object) {
+std::vector<Override> checked(const CaseValue& object) {
   std::vector<Override> overrides = overrides_of(object);
   for (const auto& [name, value] : overrides) {
     try {
@@ -100,7 +101,7 @@ void append(std::vector<Override>& list, const std::vector<Override>& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
-std::map<std::string, std::vector<Override>> sets_of(const Node& set) {
+std::map<std::string, std::vector<Override>> sets_of(const CaseValue& set) {
   std::vector<std::string> known = rule_names();
   known.insert(known.begin(), "both");
   set.require_keys(known);
@@ -111,13 +112,13 @@ std::map<std::string, std::vector<Override>> sets_of(const Node& set) {
   return sets;
 }
 
-double positive(const Node& node) {
+double positive(const CaseValue& node) {
   const double value = node.json.is_number() ? node.json.get<double>() : 0;
   if (!std::isfinite(value) || value <= 0) node.refuse("a number greater than 0");
   return value;
 }
 
-Variant variant_of(const Node& node) {
+Variant variant_of(const CaseValue& node) {
   node.require_keys({"name", "profile", "set", "tolerance", "reason"});
   for (const char* key : {"name", "profile", "set"})
     if (!node.json.contains(key)) node.refuse(fmt::format("the key \"{}\" in it", key));
@@ -133,10 +134,10 @@ Variant variant_of(const Node& node) {
   return variant;
 }
 
-std::vector<std::string> exempt_words(const Node& list) {
+std::vector<std::string> exempt_words(const CaseValue& list) {
   if (!list.json.is_array()) list.refuse("a list of texts");
   std::vector<std::string> words;
-  for (const Json& word : list.json) words.push_back(Node{list.folder, list.file, list.key, word}.text());
+  for (const Json& word : list.json) words.push_back(CaseValue{list.folder, list.file, list.key, word}.text());
   try {
     exempt_of(words);
   } catch (const std::invalid_argument& error) {
@@ -145,7 +146,7 @@ std::vector<std::string> exempt_words(const Node& list) {
   return words;
 }
 
-ReductionAsked reduction_of(const Node& node) {
+ReductionAsked reduction_of(const CaseValue& node) {
   node.require_keys({"what", "from", "to", "to_within", "exempt"});
   if (!node.json.contains("what")) node.refuse("the key \"what\" in it");
   ReductionAsked asked;
@@ -171,11 +172,11 @@ Json parsed(const std::string& path) {
 }
 
 // A name in the list stands for the list in that file.
-std::vector<Variant> variants_of(const Node& list) {
+std::vector<Variant> variants_of(const CaseValue& list) {
   if (!list.json.is_array()) list.refuse("a list");
   std::vector<Variant> variants;
   for (std::size_t i = 0; i < list.json.size(); ++i) {
-    const Node node{list.folder, list.file, fmt::format("{}[{}]", list.key, i), list.json[i]};
+    const CaseValue node{list.folder, list.file, fmt::format("{}[{}]", list.key, i), list.json[i]};
     if (!node.json.is_string()) {
       variants.push_back(variant_of(node));
       continue;
@@ -187,7 +188,7 @@ std::vector<Variant> variants_of(const Node& list) {
   return variants;
 }
 
-std::string reason_of(const Node& node) {
+std::string reason_of(const CaseValue& node) {
   const std::string text = node.text();
   if (!text.starts_with(kNotRun) || text.size() == kNotRun.size()) node.refuse("\"not run: REASON\"");
   return text.substr(kNotRun.size());
@@ -200,18 +201,12 @@ std::vector<Override> CaseFile::overrides(const std::string& profile) const {
   return found == set.end() ? std::vector<Override>{} : found->second;
 }
 
-std::vector<Override> CaseFile::overrides(const Variant& variant) const {
-  std::vector<Override> all = overrides(variant.profile);
-  append(all, variant.set);
-  return all;
-}
-
 CaseFile read_case_file(const CaseFolder& folder) {
   CaseFile file;
   file.path = (folder.folder / "case.json").string();
   if (!std::filesystem::exists(file.path)) return file;
   const Json json = parsed(file.path);
-  const Node top{folder, file.path, "", json};
+  const CaseValue top{folder, file.path, "", json};
   std::vector<std::string> known{"about", "slow", "set", "variants", "reduce_strength"};
   for (const std::string& profile : rule_names()) known.push_back(profile);
   top.require_keys(known);
@@ -225,4 +220,4 @@ CaseFile read_case_file(const CaseFolder& folder) {
   return file;
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock

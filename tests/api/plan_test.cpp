@@ -1,19 +1,17 @@
 // Files, profile, settings and mesh of a case are the same whichever command asks for them.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/cases/asked_case.hpp"
+#include "api/plan.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "formats/case.hpp"
-#include "run/prepare.hpp"
+#include "api/case_folder.hpp"
 #include "settings/profile.hpp"
-#include "study/cases/cases.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study::asked_case_test {
+namespace keyblock::plan_test {
 namespace {
 
 const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
@@ -30,11 +28,8 @@ std::string plate(const std::string& set) {
 }
 
 int unknowns_of(const std::string& file, const std::vector<Override>& sets) {
-  const AskedCase asked = asked_case({{file}, {}, {}, sets});
-  const formats::Case input = formats::load_case(asked.files);
-  const ChosenProfile profile = profile_for(asked, input.problem);
-  const auto [problem, left] = configured(input.problem, asked.overrides(profile.name));
-  return prepare(problem, profile.name, left).requirements.unknowns;
+  const OpenCase open = opened(asked_case({{file}, {}, {}, sets}));
+  return planned(open, open.input.problem).prepared.requirements.unknowns;
 }
 
 }  // namespace
@@ -51,7 +46,7 @@ TEST(AskedCase, every_case_folder_can_be_configured_in_each_profile_that_it_runs
     const std::string of_statics = profile_for(asked, input.problem, OldFiles::standard).name;
     EXPECT_EQ(of_statics, chosen.name == "legacy" ? "standard" : chosen.name) << folder.name;
     for (const std::string& profile : {chosen.name, of_statics})
-      EXPECT_NO_THROW(configured(input.problem, asked.overrides(profile))) << folder.name;
+      EXPECT_NO_THROW(configured_under(profile, asked, input.problem)) << folder.name;
     ++configured_cases;
   }
   EXPECT_GT(configured_cases, 290);
@@ -92,4 +87,4 @@ TEST(AskedCase, a_case_file_may_set_its_mesh_and_the_command_line_overrules_it) 
   EXPECT_THROW(unknowns_of(folder + "/plain.json", {{"mesh.side", "-1"}}), std::invalid_argument);
 }
 
-}  // namespace keyblock::study::asked_case_test
+}  // namespace keyblock::plan_test

@@ -18,11 +18,11 @@
 #include <string>
 #include <vector>
 
+#include "api/case_folder.hpp"
+#include "api/strength_choice.hpp"
 #include "run/prepare.hpp"
-#include "study/cases/cases.hpp"
-#include "study/strength/reduced_problem.hpp"
 
-namespace keyblock::study {
+namespace keyblock {
 
 /// A run beside the plain one, held against the same expected values.
 struct Variant {
@@ -31,15 +31,6 @@ struct Variant {
   std::vector<Override> set;        ///< on top of the case's own for this profile
   std::optional<double> tolerance;  ///< absolute, in place of that of every expected value
   std::string reason;               ///< of that tolerance
-};
-
-/// Strength reduction in place of a run.
-struct ReductionAsked {
-  Reduced what = Reduced::joints;
-  std::optional<double> from;
-  std::optional<double> to;
-  double within = 0.01;
-  std::vector<std::string> exempt = {};  ///< as `exempt_of` reads them
 };
 
 struct CaseFile {
@@ -53,12 +44,10 @@ struct CaseFile {
 
   /// The settings of the plain run under `profile`: what the file sets for legacy or standard, whichever it varies.
   std::vector<Override> overrides(const std::string& profile) const;
-  /// The settings of a variant: those of the plain run, then its own.
-  std::vector<Override> overrides(const Variant& variant) const;
 };
 
 /// The case file of the folder; an empty one where there is none. Throws InputError naming file and key for a key that
 /// is none, or a value of the wrong kind.
 CaseFile read_case_file(const CaseFolder& folder);
 
-}  // namespace keyblock::study
+}  // namespace keyblock

@@ -1,6 +1,6 @@
 // The table that `body_acceleration_file` names reaches the settings of the run; a missing one is the input's fault.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/cases/named_files.hpp"
+#include "api/named_files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "tests/support/scenes.hpp"
 #include "tests/support/text_files.hpp"
 
-namespace keyblock::study::named_files_test {
+namespace keyblock::named_files_test {
 namespace {
 
 Problem one_block() {
@@ -57,4 +57,4 @@ TEST(NamedFiles, a_missing_file_is_an_input_error_and_a_name_that_was_not_read_i
   EXPECT_THROW(prepare(one_block(), "legacy", overrides), std::invalid_argument);
 }
 
-}  // namespace keyblock::study::named_files_test
+}  // namespace keyblock::named_files_test

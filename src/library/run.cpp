@@ -4,10 +4,10 @@
 
 #include <optional>
 
-#include "api/parts.hpp"
 #include "job/run_doubts.hpp"
 #include "job/run_warnings.hpp"
 #include "job/verdict/end_of_motion.hpp"
+#include "library/parts.hpp"
 #include "run/record.hpp"
 #include "run/steppers.hpp"
 
@@ -25,7 +25,7 @@ struct Run::State {
              observer) {
     record.profile = plan.profile();
     record.units = plan.data()->planned.problem.units;
-    record.warnings = joined(plan.data()->of.data().input.warnings, plan.data()->planned.warnings);
+    record.warnings = joined(plan.data()->of.data().open.input.warnings, plan.data()->planned.warnings);
     const int stride = stride_of(prepared().scene.settings.step_count);
     record.steps = StepRows(stride);
     record.ledger = LedgerRows(stride);

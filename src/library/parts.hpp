@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "api/plan.hpp"
 #include "base/context.hpp"
 #include "base/error.hpp"
 #include "formats/case.hpp"
 #include "result/contact_frame.hpp"
 #include "result/frame.hpp"
-#include "study/cases/asked_case.hpp"
 
 namespace keyblock::api {
 inline namespace v1 {
@@ -24,14 +24,13 @@ struct Context::State {
 };
 
 struct Case::Data {
-  study::AskedCase asked;
-  formats::Case input;
+  OpenCase open;
   std::vector<Warning> warnings;
 };
 
 struct Plan::Data {
   Case of;
-  study::PlannedCase planned;
+  PlannedCase planned;
 };
 
 struct Frame::Data {
@@ -53,7 +52,7 @@ inline std::vector<Warning> public_warnings(const Warnings& warnings) {
 }
 
 /// The files and choices of a case under choices of the caller.
-study::AskedCase asked_under(const Case& of, const Choices& choices);
+AskedCase asked_under(const Case& of, const Choices& choices);
 
 /// Does `work`; what it throws comes out as the errors of the public header.
 template <class Work>

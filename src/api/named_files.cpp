@@ -1,11 +1,11 @@
 // One line a setting that names a file.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study/cases/named_files.hpp"
+#include "api/named_files.hpp"
 
 #include "formats/berkeley/body_acceleration.hpp"
 #include "formats/registry.hpp"
 
-namespace keyblock::study {
+namespace keyblock {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,4 +36,4 @@ Problem with_named_files(Problem problem, const std::vector<Override>& overrides
   return problem;
 }
 
-}  // namespace keyblock::study
+}  // namespace keyblock

@@ -1,6 +1,6 @@
 // The context of the library behind that of the caller.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "api/parts.hpp"
+#include "library/parts.hpp"
 
 namespace keyblock::api {
 inline namespace v1 {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace keyblock::study {
+namespace keyblock {
 
 /// A case folder: `NAME/NAME.json`, a case file; or `NAME/NAME.geo` or `.blk`, and `NAME/NAME.ana` or `.df`; and
 /// `expected.csv` or `steps.csv` with `blocks.csv`.
@@ -25,4 +25,4 @@ std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths);
 /// The case at a path, or the one below it. Throws InputError where there are more, or none.
 CaseFolder the_case_in(const std::string& path);
 
-}  // namespace keyblock::study
+}  // namespace keyblock

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "api/parts.hpp"
 #include "formats/case_file/keyblock_case.hpp"
 #include "job/files.hpp"
+#include "library/parts.hpp"
 #include "study/convert/convert.hpp"
 
 namespace keyblock::api {
@@ -20,10 +20,10 @@ using Json = nlohmann::ordered_json;
 // One case file is handed on as it stands, which may be YAML.
 std::string text_of(const Case::Data& data) {
   const study::Conversion made =
-      study::convert(data.input.files, study::target_named(formats::kKeyblockCase.name), study::Faults::none);
+      study::convert(data.open.input.files, study::target_named(formats::kKeyblockCase.name), study::Faults::none);
   const std::string& text = made.files.front().text;
   if (Json::accept(text, true)) return text;
-  return formats::kKeyblockCase.write(data.input.files.front().reading->content);
+  return formats::kKeyblockCase.write(data.open.input.files.front().reading->content);
 }
 
 Json json_of(const Case::Data& data) {
@@ -42,20 +42,20 @@ Json::json_pointer pointer_in(const Json& json, std::string_view pointer) {
 
 // Files of an old program stay such, with the rules that go with them.
 Case::Data changed(const Case::Data& before, const std::string& text) {
-  Case::Data after{before.asked, {}, {}};
+  Case::Data after{before.open, {}};
   formats::FileReading file;
-  file.path = (std::filesystem::path(before.input.files.front().path).parent_path() / "changed case").string();
+  file.path = (std::filesystem::path(before.open.input.files.front().path).parent_path() / "changed case").string();
   file.source = {file.path, text};
   file.choice = formats::recognise(file.source);
   file.reading = formats::read_as(*file.choice, file.source);
-  file.reading->content.is_own_case = before.input.problem.has_own_case;
-  after.input = formats::case_of({std::move(file)});
-  Warnings warnings = before.input.warnings;
-  for (const keyblock::Warning& warning : after.input.warnings)
+  file.reading->content.is_own_case = before.open.input.problem.has_own_case;
+  after.open.input = formats::case_of({std::move(file)});
+  Warnings warnings = before.open.input.warnings;
+  for (const keyblock::Warning& warning : after.open.input.warnings)
     if (std::ranges::none_of(warnings, [&](const auto& known) { return known.sentence == warning.sentence; }))
       warnings.push_back(warning);
-  after.input.warnings = std::move(warnings);
-  after.warnings = public_warnings(after.input.warnings);
+  after.open.input.warnings = std::move(warnings);
+  after.warnings = public_warnings(after.open.input.warnings);
   return after;
 }
 
@@ -70,8 +70,8 @@ void require_nothing_there(const std::filesystem::path& file) {
 
 }  // namespace
 
-study::AskedCase asked_under(const Case& of, const Choices& choices) {
-  study::AskedCase asked = of.data().asked;
+AskedCase asked_under(const Case& of, const Choices& choices) {
+  AskedCase asked = of.data().open;
   if (!choices.profile.empty()) asked.profile = choices.profile;
   asked.common.insert(asked.common.end(), choices.set.begin(), choices.set.end());
   return asked;
@@ -83,9 +83,8 @@ Case Case::read(const std::vector<std::string>& paths) {
   return guarded([&] {
     if (paths.empty()) throw SettingError("expected the files of a case, or its folder, found none");
     auto data = std::make_shared<Data>();
-    data->asked = study::asked_case({paths, {}, {}, {}});
-    data->input = formats::load_case(data->asked.files, data->asked.choices);
-    data->warnings = public_warnings(data->input.warnings);
+    data->open = opened(asked_case({paths, {}, {}, {}}));
+    data->warnings = public_warnings(data->open.input.warnings);
     return Case(std::move(data));
   });
 }
@@ -95,7 +94,7 @@ const std::vector<Warning>& Case::warnings() const {
 }
 
 std::vector<std::string> Case::units() const {
-  const Units& units = data_->input.problem.units;
+  const Units& units = data_->open.input.problem.units;
   return {units.length, units.mass, units.time};
 }
 
@@ -127,7 +126,7 @@ Case Case::with(std::string_view pointer, double value) const {
 std::vector<std::string> Case::write(const std::string& path, std::string_view format) const {
   return guarded([&] {
     const study::Target& target = study::target_named(format);
-    const study::Conversion made = study::convert(data_->input.files, target, study::Faults::none);
+    const study::Conversion made = study::convert(data_->open.input.files, target, study::Faults::none);
     std::vector<std::filesystem::path> files;
     for (const study::ConvertedFile& file : made.files) {
       std::filesystem::path name = path;

@@ -1,7 +1,8 @@
-// Materials and regions whose strength stays as it is while the strength of all others is reduced.
+// What of a case is reduced in strength: joints, rock or both, but for exempt materials and regions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,7 +11,29 @@
 #include "problem/problem.hpp"
 #include "run/prepare.hpp"
 
-namespace keyblock::study {
+namespace keyblock {
+
+/// Whose strength is divided.
+enum class Reduced { joints, rock, both };
+
+/// A word for tables: "joints", "rock", "both".
+std::string name_of(Reduced what);
+
+/// Throws std::invalid_argument for a word that is none.
+Reduced reduced_of(const std::string& name);
+
+/// A search for the factor of safety as somebody asks for it; what is left open is taken from `case.json`, else usual.
+struct ReductionAsked {
+  std::optional<Reduced> what;
+  std::optional<double> from, to;
+  std::optional<double> within;          ///< width of the bracket
+  std::vector<std::string> exempt = {};  ///< as `exempt_of` reads them
+
+  static constexpr double kWithin = 0.01;  ///< unless asked otherwise
+};
+
+/// What `given` leaves open is that of `of_case`; then joints, and the usual width.
+ReductionAsked completed(ReductionAsked given, const std::optional<ReductionAsked>& of_case);
 
 /// A polygon in the undeformed scene, in its unit of length.
 struct ExemptRegion {
@@ -44,4 +67,4 @@ struct ExemptCount {
 /// n + `joint_materials` for edges. `prepared` must hold materials of these numbers.
 ExemptCount exempt_regions(Prepared& prepared, const Exempt& exempt, int block_materials, int joint_materials);
 
-}  // namespace keyblock::study
+}  // namespace keyblock

@@ -8,7 +8,7 @@
 
 #include "run/prepare.hpp"
 
-namespace keyblock::study {
+namespace keyblock {
 
 /// The value of a setting that stands in a file in `folder`: if it names a file, the path of that from the working
 /// folder (an absolute name stays); else the value itself.
@@ -19,4 +19,4 @@ std::string from_folder(const std::filesystem::path& folder, const std::string& 
 /// working folder. Throws InputError if the file is missing or wrong.
 Problem with_named_files(Problem problem, const std::vector<Override>& overrides);
 
-}  // namespace keyblock::study
+}  // namespace keyblock

@@ -1,0 +1,63 @@
+// Folder, then settings file, then what was asked beside them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "api/asked_case.hpp"
+
+#include <utility>
+
+#include "api/named_files.hpp"
+#include "formats/registry.hpp"
+#include "run/settings_file.hpp"
+
+namespace keyblock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void put_files(AskedCase& asked, const std::vector<std::string>& paths) {
+  if (paths.size() != 1 || !fs::is_directory(paths.front())) {
+    asked.files = paths;
+    if (!paths.empty()) asked.name = fs::path(paths.front()).stem().string();
+    return;
+  }
+  const CaseFolder folder = the_case_in(paths.front());
+  const fs::path whole = fs::absolute(folder.folder).lexically_normal();
+  asked.name = (whole.parent_path().filename() / whole.filename()).string();  // cases share names as "coarse"
+  asked.folder = folder.folder;
+  asked.file = read_case_file(folder);
+  asked.files = folder.inputs();
+}
+
+void put_settings_file(AskedCase& asked, const std::string& path) {
+  if (path.empty()) return;
+  const SettingsFile file = read_settings(path, formats::load(path).text);
+  if (asked.profile.empty()) asked.profile = file.profile;
+  for (const auto& [name, value] : file.settings)
+    asked.common.emplace_back(name, from_folder(fs::path(path).parent_path(), name, value));
+}
+
+}  // namespace
+
+std::vector<Override> AskedCase::overrides(const std::string& under) const {
+  std::vector<Override> all = file.overrides(under);
+  all.insert(all.end(), common.begin(), common.end());
+  return all;
+}
+
+AskedCase asked_case(const CaseRequest& request) {
+  AskedCase asked;
+  asked.profile = request.profile;
+  asked.choices = request.choices;
+  put_files(asked, request.paths);
+  put_settings_file(asked, request.settings_file);
+  asked.common.insert(asked.common.end(), request.sets.begin(), request.sets.end());
+  return asked;
+}
+
+OpenCase opened(AskedCase asked) {
+  OpenCase open{std::move(asked), {}};
+  open.input = formats::load_case(open.files, open.choices);
+  return open;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,50 @@
+// A case as somebody asks for it: files or a folder, settings, profile; and the same, read.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "api/case_file.hpp"
+#include "formats/case.hpp"
+#include "run/settings_of.hpp"
+
+namespace keyblock {
+
+/// What was asked, before any file is read. Settings below override those above.
+struct CaseRequest {
+  std::vector<std::string> paths;  ///< the files of a case, or its folder
+  std::string settings_file;       ///< empty: none
+  std::string profile;             ///< empty: chosen by the settings file, the case file, or the kind of the files
+  std::vector<Override> sets;      ///< of the command line, or of a caller
+  formats::DrawingChoices choices = {};
+};
+
+/// The files and choices that a request stands for.
+struct AskedCase {
+  std::string name;                 ///< for tables
+  std::filesystem::path folder;     ///< of the case; empty if files were given
+  std::vector<std::string> files;   ///< to be read
+  formats::DrawingChoices choices;  ///< for reading them
+  CaseFile file;                    ///< empty if files were given
+  std::string profile;              ///< of the command line or the settings file; empty: none
+  std::vector<Override> common;     ///< of the settings file, then of the command line
+
+  /// All settings of a run in that profile: those of `case.json`, then `common`.
+  std::vector<Override> overrides(const std::string& under) const;
+};
+
+/// Reads `case.json` and the settings file. Throws InputError for a folder that holds no case or several, and for files
+/// that cannot be read.
+AskedCase asked_case(const CaseRequest& request);
+
+/// A case that was read.
+struct OpenCase : AskedCase {
+  formats::Case input;
+};
+
+/// Reads the files of the case. Throws InputError as `formats::load_case` does.
+OpenCase opened(AskedCase asked);
+
+}  // namespace keyblock

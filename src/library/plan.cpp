@@ -1,0 +1,48 @@
+// A case made ready by the one way there is (`planned`).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "library/parts.hpp"
+#include "settings/settings_table.hpp"
+
+namespace keyblock::api {
+inline namespace v1 {
+
+Plan::Plan(const Case& of, const Choices& choices, const Context& context) {
+  data_ = guarded([&] {
+    const Under under(context.state().context);
+    return std::make_shared<const Data>(Data{of, planned(asked_under(of, choices), of.data().open.input.problem)});
+  });
+}
+
+const std::string& Plan::profile() const {
+  return data_->planned.profile.name;
+}
+
+const std::string& Plan::why_profile() const {
+  return data_->planned.profile.why;
+}
+
+std::vector<std::pair<std::string, std::string>> Plan::settings() const {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const SettingText& setting : list(data_->planned.prepared.scene.settings))
+    all.emplace_back(setting.name, setting.value);
+  return all;
+}
+
+std::vector<Warning> Plan::warnings() const {
+  return public_warnings(joined(data_->of.data().open.input.warnings, data_->planned.warnings));
+}
+
+int Plan::unknowns() const {
+  return data_->planned.prepared.requirements.unknowns;
+}
+
+int Plan::blocks() const {
+  return static_cast<int>(data_->planned.prepared.scene.model.elements.size());
+}
+
+int Plan::steps() const {
+  return data_->planned.prepared.scene.settings.step_count;
+}
+
+}  // namespace v1
+}  // namespace keyblock::api
