@@ -125,6 +125,7 @@ RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace, Units un
 
 RunFolder::RunFolder(fs::path folder, Trace trace, Units units)
     : RunFolder(std::move(folder), Overwrite::yes, trace, std::move(units)) {
+  has_saved_steps_ = true;
   lock_ = FolderLock(folder_);
 }
 
@@ -139,7 +140,7 @@ void RunFolder::begin(const std::string& checkpoint) {
   else
     files_.require_free();
   remove_drafts(folder_);  // those of a run that was killed: no other run writes here
-  if (!checkpoint.empty()) write_durably(checkpoint_in(folder_), checkpoint, Overwrite::no);
+  if (!checkpoint.empty()) write_file(checkpoint_in(folder_), checkpoint, Overwrite::no);
   const bool made_frames = fs::create_directory(folder_ / kFrameFolder, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", (folder_ / kFrameFolder).string()));
   if (!made_frames && files_.overwrite() == Overwrite::no)
@@ -175,13 +176,18 @@ void RunFolder::flush_frames() {
 void RunFolder::write_checkpoint(const std::string& bytes) {
   flush_frames();
   write_durably(checkpoint_in(folder_), bytes, Overwrite::yes);
+  has_saved_steps_ = true;
 }
 
+// The results take the place of what was saved, and reach the disk first. Where no steps were saved the run took
+// seconds: the disk may wait.
 void RunFolder::remove_checkpoint() {
   if (!fs::exists(checkpoint_in(folder_))) return;
-  flush_frames();
-  for (const std::string& name : files_.names()) flush_to_disk(folder_ / name);
-  flush_to_disk(folder_);
+  if (has_saved_steps_) {
+    flush_frames();
+    for (const std::string& name : files_.names()) flush_to_disk(folder_ / name);
+    flush_to_disk(folder_);
+  }
   fs::remove(checkpoint_in(folder_));
 }
 

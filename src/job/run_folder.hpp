@@ -94,7 +94,9 @@ class RunFolder {
   /// Says what is to become of contacts, before the first frame.
   void choose_contacts(ContactOutput output) { frame_tables_.choose(std::move(output)); }
   /// Of which bodies consist, before the first frame.
-  void of_materials(std::vector<BlockMaterial> materials) { frame_files_.of_materials(std::move(materials)); }
+  void choose_frames(std::vector<BlockMaterial> materials, formats::VtkCoding coding) {
+    frame_files_.choose(std::move(materials), coding);
+  }
   const FrameTables& frame_tables() const { return frame_tables_; }
 
   /// Lines of histories.csv, kept for a while before they are written.
@@ -139,6 +141,7 @@ class RunFolder {
   Trace trace_;
   std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
   bool made_folder_ = false;
+  bool has_saved_steps_ = false;
 };
 
 /// Where a run's folder has its checkpoint.

@@ -65,7 +65,7 @@ TEST(StreamsAndLimits, a_run_whose_record_nobody_reads_ends_as_its_results_do) {
 
 TEST(StreamsAndLimits, a_file_that_may_not_grow_is_exit_4_and_the_run_can_be_resumed) {
   const std::string folder = fresh_folder("file_limit");
-  const auto run = run_script("ulimit -f 40; exec " + run_of(4000) + "-o " + folder + "/out");
+  const auto run = run_script("ulimit -f 60; exec " + run_of(4000) + "-o " + folder + "/out");
   EXPECT_EQ(run.exit_code, 4) << run.messages;
   EXPECT_TRUE(contains(run.messages, "File too large")) << run.messages;
   const auto resumed = run_keyblock({"run", "--resume", folder + "/out"});
