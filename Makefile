@@ -8,7 +8,7 @@ SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 # cracks grow under contact are twice as fast with it.
 PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3-dev libfmt-dev libgsl-dev libgtest-dev \
            libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev \
-           libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 libyaml-cpp-dev
+           libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 libyaml-cpp-dev zlib1g-dev
 
 .PHONY: help build install uninstall deb debug run test cases index fronts validate bench bare sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help

@@ -18,7 +18,10 @@ std::string opening(int step, double time) {
 }
 
 void append(std::string& text, std::initializer_list<double> values) {
-  for (const double value : values) text += fmt::format(",{:.12g}", value);
+  for (const double value : values) {
+    text += ',';
+    append_rounded(text, value);
+  }
 }
 
 }  // namespace

@@ -35,6 +35,13 @@ std::string format_real(double value) {
   return {text.data(), end};
 }
 
+void append_rounded(std::string& text, double value) {
+  std::array<char, 32> digits;
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 12).ptr;
+  text.append(digits.data(), end);
+}
+
 std::optional<double> parse_real(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   if (text.empty() || text.size() > 400 || text.starts_with('+')) return std::nullopt;

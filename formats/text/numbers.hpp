@@ -11,6 +11,8 @@ namespace keyblock::formats {
 /// Shortest decimal text that `parse_real` turns back into the same bits.
 std::string format_real(double value);
 void append_real(std::string& text, double value);
+/// As %.12g of C prints it: what tables have.
+void append_rounded(std::string& text, double value);
 void append_integer(std::string& text, int value);
 
 /// A finite real: decimal, optional sign `+`, Fortran `D` exponents, `.5`, `5.`. Nothing for anything else

@@ -45,9 +45,9 @@ Frame frame_of(const Cover& cover) {
 }
 
 std::string write_vtk(const Content& content) {
-  if (!content.frames.empty()) return vtu(content.frames.back());
-  if (content.blocks) return vtu(frame_of(*content.blocks));
-  if (content.cover) return vtu(frame_of(*content.cover));
+  if (!content.frames.empty()) return vtu(content.frames.back(), {}, {}, {}, VtkCoding::text);
+  if (content.blocks) return vtu(frame_of(*content.blocks), {}, {}, {}, VtkCoding::text);
+  if (content.cover) return vtu(frame_of(*content.cover), {}, {}, {}, VtkCoding::text);
   throw std::invalid_argument("there are no blocks, elements or frames to write");
 }
 

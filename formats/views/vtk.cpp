@@ -1,4 +1,4 @@
-// Writes VTK's XML by hand; the arrays follow one another in the order the viewer's panel shows them.
+// The arrays follow one another in the order the viewer's panel shows them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/vtk.hpp"
 
@@ -55,47 +55,53 @@ Chain one_chain(const std::vector<std::vector<Point>>& loops) {
   return chain;
 }
 
-/// One value a cell, or three with `width` 3.
-template <class Value>
-void append_cells(std::string& text, const Frame& frame, std::string_view type, std::string_view name, int width,
-                  Value value) {
-  text += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", type, name,
-                      width);
-  for (std::size_t i = 0; i < frame.elements.size(); ++i) text += value(i, frame.elements[i]) + "\n";
-  text += "</DataArray>\n";
-}
-
-std::string vector_text(double x, double y) {
-  return fmt::format("{} {} 0", format_real(x), format_real(y));
-}
-
-void append_points(std::string& text, const std::vector<Chain>& chains) {
-  text += "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+/// The corners of all elements, one after the other.
+std::vector<double> places_of(const std::vector<Chain>& chains) {
+  std::vector<double> places;
   for (const Chain& chain : chains)
-    for (const Corner& corner : chain) text += vector_text(corner.at.x, corner.at.y) + "\n";
-  text += "</DataArray>\n</Points>\n";
+    for (const Corner& corner : chain) places.insert(places.end(), {corner.at.x, corner.at.y, 0});
+  return places;
 }
 
-void append_polygons(std::string& text, const std::vector<Chain>& chains) {
-  std::string connectivity;
-  std::string offsets;
-  std::string types;
-  std::size_t next = 0;
+void add_polygons(VtkFile& file, const std::vector<Chain>& chains) {
+  std::vector<std::int32_t> connectivity, offsets;
   for (const Chain& chain : chains) {
-    for (std::size_t i = 0; i < chain.size(); ++i) connectivity += fmt::format("{} ", next++);
-    connectivity += '\n';
-    offsets += fmt::format("{}\n", next);
-    types += "7\n";
+    for (std::size_t i = 0; i < chain.size(); ++i)
+      connectivity.push_back(static_cast<std::int32_t>(connectivity.size()));
+    offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
   }
-  text += "<Cells>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n" + connectivity;
-  text += "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n" + offsets;
-  text += "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n" + types;
-  text += "</DataArray>\n</Cells>\n";
+  constexpr std::uint8_t kPolygon = 7;
+  file.begin("Cells");
+  file.add("connectivity", connectivity);
+  file.add("offsets", offsets);
+  file.add("types", std::vector<std::uint8_t>(chains.size(), kPolygon));
+  file.end();
 }
 
-std::string axis_text(const Stress& stress) {
+/// A number of each row. `value` takes the row and its place in the list.
+template <class T, class Rows, class Value>
+std::vector<T> column(const Rows& rows, const Value& value) {
+  std::vector<T> numbers;
+  numbers.reserve(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) numbers.push_back(static_cast<T>(value(rows[i], i)));
+  return numbers;
+}
+
+/// A vector of each row, (x, y, 0).
+template <class T, class Rows, class Value>
+std::vector<T> vectors(const Rows& rows, const Value& value) {
+  std::vector<T> numbers;
+  numbers.reserve(3 * rows.size());
+  for (const auto& row : rows) {
+    const Point v = value(row);
+    numbers.insert(numbers.end(), {static_cast<T>(v.x), static_cast<T>(v.y), T{0}});
+  }
+  return numbers;
+}
+
+Point axis_of(const Stress& stress) {
   const double angle = principal_angle(stress);
-  return fmt::format("{:.9f} {:.9f} 0", std::cos(angle), std::sin(angle));
+  return {std::cos(angle), std::sin(angle)};
 }
 
 int fixed_points_of(const Frame& frame, std::size_t element) {
@@ -121,8 +127,8 @@ constexpr std::array<PlasticArray, 8> kPlasticArrays{{
 }};
 
 template <class Of>
-std::string plastic_text(const PlasticArray& array, const Of& of) {
-  return format_real(array.value(of.plastic.value_or(PlasticState{}), invariants_of(of.stress)));
+double plastic_value(const PlasticArray& array, const Of& of) {
+  return array.value(of.plastic.value_or(PlasticState{}), invariants_of(of.stress));
 }
 
 /// The component of elastic strain, from the normal stress along it, the two others', and the shear stress.
@@ -145,119 +151,110 @@ constexpr std::array<ElasticArray, 4> kElasticArrays{{
 
 using Materials = std::span<const BlockMaterial>;
 
-void append_elastic_cells(std::string& text, const Frame& frame, const Units& units, Materials materials) {
-  for (const ElasticArray& array : kElasticArrays)
-    append_cells(text, frame, "Float64", heading(kBlockArrays, array.name, units), 1,
-                 [&](std::size_t, const ElementFrame& e) {
-                   return format_real(array.value(e.stress, materials[static_cast<std::size_t>(e.material)]));
-                 });
-}
+/// Arrays of the cells, or of the points: rows that have a stress.
+template <class Rows>
+class StressArrays {
+ public:
+  StressArrays(VtkFile& file, const Rows& rows, const Units& units, const RunTable& arrays)
+      : file_(file), rows_(rows), units_(units), arrays_(arrays) {}
 
-void append_plastic_cells(std::string& text, const Frame& frame, const Units& units) {
-  using E = const ElementFrame&;
-  for (const PlasticArray& array : kPlasticArrays)
-    append_cells(text, frame, "Float64", heading(kBlockArrays, array.name, units), 1,
-                 [&](std::size_t, E e) { return plastic_text(array, e); });
-  append_cells(text, frame, "Int32", heading(kBlockArrays, "yield_state", units), 1, [](std::size_t, E e) {
-    return fmt::format("{}", static_cast<int>(e.plastic.value_or(PlasticState{}).region));
-  });
-  append_cells(text, frame, "Int32", heading(kBlockArrays, "has_yielded", units), 1,
-               [](std::size_t, E e) { return fmt::format("{:d}", e.plastic.value_or(PlasticState{}).has_yielded); });
-}
+  template <class Value>
+  void whole(std::string_view name, const Value& value) {
+    file_.add(heading(arrays_, name, units_), column<std::int32_t>(rows_, value));
+  }
+  template <class Value>
+  void real(std::string_view name, const Value& value) {
+    file_.add(heading(arrays_, name, units_), column<double>(rows_, value));
+  }
+  /// Of what follows from other arrays, or is only looked at: six digits.
+  template <class Value>
+  void short_real(std::string_view name, const Value& value) {
+    file_.add(heading(arrays_, name, units_), column<float>(rows_, value));
+  }
+  template <class T, class Value>
+  void vector(std::string_view name, const Value& value) {
+    file_.add(heading(arrays_, name, units_), vectors<T>(rows_, value), 3);
+  }
 
-void append_cell_data(std::string& text, const Frame& frame, const FieldFrame& field, const Units& units,
-                      Materials materials) {
+  void stresses() {
+    real("stress_xx", [](const auto& r, std::size_t) { return r.stress.xx; });
+    real("stress_yy", [](const auto& r, std::size_t) { return r.stress.yy; });
+    real("stress_xy", [](const auto& r, std::size_t) { return r.stress.xy; });
+    real("stress_zz", [](const auto& r, std::size_t) { return r.stress.zz; });
+    short_real("principal_stress_greatest", [](const auto& r, std::size_t) { return principal(r.stress).second; });
+    short_real("principal_stress_least", [](const auto& r, std::size_t) { return principal(r.stress).first; });
+    vector<float>("principal_axis", [](const auto& r) { return axis_of(r.stress); });
+  }
+  /// `material`: of the row at a place.
+  template <class Material>
+  void elastic_strains(Materials materials, const Material& material) {
+    for (const ElasticArray& array : kElasticArrays)
+      short_real(array.name, [&](const auto& r, std::size_t i) {
+        return array.value(r.stress, materials[static_cast<std::size_t>(material(i))]);
+      });
+  }
+  void plastic_strains() {
+    for (const PlasticArray& array : kPlasticArrays)
+      real(array.name, [&](const auto& r, std::size_t) { return plastic_value(array, r); });
+  }
+
+ private:
+  VtkFile& file_;
+  const Rows& rows_;
+  const Units& units_;
+  const RunTable& arrays_;
+};
+
+void add_cell_data(VtkFile& file, const Frame& frame, const FieldFrame& field, const Units& units,
+                   Materials materials) {
   using E = const ElementFrame&;
-  const auto real = [&](std::string_view name, auto member) {
-    append_cells(text, frame, "Float64", heading(kBlockArrays, name, units), 1,
-                 [&](std::size_t, E e) { return format_real(member(e)); });
-  };
-  text += "<CellData>\n";
-  append_cells(text, frame, "Int32", heading(kBlockArrays, "block", units), 1,
-               [&](std::size_t i, E) { return fmt::format("{}", number_of(frame, i) + 1); });
+  StressArrays cells(file, frame.elements, units, kBlockArrays);
+  file.begin("CellData");
+  cells.whole("block", [&](E, std::size_t i) { return number_of(frame, i) + 1; });
   // Only where something was cut off: what never changes is told once.
   if (std::ranges::any_of(frame.elements, [](E e) { return e.origin >= 0 && e.origin != e.number; }))
-    append_cells(text, frame, "Int32", heading(kBlockArrays, "origin", units), 1,
-                 [&](std::size_t i, E) { return fmt::format("{}", origin_of(frame, i) + 1); });
+    cells.whole("origin", [&](E, std::size_t i) { return origin_of(frame, i) + 1; });
   if (!field.elements.empty() && !field.is_of_blocks)
-    append_cells(text, frame, "Int32", heading(kBlockArrays, "body", units), 1,
-                 [&](std::size_t i, E) { return fmt::format("{}", field.elements[i].body + 1); });
-  append_cells(text, frame, "Int32", heading(kBlockArrays, "material", units), 1,
-               [](std::size_t, E e) { return fmt::format("{}", e.material + 1); });
-  real("stress_xx", [](E e) { return e.stress.xx; });
-  real("stress_yy", [](E e) { return e.stress.yy; });
-  real("stress_xy", [](E e) { return e.stress.xy; });
-  real("stress_zz", [](E e) { return e.stress.zz; });
-  real("principal_stress_greatest", [](E e) { return principal(e.stress).second; });
-  real("principal_stress_least", [](E e) { return principal(e.stress).first; });
-  append_cells(text, frame, "Float64", heading(kBlockArrays, "principal_axis", units), 3,
-               [](std::size_t, E e) { return axis_text(e.stress); });
-  append_cells(text, frame, "Float64", heading(kBlockArrays, "displacement", units), 3,
-               [](std::size_t, E e) { return vector_text(e.displacement.x, e.displacement.y); });
-  append_cells(text, frame, "Float64", heading(kBlockArrays, "velocity", units), 3,
-               [](std::size_t, E e) { return vector_text(e.velocity.x, e.velocity.y); });
-  real("rotation", [](E e) { return e.rotation; });
-  real("rotation_rate", [](E e) { return e.velocity.rotation; });
-  real("area", [](E e) { return e.area; });
-  append_cells(text, frame, "Int32", heading(kBlockArrays, "fixed_points", units), 1,
-               [&](std::size_t i, E) { return fmt::format("{}", fixed_points_of(frame, i)); });
-  if (!materials.empty()) append_elastic_cells(text, frame, units, materials);
-  if (frame.plastic) append_plastic_cells(text, frame, units);
-  text += "</CellData>\n";
+    cells.whole("body", [&](E, std::size_t i) { return field.elements[i].body + 1; });
+  cells.whole("material", [](E e, std::size_t) { return e.material + 1; });
+  cells.stresses();
+  cells.vector<double>("displacement", [](E e) { return e.displacement; });
+  cells.vector<float>("velocity", [](E e) { return Point{e.velocity.x, e.velocity.y}; });
+  cells.real("rotation", [](E e, std::size_t) { return e.rotation; });
+  cells.short_real("rotation_rate", [](E e, std::size_t) { return e.velocity.rotation; });
+  cells.short_real("area", [](E e, std::size_t) { return e.area; });
+  cells.whole("fixed_points", [&](E, std::size_t i) { return fixed_points_of(frame, i); });
+  if (!materials.empty()) cells.elastic_strains(materials, [&](std::size_t i) { return frame.elements[i].material; });
+  if (frame.plastic) {
+    cells.plastic_strains();
+    cells.whole("yield_state",
+                [](E e, std::size_t) { return static_cast<int>(e.plastic.value_or(PlasticState{}).region); });
+    cells.whole("has_yielded", [](E e, std::size_t) { return e.plastic.value_or(PlasticState{}).has_yielded; });
+  }
+  file.end();
 }
 
-std::string head(double time, std::size_t points, std::size_t cells) {
-  return fmt::format(
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n"
-      "<UnstructuredGrid>\n<FieldData>\n"
-      "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
-      "</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-      format_real(time), points, cells);
-}
-
-/// Displacement and stress of corners, one a line.
-void append_field(std::string& text, const FieldFrame& field, const std::vector<Chain>& chains, const Units& units,
-                  Materials materials) {
-  std::vector<const FieldCorner*> corners;
+/// Displacement and stress of corners.
+void add_field(VtkFile& file, const FieldFrame& field, const std::vector<Chain>& chains, const Units& units,
+               Materials materials) {
+  std::vector<FieldCorner> corners;
   std::vector<int> materials_of_corners;
   for (std::size_t e = 0; e < chains.size(); ++e) {
     std::vector<const FieldCorner*> numbered;
     for (const auto& loop : field.elements[e].loops)
       for (const FieldCorner& corner : loop) numbered.push_back(&corner);
-    for (const Corner& corner : chains[e]) corners.push_back(numbered[corner.number]);
+    for (const Corner& corner : chains[e]) corners.push_back(*numbered[corner.number]);
     materials_of_corners.resize(corners.size(), field.elements[e].material);
   }
-  const auto append = [&](std::string_view name, int width, auto value) {
-    text += fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n",
-                        heading(kCornerArrays, name, units), width);
-    for (const FieldCorner* corner : corners) text += value(*corner) + "\n";
-    text += "</DataArray>\n";
-  };
-  using C = const FieldCorner&;
-  text += "<PointData>\n";
-  append("displacement", 3, [](C c) { return vector_text(c.displacement.x, c.displacement.y); });
-  if (field.is_of_blocks) {
-    text += "</PointData>\n";
-    return;
+  StressArrays points(file, corners, units, kCornerArrays);
+  file.begin("PointData");
+  points.vector<double>("displacement", [](const FieldCorner& c) { return c.displacement; });
+  if (!field.is_of_blocks) {
+    points.stresses();
+    if (!materials.empty()) points.elastic_strains(materials, [&](std::size_t i) { return materials_of_corners[i]; });
+    if (field.plastic) points.plastic_strains();
   }
-  append("stress_xx", 1, [](C c) { return format_real(c.stress.xx); });
-  append("stress_yy", 1, [](C c) { return format_real(c.stress.yy); });
-  append("stress_xy", 1, [](C c) { return format_real(c.stress.xy); });
-  append("stress_zz", 1, [](C c) { return format_real(c.stress.zz); });
-  append("principal_stress_greatest", 1, [](C c) { return format_real(principal(c.stress).second); });
-  append("principal_stress_least", 1, [](C c) { return format_real(principal(c.stress).first); });
-  append("principal_axis", 3, [](C c) { return axis_text(c.stress); });
-  for (std::size_t i = 0; i < kElasticArrays.size() && !materials.empty(); ++i) {
-    auto material = materials_of_corners.begin();
-    append(kElasticArrays[i].name, 1, [&](C c) {
-      return format_real(kElasticArrays[i].value(c.stress, materials[static_cast<std::size_t>(*material++)]));
-    });
-  }
-  if (field.plastic)
-    for (const PlasticArray& array : kPlasticArrays) append(array.name, 1, [&](C c) { return plastic_text(array, c); });
-  text += "</PointData>\n";
+  file.end();
 }
 
 std::string attribute(std::string_view text) {
@@ -278,19 +275,22 @@ std::string attribute(std::string_view text) {
 }  // namespace
 
 std::string vtu(const Frame& frame, const FieldFrame& field, const Units& units,
-                std::span<const BlockMaterial> materials) {
+                std::span<const BlockMaterial> materials, VtkCoding coding) {
   std::vector<Chain> chains;
   std::size_t point_count = 0;
   for (const ElementFrame& element : frame.elements) {
     chains.push_back(one_chain(element.loops));
     point_count += chains.back().size();
   }
-  std::string text = head(frame.time, point_count, chains.size());
-  append_points(text, chains);
-  append_polygons(text, chains);
-  if (!field.elements.empty()) append_field(text, field, chains, units, materials);
-  append_cell_data(text, frame, field, units, materials);
-  return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  VtkFile file("UnstructuredGrid", frame.time,
+               fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", point_count, chains.size()), coding);
+  file.begin("Points");
+  file.add("Points", places_of(chains), 3);
+  file.end();
+  add_polygons(file, chains);
+  if (!field.elements.empty()) add_field(file, field, chains, units, materials);
+  add_cell_data(file, frame, field, units, materials);
+  return std::move(file).text();
 }
 
 std::string pvd(const std::vector<PvdEntry>& entries) {

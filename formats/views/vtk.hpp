@@ -2,8 +2,9 @@
 // times.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// .vtu: VTK XML UnstructuredGrid, ASCII. Every block has points of its own and is one VTK_POLYGON (type 7). A block
-// with holes is written as one closed chain that walks from the outer loop to each hole and back along the same line,
+// .vtu: VTK XML UnstructuredGrid (vtk_file.hpp). Velocities, areas, principal stresses, their axis and elastic strains
+// are Float32. Every block has points of its own and is one VTK_POLYGON (type 7). A block with holes is
+// written as one closed chain that walks from the outer loop to each hole and back along the same line,
 // for a VTK polygon has no holes. Cell data: block and material (from 1), stress_xx stress_yy stress_xy stress_zz
 // (tension positive), principal_stress_greatest and _least in the plane, principal_axis (unit, of the greatest),
 // displacement (of the centroid since the start), velocity, rotation (rad), rotation_rate, area, fixed_points (how many
@@ -27,6 +28,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/views/vtk_file.hpp"
 #include "problem/analysis.hpp"
 #include "problem/run_choices.hpp"
 #include "result/field_frame.hpp"
@@ -37,7 +39,7 @@ namespace keyblock::formats {
 /// `field`: the same instant within the elements, or without elements. `materials`: of blocks, by their numbers in the
 /// frame, of which elastic strain is told; without them none is.
 std::string vtu(const Frame& frame, const FieldFrame& field = {}, const Units& units = {},
-                std::span<const BlockMaterial> materials = {});
+                std::span<const BlockMaterial> materials = {}, VtkCoding coding = VtkCoding::raw);
 
 /// One file of an instant; its name is relative to the list. Files of one time differ in their part.
 struct PvdEntry {

@@ -1,115 +1,123 @@
-// Writes VTK's PolyData by hand.
+// Files of VTK's PolyData.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/vtk_parts.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstdint>
+#include <numeric>
 #include <string_view>
 #include <vector>
 
 #include "formats/tables/run_tables.hpp"
-#include "formats/text/numbers.hpp"
 
 namespace keyblock::formats {
 namespace {
 
-std::string real(double value) {
-  return fmt::format("{:.12g}", value);
+/// Points of as many vertices, or of as many lines of two points, which are the cells.
+struct Cells {
+  std::string_view word;  ///< Verts, Lines
+  std::int32_t size;      ///< points of each
+  std::size_t count;
+};
+
+std::string counts_of(const Cells& cells) {
+  return fmt::format("NumberOfPoints=\"{}\" NumberOf{}=\"{}\"", cells.count * static_cast<std::size_t>(cells.size),
+                     cells.word, cells.count);
 }
 
-std::string vector_line(Point p) {
-  return fmt::format("{:.12g} {:.12g} 0", p.x, p.y);
+void add_cells(VtkFile& file, const Cells& cells, const std::vector<Point>& places) {
+  std::vector<double> coordinates;
+  for (const Point p : places) coordinates.insert(coordinates.end(), {p.x, p.y, 0});
+  std::vector<std::int32_t> connectivity(places.size()), offsets(cells.count);
+  std::iota(connectivity.begin(), connectivity.end(), 0);
+  for (std::size_t i = 0; i < cells.count; ++i) offsets[i] = cells.size * static_cast<std::int32_t>(i + 1);
+  file.begin("Points");
+  file.add("Points", coordinates, 3);
+  file.end();
+  file.begin(cells.word);
+  file.add("connectivity", connectivity);
+  file.add("offsets", offsets);
+  file.end();
 }
 
-/// One value a row of `rows`, or three with `width` 3.
-template <class Rows, class Value>
-void append_array(std::string& text, const Rows& rows, std::string_view type, std::string_view name, int width,
-                  Value value) {
-  text += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">\n", type, name,
-                      width);
-  for (const auto& row : rows) text += value(row) + "\n";
-  text += "</DataArray>\n";
-}
+/// Arrays of rows.
+template <class Rows>
+class Arrays {
+ public:
+  Arrays(VtkFile& file, const Rows& rows, const RunTable& table, const Units& units)
+      : file_(file), rows_(rows), table_(table), units_(units) {}
 
-// `cells`: of the word Verts or Lines, of `size` points each, in their order.
-std::string opening(double time, std::string_view word, std::size_t cells, std::size_t size) {
-  return fmt::format(
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-      "<PolyData>\n<FieldData>\n"
-      "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
-      "</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOf{}=\"{}\">\n",
-      format_real(time), cells * size, word, cells);
-}
+  template <class T, class Value>
+  void add(std::string_view name, const Value& value) {
+    std::vector<T> numbers;
+    for (const auto& row : rows_) numbers.push_back(static_cast<T>(value(row)));
+    file_.add(heading(table_, name, units_), numbers);
+  }
+  /// `value`: of one or two points of a row.
+  template <class T, class Value>
+  void add_vectors(std::string_view name, const Value& value) {
+    std::vector<T> numbers;
+    for (const auto& row : rows_)
+      for (const Point v : value(row)) numbers.insert(numbers.end(), {static_cast<T>(v.x), static_cast<T>(v.y), T{0}});
+    file_.add(heading(table_, name, units_), numbers, 3);
+  }
 
-std::string cells_of(std::string_view word, std::size_t cells, std::size_t size) {
-  std::string text = fmt::format("<{}>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n", word);
-  for (std::size_t i = 0; i < cells * size; ++i) text += fmt::format("{}\n", i);
-  text += "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
-  for (std::size_t i = 1; i <= cells; ++i) text += fmt::format("{}\n", i * size);
-  return text + fmt::format("</DataArray>\n</{}>\n", word);
-}
-
-constexpr std::string_view kPointsOpening =
-    "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n";
-constexpr std::string_view kPointsEnd = "</DataArray>\n</Points>\n";
-constexpr std::string_view kEnd = "</Piece>\n</PolyData>\n</VTKFile>\n";
+ private:
+  VtkFile& file_;
+  const Rows& rows_;
+  const RunTable& table_;
+  const Units& units_;
+};
 
 }  // namespace
 
-std::string contacts_vtp(double time, const ContactFrames& contacts, const Units& units) {
+std::string contacts_vtp(double time, const ContactFrames& contacts, const Units& units, VtkCoding coding) {
   using C = const ContactFrame&;
-  const auto number = [](int index) { return fmt::format("{}", index + 1); };
-  std::string text = opening(time, "Verts", contacts.size(), 1);
-  text += "<PointData>\n";
-  append_array(text, contacts, "Int32", heading(kContactArrays, "block", units), 1,
-               [&](C c) { return number(c.element); });
-  append_array(text, contacts, "Int32", heading(kContactArrays, "other", units), 1,
-               [&](C c) { return number(c.other); });
-  append_array(text, contacts, "Int32", heading(kContactArrays, "joint_material", units), 1,
-               [&](C c) { return number(c.joint_material); });
-  append_array(text, contacts, "Int32", heading(kContactArrays, "joint", units), 1,
-               [&](C c) { return number(c.joint_line); });
-  append_array(text, contacts, "Int32", heading(kContactArrays, "state", units), 1,
-               [](C c) { return fmt::format("{}", static_cast<int>(c.condition)); });
-  append_array(text, contacts, "Float64", heading(kContactArrays, "gap", units), 1, [](C c) { return real(c.gap); });
-  append_array(text, contacts, "Float64", heading(kContactArrays, "slip", units), 1, [](C c) { return real(c.slip); });
-  append_array(text, contacts, "Float64", heading(kContactArrays, "normal_force", units), 1,
-               [](C c) { return real(c.normal_force); });
-  append_array(text, contacts, "Float64", heading(kContactArrays, "shear_force", units), 1,
-               [](C c) { return real(c.shear_force); });
-  append_array(text, contacts, "Float64", heading(kContactArrays, "normal", units), 3,
-               [](C c) { return vector_line(c.normal); });
-  append_array(text, contacts, "Float64", heading(kContactArrays, "force", units), 3,
-               [](C c) { return vector_line(c.force()); });
-  text += "</PointData>\n";
-  text += kPointsOpening;
-  for (C c : contacts) text += vector_line(c.position) + "\n";
-  text += kPointsEnd;
-  return text + cells_of("Verts", contacts.size(), 1) + std::string(kEnd);
+  const Cells cells{"Verts", 1, contacts.size()};
+  VtkFile file("PolyData", time, counts_of(cells), coding);
+  Arrays arrays(file, contacts, kContactArrays, units);
+  file.begin("PointData");
+  arrays.add<std::int32_t>("block", [](C c) { return c.element + 1; });
+  arrays.add<std::int32_t>("other", [](C c) { return c.other + 1; });
+  arrays.add<std::int32_t>("joint_material", [](C c) { return c.joint_material + 1; });
+  arrays.add<std::int32_t>("joint", [](C c) { return c.joint_line + 1; });
+  arrays.add<std::int32_t>("state", [](C c) { return static_cast<int>(c.condition); });
+  arrays.add<double>("gap", [](C c) { return c.gap; });
+  arrays.add<double>("slip", [](C c) { return c.slip; });
+  arrays.add<double>("normal_force", [](C c) { return c.normal_force; });
+  arrays.add<double>("shear_force", [](C c) { return c.shear_force; });
+  arrays.add_vectors<float>("normal", [](C c) { return std::array{c.normal}; });
+  arrays.add_vectors<double>("force", [](C c) { return std::array{c.force()}; });
+  file.end();
+  std::vector<Point> places;
+  for (C c : contacts) places.push_back(c.position);
+  add_cells(file, cells, places);
+  return std::move(file).text();
 }
 
-std::string bolts_vtp(const Frame& frame, const Units& units) {
+std::string bolts_vtp(const Frame& frame, const Units& units, VtkCoding coding) {
   using B = const BoltFrame&;
-  std::string text = opening(frame.time, "Lines", frame.bolts.size(), 2);
-  std::size_t next = 0;
-  text += "<CellData>\n";
-  append_array(text, frame.bolts, "Int32", heading(kBoltArrays, "bolt", units), 1, [&](B b) {
-    const std::size_t index = next++;
-    return fmt::format("{}", (b.number < 0 ? static_cast<int>(index) : b.number) + 1);
+  const Cells cells{"Lines", 2, frame.bolts.size()};
+  VtkFile file("PolyData", frame.time, counts_of(cells), coding);
+  Arrays arrays(file, frame.bolts, kBoltArrays, units);
+  int next = 0;
+  file.begin("CellData");
+  arrays.add<std::int32_t>("bolt", [&](B b) {
+    const int index = next++;
+    return (b.number < 0 ? index : b.number) + 1;
   });
-  append_array(text, frame.bolts, "Float64", heading(kBoltArrays, "force", units), 1,
-               [](B b) { return real(b.force); });
-  append_array(text, frame.bolts, "Int32", heading(kBoltArrays, "is_broken", units), 1,
-               [](B b) { return fmt::format("{:d}", b.is_broken); });
-  text += "</CellData>\n";
-  text += kPointsOpening;
-  for (B b : frame.bolts) text += vector_line(b.first) + "\n" + vector_line(b.second) + "\n";
-  text += kPointsEnd;
-  return text + cells_of("Lines", frame.bolts.size(), 2) + std::string(kEnd);
+  arrays.add<double>("force", [](B b) { return b.force; });
+  arrays.add<std::int32_t>("is_broken", [](B b) { return b.is_broken; });
+  file.end();
+  std::vector<Point> places;
+  for (B b : frame.bolts) places.insert(places.end(), {b.first, b.second});
+  add_cells(file, cells, places);
+  return std::move(file).text();
 }
 
-std::string cracks_vtp(const FieldFrame& field, const Units& units) {
+std::string cracks_vtp(const FieldFrame& field, const Units& units, VtkCoding coding) {
   struct Face {
     std::size_t crack;
     bool is_shear;
@@ -119,24 +127,24 @@ std::string cracks_vtp(const FieldFrame& field, const Units& units) {
   for (std::size_t c = 0; c < field.cracks.size(); ++c)
     for (const CrackFace& edge : field.cracks[c].faces) faces.push_back({c, field.cracks[c].is_shear, &edge});
   using F = const Face&;
-  std::string text = opening(field.time, "Lines", faces.size(), 2);
-  text += "<PointData>\n";
-  append_array(text, faces, "Float64", heading(kCrackArrays, "displacement", units), 3, [](F f) {
-    return vector_line(f.edge->ends[0].displacement) + "\n" + vector_line(f.edge->ends[1].displacement);
+  const Cells cells{"Lines", 2, faces.size()};
+  VtkFile file("PolyData", field.time, counts_of(cells), coding);
+  Arrays arrays(file, faces, kCrackArrays, units);
+  file.begin("PointData");
+  arrays.add_vectors<double>("displacement", [](F f) {
+    return std::array{f.edge->ends[0].displacement, f.edge->ends[1].displacement};
   });
-  text += "</PointData>\n<CellData>\n";
-  append_array(text, faces, "Int32", heading(kCrackArrays, "crack", units), 1,
-               [](F f) { return fmt::format("{}", f.crack + 1); });
-  append_array(text, faces, "Int32", heading(kCrackArrays, "side", units), 1,
-               [](F f) { return fmt::format("{:d}", f.edge->is_left); });
-  append_array(text, faces, "Int32", heading(kCrackArrays, "is_shear", units), 1,
-               [](F f) { return fmt::format("{:d}", f.is_shear); });
-  text += "</CellData>\n";
-  text += kPointsOpening;
+  file.end();
+  file.begin("CellData");
+  arrays.add<std::int32_t>("crack", [](F f) { return f.crack + 1; });
+  arrays.add<std::int32_t>("side", [](F f) { return f.edge->is_left; });
+  arrays.add<std::int32_t>("is_shear", [](F f) { return f.is_shear; });
+  file.end();
+  std::vector<Point> places;
   for (F f : faces)
-    for (const FieldCorner& end : f.edge->ends) text += vector_line(end.position + end.displacement) + "\n";
-  text += kPointsEnd;
-  return text + cells_of("Lines", faces.size(), 2) + std::string(kEnd);
+    for (const FieldCorner& end : f.edge->ends) places.push_back(end.position + end.displacement);
+  add_cells(file, cells, places);
+  return std::move(file).text();
 }
 
 }  // namespace keyblock::formats

@@ -66,18 +66,30 @@ Point middle_of(const std::vector<Corners>& loops) {
   return whole == 0 ? loops[0][0].position : (1 / whole) * sum;
 }
 
-/// The numbers of an array, which know their places.
+/// The numbers of an array; those of a text know their places.
 class VtuArray {
  public:
-  VtuArray(const Element& element, std::string_view name) : name_(name), tokens_(element.tokens()) {
-    if (const auto junk = tokens_.junk())
-      throw InputError(tokens_.place_of(tokens_.numbers.size()),
+  VtuArray(const Element& element, std::string_view name, const VtkParts& parts)
+      : name_(name), place_(element.place()) {
+    const auto attribute = [&](const char* word) {
+      const auto found = element.attribute(word);
+      return found ? found->value : std::string_view();
+    };
+    if (attribute("format") == "appended") {
+      numbers_ = vtk_numbers(parts, attribute("type"), attribute("offset"), place_);
+      if (!std::ranges::all_of(numbers_, [](double number) { return std::isfinite(number); }))
+        throw InputError(place_, fmt::format("expected finite numbers in the array {}, found others", name));
+      return;
+    }
+    tokens_ = element.tokens();
+    if (const auto junk = tokens_->junk())
+      throw InputError(tokens_->place_of(tokens_->numbers.size()),
                        fmt::format("expected a finite number in the array {}, found {}", name, in_quotes(*junk)));
-    place_ = element.place();
+    numbers_.assign(tokens_->numbers.begin(), tokens_->numbers.end());
   }
 
-  std::size_t size() const { return tokens_.numbers.size(); }
-  double operator[](std::size_t i) const { return tokens_.numbers[i]; }
+  std::size_t size() const { return numbers_.size(); }
+  double operator[](std::size_t i) const { return numbers_[i]; }
 
   /// Throws InputError unless it has so many.
   VtuArray&& of(std::size_t count) && {
@@ -87,18 +99,19 @@ class VtuArray {
   }
   /// A whole number from `least` to `most`.
   int whole(std::size_t i, int least, int most) const {
-    const double value = tokens_.numbers[i];
+    const double value = numbers_[i];
     if (!is_whole(value) || value < least || value > most)
-      throw InputError(tokens_.place_of(i),
+      throw InputError(tokens_ ? tokens_->place_of(i) : place_,
                        fmt::format("expected a whole number from {} to {} in the array {}, found {}", least, most,
-                                   name_, in_quotes(tokens_.word(i))));
+                                   name_, tokens_ ? in_quotes(tokens_->word(i)) : fmt::format("{}", value)));
     return static_cast<int>(value);
   }
 
  private:
   std::string name_;
-  Tokens tokens_;
   Place place_;
+  std::optional<Tokens> tokens_;
+  std::vector<double> numbers_;
 };
 
 std::optional<Element> child_of(const Element& parent, std::string_view name) {
@@ -109,7 +122,7 @@ std::optional<Element> child_of(const Element& parent, std::string_view name) {
 
 class VtuReader {
  public:
-  explicit VtuReader(const Source& source) : document_(source) {}
+  explicit VtuReader(const Source& source) : parts_(vtk_parts_of(source)), document_(parts_.xml) {}
 
   VtuFrame read() {
     const Element grid = inner(document_.root(), "UnstructuredGrid");
@@ -130,14 +143,14 @@ class VtuReader {
     throw InputError(parent.place(), fmt::format("expected {} of a frame that a run wrote (.vtu), found none", name));
   }
   // "stress_xx [Pa]" is found by "stress_xx".
-  static std::optional<VtuArray> array_in(const Element& parent, std::string_view name) {
+  std::optional<VtuArray> array_in(const Element& parent, std::string_view name) const {
     for (const Element& child : parent.children()) {
       const auto title = child.attribute("Name");
-      if (title && title->value.substr(0, title->value.find(" [")) == name) return VtuArray(child, name);
+      if (title && title->value.substr(0, title->value.find(" [")) == name) return VtuArray(child, name, parts_);
     }
     return std::nullopt;
   }
-  static VtuArray array(const Element& parent, std::string_view name) {
+  VtuArray array(const Element& parent, std::string_view name) const {
     if (auto found = array_in(parent, name)) return std::move(*found);
     throw InputError(parent.place(), fmt::format("expected the array {}, found none", name));
   }
@@ -163,21 +176,21 @@ class VtuReader {
   }
 
   struct Stresses {
-    Stresses(const Element& parent, std::size_t count)
-        : xx(array(parent, "stress_xx").of(count)),
-          yy(array(parent, "stress_yy").of(count)),
-          xy(array(parent, "stress_xy").of(count)),
-          zz(array(parent, "stress_zz").of(count)) {}
-    Stress at(std::size_t i) const { return {xx[i], yy[i], xy[i], zz[i]}; }
     VtuArray xx, yy, xy, zz;
+
+    Stress at(std::size_t i) const { return {xx[i], yy[i], xy[i], zz[i]}; }
   };
+  Stresses stresses_in(const Element& parent, std::size_t count) const {
+    return {array(parent, "stress_xx").of(count), array(parent, "stress_yy").of(count),
+            array(parent, "stress_xy").of(count), array(parent, "stress_zz").of(count)};
+  }
 
   void read_points(const Element& piece) {
     const VtuArray places = array(inner(piece, "Points"), "Points");
     const Element data = inner(piece, "PointData");
     const VtuArray moves = array(data, "displacement").of(places.size());
     std::optional<Stresses> stresses;
-    if (array_in(data, "stress_xx")) stresses.emplace(data, places.size() / 3);
+    if (array_in(data, "stress_xx")) stresses = stresses_in(data, places.size() / 3);
     has_stress_ = stresses.has_value();
     for (std::size_t p = 0; p < places.size() / 3; ++p) {
       const Point moved{moves[3 * p], moves[3 * p + 1]};
@@ -193,7 +206,7 @@ class VtuReader {
     const std::size_t count = ends.size();
     const VtuArray numbers = array(data, "block").of(count), materials = array(data, "material").of(count);
     const VtuArray moves = array(data, "displacement").of(3 * count);
-    const Stresses stresses(data, count);
+    const Stresses stresses = stresses_in(data, count);
     const std::optional<VtuArray> bodies = array_in(data, "body");
     if (bodies) VtuArray(*bodies).of(count);
     frame.field.is_of_blocks = !bodies;
@@ -221,6 +234,7 @@ class VtuReader {
     return chain;
   }
 
+  VtkParts parts_;
   Document document_;
   Corners corners_;          ///< of all elements
   bool has_stress_ = false;  ///< of their own; else they have that of their element

@@ -1,11 +1,12 @@
 // Frames read back from the .vtu files that a run left, to draw them anew. Not a general reader of VTK: arrays are
-// ASCII and named as `vtu` names them.
+// coded and named as `vtu` does it, or as text, as earlier versions wrote them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <vector>
 
 #include "formats/format.hpp"
+#include "formats/views/vtk_file.hpp"
 #include "problem/run_choices.hpp"
 #include "result/field_frame.hpp"
 

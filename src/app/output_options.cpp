@@ -16,7 +16,7 @@
 
 namespace keyblock {
 
-std::array<CLI::Option*, 3> add_output_options(CLI::App& options, OutputOptions& chosen) {
+std::array<CLI::Option*, 4> add_output_options(CLI::App& options, OutputOptions& chosen) {
   CLI::Option* histories =
       options
           .add_option("--history", chosen.histories,
@@ -36,7 +36,13 @@ std::array<CLI::Option*, 3> add_output_options(CLI::App& options, OutputOptions&
               "von Mises stress, the displacement, or principal stresses as crosses (default: the component that "
               "varies most)")
           ->check(one_word_of(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
-  return {histories, contacts, field};
+  CLI::Option* frames =
+      options
+          .add_option("--frames", chosen.frames,
+                      "how the numbers of frames (.vtu, .vtp) are written: raw (bytes), zlib (packed: smaller, and "
+                      "slower to write) or text (default: raw)")
+          ->check(one_word_of(formats::vtk_coding_names()));
+  return {histories, contacts, field, frames};
 }
 
 OutputPlan outputs_asked(OutputPlan plan, const OutputOptions& options) {

@@ -1,5 +1,5 @@
-// `--history`, `--contacts` and `--field`: what a run follows, which contacts it writes and what its picture of a field
-// shows, on top of what its case file says.
+// `--history`, `--contacts`, `--field` and `--frames`: what a run follows, which contacts it writes, what its picture
+// of a field shows, and how its frames are coded, on top of what its case file says.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/views/vtk_file.hpp"
 #include "problem/output_plan.hpp"
 
 namespace keyblock {
@@ -16,10 +17,11 @@ struct OutputOptions {
   std::vector<std::string> histories;
   std::string contacts;  ///< empty: as the case says
   std::string field;     ///< empty: the stress that varies most
+  std::string frames = formats::vtk_coding_names().front();
 };
 
-/// `--history`, `--contacts`, `--field`.
-std::array<CLI::Option*, 3> add_output_options(CLI::App& options, OutputOptions& chosen);
+/// `--history`, `--contacts`, `--field`, `--frames`.
+std::array<CLI::Option*, 4> add_output_options(CLI::App& options, OutputOptions& chosen);
 
 /// The plan of the case file with what the options ask for. Throws UsageError for an option that says nothing known.
 OutputPlan outputs_asked(OutputPlan plan, const OutputOptions& options);

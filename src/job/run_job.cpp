@@ -83,7 +83,7 @@ void RunJob::choose_outputs() {
   const OutputPlan& plan = options_.outputs;
   require_choice(plan);
   const int frames = 1 + prepared_.scene.settings.step_count / std::max(1, record_.record_every);
-  folder_.of_materials(prepared_.scene.model.block_materials);
+  folder_.choose_frames(prepared_.scene.model.block_materials, options_.frames);
   folder_.choose_contacts({plan.contacts, plan.contacts_every,
                            [this](const ContactFrame& contact) { return followed_.follows(contact); }, frames});
 }

@@ -26,6 +26,7 @@ struct RunJobOptions {
   OutputPlan outputs = {};      ///< points of histories are measured points of the scene
   std::string shown = {};       ///< in field.svg, as RunResults has it
   formats::MaterialNames names = {};
+  formats::VtkCoding frames = formats::VtkCoding::raw;
 };
 
 class RunJob {

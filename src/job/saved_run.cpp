@@ -43,6 +43,7 @@ void describe(Archive& archive, RunRequest& request) {
   archive.value("field", request.field);
   archive.value("unit", request.unit);
   archive.value("join", request.join);
+  archive.value("frames", request.frames);
 }
 
 std::string this_program() {

@@ -35,6 +35,7 @@ struct RunRequest {
   std::string field = {};                   ///< likewise
   std::string unit = {};                    ///< of the drawing, likewise
   double join = 0;                          ///< likewise
+  std::string frames = {};                  ///< how they are coded, likewise
 };
 
 void describe(Archive& archive, RunRequest& request);

@@ -55,15 +55,16 @@ std::string with_a_small_block_that_falls() {
 }
 
 /// The folder of a run, its field.svg of `field`; of a template, or of a case.
-std::string run_of(const std::string& kind, const std::string& field, const std::string& case_text = "") {
+std::string run_of(const std::string& kind, const std::string& field, const std::string& case_text = "",
+                   const std::string& frames = "raw") {
   const std::string folder = fresh_folder("plot_" + kind + field);
   if (case_text.empty()) {
     EXPECT_EQ(run_keyblock({"new", kind, "-o", folder + "/case.json"}).exit_code, 0);
   } else {
     write_text(folder + "/case.json", case_text);
   }
-  std::vector<std::string> words{"run", folder + "/case.json", "-o", folder + "/out", "--record-every", "2", "--field",
-                                 field};
+  std::vector<std::string> words{
+      "run", folder + "/case.json", "-o", folder + "/out", "--record-every", "2", "--field", field, "--frames", frames};
   if (kind != "tunnel" && case_text.empty()) words.insert(words.end(), {"--set", "steps=4"});
   const ProgramRun run = run_keyblock(words);
   EXPECT_EQ(run.exit_code, 0) << run.messages;
@@ -146,7 +147,7 @@ TEST(PlotCommand, what_is_no_run_or_no_frame_is_an_error_at_its_place) {
   const ProgramRun none = run_keyblock({"plot", empty});
   EXPECT_EQ(none.exit_code, 3);
   EXPECT_TRUE(contains(none.messages, "expected the folder of a run, with frames/*.vtu, found none")) << none.messages;
-  const std::string out = run_of("slope", "syy");
+  const std::string out = run_of("slope", "syy", "", "text");
   const std::string frame = out + "/frames/00000004.vtu";
   const std::string good = read_text(frame);
   const auto refused = [&](const std::string& text) {

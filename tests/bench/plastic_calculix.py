@@ -46,7 +46,7 @@ def by_keyblock(program, side, steps, folder):
     file = folder / "in.json"
     file.write_text(cook(side, steps))
     out = folder / ("out_%d" % steps)
-    done, seconds = timed([program, "run", str(file), "--threads", "1", "-o", str(out), "--force"])
+    done, seconds = timed([program, "run", str(file), "--threads", "1", "--frames", "text", "-o", str(out), "--force"])
     if done.returncode not in (0, 1):
         raise RuntimeError(done.stderr)
     report = json.loads((out / "run.json").read_text())

@@ -64,7 +64,8 @@ struct Done {
 Done run_of(const std::string& name, const std::string& text, const std::vector<std::string>& more = {}) {
   const std::string folder = fresh_folder("plastic_" + name);
   write_text(folder + "/in.json", text);
-  std::vector<std::string> arguments = {"run", folder + "/in.json", "-o", folder + "/out", "--trace"};
+  std::vector<std::string> arguments = {"run",     folder + "/in.json", "-o",  folder + "/out",
+                                        "--trace", "--frames",          "text"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const auto run = run_keyblock(arguments);
   Done done{run.exit_code, run.messages, folder + "/out", {}};

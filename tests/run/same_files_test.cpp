@@ -70,7 +70,7 @@ std::string first_line(const std::string& text) {
 Left left_by(const Way& way) {
   const std::string folder = fresh_folder("same_files_" + way.name);
   write_text(folder + "/in.json", text_of(way));
-  const auto run = run_keyblock({"run", folder + "/in.json", "-o", folder + "/out", "--trace"});
+  const auto run = run_keyblock({"run", folder + "/in.json", "-o", folder + "/out", "--trace", "--frames", "text"});
   EXPECT_EQ(run.exit_code, 0) << way.name << run.messages;
   const auto record = nlohmann::json::parse(read_text(folder + "/out/run.json"));
   Left left;

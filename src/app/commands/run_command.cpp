@@ -260,7 +260,8 @@ RunRequest request_of(const RunOptions& options, const std::vector<std::string>&
                      options.outputs.contacts,
                      options.outputs.field,
                      options.given.reading.choices.unit,
-                     options.given.reading.choices.join};
+                     options.given.reading.choices.join,
+                     options.outputs.frames};
   for (const auto& [name, value] : overrides) request.sets.push_back(fmt::format("{}={}", name, value));
   for (const InputRecord& input : record.inputs) {
     request.read.push_back(input.file);
@@ -333,11 +334,11 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   RunRequest request = request_of(options, asked.files, plan.asked, record, prepared.scene.settings);
   if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
   for (const std::string& file : asked.files) require_not_below(file, options.folder);
-  RunJob job(
-      prepared, std::move(record), std::move(request),
-      {options.folder, overwrite_if(options.force), options.trace ? Trace::yes : Trace::no, options.checkpoint_every,
-       problem.analysis->place, problem.outputs, options.outputs.field, formats::names_of(loaded.files)},
-      saved);
+  RunJob job(prepared, std::move(record), std::move(request),
+             {options.folder, overwrite_if(options.force), options.trace ? Trace::yes : Trace::no,
+              options.checkpoint_every, problem.analysis->place, problem.outputs, options.outputs.field,
+              formats::names_of(loaded.files), formats::vtk_coding_of(options.outputs.frames)},
+             saved);
   listen_for_stops();  // from here on something is left that a stop should leave whole
   const std::size_t told = job.record().warnings.size();
   job.open();
@@ -373,6 +374,7 @@ ExitCode resume_run(const RunOptions& options) {
   again.outputs.histories = request.histories;
   again.outputs.contacts = request.contacts;
   again.outputs.field = request.field;
+  again.outputs.frames = request.frames;
   again.given.reading.choices = {request.unit, request.join};
   return run_asked(again, &request, &saved).code;
 }
@@ -460,7 +462,7 @@ Action configure_run(CLI::App& options) {
           ->check(above_zero());
   CLI::Option* trace =
       options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
-  const auto [histories, contacts, field] = add_output_options(options, chosen->outputs);
+  const auto [histories, contacts, field, frames] = add_output_options(options, chosen->outputs);
   CLI::Option* both = options.add_flag(
       "--both", chosen->both,
       "run the profiles legacy and standard, into FOLDER/legacy and FOLDER/standard, and print their answers side by "
@@ -485,10 +487,10 @@ Action configure_run(CLI::App& options) {
                       "joints, rock or both: divide their strength until the case no longer stands, as `fos` does")
           ->check(one_word_of({"joints", "rock", "both"}));
   for (CLI::Option* of_search : add_reduction_options(options, chosen->reduction)) of_search->needs(reduced);
-  for (CLI::Option* of_run : {every, trace, both, histories, contacts, field}) reduced->excludes(of_run);
+  for (CLI::Option* of_run : {every, trace, both, histories, contacts, field, frames}) reduced->excludes(of_run);
   both->excludes(profile);
-  for (CLI::Option* other :
-       {files, profile, folder, sets, settings_file, every, trace, force, reduced, both, histories, contacts, field})
+  for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force, reduced, both, histories,
+                             contacts, field, frames})
     resume->excludes(other);
   for (CLI::Option* of_drawing : reading) resume->excludes(of_drawing);
   add_thread_option(options);

@@ -67,11 +67,12 @@ std::map<int, fs::path> frames_in(const fs::path& folder) {
 
 void FrameFiles::write(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts, const Units& units) {
   const auto& [blocks, points, lines, cracks] = kParts;
-  write(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field, units, materials_));
+  write(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field, units, materials_, coding_));
   if (!contacts.empty())
-    write(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts, units));
-  if (!frame.bolts.empty()) write(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame, units));
-  if (!field.cracks.empty()) write(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(field, units));
+    write(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts, units, coding_));
+  if (!frame.bolts.empty()) write(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame, units, coding_));
+  if (!field.cracks.empty())
+    write(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(field, units, coding_));
 }
 
 void FrameFiles::write(const std::string& name, double time, const std::string& text) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "formats/views/vtk_file.hpp"
 #include "problem/run_choices.hpp"
 #include "result/contact_frame.hpp"
 #include "result/field_frame.hpp"
@@ -33,7 +34,10 @@ class FrameFiles {
   /// The bodies with `field` where that has elements, and files of contacts, bolts and cracks where there are any.
   void write(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts, const Units& units);
   /// Of which bodies consist, before the first frame: for elastic strain.
-  void of_materials(std::vector<BlockMaterial> materials) { materials_ = std::move(materials); }
+  void choose(std::vector<BlockMaterial> materials, formats::VtkCoding coding) {
+    materials_ = std::move(materials);
+    coding_ = coding;
+  }
   /// The list of them for viewers.
   std::string list() const;
   /// Throws OutputError where one is gone.
@@ -61,6 +65,7 @@ class FrameFiles {
   std::filesystem::path folder_;
   std::vector<File> files_;
   std::vector<BlockMaterial> materials_;
+  formats::VtkCoding coding_ = formats::VtkCoding::raw;
   std::size_t flushed_ = 0;
 };
 

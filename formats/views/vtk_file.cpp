@@ -1,0 +1,243 @@
+// Arrays of numbers in VTK's XML files; see vtk_file.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/views/vtk_file.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstring>
+#include <stdexcept>
+
+#include "base/error.hpp"
+#include "formats/text/numbers.hpp"
+
+namespace keyblock::formats {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "bytes are written as the machine has them");
+
+constexpr std::array<std::string_view, 3> kNames{"raw", "zlib", "text"};
+constexpr std::string_view kOpening = "<AppendedData encoding=\"raw\">";
+constexpr std::string_view kPacker = "vtkZLibDataCompressor";
+constexpr std::size_t kPackedAtOnce = 1 << 15;  // of bytes that zlib packs at once, as VTK does
+constexpr std::size_t kWord = sizeof(std::uint64_t);
+
+template <class T>
+constexpr std::string_view type_name() {
+  if constexpr (std::is_same_v<T, double>) return "Float64";
+  if constexpr (std::is_same_v<T, float>) return "Float32";
+  if constexpr (std::is_same_v<T, std::int32_t>) return "Int32";
+  if constexpr (std::is_same_v<T, std::uint8_t>) return "UInt8";
+}
+
+std::string number_text(double value) {
+  return format_real(value);
+}
+std::string number_text(float value) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+std::string number_text(int value) {
+  return std::to_string(value);
+}
+
+void append_word(std::string& bytes, std::uint64_t value) {
+  std::array<char, kWord> word;
+  std::memcpy(word.data(), &value, kWord);
+  bytes.append(word.data(), kWord);
+}
+
+// Level 1: most of what packs well packs at once.
+std::string packed(std::span<const std::uint8_t> bytes) {
+  uLongf size = compressBound(bytes.size());
+  std::string packed(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, bytes.data(), bytes.size(), Z_BEST_SPEED) != Z_OK)
+    throw OutputError("zlib cannot pack a frame");
+  packed.resize(size);
+  return packed;
+}
+
+/// Reads words and bytes from a place on.
+class Bytes {
+ public:
+  Bytes(std::string_view bytes, std::size_t at, const Place& place) : bytes_(bytes), at_(at), place_(place) {}
+
+  std::string_view take(std::uint64_t count) {
+    if (at_ > bytes_.size() || count > bytes_.size() - at_)
+      throw InputError(place_, fmt::format("expected an array of {} bytes behind the XML, found {}", count,
+                                           at_ > bytes_.size() ? 0 : bytes_.size() - at_));
+    const std::string_view taken = bytes_.substr(at_, count);
+    at_ += count;
+    return taken;
+  }
+  std::uint64_t word() {
+    std::uint64_t value = 0;
+    std::memcpy(&value, take(kWord).data(), kWord);
+    return value;
+  }
+
+ private:
+  std::string_view bytes_;
+  std::size_t at_;
+  const Place& place_;
+};
+
+std::string unpacked(Bytes& bytes, const Place& place) {
+  const std::uint64_t blocks = bytes.word();
+  const std::uint64_t size = bytes.word();
+  const std::uint64_t last = bytes.word();
+  if (size > kPackedAtOnce)
+    throw InputError(place, fmt::format("expected blocks of {} bytes, found {}", kPackedAtOnce, size));
+  const std::string_view sizes = bytes.take(std::min(blocks, std::uint64_t{1} << 40) * kWord);
+  std::string all;
+  for (std::uint64_t i = 0; i < blocks; ++i) {
+    std::uint64_t of_packed = 0;
+    std::memcpy(&of_packed, sizes.data() + i * kWord, kWord);
+    const std::string_view block = bytes.take(of_packed);
+    const std::uint64_t whole = i + 1 == blocks && last > 0 ? last : size;
+    std::array<Bytef, kPackedAtOnce> out;
+    uLongf made = out.size();
+    if (uncompress(out.data(), &made, reinterpret_cast<const Bytef*>(block.data()), block.size()) != Z_OK ||
+        made != whole)
+      throw InputError(place, "expected bytes that zlib has packed, found others");
+    all.append(reinterpret_cast<const char*>(out.data()), made);
+  }
+  return all;
+}
+
+template <class T>
+std::vector<double> numbers_of(std::string_view bytes) {
+  std::vector<T> values(bytes.size() / sizeof(T));
+  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+  return {values.begin(), values.end()};
+}
+
+std::vector<double> numbers_of(std::string_view type, std::string_view bytes, const Place& place) {
+  if (type == "Float64") return numbers_of<double>(bytes);
+  if (type == "Float32") return numbers_of<float>(bytes);
+  if (type == "Int64") return numbers_of<std::int64_t>(bytes);
+  if (type == "Int32") return numbers_of<std::int32_t>(bytes);
+  if (type == "UInt8") return numbers_of<std::uint8_t>(bytes);
+  throw InputError(place, fmt::format("expected an array of Float64, Float32, Int64, Int32 or UInt8, found {}", type));
+}
+
+}  // namespace
+
+std::vector<std::string> vtk_coding_names() {
+  return {kNames.begin(), kNames.end()};
+}
+
+VtkCoding vtk_coding_of(std::string_view name) {
+  const auto* const found = std::ranges::find(kNames, name);
+  if (found == kNames.end()) throw std::invalid_argument(fmt::format("expected raw, zlib or text, found \"{}\"", name));
+  return static_cast<VtkCoding>(found - kNames.begin());
+}
+
+VtkFile::VtkFile(std::string_view grid, double time, std::string_view counts, VtkCoding coding)
+    : grid_(grid),
+      coding_(coding),
+      xml_(fmt::format(
+          "<?xml version=\"1.0\"?>\n"
+          "<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"{}>\n"
+          "<{}>\n<FieldData>\n"
+          "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
+          "</FieldData>\n<Piece {}>\n",
+          grid, coding == VtkCoding::zlib ? fmt::format(" compressor=\"{}\"", kPacker) : std::string(), grid,
+          format_real(time), counts)) {}
+
+void VtkFile::begin(std::string_view section) {
+  section_ = section;
+  xml_ += fmt::format("<{}>\n", section);
+}
+
+void VtkFile::end() {
+  xml_ += fmt::format("</{}>\n", section_);
+}
+
+template <class T>
+void VtkFile::add_values(std::string_view name, std::span<const T> values, int width) {
+  xml_ += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" ", type_name<T>(), name, width);
+  if (coding_ != VtkCoding::text) {
+    xml_ += fmt::format("format=\"appended\" offset=\"{}\"/>\n", appended_.size());
+    append({reinterpret_cast<const std::uint8_t*>(values.data()), values.size_bytes()});
+    return;
+  }
+  xml_ += "format=\"ascii\">\n";
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    xml_ += number_text(values[i]);
+    xml_ += (i + 1) % static_cast<std::size_t>(width) == 0 ? '\n' : ' ';
+  }
+  xml_ += "</DataArray>\n";
+}
+
+void VtkFile::append(std::span<const std::uint8_t> bytes) {
+  if (coding_ == VtkCoding::raw) {
+    append_word(appended_, bytes.size());
+    appended_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return;
+  }
+  std::vector<std::string> blocks;
+  for (std::size_t at = 0; at < bytes.size(); at += kPackedAtOnce)
+    blocks.push_back(packed(bytes.subspan(at, std::min(kPackedAtOnce, bytes.size() - at))));
+  append_word(appended_, blocks.size());
+  append_word(appended_, kPackedAtOnce);
+  append_word(appended_, bytes.size() % kPackedAtOnce);
+  for (const std::string& block : blocks) append_word(appended_, block.size());
+  for (const std::string& block : blocks) appended_ += block;
+}
+
+void VtkFile::add(std::string_view name, std::span<const double> values, int width) {
+  add_values(name, values, width);
+}
+void VtkFile::add(std::string_view name, std::span<const float> values, int width) {
+  add_values(name, values, width);
+}
+void VtkFile::add(std::string_view name, std::span<const std::int32_t> values, int width) {
+  add_values(name, values, width);
+}
+void VtkFile::add(std::string_view name, std::span<const std::uint8_t> values, int width) {
+  add_values(name, values, width);
+}
+
+std::string VtkFile::text() && {
+  xml_ += fmt::format("</Piece>\n</{}>\n", grid_);
+  if (coding_ != VtkCoding::text) {
+    xml_ += kOpening;
+    xml_ += '_';
+    xml_ += appended_;
+    xml_ += "\n</AppendedData>\n";
+  }
+  return std::move(xml_) + "</VTKFile>\n";
+}
+
+VtkParts vtk_parts_of(const Source& source) {
+  const std::size_t at = source.text.find(kOpening);
+  if (at == std::string::npos) return {source, {}, false};
+  const std::string_view behind = std::string_view(source.text).substr(at + kOpening.size());
+  const std::size_t mark = behind.find('_');
+  if (mark == std::string_view::npos || behind.find_first_not_of(" \t\r\n") != mark)
+    throw InputError({source.name}, "expected _ before the bytes of <AppendedData>, found none");
+  VtkParts parts{{source.name, source.text.substr(0, at) + "</VTKFile>\n"}, behind.substr(mark + 1), false};
+  parts.is_packed = parts.xml.text.find(kPacker) != std::string::npos;
+  return parts;
+}
+
+std::vector<double> vtk_numbers(const VtkParts& parts, std::string_view type, std::string_view offset,
+                                const Place& place) {
+  std::size_t at = 0;
+  const auto [stop, error] = std::from_chars(offset.data(), offset.data() + offset.size(), at);
+  if (error != std::errc() || stop != offset.data() + offset.size())
+    throw InputError(place, fmt::format("expected an offset of bytes, found \"{}\"", offset));
+  Bytes bytes(parts.appended, at, place);
+  if (!parts.is_packed) {
+    const std::uint64_t size = bytes.word();
+    return numbers_of(type, bytes.take(size), place);
+  }
+  return numbers_of(type, unpacked(bytes, place), place);
+}
+
+}  // namespace keyblock::formats
