@@ -16,7 +16,7 @@
 
 namespace keyblock {
 
-std::array<CLI::Option*, 4> add_output_options(CLI::App& options, OutputOptions& chosen) {
+std::array<CLI::Option*, 5> add_output_options(CLI::App& options, OutputOptions& chosen) {
   CLI::Option* histories =
       options
           .add_option("--history", chosen.histories,
@@ -42,7 +42,10 @@ std::array<CLI::Option*, 4> add_output_options(CLI::App& options, OutputOptions&
                       "how the numbers of frames (.vtu, .vtp) are written: raw (bytes), zlib (packed: smaller, and "
                       "slower to write) or text (default: raw)")
           ->check(one_word_of(formats::vtk_coding_names()));
-  return {histories, contacts, field, frames};
+  CLI::Option* pictures = options.add_flag("!--no-pictures", chosen.has_pictures,
+                                           "draw no picture; `plot` draws what is shown from the frames later");
+  pictures->excludes(field);
+  return {histories, contacts, field, frames, pictures};
 }
 
 OutputPlan outputs_asked(OutputPlan plan, const OutputOptions& options) {

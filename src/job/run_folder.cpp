@@ -261,11 +261,12 @@ std::vector<int> RunFolder::finish(const RunResults& results) {
   if (!results.follows_by_choice)
     files_.write(formats::kHistoriesTable.file,
                  histories_header(units_) + most_moved_rows({history, frames_.front(), results.field, hidden}, units_));
-  write_pictures(files_, results, frames_.front(), frames_.back(), left_out, units_);
+  if (results.has_pictures) write_pictures(files_, results, frames_.front(), frames_.back(), left_out, units_);
   if (const std::string tips = formats::tips_csv(history, units_); !tips.empty()) {
     files_.write(formats::kTipsTable.file, tips);
-    files_.write("cracks.svg",
-                 report::crack_picture({results.title + ", cracks", frames_.front(), history, results.field, units_}));
+    if (results.has_pictures)
+      files_.write("cracks.svg", report::crack_picture(
+                                     {results.title + ", cracks", frames_.front(), history, results.field, units_}));
   }
   if (!results.field.cracks.empty()) files_.write("cracks.dxf", dxf_of(results.field.cracks, units_));
   if (trace_ == Trace::yes) write_traces(results);

@@ -51,6 +51,7 @@ struct RunResults {
   std::vector<std::string> joint_names = {};
   std::vector<int> idle_bolts = {};  ///< numbers, from 0, of bolts without properties
   std::vector<int> held = {};        ///< numbers, from 0, of blocks with a fixed point at the end
+  bool has_pictures = true;
   std::string shown = {};  ///< in field.svg, a word of `report::kFieldWords`; empty: the stress that varies most
 };
 

@@ -265,6 +265,7 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                                      options_.names.joints,
                                      idle_bolts(prepared_.scene),
                                      record_.held,
+                                     options_.has_pictures,
                                      options_.shown});
   record_.outputs = folder_.outputs();
   const std::string json =

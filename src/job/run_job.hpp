@@ -27,6 +27,7 @@ struct RunJobOptions {
   std::string shown = {};       ///< in field.svg, as RunResults has it
   formats::MaterialNames names = {};
   formats::VtkCoding frames = formats::VtkCoding::raw;
+  bool has_pictures = true;
 };
 
 class RunJob {

@@ -44,6 +44,7 @@ void describe(Archive& archive, RunRequest& request) {
   archive.value("unit", request.unit);
   archive.value("join", request.join);
   archive.value("frames", request.frames);
+  archive.value("has_pictures", request.has_pictures);
 }
 
 std::string this_program() {

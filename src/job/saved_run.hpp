@@ -36,6 +36,7 @@ struct RunRequest {
   std::string unit = {};                    ///< of the drawing, likewise
   double join = 0;                          ///< likewise
   std::string frames = {};                  ///< how they are coded, likewise
+  bool has_pictures = true;
 };
 
 void describe(Archive& archive, RunRequest& request);

@@ -306,4 +306,21 @@ TEST(ResultFolder, a_batch_begun_again_leaves_what_no_job_wrote) {
   EXPECT_EQ(read_text(folder + "/out/jobs/notes.txt"), kNotARuns);
 }
 
+TEST(ResultFolder, without_pictures_all_else_is_there_and_plot_draws_from_the_frames) {
+  const std::string folder = fresh_folder("no_pictures");
+  auto words = stack_into(folder + "/bare", "20");
+  words.emplace_back("--no-pictures");
+  ASSERT_EQ(run_keyblock(stack_into(folder + "/whole", "20")).exit_code, 0);
+  ASSERT_EQ(run_keyblock(words).exit_code, 0);
+  int pictures = 0;
+  for (const auto& entry : fs::directory_iterator(folder + "/whole")) {
+    const bool is_picture = entry.path().extension() == ".svg";
+    pictures += is_picture ? 1 : 0;
+    EXPECT_EQ(fs::exists(fs::path(folder) / "bare" / entry.path().filename()), !is_picture) << entry.path();
+  }
+  EXPECT_GE(pictures, 3);
+  EXPECT_FALSE(contains(read_text(folder + "/bare/run.json"), ".svg"));
+  EXPECT_EQ(run_keyblock({"plot", folder + "/bare"}).exit_code, 0);
+}
+
 }  // namespace keyblock::result_folder_test
