@@ -3,6 +3,7 @@
 #include "app/messages.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -16,14 +17,17 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "base/words/diagnostics.hpp"
 
 namespace keyblock {
 namespace {
@@ -146,6 +150,31 @@ void log_warnings(const Warnings& warnings) {
   }
   for (const auto& [first, count] : firsts)
     spdlog::warn("{}{}", to_string(*first), count > 1 ? fmt::format(" ({} times)", count) : "");
+}
+
+void log_by_level(const Warnings& warnings, std::string_view of) {
+  if (spdlog::should_log(spdlog::level::debug)) return log_warnings(warnings);
+  constexpr std::size_t kMostKinds = 5;
+  Warnings shown;
+  std::set<std::string> kinds, more, notes;
+  for (const Warning& warning : warnings) {
+    const DiagnosticLevel level = level_of(warning.name);
+    if (level == DiagnosticLevel::note) notes.insert(warning.name);
+    if (level == DiagnosticLevel::note || level == DiagnosticLevel::silent) continue;
+    if (kinds.size() == kMostKinds && !kinds.contains(warning.name)) {
+      more.insert(warning.name);
+      continue;
+    }
+    kinds.insert(warning.name);
+    shown.push_back(warning);
+  }
+  log_warnings(shown);
+  if (!more.empty())
+    spdlog::warn("{} of other kinds: {} (--verbose shows them)", counted(more.size(), "more warning"),
+                 fmt::join(more, ", "));
+  if (!notes.empty())
+    spdlog::info("{} on {}: {} (--verbose shows {})", counted(notes.size(), "note"), of, fmt::join(notes, ", "),
+                 notes.size() == 1 ? "it" : "them");
 }
 
 bool shows_progress() {

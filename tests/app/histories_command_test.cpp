@@ -161,7 +161,7 @@ TEST(HistoriesCommand, blocks_far_apart_are_told_before_the_first_step_and_by_ch
   write_text(folder + "/case.json", text);
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"check", folder + "/case.json"},
-        std::vector<std::string>{"run", folder + "/case.json", "-o", folder + "/out"}}) {
+        std::vector<std::string>{"run", folder + "/case.json", "-o", folder + "/out", "--verbose"}}) {
     const auto run = run_keyblock(arguments);
     const std::string all = run.output + run.messages;
     EXPECT_TRUE(contains(all, "are 1.7 apart before any load, farther than the smaller of them is large")) << all;

@@ -202,7 +202,7 @@ void print_balance(const ForceBalance& forces, const FieldFrame& field) {
 
 /// `told`: how many of the warnings were printed at the start.
 void print_summary(const Prepared& prepared, const RunRecord& record, std::size_t told, const std::string& folder) {
-  log_warnings({record.warnings.begin() + static_cast<std::ptrdiff_t>(told), record.warnings.end()});
+  log_by_level({record.warnings.begin() + static_cast<std::ptrdiff_t>(told), record.warnings.end()}, "the run");
   if (record.outcome.end == RunEnd::failed) {
     spdlog::error("keyblock: error: {}", record.outcome.reason);
     print_sliver_hint(prepared, record.outcome);
@@ -261,7 +261,8 @@ RunRequest request_of(const RunOptions& options, const std::vector<std::string>&
                      options.outputs.field,
                      options.given.reading.choices.unit,
                      options.given.reading.choices.join,
-                     options.outputs.frames};
+                     options.outputs.frames,
+                     options.outputs.has_pictures};
   for (const auto& [name, value] : overrides) request.sets.push_back(fmt::format("{}={}", name, value));
   for (const InputRecord& input : record.inputs) {
     request.read.push_back(input.file);
@@ -285,7 +286,7 @@ void print_start(const Prepared& prepared, const RunJob& job, bool is_resumed) {
   if (const std::string size = size_of_scene(model, record.units); !size.empty()) spdlog::info("{}", size);
   spdlog::info("{}, {} unknowns, {} steps", counted(model.elements.size(), model.nodes.empty() ? "block" : "element"),
                prepared.requirements.unknowns, prepared.scene.settings.step_count);
-  log_warnings(record.warnings);
+  log_by_level(record.warnings, "the case");
   spdlog::debug("read in {:.3g} s, prepared in {:.3g} s; a frame every {}", record.timings.read, record.timings.prepare,
                 counted(static_cast<std::size_t>(record.record_every), "step"));
   if (const std::optional<int> step = job.steps_before())
@@ -334,11 +335,12 @@ ProfileAnswer run_asked(const RunOptions& options, const RunRequest* saved_reque
   RunRequest request = request_of(options, asked.files, plan.asked, record, prepared.scene.settings);
   if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
   for (const std::string& file : asked.files) require_not_below(file, options.folder);
-  RunJob job(prepared, std::move(record), std::move(request),
-             {options.folder, overwrite_if(options.force), options.trace ? Trace::yes : Trace::no,
-              options.checkpoint_every, problem.analysis->place, problem.outputs, options.outputs.field,
-              formats::names_of(loaded.files), formats::vtk_coding_of(options.outputs.frames)},
-             saved);
+  RunJob job(
+      prepared, std::move(record), std::move(request),
+      {options.folder, overwrite_if(options.force), options.trace ? Trace::yes : Trace::no, options.checkpoint_every,
+       problem.analysis->place, problem.outputs, options.outputs.field, formats::names_of(loaded.files),
+       formats::vtk_coding_of(options.outputs.frames), options.outputs.has_pictures},
+      saved);
   listen_for_stops();  // from here on something is left that a stop should leave whole
   const std::size_t told = job.record().warnings.size();
   job.open();
@@ -375,6 +377,7 @@ ExitCode resume_run(const RunOptions& options) {
   again.outputs.contacts = request.contacts;
   again.outputs.field = request.field;
   again.outputs.frames = request.frames;
+  again.outputs.has_pictures = request.has_pictures;
   again.given.reading.choices = {request.unit, request.join};
   return run_asked(again, &request, &saved).code;
 }
@@ -462,7 +465,7 @@ Action configure_run(CLI::App& options) {
           ->check(above_zero());
   CLI::Option* trace =
       options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
-  const auto [histories, contacts, field, frames] = add_output_options(options, chosen->outputs);
+  const auto [histories, contacts, field, frames, pictures] = add_output_options(options, chosen->outputs);
   CLI::Option* both = options.add_flag(
       "--both", chosen->both,
       "run the profiles legacy and standard, into FOLDER/legacy and FOLDER/standard, and print their answers side by "
@@ -487,10 +490,11 @@ Action configure_run(CLI::App& options) {
                       "joints, rock or both: divide their strength until the case no longer stands, as `fos` does")
           ->check(one_word_of({"joints", "rock", "both"}));
   for (CLI::Option* of_search : add_reduction_options(options, chosen->reduction)) of_search->needs(reduced);
-  for (CLI::Option* of_run : {every, trace, both, histories, contacts, field, frames}) reduced->excludes(of_run);
+  for (CLI::Option* of_run : {every, trace, both, histories, contacts, field, frames, pictures})
+    reduced->excludes(of_run);
   both->excludes(profile);
   for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force, reduced, both, histories,
-                             contacts, field, frames})
+                             contacts, field, frames, pictures})
     resume->excludes(other);
   for (CLI::Option* of_drawing : reading) resume->excludes(of_drawing);
   add_thread_option(options);

@@ -339,8 +339,9 @@ ExitCode reduce_strength(const AskedCase& asked, const ReductionOptions& options
   require_options(chosen, options);
   require_effect(options.asked.exempt, *chosen.reduction.what);
   const study::StrengthTrials trials = trials_of(chosen);
-  log_warnings(joined(joined(chosen.input.warnings, trials.prepared().warnings),
-                      look_ahead(chosen.input.problem, trials.prepared())));
+  log_by_level(joined(joined(chosen.input.warnings, trials.prepared().warnings),
+                      look_ahead(chosen.input.problem, trials.prepared())),
+               "the case");
   listen_for_stops();
   const ReductionAsked& of_search = chosen.reduction;
   study::SearchOptions search{of_search.from, of_search.to, *of_search.within};

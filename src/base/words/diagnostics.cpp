@@ -11,6 +11,77 @@ namespace {
 
 using enum DiagnosticLevel;
 
+// Levels of codes that have no row yet; all others are warnings.
+constexpr auto kNotesWithoutRow = std::to_array<std::string_view>({"block_inside_block",
+                                                                   "bolts_not_read",
+                                                                   "bolts_with_block_numbers",
+                                                                   "boundaries_dropped",
+                                                                   "bridge_lines_removed",
+                                                                   "comments_dropped",
+                                                                   "contact_damping_without_effect",
+                                                                   "contact_stiffness_zero",
+                                                                   "contacts_thinned",
+                                                                   "damping_without_effect",
+                                                                   "dangling_lines_removed",
+                                                                   "default_analysistype",
+                                                                   "default_autopenalty",
+                                                                   "default_autotimestep",
+                                                                   "default_damping",
+                                                                   "default_gravaccel",
+                                                                   "default_gravity",
+                                                                   "default_pfactor",
+                                                                   "default_planestrain",
+                                                                   "default_rotation",
+                                                                   "defaults_taken",
+                                                                   "duplicate_line",
+                                                                   "dxf_clipped",
+                                                                   "dxf_old_marks",
+                                                                   "dxf_scaled_to_declared_unit",
+                                                                   "dxf_scaled_to_metres",
+                                                                   "dxf_skipped",
+                                                                   "dxf_vertex_count",
+                                                                   "dxf_without_unit",
+                                                                   "edge_node_ratio_unusual",
+                                                                   "edges_rerouted",
+                                                                   "energy_not_judged",
+                                                                   "first_material_line_lost",
+                                                                   "fixed_points_of_two_numbers",
+                                                                   "gradient_from_velocity",
+                                                                   "history_of_distant_blocks",
+                                                                   "hole_count_missing",
+                                                                   "initial_strain_without_effect",
+                                                                   "leaving_edge_materials",
+                                                                   "merging_left_close_nodes",
+                                                                   "mesh_error_at_points",
+                                                                   "more_warnings",
+                                                                   "motion_applied",
+                                                                   "near_pieces_deleted",
+                                                                   "not_of_berkeley",
+                                                                   "overlapping_lines",
+                                                                   "overlaps_locked",
+                                                                   "overlaps_not_looked_for",
+                                                                   "plane_not_read",
+                                                                   "repeated_element",
+                                                                   "several_cases",
+                                                                   "sliver_removed",
+                                                                   "slivers_glued",
+                                                                   "slivers_left_out",
+                                                                   "soft_patterns",
+                                                                   "springs_stiff_for_step",
+                                                                   "start_settled",
+                                                                   "step_above_limit",
+                                                                   "step_cut",
+                                                                   "step_in_parts",
+                                                                   "step_moves_far",
+                                                                   "strain_without_effect",
+                                                                   "unsettled_step_accepted",
+                                                                   "unsupported_blocks",
+                                                                   "velocity_from_gradient",
+                                                                   "zero_length_line"});
+constexpr auto kSilentWithoutRow =
+    std::to_array<std::string_view>({"default_edge_node_ratio", "dxf_curves_as_chords", "final_numbers_ignored",
+                                     "nodes_merged", "nodes_placed_otherwise", "over_relaxation_without_effect"});
+
 constexpr auto kDiagnostics = std::to_array<Diagnostic>({
     {"block_thrown", error, "Energy of one block came from nothing",
      "A block moves faster than ten times what the fall of blocks, their first speeds, released strain and the work of "
@@ -150,6 +221,13 @@ const Diagnostic* find_diagnostic(std::string_view code) {
   return found != kDiagnostics.end() && found->code == code ? &*found : nullptr;
 }
 
+DiagnosticLevel level_of(std::string_view code) {
+  if (const Diagnostic* row = find_diagnostic(code)) return row->level;
+  const auto holds = [code](const auto& codes) { return std::ranges::find(codes, code) != codes.end(); };
+  if (holds(kNotesWithoutRow)) return note;
+  return holds(kSilentWithoutRow) ? silent : warning;
+}
+
 std::string_view word_of(DiagnosticLevel level) {
   switch (level) {
     case error:
@@ -157,9 +235,11 @@ std::string_view word_of(DiagnosticLevel level) {
     case warning:
       return "warning";
     case note:
+      return "note";
+    case silent:
       break;
   }
-  return "note";
+  return "silent";
 }
 
 }  // namespace keyblock

@@ -1,0 +1,74 @@
+// What a run says by level: warnings in sentences, notes in one line, bookkeeping in the record alone.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/words/diagnostics.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::levels_of_warnings_test {
+namespace {
+
+using support::fresh_folder;
+using support::run_keyblock;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+/// Two lines of a drawing that cover each other, which is a note, in a case with `more` in its analysis.
+std::string square(const std::string& more) {
+  return R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"},
+ "drawing": {"joints": [[0, 0, 1, 0, 1], [1, 0, 1, 1, 1], [1, 1, 0, 1, 1], [0, 1, 0, 0, 1], [0, 0, 0.5, 0, 1]],
+             "fixed_lines": [[0.2, 0.2, 0.2, 0.2], [0.8, 0.2, 0.8, 0.2]]},
+ "analysis": {"step_count": 2, "time_step": 1e-3, "block_materials": [{"like": "sandstone"}],
+              "joint_materials": [{"friction_angle_deg": 30}])" +
+         more + "}}";
+}
+
+}  // namespace
+
+TEST(LevelsOfWarnings, templates_run_without_a_warning) {
+  const std::string folder = fresh_folder("levels_templates");
+  for (const char* kind : {"slope", "arch", "beam", "tunnel", "block"}) {
+    ASSERT_EQ(run_keyblock({"new", kind, "-o", folder + "/" + kind + ".json"}).exit_code, 0);
+    const auto run = run_keyblock({"run", folder + "/" + kind + ".json", "-o", folder + "/" + kind});
+    EXPECT_EQ(run.exit_code, 0) << kind;
+    EXPECT_FALSE(contains(run.messages, "warning:")) << run.messages;
+    EXPECT_LE(count_of(run.messages, "--verbose shows"), 2U) << run.messages;
+  }
+}
+
+TEST(LevelsOfWarnings, notes_are_one_line_with_their_codes_and_verbose_has_their_sentences) {
+  const std::string folder = fresh_folder("levels_notes");
+  support::write_text(folder + "/case.json", square(""));
+  const auto run = run_keyblock({"run", folder + "/case.json", "-o", folder + "/out"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "notes on the case: defaults_taken, overlapping_lines (--verbose shows them)"))
+      << run.messages;
+  EXPECT_FALSE(contains(run.messages, "defaults taken: ")) << run.messages;
+  const auto record = nlohmann::json::parse(support::read_text(folder + "/out/run.json"));
+  EXPECT_TRUE(contains(record["warnings"].dump(), "overlapping_lines"));
+  const auto verbose = run_keyblock({"run", folder + "/case.json", "-o", folder + "/two", "--verbose"});
+  EXPECT_TRUE(contains(verbose.messages, "defaults taken: ")) << verbose.messages;
+  EXPECT_TRUE(contains(run_keyblock({"check", folder + "/case.json"}).output, "defaults taken: "));
+}
+
+TEST(LevelsOfWarnings, each_code_has_one) {
+  EXPECT_EQ(level_of("energy_beyond_limit"), DiagnosticLevel::error);
+  EXPECT_EQ(level_of("unheld_blocks"), DiagnosticLevel::warning);
+  EXPECT_EQ(level_of("start_settled"), DiagnosticLevel::note);
+  EXPECT_EQ(level_of("nodes_merged"), DiagnosticLevel::silent);
+  EXPECT_EQ(level_of("a code that is none"), DiagnosticLevel::warning);
+}
+
+}  // namespace keyblock::levels_of_warnings_test
