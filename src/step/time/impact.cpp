@@ -359,10 +359,10 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
   // Where slivers slide, friction may drive the pushes that it follows from, more in each round.
   const bool grows = change > std::max(first_change, problem.acceptable);
   const Eigen::VectorXd made = (grows ? smooth : pushes + friction) - had;
-  UnknownsTable pushed = plus(v, 1, answer(rows, flexibility, made));
+  UnknownsTable pushed = plus(std::move(v), 1, answer(rows, flexibility, made));
   const auto of_points = static_cast<Eigen::Index>(2 * scene.held.size());
-  const Eigen::VectorXd met = rates(rows, v) + rates(rows, pushed);
-  return {std::move(pushed), made.tail(of_points).dot(met.tail(of_points)) / (2 * answered.mass)};
+  const double given = made.tail(of_points).dot(wanted_velocities(scene.held, time, dt)) / answered.mass;
+  return {std::move(pushed), given};
 }
 
 }  // namespace keyblock

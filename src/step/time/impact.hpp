@@ -88,7 +88,7 @@ struct PushAnswer {
 /// Velocities that pushes made.
 struct PushedVelocities {
   UnknownsTable v;
-  double given = 0;  ///< energy that held points gave: their supports may move
+  double given = 0;  ///< energy that held points gave, Σ p·w, w the velocity of their supports
 };
 
 /// Makes the normal velocity of closed touches zero and that of held points what their motion wants: both are kept in

@@ -120,22 +120,23 @@ class Attempt {
     }
     PushedVelocities pushed = cleaned_up(held_touches, slips, start_.given_up + energy_of_closing(held));
     step_.motion.v = std::move(pushed.v);
-    step_.given.clean_up = pushed.given;
+    SupportWork given{pushed.given, 0};
     if (one_resolves_impact(held_touches))
       step_.motion.given_up = std::max(0.0, kinetic_energy(scene_, smooth_.v) - kinetic_energy(scene_, step_.motion.v));
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty())
-      strike({scene_, start_, smooth_, rule_, time_, dt_, slow_speed(scene_, scales_, start_.v, whole_), scales_.size,
-              parts_.smooth.size()},
-             {std::move(parts_.impacts), std::move(parts_.impact_speeds)},
-             {touching(scene_, smooth_.q, parts_.smooth, scales_.size, [&](std::size_t i) { return is_closed(i); }),
-              [&](const UnknownsTable& after_jump) { return others(after_jump); }},
-             step_);
+      given.jump =
+          strike({scene_, start_, smooth_, rule_, time_, dt_, slow_speed(scene_, scales_, start_.v, whole_),
+                  scales_.size, parts_.smooth.size()},
+                 {std::move(parts_.impacts), std::move(parts_.impact_speeds)},
+                 {touching(scene_, smooth_.q, parts_.smooth, scales_.size, [&](std::size_t i) { return is_closed(i); }),
+                  [&](const UnknownsTable& after_jump) { return others(after_jump); }},
+                 step_);
     remember();
     if (rule_.carries_acceleration()) step_.motion.a = with_held_at_ease(scene_, step_.motion);
     if (scene_.settings.ledger == Bookkeeping::on)
       step_.account = account_of(scene_, {start_, loads_, parts_.smooth, StepConstraints(scene_, start_, time_, dt_),
-                                          smooth_, cleaned, step_.motion, dt_, rule_, step_.given});
+                                          smooth_, cleaned, step_.motion, dt_, rule_, given});
     return std::move(step_);
   }
 

@@ -18,8 +18,7 @@ struct StandardStep {
   int halvings = 0;         ///< attempts thrown away because forces did not settle
   int locked_overlaps = 0;  ///< of impacts, left because other touches are in the way
   double least = 0;         ///< smallest part made of a step in time
-  SupportWork given = {};
-  double struck = 0;  ///< how long before the end of the step its first impact was; 0: none
+  double struck = 0;        ///< how long before the end of the step its first impact was; 0: none
   double residual = 0;
   std::optional<Touch> worst;  ///< contact that holds the residual up, where one is known
   bool converged = true;

@@ -61,7 +61,7 @@ bool is_within_one_body(const StandardScene& scene, const Touch& touch) {
                                    scene.model.vertices[touch.start].element);
 }
 
-void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& others, StandardStep& step) {
+double strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& others, StandardStep& step) {
   const std::vector<std::size_t> kept = drop_passed(of, impacts);
   const auto vertices = vertices_at(of.scene.model, of.scene.reference, of.smooth.q);
   const Eigen::VectorXd speeds =
@@ -75,7 +75,7 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
     struck.meetings.push_back(meeting(impacts.touches[i], of.dt, impacts.speeds[i],
                                       speeds[static_cast<Eigen::Index>(2 * i)], std::max(0.0, -gap)));
   }
-  if (struck.meetings.empty()) return;
+  if (struck.meetings.empty()) return 0;
   step.struck = std::ranges::max_element(struck.meetings, {}, &ImpactMeeting::since)->since;
   struck.touching = others.touching;
   std::erase_if(struck.touching, [&](const Touch& touch) { return is_within_one_body(of.scene, touch); });
@@ -83,14 +83,16 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
   struck.bonds = of.smooth.bonds;
   struck.slow = of.slow;
   Jump jump = after_jump(of.scene, of.smooth.q, step.motion.v, struck, flexibility);
-  step.given.jump = jump.given;
+  double given = jump.given;
   for (std::size_t i : jump.undecided) step.undecided.push_back(of.touches + met[i]);
   step.motion.v = std::move(jump.v);
-  if (!jump.undecided.empty())  // points that are held do not take part in what is left open
-    step.motion.v =
+  if (!jump.undecided.empty()) {  // points that are held do not take part in what is left open
+    PushedVelocities pushed =
         with_held_velocities(of.scene, of.smooth.q, std::move(step.motion.v), {}, {}, of.time, of.dt,
-                             {of.smooth.flexibility, of.rule.end_velocity.increment, of.rule.inertia.increment})
-            .v;
+                             {of.smooth.flexibility, of.rule.end_velocity.increment, of.rule.inertia.increment});
+    step.motion.v = std::move(pushed.v);
+    given += pushed.given;
+  }
   Separated separated{.q = jump.q};
   Touches not_driven_in;
   std::set<Touch> known;
@@ -111,6 +113,7 @@ void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& oth
   step.motion.q = with_points_in_place(of.scene, std::move(separated.q), of.time + of.dt, flexibility);
   step.solves += jump.solves + separated.solves;
   step.locked_overlaps += separated.locked;
+  return given;
 }
 
 }  // namespace keyblock

@@ -41,6 +41,7 @@ struct OtherTouches {
 bool is_within_one_body(const StandardScene& scene, const Touch& touch);
 
 /// Puts velocities after the jump and places after the separation into `step`, whose velocities are those before.
-void strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& others, StandardStep& step);
+/// Returns the energy that moving supports gave.
+double strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& others, StandardStep& step);
 
 }  // namespace keyblock
