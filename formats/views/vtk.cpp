@@ -166,7 +166,7 @@ class StressArrays {
   void real(std::string_view name, const Value& value) {
     file_.add(heading(arrays_, name, units_), column<double>(rows_, value));
   }
-  /// Of what follows from other arrays, or is only looked at: six digits.
+  /// Of what follows from other arrays, or is only looked at: seven digits.
   template <class Value>
   void short_real(std::string_view name, const Value& value) {
     file_.add(heading(arrays_, name, units_), column<float>(rows_, value));

@@ -86,13 +86,18 @@ class Bytes {
   const Place& place_;
 };
 
-std::string unpacked(Bytes& bytes, const Place& place) {
+// `of_all`: bytes of all arrays, as they are packed. What packs better than this holds no frame.
+std::string unpacked(Bytes& bytes, std::size_t of_all, const Place& place) {
   const std::uint64_t blocks = bytes.word();
   const std::uint64_t size = bytes.word();
   const std::uint64_t last = bytes.word();
   if (size > kPackedAtOnce)
     throw InputError(place, fmt::format("expected blocks of {} bytes, found {}", kPackedAtOnce, size));
   const std::string_view sizes = bytes.take(std::min(blocks, std::uint64_t{1} << 40) * kWord);
+  constexpr std::uint64_t kBestRatio = 16, kAlways = 1 << 20;
+  if (blocks * size > std::max(kAlways, kBestRatio * of_all))
+    throw InputError(place, fmt::format("expected an array of at most {} bytes, found one of {}",
+                                        std::max(kAlways, kBestRatio * of_all), blocks * size));
   std::string all;
   for (std::uint64_t i = 0; i < blocks; ++i) {
     std::uint64_t of_packed = 0;
@@ -110,18 +115,21 @@ std::string unpacked(Bytes& bytes, const Place& place) {
 }
 
 template <class T>
-std::vector<double> numbers_of(std::string_view bytes) {
+std::vector<double> numbers_of(std::string_view bytes, const Place& place) {
+  if (bytes.size() % sizeof(T) != 0)
+    throw InputError(place, fmt::format("expected whole numbers of {} bytes, found {} bytes", sizeof(T), bytes.size()));
+  if (bytes.empty()) return {};
   std::vector<T> values(bytes.size() / sizeof(T));
   std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
   return {values.begin(), values.end()};
 }
 
 std::vector<double> numbers_of(std::string_view type, std::string_view bytes, const Place& place) {
-  if (type == "Float64") return numbers_of<double>(bytes);
-  if (type == "Float32") return numbers_of<float>(bytes);
-  if (type == "Int64") return numbers_of<std::int64_t>(bytes);
-  if (type == "Int32") return numbers_of<std::int32_t>(bytes);
-  if (type == "UInt8") return numbers_of<std::uint8_t>(bytes);
+  if (type == "Float64") return numbers_of<double>(bytes, place);
+  if (type == "Float32") return numbers_of<float>(bytes, place);
+  if (type == "Int64") return numbers_of<std::int64_t>(bytes, place);
+  if (type == "Int32") return numbers_of<std::int32_t>(bytes, place);
+  if (type == "UInt8") return numbers_of<std::uint8_t>(bytes, place);
   throw InputError(place, fmt::format("expected an array of Float64, Float32, Int64, Int32 or UInt8, found {}", type));
 }
 
@@ -237,7 +245,7 @@ std::vector<double> vtk_numbers(const VtkParts& parts, std::string_view type, st
     const std::uint64_t size = bytes.word();
     return numbers_of(type, bytes.take(size), place);
   }
-  return numbers_of(type, unpacked(bytes, place), place);
+  return numbers_of(type, unpacked(bytes, parts.appended.size(), place), place);
 }
 
 }  // namespace keyblock::formats

@@ -61,6 +61,7 @@ struct VtkParts {
   bool is_packed = false;     ///< by zlib
 };
 VtkParts vtk_parts_of(const Source& source);
+VtkParts vtk_parts_of(Source&&) = delete;
 
 /// Numbers of type "Float64", "Float32", "Int64", "Int32" or "UInt8" that begin at `offset`. Throws InputError with
 /// `place` where there are not so many bytes, where zlib cannot unpack them, or for another type.

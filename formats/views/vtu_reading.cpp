@@ -125,6 +125,7 @@ class VtuReader {
   explicit VtuReader(const Source& source) : parts_(vtk_parts_of(source)), document_(parts_.xml) {}
 
   VtuFrame read() {
+    require_known_bytes();
     const Element grid = inner(document_.root(), "UnstructuredGrid");
     const Element piece = inner(grid, "Piece");
     VtuFrame frame;
@@ -137,6 +138,20 @@ class VtuReader {
 
  private:
   static constexpr int kMost = std::numeric_limits<int>::max();
+
+  // Of a file with bytes behind its XML.
+  void require_known_bytes() const {
+    if (parts_.appended.empty()) return;
+    const auto require = [&](const char* word, std::string_view wanted) {
+      const auto found = document_.root().attribute(word);
+      if (found && found->value != wanted)
+        throw InputError(found->place,
+                         fmt::format("expected {}=\"{}\", found {}", word, wanted, in_quotes(found->value)));
+    };
+    require("byte_order", "LittleEndian");
+    require("header_type", "UInt64");
+    if (!parts_.is_packed) require("compressor", "vtkZLibDataCompressor");
+  }
 
   static Element inner(const Element& parent, std::string_view name) {
     if (const auto found = child_of(parent, name)) return *found;
