@@ -21,7 +21,7 @@ void put_files(AskedCase& asked, const std::vector<std::string>& paths) {
     return;
   }
   const CaseFolder folder = the_case_in(paths.front());
-  const fs::path whole = fs::absolute(folder.folder).lexically_normal();
+  const fs::path whole = whole_path(folder.folder);
   asked.name = (whole.parent_path().filename() / whole.filename()).string();  // cases share names as "coarse"
   asked.folder = folder.folder;
   asked.file = read_case_file(folder);

@@ -171,8 +171,8 @@ Json parsed(const std::string& path) {
   }
 }
 
-// A name in the list stands for the list in that file.
-std::vector<Variant> variants_of(const CaseValue& list) {
+// A name in the list stands for the list in that file. `outer`: the files that lead here.
+std::vector<Variant> variants_of(const CaseValue& list, std::vector<std::string> outer = {}) {
   if (!list.json.is_array()) list.refuse("a list");
   std::vector<Variant> variants;
   for (std::size_t i = 0; i < list.json.size(); ++i) {
@@ -182,8 +182,10 @@ std::vector<Variant> variants_of(const CaseValue& list) {
       continue;
     }
     const std::string path = (list.folder.folder / node.text()).lexically_normal().string();
+    outer.push_back(list.file);
+    if (std::ranges::find(outer, path) != outer.end()) node.refuse("a list that does not lead back to itself");
     const Json shared = parsed(path);
-    for (Variant& variant : variants_of({list.folder, path, "", shared})) variants.push_back(std::move(variant));
+    for (Variant& variant : variants_of({list.folder, path, "", shared}, outer)) variants.push_back(std::move(variant));
   }
   return variants;
 }

@@ -32,8 +32,13 @@ void visit(const fs::path& folder, const fs::path& root, std::vector<CaseFolder>
 
 }  // namespace
 
+fs::path whole_path(const fs::path& folder) {
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
 std::vector<std::string> CaseFolder::inputs() const {
-  const std::string base = (folder / fs::absolute(folder).lexically_normal().filename()).string();
+  const std::string base = (folder / whole_path(folder).filename()).string();
   if (fs::exists(base + ".json")) return {base + ".json"};
   const auto either = [&](const char* native, const char* usual) {
     return base + (fs::exists(base + native) ? native : usual);

@@ -19,6 +19,9 @@ struct CaseFolder {
   std::vector<std::string> inputs() const;
 };
 
+/// The folder by its full path, which has a name where the folder is ".".
+std::filesystem::path whole_path(const std::filesystem::path& folder);
+
 /// Cases at or below each path, sorted by name. Throws InputError for a path without any.
 std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths);
 

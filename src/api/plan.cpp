@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
 #include <utility>
 
 #include "api/named_files.hpp"
@@ -17,10 +18,29 @@ namespace keyblock {
 
 namespace {
 
-ConfiguredCase with_settings(ChosenProfile profile, std::vector<Override> asked, const Problem& problem) {
-  ConfiguredCase made{std::move(profile), std::move(asked), {}, {}};
+// A setting of `case.json` that cannot be is told of with that file.
+void require_those_of_file(const ConfiguredCase& made, Problem problem) {
+  if (made.of_file.empty()) return;
+  try {
+    settings_of(problem, made.profile.name, set_plan(problem, made.of_file));
+  } catch (const std::invalid_argument& error) {
+    throw InputError({made.file, 0, 0}, error.what());
+  }
+}
+
+ConfiguredCase with_settings(ChosenProfile profile, const AskedCase& asked, const Problem& problem,
+                             const std::vector<Override>& more) {
+  ConfiguredCase made{std::move(profile), {}, {}, {}, asked.file.path, {}};
+  made.asked = asked.overrides(made.profile.name);
+  made.of_file = asked.file.overrides(made.profile.name);
+  made.asked.insert(made.asked.end(), more.begin(), more.end());
   made.problem = with_named_files(problem, made.asked);
-  made.overrides = set_plan(made.problem, made.asked);
+  try {
+    made.overrides = set_plan(made.problem, made.asked);
+  } catch (const std::invalid_argument&) {
+    require_those_of_file(made, problem);
+    throw;
+  }
   return made;
 }
 
@@ -44,20 +64,21 @@ ChosenProfile profile_for(const AskedCase& asked, const Problem& problem, OldFil
 }
 
 ConfiguredCase configured(const AskedCase& asked, const Problem& problem, OldFiles old_files) {
-  ChosenProfile profile = profile_for(asked, problem, old_files);
-  std::vector<Override> settings = asked.overrides(profile.name);
-  return with_settings(std::move(profile), std::move(settings), problem);
+  return with_settings(profile_for(asked, problem, old_files), asked, problem, {});
 }
 
 ConfiguredCase configured_under(const std::string& profile, const AskedCase& asked, const Problem& problem,
                                 const std::vector<Override>& more) {
-  std::vector<Override> settings = asked.overrides(profile);
-  settings.insert(settings.end(), more.begin(), more.end());
-  return with_settings({profile, {}}, std::move(settings), problem);
+  return with_settings({profile, {}}, asked, problem, more);
 }
 
 Prepared prepared_case(const ConfiguredCase& made) {
-  return prepare(made.problem, made.profile.name, made.overrides);
+  try {
+    return prepare(made.problem, made.profile.name, made.overrides);
+  } catch (const std::invalid_argument&) {
+    require_those_of_file(made, made.problem);
+    throw;
+  }
 }
 
 PlannedCase planned(const AskedCase& asked, const Problem& problem) {

@@ -29,6 +29,8 @@ struct ConfiguredCase {
   std::vector<Override> asked = {};  ///< all settings that were asked for
   Problem problem;
   std::vector<Override> overrides = {};
+  std::string file = {};               ///< `case.json`, for messages
+  std::vector<Override> of_file = {};  ///< what it sets, for messages
 };
 
 /// Under the profile of the case (`profile_for`): reads the files that settings name and puts settings of the mesh into
@@ -40,7 +42,7 @@ ConfiguredCase configured(const AskedCase& asked, const Problem& problem, OldFil
 ConfiguredCase configured_under(const std::string& profile, const AskedCase& asked, const Problem& problem,
                                 const std::vector<Override>& more = {});
 
-/// The scene of it. Throws as `keyblock::prepare`.
+/// The scene of it. Throws as `keyblock::prepare`, but InputError for a setting of `case.json`.
 Prepared prepared_case(const ConfiguredCase& made);
 
 /// A case made ready for its first step.
