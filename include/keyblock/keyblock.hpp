@@ -249,7 +249,8 @@ struct Strength {
 
 /// Divides the strength of "joints", "rock" or "both" until the case no longer stands: the search of `keyblock fos`, without
 /// its second one on a coarser mesh. Left open (empty, 0), what is reduced and the width of the bracket are those that
-/// the `case.json` of a folder asks for, else "joints" and 0.01.
+/// the `case.json` of a folder asks for, else "joints" and 0.01; where it begins and ends, and what is exempt, it asks
+/// for in any case. Throws SettingError for another word, or a width below 0.
 KEYBLOCK_API Strength factor_of_safety(const Case& of, std::string_view what = {}, double within = 0,
                                        const Choices& choices = {}, const Context& context = Context());
 

@@ -33,6 +33,9 @@ namespace {
 // The list is written whole each time: of many frames not with each.
 constexpr std::chrono::milliseconds kListEvery{500};
 
+// Longer runs are not to be lost with the power.
+constexpr std::chrono::seconds kWorthTheDisk{3};
+
 // Rows of histories are written in lots.
 constexpr std::size_t kLotOfRows = 1 << 16;
 
@@ -179,11 +182,10 @@ void RunFolder::write_checkpoint(const std::string& bytes) {
   has_saved_steps_ = true;
 }
 
-// The results take the place of what was saved, and reach the disk first. Where no steps were saved the run took
-// seconds: the disk may wait.
+// The results take the place of what was saved, and reach the disk first. Those of a run of a few seconds may wait.
 void RunFolder::remove_checkpoint() {
   if (!fs::exists(checkpoint_in(folder_))) return;
-  if (has_saved_steps_) {
+  if (has_saved_steps_ || std::chrono::steady_clock::now() - begun_ > kWorthTheDisk) {
     flush_frames();
     for (const std::string& name : files_.names()) flush_to_disk(folder_ / name);
     flush_to_disk(folder_);

@@ -84,7 +84,8 @@ class RunFolder {
   /// Puts `bytes` where `checkpoint_in` says, once the frames that they count on are on the disk.
   void write_checkpoint(const std::string& bytes);
 
-  /// The results are on the disk: the checkpoint goes, if there is one.
+  /// The run is over: the checkpoint goes, if there is one; of a run that took more than seconds, or began from a
+  /// checkpoint, once the results are on the disk.
   void remove_checkpoint();
 
   /// Writes at once the frame's .vtu, with `field` where that has elements, .vtp files of contacts and bolts where
@@ -143,6 +144,7 @@ class RunFolder {
   std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
   bool made_folder_ = false;
   bool has_saved_steps_ = false;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
 /// Where a run's folder has its checkpoint.

@@ -28,6 +28,9 @@ void describe(Archive& archive, const char* name, std::vector<std::string>& text
 
 void describe(Archive& archive, RunRequest& request) {
   archive.value("program", request.program);
+  if (archive.is_restoring() && request.program != this_program())  // which may lay out all else otherwise
+    archive.refuse("program", fmt::format("expected the build of keyblock that began the run, {}, found another, {}",
+                                          request.program, this_program()));
   archive.value("folder", request.folder);
   archive.value("working_folder", request.working_folder);
   describe(archive, "files", request.files);
@@ -112,9 +115,6 @@ void require_own(const fs::path& checkpoint, const RunRequest& saved) {
 
 void require_same(const fs::path& checkpoint, const RunRequest& saved, const RunRequest& now) {
   const auto refuse = [&](const std::string& sentence) { throw InputError({checkpoint.string(), 0, 0}, sentence); };
-  if (saved.program != now.program)
-    refuse(fmt::format("expected the build of keyblock that began the run, {}, found another, {}", saved.program,
-                       now.program));
   if (saved.read != now.read || saved.digests.size() != saved.read.size())
     refuse("expected the files that the run began with, found others");
   for (std::size_t i = 0; i < saved.read.size(); ++i)

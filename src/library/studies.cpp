@@ -1,5 +1,7 @@
 // Factor of safety and stress intensity, as `keyblock fos` and `keyblock sif` have them.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "library/parts.hpp"
@@ -47,6 +49,7 @@ Strength factor_of_safety(const Case& of, std::string_view what, double within, 
     const Under under(context.state().context);
     ReductionAsked given;
     if (!what.empty()) given.what = reduced_of(std::string(what));
+    if (!(within >= 0)) throw SettingError(fmt::format("within: expected a width above 0, or 0, found {}", within));
     if (within > 0) given.within = within;
     const ReductionAsked asked = completed(std::move(given), of.data().open.file.reduction);
     const study::StrengthTrials trials(for_study(of, choices), *asked.what, exempt_of(asked.exempt));

@@ -1,5 +1,5 @@
 # Installs into a folder of its own, builds the examples against that alone, and runs each. Run: cmake -DROOT=<the repository>
-# -DBUILD=<its build> -P tests/api/installed_test.cmake
+# -DBUILD=<its build> -P tests/library/installed_test.cmake
 cmake_minimum_required(VERSION 3.25)
 set(folder ${BUILD}/installed_test)
 file(REMOVE_RECURSE ${folder})
