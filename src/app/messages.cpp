@@ -154,24 +154,26 @@ void log_warnings(const Warnings& warnings) {
 
 void log_by_level(const Warnings& warnings, std::string_view of) {
   if (spdlog::should_log(spdlog::level::debug)) return log_warnings(warnings);
-  constexpr std::size_t kMostKinds = 5;
-  Warnings shown;
-  std::set<std::string> kinds, more, notes;
+  constexpr std::size_t kMostCodes = 5;
+  Warnings errors, shown;
+  std::set<std::string> codes, more, notes;
   for (const Warning& warning : warnings) {
     const DiagnosticLevel level = level_of(warning.name);
+    if (level == DiagnosticLevel::error) errors.push_back(warning);
     if (level == DiagnosticLevel::note) notes.insert(warning.name);
-    if (level == DiagnosticLevel::note || level == DiagnosticLevel::silent) continue;
-    if (kinds.size() == kMostKinds && !kinds.contains(warning.name)) {
+    if (level != DiagnosticLevel::warning) continue;
+    if (codes.size() == kMostCodes && !codes.contains(warning.name)) {
       more.insert(warning.name);
       continue;
     }
-    kinds.insert(warning.name);
+    codes.insert(warning.name);
     shown.push_back(warning);
   }
+  log_warnings(errors);
   log_warnings(shown);
   if (!more.empty())
-    spdlog::warn("{} of other kinds: {} (--verbose shows them)", counted(more.size(), "more warning"),
-                 fmt::join(more, ", "));
+    spdlog::warn("{} on {}: {} (--verbose shows {})", counted(more.size(), "more warning"), of, fmt::join(more, ", "),
+                 more.size() == 1 ? "it" : "them");
   if (!notes.empty())
     spdlog::info("{} on {}: {} (--verbose shows {})", counted(notes.size(), "note"), of, fmt::join(notes, ", "),
                  notes.size() == 1 ? "it" : "them");

@@ -23,8 +23,8 @@ void print_record(const std::string& record, const std::string& file);
 /// To standard error, each kind once with how often it was met; under --verbose all.
 void log_warnings(const Warnings& warnings);
 
-/// What a run says: errors and warnings as `log_warnings`, the first five kinds of them; notes in one line that counts
-/// them and names their codes. `of`: "the case", "the run". Under --verbose as `log_warnings`.
+/// What a run says: errors as `log_warnings`, then warnings, those of the first five codes; notes in one line that
+/// counts them and names their codes. `of`: "the case", "the run". Under --verbose as `log_warnings`.
 void log_by_level(const Warnings& warnings, std::string_view of);
 
 /// Whether more than errors are to be shown.

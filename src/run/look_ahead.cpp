@@ -30,9 +30,8 @@
 namespace keyblock {
 namespace {
 
-constexpr double kSlender = 5;  // length over mean width of a block that ought to bend
-constexpr double kBendingArea =
-    0.5;  // of the mean block that nothing holds: the bending of a smaller one moves little else
+constexpr double kSlender = 5;           // length over mean width of a block that ought to bend
+constexpr double kBendingArea = 0.5;     // of the middle block: the bending of a smaller one moves little else
 constexpr double kHeldAlong = 0.5;       // of the length of a slender block: fixed points as far apart keep it straight
 constexpr double kStray = 1e-3;          // of the side of a mean square block: points on an edge are not outside
 constexpr double kOverlap = 1e-4;        // of the size of the mean block: faces that lie on one another
@@ -97,16 +96,18 @@ bool lies_along(const std::vector<Point>& loop, Point from, Point along, double 
   return false;
 }
 
-// Area of the mean block without a fixed point; of all where each has one.
-double mean_of_loose(const std::vector<BlockForm>& shapes, const std::vector<int>& fixed, double mean) {
-  double sum = 0;
-  int count = 0;
+// Area of the middle one of the blocks without a fixed point; of all where each has one. One that is far larger than
+// the others does not change it.
+double middle_area(const std::vector<BlockForm>& shapes, const std::vector<int>& fixed) {
+  std::vector<double> loose, all;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (fixed[i] > 0) continue;
-    sum += shapes[i].area;
-    ++count;
+    all.push_back(shapes[i].area);
+    if (fixed[i] == 0) loose.push_back(shapes[i].area);
   }
-  return count > 0 ? sum / count : mean;
+  std::vector<double>& areas = loose.empty() ? all : loose;
+  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>((areas.size() - 1) / 2);
+  std::ranges::nth_element(areas, middle);
+  return *middle;
 }
 
 /// The blocks of a scene as cut, and who touches whom.
@@ -320,7 +321,7 @@ class Blocky {
 
   std::string cannot_bend() const {
     std::vector<std::size_t> found;
-    const double least = kBendingArea * mean_of_loose(shapes_, fixed_, mean_);
+    const double least = kBendingArea * middle_area(shapes_, fixed_);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       const bool is_held_along = fixed_[i] >= 2 && length(held_[i].size()) >= kHeldAlong * shapes_[i].length;
       if (!is_held_along && shapes_[i].length > kSlender * shapes_[i].width() && shapes_[i].area >= least)

@@ -60,6 +60,11 @@ ExitCode explain(const ExplainOptions& options) {
     }
     return ExitCode::ok;
   }
+  if (const auto level = level_without_row(without_brackets(options.code))) {
+    fmt::print("{} ({}): it is not explained here yet; `check` and --verbose have its sentence\n",
+               without_brackets(options.code), word_of(*level));
+    return ExitCode::ok;
+  }
   const Diagnostic& row = named(options.code);
   if (options.as_json)
     fmt::print("{}\n", json_of(row).dump(1));

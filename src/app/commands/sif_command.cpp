@@ -112,7 +112,7 @@ ExitCode print_intensity(const SifOptions& options) {
   const OpenCase open = opened(case_of(options.given));
   const ConfiguredCase made = configured(open, open.input.problem, OldFiles::standard);  // the old rules know no tips
   const study::CaseIntensity found = study::intensity_at_end(made);
-  log_by_level(found.warnings, "the case");
+  log_by_level(joined(open.input.warnings, found.warnings), "the case");
   if (!found.failure.empty()) {
     spdlog::error("keyblock: error: {}", found.failure);
     return ExitCode::numerical_failure;

@@ -38,9 +38,7 @@ constexpr auto kNotesWithoutRow = std::to_array<std::string_view>({"block_inside
                                                                    "dxf_old_marks",
                                                                    "dxf_scaled_to_declared_unit",
                                                                    "dxf_scaled_to_metres",
-                                                                   "dxf_skipped",
                                                                    "dxf_vertex_count",
-                                                                   "dxf_without_unit",
                                                                    "edge_node_ratio_unusual",
                                                                    "edges_rerouted",
                                                                    "energy_not_judged",
@@ -53,7 +51,6 @@ constexpr auto kNotesWithoutRow = std::to_array<std::string_view>({"block_inside
                                                                    "leaving_edge_materials",
                                                                    "merging_left_close_nodes",
                                                                    "mesh_error_at_points",
-                                                                   "more_warnings",
                                                                    "motion_applied",
                                                                    "near_pieces_deleted",
                                                                    "not_of_berkeley",
@@ -74,7 +71,6 @@ constexpr auto kNotesWithoutRow = std::to_array<std::string_view>({"block_inside
                                                                    "step_in_parts",
                                                                    "step_moves_far",
                                                                    "strain_without_effect",
-                                                                   "unsettled_step_accepted",
                                                                    "unsupported_blocks",
                                                                    "velocity_from_gradient",
                                                                    "zero_length_line"});
@@ -221,11 +217,16 @@ const Diagnostic* find_diagnostic(std::string_view code) {
   return found != kDiagnostics.end() && found->code == code ? &*found : nullptr;
 }
 
-DiagnosticLevel level_of(std::string_view code) {
-  if (const Diagnostic* row = find_diagnostic(code)) return row->level;
+std::optional<DiagnosticLevel> level_without_row(std::string_view code) {
   const auto holds = [code](const auto& codes) { return std::ranges::find(codes, code) != codes.end(); };
   if (holds(kNotesWithoutRow)) return note;
-  return holds(kSilentWithoutRow) ? silent : warning;
+  if (holds(kSilentWithoutRow)) return silent;
+  return std::nullopt;
+}
+
+DiagnosticLevel level_of(std::string_view code) {
+  if (const Diagnostic* row = find_diagnostic(code)) return row->level;
+  return level_without_row(code).value_or(warning);
 }
 
 std::string_view word_of(DiagnosticLevel level) {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -30,6 +31,9 @@ std::span<const Diagnostic> diagnostics();
 
 /// The row of `code`; nullptr if the table has none.
 const Diagnostic* find_diagnostic(std::string_view code);
+
+/// The level of a code that has no row yet; nothing: none is known of it.
+std::optional<DiagnosticLevel> level_without_row(std::string_view code);
 
 /// The level of `code`, also where it has no row yet; a warning where nothing says otherwise.
 DiagnosticLevel level_of(std::string_view code);
