@@ -31,8 +31,11 @@ struct CaseValue {
   const Json& json;
 
   [[noreturn]] void refuse(const std::string& expected) const {
-    throw InputError({file, 0, 0}, fmt::format("key {}: expected {}, found {}", key.empty() ? "(top)" : key, expected,
-                                               json.dump(-1, ' ', false, Json::error_handler_t::replace)));
+    constexpr std::size_t kMost = 200;
+    std::string found = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (found.size() > kMost) found = found.substr(0, kMost) + " …";
+    throw InputError({file, 0, 0},
+                     fmt::format("key {}: expected {}, found {}", key.empty() ? "(top)" : key, expected, found));
   }
   CaseValue at(const std::string& name) const {
     return {folder, file, key.empty() ? name : key + "." + name, json.at(name)};
@@ -164,9 +167,14 @@ ReductionAsked reduction_of(const CaseValue& node) {
 }
 
 Json parsed(const std::string& path) {
+  constexpr int kDeepest = 12;  // levels, as in a case file
+  const auto require_flat = [&](int depth, Json::parse_event_t, const Json&) {
+    if (depth > kDeepest) throw InputError({path, 0, 0}, fmt::format("expected at most {} levels", kDeepest));
+    return true;
+  };
   try {
-    return Json::parse(formats::load(path).text);
-  } catch (const Json::parse_error& error) {
+    return Json::parse(formats::load(path).text, require_flat);
+  } catch (const Json::exception& error) {
     throw InputError({path, 0, 0}, fmt::format("expected JSON: {}", error.what()));
   }
 }
@@ -206,7 +214,8 @@ std::vector<Override> CaseFile::overrides(const std::string& profile) const {
 CaseFile read_case_file(const CaseFolder& folder) {
   CaseFile file;
   file.path = (folder.folder / "case.json").string();
-  if (!std::filesystem::exists(file.path)) return file;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file.path)))
+    return file;  // a link to nothing is told of
   const Json json = parsed(file.path);
   const CaseValue top{folder, file.path, "", json};
   std::vector<std::string> known{"about", "slow", "set", "variants", "reduce_strength"};

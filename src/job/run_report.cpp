@@ -247,10 +247,14 @@ Json warnings_json(const Warnings& warnings) {
   Json all = Json::array();
   for (const Warning& warning : warnings) {
     const auto known = std::ranges::find_if(all, [&](const Json& w) { return w["name"] == warning.name; });
-    if (known == all.end())
+    if (known == all.end()) {
       all.push_back({{"name", warning.name}, {"count", 1}, {"first", to_string(warning)}});
-    else
-      (*known)["count"] = (*known)["count"].get<int>() + 1;
+      continue;
+    }
+    (*known)["count"] = (*known)["count"].get<int>() + 1;
+    constexpr std::size_t kMostOthers = 20;
+    Json& others = (*known)["others"];
+    if (others.size() < kMostOthers) others.push_back(to_string(warning));
   }
   return all;
 }

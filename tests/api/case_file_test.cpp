@@ -115,4 +115,29 @@ TEST(CaseFile, keys_and_values_that_are_none_are_refused_by_name) {
   }
 }
 
+TEST(CaseFile, what_no_one_writes_by_hand_is_refused_shortly) {
+  const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+  EXPECT_TRUE(contains(complaint(deep), "case.json: error: expected at most 12 levels")) << complaint(deep);
+  EXPECT_TRUE(contains(complaint(R"({"set": {"both": {"time_step": 1e400}}})"), "case.json: error: expected JSON"));
+  std::string long_list = R"({"about": [0)";
+  for (int i = 1; i < 10000; ++i) long_list += "," + std::to_string(i);
+  EXPECT_LT(complaint(long_list + "]}").size(), 600U);
+}
+
+TEST(CaseFile, lists_of_variants_that_lead_back_to_themselves_and_links_to_nothing_are_refused) {
+  const CaseFolder folder = folder_with(R"({"variants": ["more.json"]})");
+  support::write_text(folder.folder / "more.json", R"(["more.json"])");
+  try {
+    read_case_file(folder);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(contains(error.what(), "more.json: error: key [0]: expected a list that does not lead back"))
+        << error.what();
+  }
+  const CaseFolder linked = folder_with("{}");
+  fs::remove(linked.folder / "case.json");
+  fs::create_symlink("nothere", linked.folder / "case.json");
+  EXPECT_THROW(read_case_file(linked), InputError);
+}
+
 }  // namespace keyblock::case_file_test

@@ -74,6 +74,22 @@ TEST(AskedCase, settings_of_the_command_line_come_after_those_of_the_settings_fi
   EXPECT_EQ(all.front(), (Override{"body_acceleration_file", kCases + "newmark_sine/row_1/motion.csv"}));
 }
 
+TEST(AskedCase, a_setting_of_case_json_that_does_not_fit_is_told_with_its_file) {
+  const std::string folder = support::fresh_folder("asked_wrong") + "/c";
+  std::filesystem::copy(kCases + "sliding_block/a30_p20", folder);
+  for (const char* ending : {".geo", ".ana"})
+    std::filesystem::rename(folder + "/a30_p20" + ending, folder + "/c" + ending);
+  support::write_text(folder + "/case.json", R"({"set": {"both": {"mesh.side": "0.5"}}})");
+  const OpenCase open = opened(asked_case({{folder}, {}, {}, {}}));
+  try {
+    planned(open, open.input.problem);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("case.json: error: there is no setting \"mesh.side\""), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(AskedCase, a_case_file_may_set_its_mesh_and_the_command_line_overrules_it) {
   const std::string folder = support::fresh_folder("asked_mesh");
   support::write_text(folder + "/side.json", plate(R"("mesh.side": "0.125")"));

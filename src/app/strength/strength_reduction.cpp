@@ -95,7 +95,7 @@ Json mesh_error_json(const std::optional<study::MeshError>& error) {
           {"extrapolated_factor", error->extrapolated}};
 }
 
-Json json_of(const ReducedCase& chosen, const FactorOfSafety& found) {
+Json json_of(const ReducedCase& chosen, const Warnings& warnings, const FactorOfSafety& found) {
   Json trials = Json::array();
   for (const StrengthTrial& trial : found.trials) trials.push_back(trial_json(trial));
   return {{"program", "keyblock"},
@@ -115,6 +115,7 @@ Json json_of(const ReducedCase& chosen, const FactorOfSafety& found) {
           {"lower_estimate", found.is_lower_estimate},
           {"left_out", blocks_json(found.left_out)},
           {"notes", found.notes},
+          {"warnings", warning_list_json(warnings)},
           {"trials", trials}};
 }
 
@@ -339,9 +340,9 @@ ExitCode reduce_strength(const AskedCase& asked, const ReductionOptions& options
   require_options(chosen, options);
   require_effect(options.asked.exempt, *chosen.reduction.what);
   const study::StrengthTrials trials = trials_of(chosen);
-  log_by_level(joined(joined(chosen.input.warnings, trials.prepared().warnings),
-                      look_ahead(chosen.input.problem, trials.prepared())),
-               "the case");
+  const Warnings warnings = joined(joined(chosen.input.warnings, trials.prepared().warnings),
+                                   look_ahead(chosen.input.problem, trials.prepared()));
+  log_by_level(warnings, "the case");
   listen_for_stops();
   const ReductionAsked& of_search = chosen.reduction;
   study::SearchOptions search{of_search.from, of_search.to, *of_search.within};
@@ -355,7 +356,7 @@ ExitCode reduce_strength(const AskedCase& asked, const ReductionOptions& options
   search.on_loose = [](const std::string& sentence) { spdlog::info("{}; the search begins anew", sentence); };
   FactorOfSafety found = study::factor_of_safety(trials, search);
   if (options.seeks_mesh_error) add_mesh_error(trials, found, search);
-  const std::string json = json_of(chosen, found).dump(1, ' ', false, Json::error_handler_t::replace);
+  const std::string json = json_of(chosen, warnings, found).dump(1, ' ', false, Json::error_handler_t::replace);
   if (options.as_json)
     fmt::print("{}\n", json);
   else

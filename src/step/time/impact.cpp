@@ -290,7 +290,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   const Eigen::VectorXd met = rates(rows, rigid_part(v)) + rates(rows, rigid_part(jump.v));
   jump.lost = std::max(0.0, -solution.forces.head(of_touches).dot(met.head(of_touches)) / 2);
   const Eigen::Index of_points = met.size() - of_touches;
-  jump.given = solution.forces.tail(of_points).dot(met.tail(of_points)) / 2;
+  if (solution.converged) jump.given = solution.forces.tail(of_points).dot(met.tail(of_points)) / 2;
   if (!solution.converged)
     std::ranges::copy_if(solution.undecided, std::back_inserter(jump.undecided),
                          [&](std::size_t i) { return i < meetings.size(); });
@@ -321,8 +321,11 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
   const Flexibility& flexibility = answered.flexibility;
   const ContactRows rows = rows_with_points(scene, q, closed);
   FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, v), {}, 0, 0, {}};
-  problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())) -= wanted_velocities(scene.held, time, dt);
-  Eigen::VectorXd had = Eigen::VectorXd::Zero(problem.w.rows());  // where the law is one of the whole impulse
+  const auto of_points = static_cast<Eigen::Index>(2 * scene.held.size());
+  const Eigen::VectorXd wanted = wanted_velocities(scene.held, time, dt);
+  problem.b.tail(of_points) -= wanted;
+  const Eigen::VectorXd mean = wanted + problem.b.tail(of_points) / 2;  // of the points, before and after
+  Eigen::VectorXd had = Eigen::VectorXd::Zero(problem.w.rows());        // where the law is one of the whole impulse
   for (std::size_t i = 0; i < slips.size(); ++i) {
     problem.laws.push_back(slips[i].sticks ? kHeld : kBilateral);
     if (!slips[i].coulomb) continue;
@@ -360,9 +363,7 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
   const bool grows = change > std::max(first_change, problem.acceptable);
   const Eigen::VectorXd made = (grows ? smooth : pushes + friction) - had;
   UnknownsTable pushed = plus(std::move(v), 1, answer(rows, flexibility, made));
-  const auto of_points = static_cast<Eigen::Index>(2 * scene.held.size());
-  const double given = made.tail(of_points).dot(wanted_velocities(scene.held, time, dt)) / answered.mass;
-  return {std::move(pushed), given};
+  return {std::move(pushed), made.tail(of_points).dot(mean) / answered.mass};
 }
 
 }  // namespace keyblock

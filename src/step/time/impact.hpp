@@ -29,7 +29,7 @@ struct Jump {
   UnknownsTable q;
   UnknownsTable v;
   double lost = 0;  ///< energy that contacts took, ≥ 0: −Σ p·(u⁻ + u⁺)/2 of their impulses (Thomson & Tait 1867)
-  double given = 0;                    ///< energy that held points gave, likewise: their supports may move
+  double given = 0;                    ///< that held points gave, likewise; 0 of impulses left open
   int solves = 0;                      ///< linear systems factorised
   std::vector<std::size_t> undecided;  ///< meetings whose impulses would not settle
 };
@@ -88,7 +88,7 @@ struct PushAnswer {
 /// Velocities that pushes made.
 struct PushedVelocities {
   UnknownsTable v;
-  double given = 0;  ///< energy that held points gave, Σ p·w, w the velocity of their supports
+  double given = 0;  ///< energy that held points gave, Σ p·(u⁻ + u⁺)/2: a driven support moves with its point
 };
 
 /// Makes the normal velocity of closed touches zero and that of held points what their motion wants: both are kept in
