@@ -37,10 +37,17 @@ void keep_to_threads_of_loops() {
   if (set_levels) set_levels(loop_threads() == 1 ? 0 : 1);
 }
 
+// One thread of the process at a time: the BLAS of Debian for programs of one thread shares its buffers, and two that
+// factorised or solved at once changed each other's last digits. CHOLMOD itself counts and reports in what belongs to
+// the factor, while it solves too.
+std::mutex& guard() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 }  // namespace
 
 struct SparseFactor::Cholmod {
-  std::mutex guard;  // CHOLMOD counts and reports in what belongs to the factor, while it solves too
   Definiteness definiteness;
   Factor factor;
   Sparse scaled;
@@ -77,6 +84,7 @@ SparseFactor& SparseFactor::operator=(SparseFactor&&) noexcept = default;
 void SparseFactor::factorise(const Sparse& lower) {
   cholmod_->set_scaled(lower);
   Factor& factor = cholmod_->factor;
+  const std::scoped_lock lock(guard());
   keep_to_threads_of_loops();
   factor.factorize(cholmod_->scaled);
   if (factor.info() != Eigen::Success)
@@ -88,7 +96,7 @@ void SparseFactor::factorise(const Sparse& lower) {
 Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& right) const {
   const auto scaling = cholmod_->scale.asDiagonal();
   if (cholmod_->definiteness == Definiteness::definite) {
-    const std::scoped_lock lock(cholmod_->guard);
+    const std::scoped_lock lock(guard());
     const Eigen::MatrixXd scaled = scaling * right;
     return scaling * cholmod_->factor.solve(scaled).eval();
   }
@@ -130,7 +138,7 @@ int iterate(const Factor& factor, const Sparse& matrix, double aim, Eigen::Vecto
 }  // namespace
 
 SparseFactor::Refined SparseFactor::solve_refined(const Eigen::VectorXd& right) const {
-  const std::scoped_lock lock(cholmod_->guard);
+  const std::scoped_lock lock(guard());
   const auto scaling = cholmod_->scale.asDiagonal();
   const Eigen::VectorXd load = scaling * right;
   const auto residual_of = [&](const Eigen::VectorXd& y) -> Eigen::VectorXd {
