@@ -37,9 +37,9 @@ void keep_to_threads_of_loops() {
   if (set_levels) set_levels(loop_threads() == 1 ? 0 : 1);
 }
 
-// One thread of the process at a time: the BLAS of Debian for programs of one thread shares its buffers, and two that
-// factorised or solved at once changed each other's last digits. CHOLMOD itself counts and reports in what belongs to
-// the factor, while it solves too.
+// One thread of the process at a time: two that factorised or solved at once, each with a factor of its own, changed
+// each other's last digits. The BLAS of Debian behind CHOLMOD is one for programs of one thread. CHOLMOD itself counts
+// and reports in what belongs to the factor, while it solves too.
 std::mutex& guard() {
   static std::mutex mutex;
   return mutex;
