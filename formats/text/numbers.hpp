@@ -11,7 +11,7 @@ namespace keyblock::formats {
 /// Shortest decimal text that `parse_real` turns back into the same bits.
 std::string format_real(double value);
 void append_real(std::string& text, double value);
-/// As %.12g of C prints it: what tables have.
+/// Appends twelve digits, as C prints %.12g. Tables have these.
 void append_rounded(std::string& text, double value);
 void append_integer(std::string& text, int value);
 

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "formats/tables/run_tables.hpp"
-#include "formats/text/numbers.hpp"
+#include "formats/views/vtk_rows.hpp"
 #include "material/stress_invariants.hpp"
 #include "result/extremes.hpp"
 
@@ -56,10 +55,10 @@ Chain one_chain(const std::vector<std::vector<Point>>& loops) {
 }
 
 /// The corners of all elements, one after the other.
-std::vector<double> places_of(const std::vector<Chain>& chains) {
-  std::vector<double> places;
+std::vector<Point> places_of(const std::vector<Chain>& chains) {
+  std::vector<Point> places;
   for (const Chain& chain : chains)
-    for (const Corner& corner : chain) places.insert(places.end(), {corner.at.x, corner.at.y, 0});
+    for (const Corner& corner : chain) places.push_back(corner.at);
   return places;
 }
 
@@ -76,27 +75,6 @@ void add_polygons(VtkFile& file, const std::vector<Chain>& chains) {
   file.add("offsets", offsets);
   file.add("types", std::vector<std::uint8_t>(chains.size(), kPolygon));
   file.end();
-}
-
-/// A number of each row. `value` takes the row and its place in the list.
-template <class T, class Rows, class Value>
-std::vector<T> column(const Rows& rows, const Value& value) {
-  std::vector<T> numbers;
-  numbers.reserve(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) numbers.push_back(static_cast<T>(value(rows[i], i)));
-  return numbers;
-}
-
-/// A vector of each row, (x, y, 0).
-template <class T, class Rows, class Value>
-std::vector<T> vectors(const Rows& rows, const Value& value) {
-  std::vector<T> numbers;
-  numbers.reserve(3 * rows.size());
-  for (const auto& row : rows) {
-    const Point v = value(row);
-    numbers.insert(numbers.end(), {static_cast<T>(v.x), static_cast<T>(v.y), T{0}});
-  }
-  return numbers;
 }
 
 Point axis_of(const Stress& stress) {
@@ -151,85 +129,65 @@ constexpr std::array<ElasticArray, 4> kElasticArrays{{
 
 using Materials = std::span<const BlockMaterial>;
 
-/// Arrays of the cells, or of the points: rows that have a stress.
+// Of cells and of corners alike: rows that have a stress. What follows from it has seven digits.
+
 template <class Rows>
-class StressArrays {
- public:
-  StressArrays(VtkFile& file, const Rows& rows, const Units& units, const RunTable& arrays)
-      : file_(file), rows_(rows), units_(units), arrays_(arrays) {}
+void add_stresses(VtkRows<Rows>& rows) {
+  using std::size_t;
+  rows.template add<double>("stress_xx", [](const auto& r, size_t) { return r.stress.xx; });
+  rows.template add<double>("stress_yy", [](const auto& r, size_t) { return r.stress.yy; });
+  rows.template add<double>("stress_xy", [](const auto& r, size_t) { return r.stress.xy; });
+  rows.template add<double>("stress_zz", [](const auto& r, size_t) { return r.stress.zz; });
+  const auto add = [&](std::string_view name, const auto& of) {
+    rows.template add<float>(name, [&](const auto& r, size_t) { return of(principal(r.stress)); });
+  };
+  add("principal_stress_greatest", [](const auto& principals) { return principals.second; });
+  add("principal_stress_least", [](const auto& principals) { return principals.first; });
+  rows.template add_vectors<float>("principal_axis", [](const auto& r) { return std::array{axis_of(r.stress)}; });
+}
 
-  template <class Value>
-  void whole(std::string_view name, const Value& value) {
-    file_.add(heading(arrays_, name, units_), column<std::int32_t>(rows_, value));
-  }
-  template <class Value>
-  void real(std::string_view name, const Value& value) {
-    file_.add(heading(arrays_, name, units_), column<double>(rows_, value));
-  }
-  /// Of what follows from other arrays, or is only looked at: seven digits.
-  template <class Value>
-  void short_real(std::string_view name, const Value& value) {
-    file_.add(heading(arrays_, name, units_), column<float>(rows_, value));
-  }
-  template <class T, class Value>
-  void vector(std::string_view name, const Value& value) {
-    file_.add(heading(arrays_, name, units_), vectors<T>(rows_, value), 3);
-  }
+/// `material`: number of that of the row at a place.
+template <class Rows, class Material>
+void add_elastic_strains(VtkRows<Rows>& rows, Materials materials, const Material& material) {
+  for (const ElasticArray& array : kElasticArrays)
+    rows.template add<float>(array.name, [&](const auto& r, std::size_t i) {
+      return array.value(r.stress, materials[static_cast<std::size_t>(material(i))]);
+    });
+}
 
-  void stresses() {
-    real("stress_xx", [](const auto& r, std::size_t) { return r.stress.xx; });
-    real("stress_yy", [](const auto& r, std::size_t) { return r.stress.yy; });
-    real("stress_xy", [](const auto& r, std::size_t) { return r.stress.xy; });
-    real("stress_zz", [](const auto& r, std::size_t) { return r.stress.zz; });
-    short_real("principal_stress_greatest", [](const auto& r, std::size_t) { return principal(r.stress).second; });
-    short_real("principal_stress_least", [](const auto& r, std::size_t) { return principal(r.stress).first; });
-    vector<float>("principal_axis", [](const auto& r) { return axis_of(r.stress); });
-  }
-  /// `material`: of the row at a place.
-  template <class Material>
-  void elastic_strains(Materials materials, const Material& material) {
-    for (const ElasticArray& array : kElasticArrays)
-      short_real(array.name, [&](const auto& r, std::size_t i) {
-        return array.value(r.stress, materials[static_cast<std::size_t>(material(i))]);
-      });
-  }
-  void plastic_strains() {
-    for (const PlasticArray& array : kPlasticArrays)
-      real(array.name, [&](const auto& r, std::size_t) { return plastic_value(array, r); });
-  }
-
- private:
-  VtkFile& file_;
-  const Rows& rows_;
-  const Units& units_;
-  const RunTable& arrays_;
-};
+template <class Rows>
+void add_plastic_strains(VtkRows<Rows>& rows) {
+  for (const PlasticArray& array : kPlasticArrays)
+    rows.template add<double>(array.name, [&](const auto& r, std::size_t) { return plastic_value(array, r); });
+}
 
 void add_cell_data(VtkFile& file, const Frame& frame, const FieldFrame& field, const Units& units,
                    Materials materials) {
   using E = const ElementFrame&;
-  StressArrays cells(file, frame.elements, units, kBlockArrays);
+  VtkRows cells(file, frame.elements, kBlockArrays, units);
   file.begin("CellData");
-  cells.whole("block", [&](E, std::size_t i) { return number_of(frame, i) + 1; });
+  cells.add<std::int32_t>("block", [&](E, std::size_t i) { return number_of(frame, i) + 1; });
   // Only where something was cut off: what never changes is told once.
   if (std::ranges::any_of(frame.elements, [](E e) { return e.origin >= 0 && e.origin != e.number; }))
-    cells.whole("origin", [&](E, std::size_t i) { return origin_of(frame, i) + 1; });
+    cells.add<std::int32_t>("origin", [&](E, std::size_t i) { return origin_of(frame, i) + 1; });
   if (!field.elements.empty() && !field.is_of_blocks)
-    cells.whole("body", [&](E, std::size_t i) { return field.elements[i].body + 1; });
-  cells.whole("material", [](E e, std::size_t) { return e.material + 1; });
-  cells.stresses();
-  cells.vector<double>("displacement", [](E e) { return e.displacement; });
-  cells.vector<float>("velocity", [](E e) { return Point{e.velocity.x, e.velocity.y}; });
-  cells.real("rotation", [](E e, std::size_t) { return e.rotation; });
-  cells.short_real("rotation_rate", [](E e, std::size_t) { return e.velocity.rotation; });
-  cells.short_real("area", [](E e, std::size_t) { return e.area; });
-  cells.whole("fixed_points", [&](E, std::size_t i) { return fixed_points_of(frame, i); });
-  if (!materials.empty()) cells.elastic_strains(materials, [&](std::size_t i) { return frame.elements[i].material; });
+    cells.add<std::int32_t>("body", [&](E, std::size_t i) { return field.elements[i].body + 1; });
+  cells.add<std::int32_t>("material", [](E e, std::size_t) { return e.material + 1; });
+  add_stresses(cells);
+  cells.add_vectors<double>("displacement", [](E e) { return std::array{e.displacement}; });
+  cells.add_vectors<float>("velocity", [](E e) { return std::array{Point{e.velocity.x, e.velocity.y}}; });
+  cells.add<double>("rotation", [](E e, std::size_t) { return e.rotation; });
+  cells.add<float>("rotation_rate", [](E e, std::size_t) { return e.velocity.rotation; });
+  cells.add<float>("area", [](E e, std::size_t) { return e.area; });
+  cells.add<std::int32_t>("fixed_points", [&](E, std::size_t i) { return fixed_points_of(frame, i); });
+  if (!materials.empty())
+    add_elastic_strains(cells, materials, [&](std::size_t i) { return frame.elements[i].material; });
   if (frame.plastic) {
-    cells.plastic_strains();
-    cells.whole("yield_state",
-                [](E e, std::size_t) { return static_cast<int>(e.plastic.value_or(PlasticState{}).region); });
-    cells.whole("has_yielded", [](E e, std::size_t) { return e.plastic.value_or(PlasticState{}).has_yielded; });
+    add_plastic_strains(cells);
+    cells.add<std::int32_t>(
+        "yield_state", [](E e, std::size_t) { return static_cast<int>(e.plastic.value_or(PlasticState{}).region); });
+    cells.add<std::int32_t>("has_yielded",
+                            [](E e, std::size_t) { return e.plastic.value_or(PlasticState{}).has_yielded; });
   }
   file.end();
 }
@@ -246,13 +204,14 @@ void add_field(VtkFile& file, const FieldFrame& field, const std::vector<Chain>&
     for (const Corner& corner : chains[e]) corners.push_back(*numbered[corner.number]);
     materials_of_corners.resize(corners.size(), field.elements[e].material);
   }
-  StressArrays points(file, corners, units, kCornerArrays);
+  VtkRows points(file, corners, kCornerArrays, units);
   file.begin("PointData");
-  points.vector<double>("displacement", [](const FieldCorner& c) { return c.displacement; });
+  points.add_vectors<double>("displacement", [](const FieldCorner& c) { return std::array{c.displacement}; });
   if (!field.is_of_blocks) {
-    points.stresses();
-    if (!materials.empty()) points.elastic_strains(materials, [&](std::size_t i) { return materials_of_corners[i]; });
-    if (field.plastic) points.plastic_strains();
+    add_stresses(points);
+    if (!materials.empty())
+      add_elastic_strains(points, materials, [&](std::size_t i) { return materials_of_corners[i]; });
+    if (field.plastic) add_plastic_strains(points);
   }
   file.end();
 }
@@ -284,9 +243,7 @@ std::string vtu(const Frame& frame, const FieldFrame& field, const Units& units,
   }
   VtkFile file("UnstructuredGrid", frame.time,
                fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", point_count, chains.size()), coding);
-  file.begin("Points");
-  file.add("Points", places_of(chains), 3);
-  file.end();
+  file.add_points(places_of(chains));
   add_polygons(file, chains);
   if (!field.elements.empty()) add_field(file, field, chains, units, materials);
   add_cell_data(file, frame, field, units, materials);

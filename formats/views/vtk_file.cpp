@@ -211,6 +211,15 @@ void VtkFile::add(std::string_view name, std::span<const std::uint8_t> values, i
   add_values(name, values, width);
 }
 
+void VtkFile::add_points(std::span<const Point> places) {
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * places.size());
+  for (const Point p : places) coordinates.insert(coordinates.end(), {p.x, p.y, 0});
+  begin("Points");
+  add("Points", coordinates, 3);
+  end();
+}
+
 std::string VtkFile::text() && {
   xml_ += fmt::format("</Piece>\n</{}>\n", grid_);
   if (coding_ != VtkCoding::text) {

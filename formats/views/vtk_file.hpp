@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "formats/format.hpp"
+#include "geometry/point.hpp"
 
 namespace keyblock::formats {
 
@@ -20,7 +21,7 @@ enum class VtkCoding { raw, zlib, text };
 
 /// "raw", "zlib", "text".
 std::vector<std::string> vtk_coding_names();
-/// Throws std::invalid_argument for a word that is none.
+/// Throws std::invalid_argument for another word.
 VtkCoding vtk_coding_of(std::string_view name);
 
 /// The file as it is made, array after array in the order in which viewers list them.
@@ -38,6 +39,9 @@ class VtkFile {
   void add(std::string_view name, std::span<const float> values, int width = 1);
   void add(std::string_view name, std::span<const std::int32_t> values, int width = 1);
   void add(std::string_view name, std::span<const std::uint8_t> values, int width = 1);
+
+  /// The section Points, of places in the plane.
+  void add_points(std::span<const Point> places);
 
   std::string text() &&;
 

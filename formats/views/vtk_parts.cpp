@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/tables/run_tables.hpp"
+#include "formats/views/vtk_rows.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -28,48 +28,15 @@ std::string counts_of(const Cells& cells) {
 }
 
 void add_cells(VtkFile& file, const Cells& cells, const std::vector<Point>& places) {
-  std::vector<double> coordinates;
-  for (const Point p : places) coordinates.insert(coordinates.end(), {p.x, p.y, 0});
   std::vector<std::int32_t> connectivity(places.size()), offsets(cells.count);
   std::iota(connectivity.begin(), connectivity.end(), 0);
   for (std::size_t i = 0; i < cells.count; ++i) offsets[i] = cells.size * static_cast<std::int32_t>(i + 1);
-  file.begin("Points");
-  file.add("Points", coordinates, 3);
-  file.end();
+  file.add_points(places);
   file.begin(cells.word);
   file.add("connectivity", connectivity);
   file.add("offsets", offsets);
   file.end();
 }
-
-/// Arrays of rows.
-template <class Rows>
-class Arrays {
- public:
-  Arrays(VtkFile& file, const Rows& rows, const RunTable& table, const Units& units)
-      : file_(file), rows_(rows), table_(table), units_(units) {}
-
-  template <class T, class Value>
-  void add(std::string_view name, const Value& value) {
-    std::vector<T> numbers;
-    for (const auto& row : rows_) numbers.push_back(static_cast<T>(value(row)));
-    file_.add(heading(table_, name, units_), numbers);
-  }
-  /// `value`: of one or two points of a row.
-  template <class T, class Value>
-  void add_vectors(std::string_view name, const Value& value) {
-    std::vector<T> numbers;
-    for (const auto& row : rows_)
-      for (const Point v : value(row)) numbers.insert(numbers.end(), {static_cast<T>(v.x), static_cast<T>(v.y), T{0}});
-    file_.add(heading(table_, name, units_), numbers, 3);
-  }
-
- private:
-  VtkFile& file_;
-  const Rows& rows_;
-  const RunTable& table_;
-  const Units& units_;
-};
 
 }  // namespace
 
@@ -77,17 +44,17 @@ std::string contacts_vtp(double time, const ContactFrames& contacts, const Units
   using C = const ContactFrame&;
   const Cells cells{"Verts", 1, contacts.size()};
   VtkFile file("PolyData", time, counts_of(cells), coding);
-  Arrays arrays(file, contacts, kContactArrays, units);
+  VtkRows arrays(file, contacts, kContactArrays, units);
   file.begin("PointData");
-  arrays.add<std::int32_t>("block", [](C c) { return c.element + 1; });
-  arrays.add<std::int32_t>("other", [](C c) { return c.other + 1; });
-  arrays.add<std::int32_t>("joint_material", [](C c) { return c.joint_material + 1; });
-  arrays.add<std::int32_t>("joint", [](C c) { return c.joint_line + 1; });
-  arrays.add<std::int32_t>("state", [](C c) { return static_cast<int>(c.condition); });
-  arrays.add<double>("gap", [](C c) { return c.gap; });
-  arrays.add<double>("slip", [](C c) { return c.slip; });
-  arrays.add<double>("normal_force", [](C c) { return c.normal_force; });
-  arrays.add<double>("shear_force", [](C c) { return c.shear_force; });
+  arrays.add<std::int32_t>("block", [](C c, std::size_t) { return c.element + 1; });
+  arrays.add<std::int32_t>("other", [](C c, std::size_t) { return c.other + 1; });
+  arrays.add<std::int32_t>("joint_material", [](C c, std::size_t) { return c.joint_material + 1; });
+  arrays.add<std::int32_t>("joint", [](C c, std::size_t) { return c.joint_line + 1; });
+  arrays.add<std::int32_t>("state", [](C c, std::size_t) { return static_cast<int>(c.condition); });
+  arrays.add<double>("gap", [](C c, std::size_t) { return c.gap; });
+  arrays.add<double>("slip", [](C c, std::size_t) { return c.slip; });
+  arrays.add<double>("normal_force", [](C c, std::size_t) { return c.normal_force; });
+  arrays.add<double>("shear_force", [](C c, std::size_t) { return c.shear_force; });
   arrays.add_vectors<float>("normal", [](C c) { return std::array{c.normal}; });
   arrays.add_vectors<double>("force", [](C c) { return std::array{c.force()}; });
   file.end();
@@ -101,15 +68,12 @@ std::string bolts_vtp(const Frame& frame, const Units& units, VtkCoding coding) 
   using B = const BoltFrame&;
   const Cells cells{"Lines", 2, frame.bolts.size()};
   VtkFile file("PolyData", frame.time, counts_of(cells), coding);
-  Arrays arrays(file, frame.bolts, kBoltArrays, units);
-  int next = 0;
+  VtkRows arrays(file, frame.bolts, kBoltArrays, units);
   file.begin("CellData");
-  arrays.add<std::int32_t>("bolt", [&](B b) {
-    const int index = next++;
-    return (b.number < 0 ? index : b.number) + 1;
-  });
-  arrays.add<double>("force", [](B b) { return b.force; });
-  arrays.add<std::int32_t>("is_broken", [](B b) { return b.is_broken; });
+  arrays.add<std::int32_t>("bolt",
+                           [](B b, std::size_t i) { return (b.number < 0 ? static_cast<int>(i) : b.number) + 1; });
+  arrays.add<double>("force", [](B b, std::size_t) { return b.force; });
+  arrays.add<std::int32_t>("is_broken", [](B b, std::size_t) { return b.is_broken; });
   file.end();
   std::vector<Point> places;
   for (B b : frame.bolts) places.insert(places.end(), {b.first, b.second});
@@ -129,16 +93,16 @@ std::string cracks_vtp(const FieldFrame& field, const Units& units, VtkCoding co
   using F = const Face&;
   const Cells cells{"Lines", 2, faces.size()};
   VtkFile file("PolyData", field.time, counts_of(cells), coding);
-  Arrays arrays(file, faces, kCrackArrays, units);
+  VtkRows arrays(file, faces, kCrackArrays, units);
   file.begin("PointData");
   arrays.add_vectors<double>("displacement", [](F f) {
     return std::array{f.edge->ends[0].displacement, f.edge->ends[1].displacement};
   });
   file.end();
   file.begin("CellData");
-  arrays.add<std::int32_t>("crack", [](F f) { return f.crack + 1; });
-  arrays.add<std::int32_t>("side", [](F f) { return f.edge->is_left; });
-  arrays.add<std::int32_t>("is_shear", [](F f) { return f.is_shear; });
+  arrays.add<std::int32_t>("crack", [](F f, std::size_t) { return f.crack + 1; });
+  arrays.add<std::int32_t>("side", [](F f, std::size_t) { return f.edge->is_left; });
+  arrays.add<std::int32_t>("is_shear", [](F f, std::size_t) { return f.is_shear; });
   file.end();
   std::vector<Point> places;
   for (F f : faces)

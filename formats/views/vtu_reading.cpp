@@ -139,7 +139,7 @@ class VtuReader {
  private:
   static constexpr int kMost = std::numeric_limits<int>::max();
 
-  // Of a file with bytes behind its XML.
+  // Reads only bytes that `VtkFile` could have written.
   void require_known_bytes() const {
     if (parts_.appended.empty()) return;
     const auto require = [&](const char* word, std::string_view wanted) {

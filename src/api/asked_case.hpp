@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// What was asked, before any file is read. Settings below override those above.
+/// A request, before any file is read. Settings below override those above.
 struct CaseRequest {
   std::vector<std::string> paths;  ///< the files of a case, or its folder
   std::string settings_file;       ///< empty: none

@@ -33,7 +33,11 @@ struct CaseValue {
   [[noreturn]] void refuse(const std::string& expected) const {
     constexpr std::size_t kMost = 200;
     std::string found = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (found.size() > kMost) found = found.substr(0, kMost) + " …";
+    if (found.size() > kMost) {
+      std::size_t end = kMost;  // of a whole character
+      while (end > 0 && (static_cast<unsigned char>(found[end]) & 0xC0) == 0x80) --end;
+      found = found.substr(0, end) + " …";
+    }
     throw InputError({file, 0, 0},
                      fmt::format("key {}: expected {}, found {}", key.empty() ? "(top)" : key, expected, found));
   }
@@ -215,7 +219,7 @@ CaseFile read_case_file(const CaseFolder& folder) {
   CaseFile file;
   file.path = (folder.folder / "case.json").string();
   if (!std::filesystem::exists(std::filesystem::symlink_status(file.path)))
-    return file;  // a link to nothing is told of
+    return file;  // a link to nothing exists, and cannot be read below
   const Json json = parsed(file.path);
   const CaseValue top{folder, file.path, "", json};
   std::vector<std::string> known{"about", "slow", "set", "variants", "reduce_strength"};

@@ -18,7 +18,7 @@ namespace keyblock {
 
 namespace {
 
-// A setting of `case.json` that cannot be is told of with that file.
+// Throws InputError that names `case.json` if a setting of that file cannot be.
 void require_those_of_file(const ConfiguredCase& made, Problem problem) {
   if (made.of_file.empty()) return;
   try {

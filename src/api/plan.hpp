@@ -38,7 +38,7 @@ struct ConfiguredCase {
 /// and for a setting of the case file; std::invalid_argument for another setting.
 ConfiguredCase configured(const AskedCase& asked, const Problem& problem, OldFiles old_files = OldFiles::legacy);
 
-/// The same under a profile, whatever the case asks for, with `more` settings above its own.
+/// Configures the case under `profile`, whatever it asks for; `more` overrides its settings.
 ConfiguredCase configured_under(const std::string& profile, const AskedCase& asked, const Problem& problem,
                                 const std::vector<Override>& more = {});
 

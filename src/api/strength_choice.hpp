@@ -1,4 +1,4 @@
-// What of a case is reduced in strength: joints, rock or both, but for exempt materials and regions.
+// Chooses whose strength a search reduces: joints, rock or both, without exempt materials and regions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
