@@ -20,7 +20,7 @@ set(may_read_files app library api study job formats)   # the rooms that may inc
 set(inner_problem . units joints,lines)
 set(inner_cut lines bodies mesh,covers)
 set(inner_model tips . scene setup)
-set(inner_formats format knowledge tables text xml shi,dxf,case_file,views berkeley .)
+set(inner_formats format knowledge tables columns text xml shi,dxf,case_file,views berkeley .)
 set(inner_contact find rows solve)
 set(inner_legacy contact,terms step)
 set(inner_run settings_of bodies stages growth,mesh,ahead,verdict . follow)

@@ -44,10 +44,14 @@ Frame frame_of(const Cover& cover) {
   return frame;
 }
 
+std::string drawn(const Frame& frame) {
+  return vtu(with_derived(columns_of(frame, {})), {}, VtkCoding::text);
+}
+
 std::string write_vtk(const Content& content) {
-  if (!content.frames.empty()) return vtu(content.frames.back(), {}, {}, {}, VtkCoding::text);
-  if (content.blocks) return vtu(frame_of(*content.blocks), {}, {}, {}, VtkCoding::text);
-  if (content.cover) return vtu(frame_of(*content.cover), {}, {}, {}, VtkCoding::text);
+  if (!content.frames.empty()) return drawn(content.frames.back());
+  if (content.blocks) return drawn(frame_of(*content.blocks));
+  if (content.cover) return drawn(frame_of(*content.cover));
   throw std::invalid_argument("there are no blocks, elements or frames to write");
 }
 

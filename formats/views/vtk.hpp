@@ -24,22 +24,17 @@
 // .pvd: VTK XML Collection; 17 significant digits of time, so that each double is told from its neighbours.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
+#include "formats/columns/frame_columns.hpp"
 #include "formats/views/vtk_file.hpp"
-#include "problem/analysis.hpp"
 #include "problem/run_choices.hpp"
-#include "result/field_frame.hpp"
-#include "result/frame.hpp"
 
 namespace keyblock::formats {
 
-/// `field`: the same instant within the elements, or without elements. `materials`: of blocks, by their numbers in the
-/// frame, of which elastic strain is told; without them none is.
-std::string vtu(const Frame& frame, const FieldFrame& field = {}, const Units& units = {},
-                std::span<const BlockMaterial> materials = {}, VtkCoding coding = VtkCoding::raw);
+/// Blocks and elements of a frame.
+std::string vtu(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
 
 /// One file of an instant; its name is relative to the list. Files of one time differ in their part.
 struct PvdEntry {

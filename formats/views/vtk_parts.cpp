@@ -4,13 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdint>
 #include <numeric>
 #include <string_view>
 #include <vector>
 
-#include "formats/views/vtk_rows.hpp"
+#include "formats/views/vtk_arrays.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -27,7 +26,15 @@ std::string counts_of(const Cells& cells) {
                      cells.word, cells.count);
 }
 
-void add_cells(VtkFile& file, const Cells& cells, const std::vector<Point>& places) {
+std::vector<Point> places_of(const FrameColumn& column) {
+  const std::span<const double> numbers = column.reals();
+  std::vector<Point> places;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) places.push_back({numbers[i], numbers[i + 1]});
+  return places;
+}
+
+void add_cells(VtkFile& file, const Cells& cells, const FrameColumn& column) {
+  const std::vector<Point> places = places_of(column);
   std::vector<std::int32_t> connectivity(places.size()), offsets(cells.count);
   std::iota(connectivity.begin(), connectivity.end(), 0);
   for (std::size_t i = 0; i < cells.count; ++i) offsets[i] = cells.size * static_cast<std::int32_t>(i + 1);
@@ -38,77 +45,41 @@ void add_cells(VtkFile& file, const Cells& cells, const std::vector<Point>& plac
   file.end();
 }
 
+std::string lines_vtp(const FrameColumns& frame, const FramePart& part, const RunTable& table, const Units& units,
+                      VtkCoding coding) {
+  const Cells cells{"Lines", 2, part.rows};
+  VtkFile file("PolyData", frame.time, counts_of(cells), coding);
+  if (part.find("displacement")) {
+    file.begin("PointData");
+    add_arrays(file, part, table, units, ArraysOf::ends);
+    file.end();
+  }
+  file.begin("CellData");
+  add_arrays(file, part, table, units, ArraysOf::rows);
+  file.end();
+  add_cells(file, cells, part.at("ends"));
+  return std::move(file).text();
+}
+
 }  // namespace
 
-std::string contacts_vtp(double time, const ContactFrames& contacts, const Units& units, VtkCoding coding) {
-  using C = const ContactFrame&;
-  const Cells cells{"Verts", 1, contacts.size()};
-  VtkFile file("PolyData", time, counts_of(cells), coding);
-  VtkRows arrays(file, contacts, kContactArrays, units);
-  file.begin("PointData");
-  arrays.add<std::int32_t>("block", [](C c, std::size_t) { return c.element + 1; });
-  arrays.add<std::int32_t>("other", [](C c, std::size_t) { return c.other + 1; });
-  arrays.add<std::int32_t>("joint_material", [](C c, std::size_t) { return c.joint_material + 1; });
-  arrays.add<std::int32_t>("joint", [](C c, std::size_t) { return c.joint_line + 1; });
-  arrays.add<std::int32_t>("state", [](C c, std::size_t) { return static_cast<int>(c.condition); });
-  arrays.add<double>("gap", [](C c, std::size_t) { return c.gap; });
-  arrays.add<double>("slip", [](C c, std::size_t) { return c.slip; });
-  arrays.add<double>("normal_force", [](C c, std::size_t) { return c.normal_force; });
-  arrays.add<double>("shear_force", [](C c, std::size_t) { return c.shear_force; });
-  arrays.add_vectors<float>("normal", [](C c) { return std::array{c.normal}; });
-  arrays.add_vectors<double>("force", [](C c) { return std::array{c.force()}; });
-  file.end();
-  std::vector<Point> places;
-  for (C c : contacts) places.push_back(c.position);
-  add_cells(file, cells, places);
-  return std::move(file).text();
-}
-
-std::string bolts_vtp(const Frame& frame, const Units& units, VtkCoding coding) {
-  using B = const BoltFrame&;
-  const Cells cells{"Lines", 2, frame.bolts.size()};
+std::string contacts_vtp(const FrameColumns& frame, const Units& units, VtkCoding coding) {
+  const FramePart& part = frame.part("contacts");
+  const Cells cells{"Verts", 1, part.rows};
   VtkFile file("PolyData", frame.time, counts_of(cells), coding);
-  VtkRows arrays(file, frame.bolts, kBoltArrays, units);
-  file.begin("CellData");
-  arrays.add<std::int32_t>("bolt",
-                           [](B b, std::size_t i) { return (b.number < 0 ? static_cast<int>(i) : b.number) + 1; });
-  arrays.add<double>("force", [](B b, std::size_t) { return b.force; });
-  arrays.add<std::int32_t>("is_broken", [](B b, std::size_t) { return b.is_broken; });
+  file.begin("PointData");
+  add_arrays(file, part, kContactArrays, units, ArraysOf::rows);
   file.end();
-  std::vector<Point> places;
-  for (B b : frame.bolts) places.insert(places.end(), {b.first, b.second});
-  add_cells(file, cells, places);
+  add_cells(file, cells, part.at("place"));
   return std::move(file).text();
 }
 
-std::string cracks_vtp(const FieldFrame& field, const Units& units, VtkCoding coding) {
-  struct Face {
-    std::size_t crack;
-    bool is_shear;
-    const CrackFace* edge;
-  };
-  std::vector<Face> faces;
-  for (std::size_t c = 0; c < field.cracks.size(); ++c)
-    for (const CrackFace& edge : field.cracks[c].faces) faces.push_back({c, field.cracks[c].is_shear, &edge});
-  using F = const Face&;
-  const Cells cells{"Lines", 2, faces.size()};
-  VtkFile file("PolyData", field.time, counts_of(cells), coding);
-  VtkRows arrays(file, faces, kCrackArrays, units);
-  file.begin("PointData");
-  arrays.add_vectors<double>("displacement", [](F f) {
-    return std::array{f.edge->ends[0].displacement, f.edge->ends[1].displacement};
-  });
-  file.end();
-  file.begin("CellData");
-  arrays.add<std::int32_t>("crack", [](F f, std::size_t) { return f.crack + 1; });
-  arrays.add<std::int32_t>("side", [](F f, std::size_t) { return f.edge->is_left; });
-  arrays.add<std::int32_t>("is_shear", [](F f, std::size_t) { return f.is_shear; });
-  file.end();
-  std::vector<Point> places;
-  for (F f : faces)
-    for (const FieldCorner& end : f.edge->ends) places.push_back(end.position + end.displacement);
-  add_cells(file, cells, places);
-  return std::move(file).text();
+std::string bolts_vtp(const FrameColumns& frame, const Units& units, VtkCoding coding) {
+  return lines_vtp(frame, frame.part("bolts"), kBoltArrays, units, coding);
+}
+
+std::string cracks_vtp(const FrameColumns& frame, const Units& units, VtkCoding coding) {
+  return lines_vtp(frame, frame.part("cracks"), kCrackArrays, units, coding);
 }
 
 }  // namespace keyblock::formats

@@ -11,19 +11,15 @@
 
 #include <string>
 
+#include "formats/columns/frame_columns.hpp"
 #include "formats/views/vtk_file.hpp"
 #include "problem/run_choices.hpp"
-#include "result/contact_frame.hpp"
-#include "result/field_frame.hpp"
-#include "result/frame.hpp"
 
 namespace keyblock::formats {
 
-std::string contacts_vtp(double time, const ContactFrames& contacts, const Units& units = {},
-                         VtkCoding coding = VtkCoding::raw);
-
-std::string bolts_vtp(const Frame& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
-
-std::string cracks_vtp(const FieldFrame& field, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
+/// Each needs at least one row of its part.
+std::string contacts_vtp(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
+std::string bolts_vtp(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
+std::string cracks_vtp(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
 
 }  // namespace keyblock::formats

@@ -57,7 +57,7 @@ TEST(VtkFile, a_frame_reads_back_the_same_whichever_way_it_is_written) {
   FieldFrame field;
   const Frame frame = squares(3000, field);
   for (const VtkCoding coding : kCodings) {
-    const VtuFrame back = read_vtu({"a.vtu", vtu(frame, field, {}, {}, coding)});
+    const VtuFrame back = read_vtu({"a.vtu", vtu(with_derived(columns_of(frame, {}, field)), {}, coding)});
     ASSERT_EQ(back.field.elements.size(), frame.elements.size());
     EXPECT_EQ(back.field.time, frame.time);
     for (std::size_t i = 0; i < frame.elements.size(); ++i) {
@@ -75,17 +75,17 @@ TEST(VtkFile, a_frame_reads_back_the_same_whichever_way_it_is_written) {
 TEST(VtkFile, raw_bytes_are_fewer_than_text_and_packed_ones_fewer_still) {
   FieldFrame field;
   const Frame frame = squares(3000, field);
-  const std::size_t raw = vtu(frame, field, {}, {}, VtkCoding::raw).size();
+  const std::size_t raw = vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::raw).size();
   EXPECT_LT(raw, 3000 * 340U) << "bytes of a block";
-  EXPECT_LT(raw, vtu(frame, field, {}, {}, VtkCoding::text).size());
-  EXPECT_LT(vtu(frame, field, {}, {}, VtkCoding::zlib).size(), raw);
+  EXPECT_LT(raw, vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::text).size());
+  EXPECT_LT(vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::zlib).size(), raw);
 }
 
 TEST(VtkFile, a_file_cut_short_anywhere_is_an_error_at_its_place) {
   FieldFrame field;
   const Frame frame = squares(40, field);
   for (const VtkCoding coding : kCodings) {
-    const std::string whole = vtu(frame, field, {}, {}, coding);
+    const std::string whole = vtu(with_derived(columns_of(frame, {}, field)), {}, coding);
     // The last array of all is one that no picture needs.
     for (std::size_t size = 0; size < whole.size() * 3 / 4; size += 61) {
       const std::string message = message_of(whole.substr(0, size));
@@ -98,7 +98,7 @@ TEST(VtkFile, a_file_cut_short_anywhere_is_an_error_at_its_place) {
 TEST(VtkFile, odd_bytes_are_refused) {
   FieldFrame field;
   const Frame frame = squares(40, field);
-  std::string raw = vtu(frame, field, {}, {}, VtkCoding::raw);
+  std::string raw = vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::raw);
   const auto with = [&](std::string text, const std::string& old, const std::string& put) {
     const std::size_t at = text.find(old);
     EXPECT_NE(at, std::string::npos);
@@ -110,7 +110,7 @@ TEST(VtkFile, odd_bytes_are_refused) {
   EXPECT_NE(message_of(with(raw, "\"Float64\" Name=\"Points\"", "\"String\" Name=\"Points\"")).find("found String"),
             std::string::npos);
   EXPECT_NE(message_of(with(raw, "encoding=\"raw\">_", "encoding=\"raw\"> ")).find("expected _"), std::string::npos);
-  std::string packed = vtu(frame, field, {}, {}, VtkCoding::zlib);
+  std::string packed = vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::zlib);
   const std::size_t bytes = packed.find(">_") + 2;
   for (std::size_t i = 0; i < 64; ++i) packed[bytes + 32 + i] = 'x';
   EXPECT_NE(message_of(packed).find("expected"), std::string::npos);

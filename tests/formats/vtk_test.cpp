@@ -37,7 +37,8 @@ struct Parsed {
   pugi::xml_node piece;
 
   explicit Parsed(const Frame& frame, const FieldFrame& field = {}, const std::vector<BlockMaterial>& materials = {}) {
-    EXPECT_TRUE(document.load_string(vtu(frame, field, {}, materials, VtkCoding::text).c_str()));
+    EXPECT_TRUE(
+        document.load_string(vtu(with_derived(columns_of(frame, {}, field), materials), {}, VtkCoding::text).c_str()));
     piece = document.child("VTKFile").child("UnstructuredGrid").child("Piece");
   }
   std::vector<double> array(const char* part, const char* name) const {

@@ -66,13 +66,14 @@ std::map<int, fs::path> frames_in(const fs::path& folder) {
 }
 
 void FrameFiles::write(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts, const Units& units) {
+  const formats::FrameColumns columns = formats::with_derived(formats::columns_of(frame, contacts, field), materials_);
   const auto& [blocks, points, lines, cracks] = kParts;
-  write(frame_file(blocks, frame.step), frame.time, formats::vtu(frame, field, units, materials_, coding_));
-  if (!contacts.empty())
-    write(frame_file(points, frame.step), frame.time, formats::contacts_vtp(frame.time, contacts, units, coding_));
-  if (!frame.bolts.empty()) write(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(frame, units, coding_));
-  if (!field.cracks.empty())
-    write(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(field, units, coding_));
+  const auto has = [&](std::string_view part) { return columns.part(part).rows > 0; };
+  write(frame_file(blocks, frame.step), frame.time, formats::vtu(columns, units, coding_));
+  if (has("contacts"))
+    write(frame_file(points, frame.step), frame.time, formats::contacts_vtp(columns, units, coding_));
+  if (has("bolts")) write(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(columns, units, coding_));
+  if (has("cracks")) write(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(columns, units, coding_));
 }
 
 void FrameFiles::write(const std::string& name, double time, const std::string& text) {

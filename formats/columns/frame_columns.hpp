@@ -1,0 +1,85 @@
+// Holds one instant of a run as columns: tables of numbers that writers, the library and its callers share.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Parts and their columns (n: one number per row; xy: two; tensor: xx, yy, xy, zz, of strain the components of the
+// tensor; ends: x and y of both ends). Numbers of blocks, materials, joints and bolts count from 1, rows from 0.
+//   blocks    one row per block or NMM element: block, origin, body, material, fixed_points, has_yielded, yield_state,
+//             rotation (rad), rotation_rate, area, equivalent_plastic_strain (n); centroid, displacement (of the
+//             centroid since the start), velocity (xy); stress, plastic_strain (tensor)
+//   loops     one row per outline and hole, of blocks in their order: row (of the block), corners (their number) (n)
+//   corners   one row per corner, loop after loop: row (of the block) (n); place (xy); where a field is given also
+//             displacement (xy), and if stress varies within elements stress, plastic_strain,
+//             equivalent_plastic_strain
+//   contacts  block, other, joint_material, joint (0: none), state (0 open, 1 sticks, 2 slides), gap, slip,
+//             normal_force, shear_force (n); place, normal, force (on `block`) (xy)
+//   bolts     bolt, force (tension positive), is_broken (n); ends
+//   cracks    one row per piece of a face: crack, side (0 right, 1 left), is_shear (n); ends, displacement (ends)
+//   points    measured points: point (n); place, displacement (xy); stress (tensor)
+//   tips      crack, at_end (1: the last point of the crack), K_I, K_II, J (NaN without a free domain), length (n);
+//             place (xy, undeformed)
+// Signs: tension positive in stress, pressure positive in contacts (formats/text/contact_csv.hpp).
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "problem/analysis.hpp"
+#include "result/contact_frame.hpp"
+#include "result/field_frame.hpp"
+#include "result/frame.hpp"
+
+namespace keyblock::formats {
+
+/// What the numbers of a row are.
+enum class RowShape { number, xy, tensor, ends };
+
+std::size_t width_of(RowShape shape);
+
+/// Numbers of all rows of a part, row after row without gaps. Copies share the numbers.
+struct FrameColumn {
+  std::string_view name;
+  RowShape shape = RowShape::number;
+  std::variant<std::shared_ptr<const std::vector<double>>, std::shared_ptr<const std::vector<int>>> numbers;
+  bool is_brief = false;  ///< seven digits are enough for a viewer
+
+  std::span<const double> reals() const { return *std::get<0>(numbers); }
+  std::span<const int> integers() const { return *std::get<1>(numbers); }
+};
+
+struct FramePart {
+  std::string_view name;
+  std::size_t rows = 0;
+  std::vector<FrameColumn> columns;
+
+  /// nullptr if the part has no such column.
+  const FrameColumn* find(std::string_view column) const;
+  /// Throws std::invalid_argument if the part has no such column.
+  const FrameColumn& at(std::string_view column) const;
+};
+
+/// All parts of one instant; those without rows are there too, without columns.
+struct FrameColumns {
+  int step = 0;
+  double time = 0;
+  double load_factor = 1;  ///< by which crack growth multiplies the loads
+  std::vector<FramePart> parts;
+
+  /// Throws std::invalid_argument if there is no such part.
+  const FramePart& part(std::string_view name) const;
+};
+
+/// `field`: the same instant within the elements; without elements there are no columns of it.
+FrameColumns columns_of(const Frame& frame, const ContactFrames& contacts, const FieldFrame& field = {});
+
+/// The same frame with more columns of blocks, and of corners with stress: principal_stress_greatest and _least in the plane, principal_axis (unit,
+/// of the greatest); where rock may yield mean_stress, von_mises_stress, lode_angle (degree;
+/// material/stress_invariants.hpp); where `materials` are given (by their numbers in the frame) elastic_strain, the
+/// strain of Hooke's law for the intact rock. Out of the plane it is 0 in plane strain without plastic strain,
+/// -nu (sxx + syy) / E in plane stress.
+FrameColumns with_derived(FrameColumns frame, std::span<const BlockMaterial> materials = {});
+
+}  // namespace keyblock::formats
