@@ -136,8 +136,7 @@ class KEYBLOCK_API Plan {
 template <class T>
 class Column {
  public:
-  Column(std::vector<T> values, std::size_t width)
-      : values_(std::make_shared<const std::vector<T>>(std::move(values))), width_(width) {}
+  Column(std::shared_ptr<const std::vector<T>> values, std::size_t width) : values_(std::move(values)), width_(width) {}
   std::size_t rows() const { return values_->size() / width_; }
   std::size_t width() const { return width_; }
   /// Throws Error beyond the last row or column.
@@ -152,34 +151,46 @@ class Column {
   std::size_t width_;
 };
 
-/// One instant. Columns are made when asked for; n blocks, c contacts, p measured
-/// points, t crack tips.
+/// One instant as columns, made once; all that is handed out shares them. n blocks (or NMM elements), c contacts,
+/// p measured points, t crack tips. `names` lists all columns; most have a function of their own too.
 class KEYBLOCK_API Frame {
  public:
   int step() const;
   double time() const;
-  double load_factor() const;                 ///< by which growth multiplies the loads
-  Column<int> number() const;                 ///< n, of blocks (on covers: elements), for the whole run
-  Column<int> material() const;               ///< n
-  Column<double> centroid() const;            ///< n × 2
-  Column<double> displacement() const;        ///< n × 2, of centroids since the start
-  Column<double> rotation() const;            ///< n, rad, to the left
-  Column<double> velocity() const;            ///< n × 3: x, y, rad over time
-  Column<double> stress() const;              ///< n × 4: xx, yy, xy, zz, tension positive
-  Column<double> area() const;                ///< n
-  Column<double> vertices() const;            ///< all corners × 2, loop after loop
-  Column<int> loops() const;                  ///< loops × 2: row of the block, number of its corners
-  Column<double> point() const;               ///< p × 2
-  Column<double> point_displacement() const;  ///< p × 2
-  Column<int> contact() const;                ///< c × 3: number of the block, of the other, 0 open, 1 sticks, 2 slides
-  Column<double> contact_point() const;       ///< c × 2
-  Column<double> contact_normal() const;      ///< c × 2, unit, out of the other block
-  Column<double> contact_force() const;       ///< c × 2: pressure and shear, over thickness
-  Column<double> contact_gap() const;         ///< c, positive where faces are apart
-  Column<int> tip() const;           ///< t × 2: number of the crack or of a joint that ends inside, 1 at its end or 0
-  Column<double> tip_place() const;  ///< t × 2, undeformed
-  Column<double> tip_factors() const;   ///< t × 3: K_I, K_II, J; NaN where no domain about the tip is free
-  Column<double> crack_length() const;  ///< t, of the crack, all of its pieces
+  double load_factor() const;  ///< by which crack growth multiplies the loads
+
+  /// "blocks", "loops", "corners", "contacts", "bolts", "cracks", "points", "tips".
+  static std::vector<std::string> parts();
+  /// Columns of a part; none if it has no rows. Throws SettingError for another part.
+  std::vector<std::string> names(std::string_view part) const;
+  std::size_t rows(std::string_view part) const;
+  bool is_integer(std::string_view part, std::string_view name) const;
+  /// Throw SettingError for a column that is not there; without rows each is empty and of width 1.
+  Column<double> reals(std::string_view part, std::string_view name) const;
+  Column<int> integers(std::string_view part, std::string_view name) const;
+
+  Column<int> number() const { return integers("blocks", "block"); }  ///< n, for the whole run
+  Column<int> material() const { return integers("blocks", "material"); }
+  Column<double> centroid() const { return reals("blocks", "centroid"); }            ///< n × 2
+  Column<double> displacement() const { return reals("blocks", "displacement"); }    ///< n × 2, of centroids
+  Column<double> rotation() const { return reals("blocks", "rotation"); }            ///< n, rad, to the left
+  Column<double> velocity() const { return reals("blocks", "velocity"); }            ///< n × 2
+  Column<double> rotation_rate() const { return reals("blocks", "rotation_rate"); }  ///< n, rad over time
+  Column<double> stress() const { return reals("blocks", "stress"); }    ///< n × 4: xx, yy, xy, zz, tension positive
+  Column<double> area() const { return reals("blocks", "area"); }        ///< n
+  Column<double> vertices() const { return reals("corners", "place"); }  ///< all corners × 2, loop after loop
+  Column<int> loop_block() const { return integers("loops", "row"); }    ///< row of the block of each loop
+  Column<int> loop_corners() const { return integers("loops", "corners"); }              ///< how many each loop has
+  Column<double> point() const { return reals("points", "place"); }                      ///< p × 2
+  Column<double> point_displacement() const { return reals("points", "displacement"); }  ///< p × 2
+  Column<int> contact_block() const { return integers("contacts", "block"); }            ///< c, number of the block
+  Column<int> contact_other() const { return integers("contacts", "other"); }            ///< c, of the other one
+  Column<int> contact_state() const { return integers("contacts", "state"); }    ///< c: 0 open, 1 sticks, 2 slides
+  Column<double> contact_point() const { return reals("contacts", "place"); }    ///< c × 2
+  Column<double> contact_normal() const { return reals("contacts", "normal"); }  ///< c × 2, unit, out of the other
+  Column<double> contact_pressure() const { return reals("contacts", "normal_force"); }  ///< c, over thickness
+  Column<double> contact_shear() const { return reals("contacts", "shear_force"); }      ///< c, over thickness
+  Column<double> contact_gap() const { return reals("contacts", "gap"); }  ///< c, positive where faces are apart
 
   struct Data;
   explicit Frame(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
@@ -196,6 +207,10 @@ struct Step {
   double residual = 0;  ///< out of balance, over the largest load
   double penetration = 0;
 };
+
+/// What a frame holds: `corners` adds displacement, and where it varies within elements stress, of their corners, and
+/// the faces of cracks.
+enum class Detail { blocks, corners };
 
 enum class End { running, finished, stopped, failed, doubtful };
 
@@ -222,8 +237,8 @@ class KEYBLOCK_API Run {
   /// To the end, or until `until` is true behind a step: the run may then go on.
   const Outcome& go_on(const std::function<bool(const Run&)>& until = {});
   const Step& last() const;
-  Frame frame() const;             ///< of now
-  const Outcome& outcome() const;  ///< `running` before the end
+  Frame frame(Detail detail = Detail::blocks) const;  ///< of now
+  const Outcome& outcome() const;                     ///< `running` before the end
 
   struct State;
 
@@ -247,8 +262,8 @@ struct Strength {
   std::vector<Warning> warnings;  ///< of reading, preparing and looking ahead
 };
 
-/// Divides the strength of "joints", "rock" or "both" until the case no longer stands: the search of `keyblock fos`, without
-/// its second one on a coarser mesh. Left open (empty, 0), what is reduced and the width of the bracket are those that
+/// Divides the strength of "joints", "rock" or "both" until the case no longer stands: the search of `keyblock fos`,
+/// without its second one on a coarser mesh. Left open (empty, 0), what is reduced and the width of the bracket are those that
 /// the `case.json` of a folder asks for, else "joints" and 0.01; where it begins and ends, and what is exempt, it asks
 /// for in any case. Throws SettingError for another word, or a width below 0.
 KEYBLOCK_API Strength factor_of_safety(const Case& of, std::string_view what = {}, double within = 0,

@@ -1,27 +1,21 @@
-// Columns of one instant.
+// Hands out the columns of one instant.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
-#include <limits>
-
 #include "library/parts.hpp"
 
 namespace keyblock::api {
 namespace {
 
-/// One row of `width` values for each of `rows`, as `put` gives them.
-template <class T, class Rows, class Put>
-Column<T> column(const Rows& rows, std::size_t width, const Put& put) {
-  std::vector<T> values;
-  values.reserve(width * rows.size());
-  for (const auto& row : rows)
-    for (const T value : put(row)) values.push_back(value);
-  return {std::move(values), width};
-}
-
-using Two = std::array<double, 2>;
-
-Two two(Point p) {
-  return {p.x, p.y};
+/// The column of a part; an empty one if the part has no rows.
+template <class T>
+Column<T> column_of(const formats::FrameColumns& frame, std::string_view part_name, std::string_view name) {
+  const formats::FramePart& part = frame.part(part_name);
+  if (part.rows == 0) return {std::make_shared<const std::vector<T>>(), 1};
+  const formats::FrameColumn& column = part.at(name);
+  const auto* values = std::get_if<std::shared_ptr<const std::vector<T>>>(&column.numbers);
+  if (!values)
+    throw SettingError("column " + std::string(name) + " of " + std::string(part_name) + " holds " +
+                       (std::is_same_v<T, int> ? "reals" : "integers"));
+  return {*values, formats::width_of(column.shape)};
 }
 
 }  // namespace
@@ -29,117 +23,45 @@ Two two(Point p) {
 inline namespace v1 {
 
 int Frame::step() const {
-  return data_->frame.step;
+  return data_->columns.step;
 }
 
 double Frame::time() const {
-  return data_->frame.time;
+  return data_->columns.time;
 }
 
 double Frame::load_factor() const {
-  return data_->frame.load_factor;
+  return data_->columns.load_factor;
 }
 
-Column<int> Frame::number() const {
-  std::vector<int> numbers;
-  for (std::size_t i = 0; i < data_->frame.elements.size(); ++i) numbers.push_back(number_of(data_->frame, i) + 1);
-  return {std::move(numbers), 1};
+std::vector<std::string> Frame::parts() {
+  std::vector<std::string> names;
+  for (const formats::FramePart& part : formats::columns_of({}, {}).parts) names.emplace_back(part.name);
+  return names;
 }
 
-Column<int> Frame::material() const {
-  return column<int>(data_->frame.elements, 1, [](const ElementFrame& e) { return std::array{e.material + 1}; });
-}
-
-Column<double> Frame::centroid() const {
-  return column<double>(data_->frame.elements, 2, [](const ElementFrame& e) { return two(e.centroid); });
-}
-
-Column<double> Frame::displacement() const {
-  return column<double>(data_->frame.elements, 2, [](const ElementFrame& e) { return two(e.displacement); });
-}
-
-Column<double> Frame::rotation() const {
-  return column<double>(data_->frame.elements, 1, [](const ElementFrame& e) { return std::array{e.rotation}; });
-}
-
-Column<double> Frame::velocity() const {
-  return column<double>(data_->frame.elements, 3, [](const ElementFrame& e) {
-    return std::array{e.velocity.x, e.velocity.y, e.velocity.rotation};
+std::vector<std::string> Frame::names(std::string_view part) const {
+  return guarded([&] {
+    std::vector<std::string> names;
+    for (const formats::FrameColumn& column : data_->columns.part(part).columns) names.emplace_back(column.name);
+    return names;
   });
 }
 
-Column<double> Frame::stress() const {
-  return column<double>(data_->frame.elements, 4, [](const ElementFrame& e) {
-    return std::array{e.stress.xx, e.stress.yy, e.stress.xy, e.stress.zz};
-  });
+std::size_t Frame::rows(std::string_view part) const {
+  return guarded([&] { return data_->columns.part(part).rows; });
 }
 
-Column<double> Frame::area() const {
-  return column<double>(data_->frame.elements, 1, [](const ElementFrame& e) { return std::array{e.area}; });
+bool Frame::is_integer(std::string_view part, std::string_view name) const {
+  return guarded([&] { return data_->columns.part(part).at(name).numbers.index() == 1; });
 }
 
-Column<double> Frame::vertices() const {
-  std::vector<double> places;
-  for (const ElementFrame& element : data_->frame.elements)
-    for (const std::vector<Point>& loop : element.loops)
-      for (const Point& corner : loop) places.insert(places.end(), {corner.x, corner.y});
-  return {std::move(places), 2};
+Column<double> Frame::reals(std::string_view part, std::string_view name) const {
+  return guarded([&] { return column_of<double>(data_->columns, part, name); });
 }
 
-Column<int> Frame::loops() const {
-  std::vector<int> rows;
-  for (std::size_t i = 0; i < data_->frame.elements.size(); ++i)
-    for (const std::vector<Point>& loop : data_->frame.elements[i].loops)
-      rows.insert(rows.end(), {static_cast<int>(i), static_cast<int>(loop.size())});
-  return {std::move(rows), 2};
-}
-
-Column<double> Frame::point() const {
-  return column<double>(data_->frame.measured_points, 2, [](const PointFrame& p) { return two(p.position); });
-}
-
-Column<double> Frame::point_displacement() const {
-  return column<double>(data_->frame.measured_points, 2, [](const PointFrame& p) { return two(p.displacement); });
-}
-
-Column<int> Frame::contact() const {
-  return column<int>(data_->contacts, 3, [](const ContactFrame& c) {
-    return std::array{c.element + 1, c.other + 1, static_cast<int>(c.condition)};
-  });
-}
-
-Column<double> Frame::contact_point() const {
-  return column<double>(data_->contacts, 2, [](const ContactFrame& c) { return two(c.position); });
-}
-
-Column<double> Frame::contact_normal() const {
-  return column<double>(data_->contacts, 2, [](const ContactFrame& c) { return two(c.normal); });
-}
-
-Column<double> Frame::contact_force() const {
-  return column<double>(data_->contacts, 2, [](const ContactFrame& c) { return Two{c.normal_force, c.shear_force}; });
-}
-
-Column<double> Frame::contact_gap() const {
-  return column<double>(data_->contacts, 1, [](const ContactFrame& c) { return std::array{c.gap}; });
-}
-
-Column<int> Frame::tip() const {
-  return column<int>(data_->frame.tips, 2, [](const TipState& t) { return std::array{t.crack + 1, t.at_end ? 1 : 0}; });
-}
-
-Column<double> Frame::tip_place() const {
-  return column<double>(data_->frame.tips, 2, [](const TipState& t) { return two(t.at); });
-}
-
-Column<double> Frame::tip_factors() const {
-  return column<double>(data_->frame.tips, 3, [](const TipState& t) {
-    return std::array{t.mode_1, t.mode_2, t.energy_release};
-  });
-}
-
-Column<double> Frame::crack_length() const {
-  return column<double>(data_->frame.tips, 1, [](const TipState& t) { return std::array{t.length}; });
+Column<int> Frame::integers(std::string_view part, std::string_view name) const {
+  return guarded([&] { return column_of<int>(data_->columns, part, name); });
 }
 
 }  // namespace v1

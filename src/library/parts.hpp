@@ -13,8 +13,7 @@
 #include "base/context.hpp"
 #include "base/error.hpp"
 #include "formats/case.hpp"
-#include "result/contact_frame.hpp"
-#include "result/frame.hpp"
+#include "formats/columns/frame_columns.hpp"
 
 namespace keyblock::api {
 inline namespace v1 {
@@ -34,8 +33,7 @@ struct Plan::Data {
 };
 
 struct Frame::Data {
-  keyblock::Frame frame;
-  ContactFrames contacts;
+  formats::FrameColumns columns;
 };
 
 }  // namespace v1

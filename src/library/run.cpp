@@ -124,11 +124,13 @@ const Step& Run::last() const {
   return state_->last;
 }
 
-Frame Run::frame() const {
+Frame Run::frame(Detail detail) const {
   return guarded([&] {
     const Under under(state_->context);
-    return Frame(
-        std::make_shared<const Frame::Data>(Frame::Data{frame_now(*state_->stepper), state_->stepper->contacts()}));
+    const Stepper& stepper = *state_->stepper;
+    const FieldFrame within = detail == Detail::corners ? field_of(stepper.model(), stepper) : FieldFrame{};
+    return Frame(std::make_shared<const Frame::Data>(
+        Frame::Data{formats::columns_of(frame_now(stepper), stepper.contacts(), within)}));
   });
 }
 

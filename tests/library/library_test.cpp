@@ -139,15 +139,33 @@ TEST(Api, columns_of_a_frame_fit_together) {
   EXPECT_EQ(end.centroid().rows(), blocks);
   EXPECT_EQ(end.stress().width(), 4U);
   std::size_t corners = 0;
-  const auto loops = end.loops();
-  for (std::size_t i = 0; i < loops.rows(); ++i) corners += static_cast<std::size_t>(loops(i, 1));
+  for (const int of_loop : end.loop_corners().values()) corners += static_cast<std::size_t>(of_loop);
   EXPECT_EQ(end.vertices().rows(), corners);
-  const auto contact = end.contact();
-  ASSERT_GT(contact.rows(), 0U);
-  EXPECT_EQ(end.contact_force().rows(), contact.rows());
+  ASSERT_GT(end.rows("contacts"), 0U);
+  EXPECT_EQ(end.contact_pressure().rows(), end.contact_block().rows());
   double pressure = 0;
-  for (std::size_t i = 0; i < contact.rows(); ++i) pressure += end.contact_force()(i, 0);
+  for (const double of_contact : end.contact_pressure().values()) pressure += of_contact;
   EXPECT_GT(pressure, 0);
+}
+
+TEST(Api, every_column_that_a_frame_names_is_there_with_its_rows) {
+  kb::Run run((kb::Plan(slide())));
+  run.go_on();
+  const kb::Frame end = run.frame();
+  std::size_t columns = 0;
+  for (const std::string& part : kb::Frame::parts())
+    for (const std::string& name : end.names(part)) {
+      const std::size_t rows =
+          end.is_integer(part, name) ? end.integers(part, name).rows() : end.reals(part, name).rows();
+      EXPECT_EQ(rows, end.rows(part)) << part << " " << name;
+      ++columns;
+    }
+  EXPECT_GT(columns, 25U);
+  EXPECT_EQ(end.reals("cracks", "ends").rows(), 0U) << "a part without rows";
+  EXPECT_THROW(end.reals("blocks", "colour"), kb::SettingError);
+  EXPECT_THROW(end.reals("blocks", "material"), kb::SettingError) << "it holds integers";
+  EXPECT_THROW(end.names("clouds"), kb::SettingError);
+  EXPECT_EQ(end.stress().values().data(), end.reals("blocks", "stress").values().data()) << "one copy for all";
 }
 
 // A wall has so many contacts that its loops take threads; both runs share the plan, and one sets up threads as the
