@@ -32,7 +32,7 @@
 #include "settings/settings_table.hpp"
 #include "step/scene/enforcement.hpp"
 #include "step/scene/standard_scene.hpp"
-#include "system/sparse_factor.hpp"
+#include "system/cholmod/sparse_factor.hpp"
 
 namespace keyblock {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "system/sparse_factor.hpp"
+#include "system/cholmod/sparse_factor.hpp"
 #include "system/sparse_system.hpp"
 #include "system/whole_system.hpp"
 

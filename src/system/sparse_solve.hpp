@@ -3,7 +3,7 @@
 #pragma once
 
 #include "system/solve.hpp"
-#include "system/sparse_factor.hpp"
+#include "system/cholmod/sparse_factor.hpp"
 #include "system/sparse_system.hpp"
 
 namespace keyblock {

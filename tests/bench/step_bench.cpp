@@ -29,7 +29,7 @@
 #include "step/scene/touch_search.hpp"
 #include "step/time/smooth_solve.hpp"
 #include "system/block_iterations.hpp"
-#include "system/sparse_factor.hpp"
+#include "system/cholmod/sparse_factor.hpp"
 #include "tests/bench/bench_scenes.hpp"
 
 namespace keyblock::bench {

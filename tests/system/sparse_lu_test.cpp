@@ -8,7 +8,7 @@
 #include <memory>
 #include <random>
 
-#include "system/sparse_factor.hpp"
+#include "system/cholmod/sparse_factor.hpp"
 
 namespace keyblock::sparse_lu_test {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "base/context.hpp"
 #include "base/loop.hpp"
-#include "system/sparse_factor.hpp"
+#include "system/cholmod/sparse_factor.hpp"
 
 namespace keyblock::sparse_solve_test {
 namespace {

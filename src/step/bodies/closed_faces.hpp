@@ -8,7 +8,7 @@
 
 #include "contact/rows/contact_row.hpp"
 #include "model/continuum.hpp"
-#include "system/sparse_factor.hpp"
+#include "system/cholmod/sparse_factor.hpp"
 
 namespace keyblock {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "geometry/common_rule.hpp"
-#include "system/sparse_factor.hpp"
+#include "system/cholmod/sparse_factor.hpp"
 #include "system/sparse_system.hpp"
 
 namespace keyblock {

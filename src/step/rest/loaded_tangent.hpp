@@ -7,7 +7,7 @@
 
 #include "step/bodies/loaded_bodies.hpp"
 #include "step/newton/newton.hpp"
-#include "system/sparse_factor.hpp"
+#include "system/cholmod/sparse_factor.hpp"
 #include "system/sparse_lu.hpp"
 
 namespace keyblock {

@@ -1,6 +1,6 @@
 // Scaling, CHOLMOD, refinement; see sparse_factor.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "system/sparse_factor.hpp"
+#include "system/cholmod/sparse_factor.hpp"
 
 #include <dlfcn.h>
 
