@@ -13,7 +13,7 @@ LONGEST_SENTENCE = 35  # words
 WIDEST_CELL = 120  # characters
 # plain-english.md: words that say nothing, or that readers take for others.
 NEVER = [r"whatever", r"whoever", r"whereto", r"likewise", r"thereof", r"but for", r"for want of", r"in the mean", r"of today",
-         r"is none", r"is no number", r"as of that", r"the one\b[^.;]*\bthe other", r"breaks off", r"passed over",
+         r"(?<!there )is none", r"is no number", r"as of that", r"the one\b[^.;]*\bthe other", r"breaks off", r"passed over",
          r"looks whether", r"in the way of", r"in place of", r"hurts?", r"odd"]
 # Pages whose tables, sentences and words are not clean yet; their links are checked all the same. To be emptied.
 NOT_YET = [
@@ -37,13 +37,16 @@ def without_code(text):
     text = re.sub(r"<!--.*?-->", emptied, text, flags=re.S)
     text = re.sub(r"^( *)(```+|~~~+).*?^ *\2 *$", emptied, text, flags=re.S | re.M)
     lines = text.split("\n")
-    inside, in_list = False, False
+    inside, offset = False, 0  # of the text of the list item
     for i, line in enumerate(lines):
-        if re.match(r"\s*([-*+]|\d+[.)])\s", line):
-            in_list = True
+        begins = re.match(r"(\s*(?:[-*+]|\d+[.)])\s+)\S", line)
+        if begins and len(line) - len(line.lstrip()) >= offset + 4:
+            begins = None
+        if begins:
+            offset = len(begins.group(1))
         elif line and not line.startswith(" "):
-            in_list = False
-        deep = line.startswith("    ") and (not in_list or line.startswith("        "))
+            offset = 0
+        deep = bool(line.strip()) and len(line) - len(line.lstrip()) >= offset + 4 and not begins
         if deep and (inside or i == 0 or not lines[i - 1].strip()):
             inside = True
             lines[i] = ""

@@ -5,7 +5,7 @@ usage: docs/run_pages.py PROGRAM [--all] PAGE…
 
 The blocks marked ```sh of a page run in order in one fresh folder, in bash, until the first fault. `keyblock` is
 PROGRAM there, and each path of the repository that a block names (docs/…, legacy_cases/…, examples/…) is copied into
-the folder. Comments of a block say what to expect:
+the folder, with all of its folder if it is a pattern. Comments of a block say what to expect:
 
     # exits with N    the block ends with this exit code instead of 0
     # long            the block runs with --all alone; so do the later blocks of its page
@@ -39,6 +39,8 @@ def blocks_of(page):
 
 def copy_named(text, folder):
     for name in set(re.findall(r"(?<![\w/.-])(?:docs|legacy_cases|examples)/[\w./-]*\w", text)):
+        if not (ROOT / name).exists():  # a pattern: its whole folder
+            name = os.path.dirname(name)
         source, target = ROOT / name, folder / name
         if target.exists():
             continue
