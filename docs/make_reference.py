@@ -242,7 +242,7 @@ def case_file_page(program):
 LEVELS = {"error": ("Errors", "The result is unreliable, or the input contradicts itself."),
           "warning": ("Warnings", "The user should act."),
           "note": ("Notes", "A choice worth knowing; a run prints one line with their number and codes."),
-          "silent": ("Silent", "Only in `run.json`, in `check` and with `--verbose`."),
+          "silent": ("Silent", "Bookkeeping: only in `run.json`, in `check` and with `--verbose`."),
           "result": ("Results", "An outcome, not a fault.")}
 
 
@@ -250,7 +250,8 @@ def diagnostics_page(program):
     rows = json.loads(output_of(program, "explain", "--json"))
     out = [MADE_BY, "# Diagnostics\n",
            wrapped("Each message of the program that is about a case ends with a code in brackets. `keyblock explain CODE` prints the"
-                   " entry of this page, and `run.json` has all messages under `warnings`.")]
+                   " entry of this page. `run`, `fos` and `sif` print errors, and warnings of at most five codes, before the first"
+                   " step and again after the last. `--verbose`, `check` and `run.json` (`warnings`) have all messages.")]
     for level in list(LEVELS) + sorted({r["level"] for r in rows} - set(LEVELS)):
         of_level = sorted((r for r in rows if r["level"] == level), key=lambda r: r["code"])
         if not of_level:
