@@ -177,14 +177,14 @@ def theory_faults(root, text):
         number = line_of(text, heading.end() + m.start())
         span = re.fullmatch(r"\(?(\d+)\.(\d+)\)?\s*[–-]\s*\(?\1\.(\d+)\)?", cells[0])
         seen.update(f"{span[1]}.{n}" for n in range(int(span[2]), int(span[3]) + 1)) if span else seen.update(numbers)
-        file = root / cells[1]
-        if not file.is_file():
-            yield number, f"there is no file {cells[1]}"
-        else:
-            source = file.read_text(encoding="utf-8")
-            for name in re.split(r"`?\s*,\s*`?", cells[2]):
-                if name.rstrip("()").split("::")[-1] not in source:
-                    yield number, f"{cells[1]} has no {name}"
+        files = re.split(r"`?\s*,\s*`?", cells[1])
+        missing = [f for f in files if not (root / f).is_file()]
+        for file in missing:
+            yield number, f"there is no file {file}"
+        source = "\n".join((root / f).read_text(encoding="utf-8") for f in files if f not in missing)
+        for name in re.split(r"`?\s*,\s*`?", cells[2]) if not missing else []:
+            if name.rstrip("()").split("::")[-1] not in source:
+                yield number, f"{cells[1]} has no {name}"
     for tag, number in tags.items():
         if tag not in seen:
             yield number, f"the equation ({tag}) has no row under \"## Implementation\""
