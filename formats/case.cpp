@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/context.hpp"
 #include "formats/dxf/dxf.hpp"
 #include "formats/dxf/dxf_layer_table.hpp"
 #include "formats/dxf/dxf_units.hpp"
@@ -173,12 +174,13 @@ void open_named_drawings(std::vector<FileReading>& files) {
     };
     const std::string path = (fs::path(files[i].path).parent_path() / content.drawing_file).string();
     std::error_code error;
-    const bool is_given =
-        std::ranges::any_of(files, [&](const FileReading& file) { return fs::equivalent(file.path, path, error); });
+    const bool is_given = std::ranges::any_of(
+        files, [&](const FileReading& file) { return fs::equivalent(located(file.path), located(path), error); });
     if (is_given) continue;
-    if (!fs::is_regular_file(path, error)) {
-      refuse(fs::is_directory(path, error) ? fmt::format("the folder \"{}\"", content.drawing_file)
-                                           : fmt::format("\"{}\": there is no file {}", content.drawing_file, path));
+    if (!fs::is_regular_file(located(path), error)) {
+      refuse(fs::is_directory(located(path), error)
+                 ? fmt::format("the folder \"{}\"", content.drawing_file)
+                 : fmt::format("\"{}\": there is no file {}", content.drawing_file, path));
       continue;
     }
     FileReading drawing = open(path);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/bytes/file_bytes.hpp"
+#include "base/context.hpp"
 #include "base/parallel.hpp"
 #include "formats/berkeley/berkeley_measured.hpp"
 #include "formats/berkeley/berkeley_replay.hpp"
@@ -164,7 +165,7 @@ namespace {
 
 void require_file(const std::string& path) {
   std::error_code error;
-  const auto status = std::filesystem::status(path, error);
+  const auto status = std::filesystem::status(located(path), error);
   if (!std::filesystem::exists(status)) throw InputError({path}, "expected a file, found none");
   if (std::filesystem::is_directory(status)) throw InputError({path}, "expected a file, found a directory");
   if (!std::filesystem::is_regular_file(status))

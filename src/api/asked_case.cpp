@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "api/named_files.hpp"
+#include "base/context.hpp"
 #include "formats/registry.hpp"
 #include "run/settings_file.hpp"
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void put_files(AskedCase& asked, const std::vector<std::string>& paths) {
-  if (paths.size() != 1 || !fs::is_directory(paths.front())) {
+  if (paths.size() != 1 || !fs::is_directory(located(paths.front()))) {
     asked.files = paths;
     if (!paths.empty()) asked.name = fs::path(paths.front()).stem().string();
     return;

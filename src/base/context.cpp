@@ -40,6 +40,7 @@ struct Context::State {
   std::optional<long long> most_systems;
   std::shared_ptr<ToldWay> way;
   std::shared_ptr<LoopThreads> threads;
+  std::filesystem::path folder;
   std::atomic<bool> is_stopped = false;
   std::atomic<long long> systems = 0;
 
@@ -47,6 +48,7 @@ struct Context::State {
       : whole(std::move(part_of)), end(end_of(limits)), most_systems(limits.systems) {
     way = whole ? whole->way : std::make_shared<ToldWay>();
     threads = whole ? whole->threads : loop_threads_of(0);
+    if (whole) folder = whole->folder;
   }
 
   bool is_over() const { return is_stopped.load(std::memory_order_relaxed) || (end && Clock::now() >= *end); }
@@ -99,9 +101,21 @@ LoopThreads& Context::threads() const {
   return *state_->threads;
 }
 
+void Context::use_folder(const std::filesystem::path& folder) const {
+  state_->folder = folder;
+}
+
+const std::filesystem::path& Context::folder() const {
+  return state_->folder;
+}
+
 const Context& context() {
   static const Context of_all;
   return of_thread ? *of_thread : of_all;
+}
+
+std::filesystem::path located(const std::filesystem::path& input) {
+  return context().folder() / input;  // which is `input` if that is absolute or the folder empty
 }
 
 Under::Under(const Context& context) : before_(of_thread) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -60,6 +61,11 @@ class Context {
   void use_threads(int count) const;
   LoopThreads& threads() const;
 
+  /// Relative paths of input files count from this folder, also in parts that are made from here on; empty, as at first:
+  /// from the working directory, which nothing changes.
+  void use_folder(const std::filesystem::path& folder) const;
+  const std::filesystem::path& folder() const;
+
  private:
   struct State;
   explicit Context(std::shared_ptr<State> state);
@@ -70,6 +76,9 @@ class Context {
 /// The context of the calling thread: that of the innermost `Under` that lives, else one that all such threads share.
 /// Loops (base/loop) and threads (base/parallel) work under that of their caller.
 const Context& context();
+
+/// The path of an input file, seen from the folder of the context.
+std::filesystem::path located(const std::filesystem::path& input);
 
 /// While it lives, the thread that made it works under a context, which must live as long.
 class Under {

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "base/context.hpp"
 #include "base/error.hpp"
 
 namespace keyblock {
@@ -157,7 +158,7 @@ void require_writable(const std::vector<fs::path>& outputs, const std::vector<fs
 
 void require_not_below(const fs::path& input, const fs::path& folder) {
   std::error_code error;
-  const fs::path parent = input.has_parent_path() ? input.parent_path() : fs::path(".");
+  const fs::path parent = located(input.has_parent_path() ? input.parent_path() : fs::path("."));
   if (fs::equivalent(parent, folder, error))
     throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", input.string()));
 }

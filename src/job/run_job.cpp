@@ -69,7 +69,7 @@ RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, R
       watch_(prepared),
       joints_(prepared.scene.model, prepared.joint_lines),
       followed_(options_.outputs.histories, prepared.scene, joints_, record_.units),
-      history_{!prepared.scene.model.measured_points.empty(), {}},
+      history_{!prepared.scene.model.measured_points.empty(), {}, stride_of(prepared.scene.settings.step_count)},
       clock_(options_.checkpoint_every),
       tables_due_(std::chrono::steady_clock::now() + kTablesEvery) {
   const int stride = stride_of(prepared.scene.settings.step_count);
@@ -104,8 +104,9 @@ Warnings RunJob::large_tables() const {
   constexpr double kBytesOfPoint = 170;  // of one instant, in history.csv and points.csv
   const int steps = prepared_.scene.settings.step_count;
   const double points = static_cast<double>(prepared_.scene.model.measured_points.size());
-  const double of_points = points * kBytesOfPoint * (1.0 + steps) / kMegabyte;
-  const double of_histories = followed_.bytes_of_row() * (1.0 + steps / stride_of(steps)) / kMegabyte;
+  const double rows = 1.0 + steps / stride_of(steps);
+  const double of_points = points * kBytesOfPoint * rows / kMegabyte;
+  const double of_histories = followed_.bytes_of_row() * rows / kMegabyte;
   if (of_points + of_histories < kLarge) return {};
   return {{"tables_large", options_.place,
            fmt::format("tables of histories and measured points will take about {:.2g} MB: histories.csv {:.2g} MB of "
@@ -174,7 +175,7 @@ Observer RunJob::observer(const std::function<void(const StepReport&)>& on_step)
             if (options_.trace == Trace::yes) record_.traced.push_back(report);
             if (on_step) on_step(report);
           },
-          [&](const HistoryRow& row) { history_.rows.push_back(row); },
+          [&](const HistoryRow& row) { history_.add(row); },
           [&](const LedgerRow& row) {
             record_.ledger_sums.add(row);
             record_.ledger.add(row);

@@ -1,8 +1,9 @@
-// What is kept over time for the curves: one row an accepted step.
+// Keeps rows of followed points over time, for tables and curves.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "result/frame.hpp"
@@ -25,9 +26,19 @@ struct HistoryRow {
   double load_factor = 1;                     ///< likewise
 };
 
+/// Rows in the order of steps: those of every `stride`-th step, and the last one. Memory is bounded where the stride is
+/// that of the run (`stride_of`).
 struct History {
   bool of_measured_points = true;  ///< false: the rows hold centroids
   std::vector<HistoryRow> rows;
+  int stride = 1;
+
+  void add(HistoryRow row) {
+    if (!rows.empty() && rows.back().step % stride != 0)
+      rows.back() = std::move(row);
+    else
+      rows.push_back(std::move(row));
+  }
 };
 
 }  // namespace keyblock

@@ -21,6 +21,7 @@
 #include "app/stop_request.hpp"
 #include "app/strength/strength_reduction.hpp"
 #include "base/bytes/sha256.hpp"
+#include "base/context.hpp"
 #include "base/error.hpp"
 #include "cut/bodies/slivers.hpp"
 #include "geometry/box.hpp"
@@ -247,7 +248,7 @@ RunRequest request_of(const RunOptions& options, const std::vector<std::string>&
                       const std::vector<Override>& overrides, const RunRecord& record, const Settings& settings) {
   RunRequest request{this_program(),
                      std::filesystem::weakly_canonical(std::filesystem::absolute(options.folder)).string(),
-                     std::filesystem::current_path().string(),
+                     (context().folder().empty() ? std::filesystem::current_path() : context().folder()).string(),
                      files,
                      record.profile,
                      {},
@@ -365,9 +366,9 @@ ExitCode resume_run(const RunOptions& options) {
   RunRequest request;
   saved.group("request", [&] { describe(saved, request); });
   require_own(checkpoint_in(again.folder), request);
-  std::error_code error;
-  std::filesystem::current_path(request.working_folder, error);
-  if (error) saved.refuse("working_folder", fmt::format("expected the folder {}, found none", request.working_folder));
+  if (!std::filesystem::is_directory(request.working_folder))
+    saved.refuse("working_folder", fmt::format("expected the folder {}, found none", request.working_folder));
+  context().use_folder(request.working_folder);
   if (request.record_every < 1 || request.files.empty())
     saved.refuse("request", "expected files and a frame every so many steps, found none");
   again.given = {request.files, request.profile, request.sets, {}, {}};

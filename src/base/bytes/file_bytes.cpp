@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstddef>
 
+#include "base/context.hpp"
 #include "base/error.hpp"
 #include "base/large_pages.hpp"
 #include "base/parallel.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 class OpenFile {
  public:
-  explicit OpenFile(const std::string& path) : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  explicit OpenFile(const std::string& path) : descriptor_(open(located(path).c_str(), O_RDONLY | O_CLOEXEC)) {
     struct stat status {};
     if (descriptor_ < 0 || fstat(descriptor_, &status) != 0)
       throw InputError({path}, "expected a readable file, found one that cannot be opened");
