@@ -70,7 +70,7 @@ build: packages ## use | 16 min | compiles the program build/keyblock and its te
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build --parallel $(JOBS)
 
-# The program is that of this kind of machine (KEYBLOCK_NATIVE); root's paths are /usr/local, others may say PREFIX=$$HOME/.local.
+# The program runs on x86-64 processors since about 2013 (KEYBLOCK_ARCH); root's paths are /usr/local, others may say PREFIX=$$HOME/.local.
 PREFIX ?= /usr/local
 install: packages ## use | 1 s | puts program, library, header, man page and completion below PREFIX=/usr/local (DESTDIR before it)
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
@@ -85,7 +85,7 @@ uninstall: ## use | 1 s | removes what `make install` put there last
 # For any machine of this architecture, not for this one alone.
 deb: packages ## use | 16 min | makes a Debian package of what `make install` puts there, in build-deb
 	@$(call install_missing,dpkg-dev file)
-	cmake -S . -B build-deb -G Ninja -DCMAKE_BUILD_TYPE=Release -DKEYBLOCK_NATIVE=OFF
+	cmake -S . -B build-deb -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build-deb --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages
 	cd build-deb && cpack -G DEB
 
