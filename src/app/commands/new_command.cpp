@@ -1,4 +1,4 @@
-// `keyblock new`: a commented case to begin one's own from.
+// `keyblock new`: writes a commented example case.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -98,7 +98,8 @@ ExitCode write_template(const NewOptions& options) {
   if (options.as_json)
     fmt::print("{}\n", nlohmann::ordered_json({{"file", file}, {"kind", options.name}, {"about", found->about}})
                            .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-  spdlog::info("{}: {}; keyblock check {} looks at it, keyblock run {} -o out runs it", file, found->about, file, file);
+  spdlog::info("wrote {}: {}", file, found->about);
+  spdlog::info("next: keyblock run {} -o out", file);
   return ExitCode::ok;
 }
 
@@ -113,10 +114,10 @@ Action configure_new(CLI::App& options) {
       ->check(one_word_of(template_names()));
   options
       .add_option("-o,--output", chosen->file,
-                  "the case file to write, .json or .yaml (default: KIND.json); its folder is made where there is none")
+                  "case file to write, .json or .yaml (default: KIND.json); missing folders are created")
       ->type_name("FILE");
   options.add_flag("--force", chosen->force, "overwrite the file if it exists");
-  options.add_flag("--json", chosen->as_json, "print the name of the file, its kind and what it is as JSON");
+  options.add_flag("--json", chosen->as_json, "print name, kind and description of the file as JSON");
   return [chosen] { return write_template(*chosen); };
 }
 

@@ -7,9 +7,9 @@ namespace {
 
 constexpr const char* kSlopeCase = R"case({
  // A jointed slope of 45 degrees: two sets of joints in an outline.
- // keyblock check slope.json; keyblock run slope.json -o out/slope; then look at out/slope/picture.svg.
+ // keyblock check slope.json; keyblock run slope.json -o out; then open out/picture.svg.
  // To use your own drawing instead of the rows below: "drawing": "slope.dxf" (layers: keyblock formats dxf).
- // Editors complete and check by the schema that `keyblock formats --schema > keyblock-case.schema.json` writes.
+ // Editors complete and check keys by this schema: keyblock formats --schema > keyblock-case.schema.json
  "$schema": "keyblock-case.schema.json",
  "keyblock": 2,  // layout 2: motion in time, plane strain and gravity of 9.81 m/s2, unless the file says otherwise
  "units": {"length": "m", "mass": "kg", "time": "s"},  // values with units of their own are converted
@@ -44,14 +44,14 @@ constexpr const char* kSlopeCase = R"case({
    [4.703, 0, 3.853, 4, "cross joint"],
    [1.738, 0, 0.888, 4, "cross joint"],
   ],
-  // Base and sides are held.
-  "fixed_lines": [[-1, 0.01, 31, 0.01], [29.99, -1, 29.99, 15], [0.01, -1, 0.01, 5]],  // hold where they cross edges
-  "measured_points": [[18.5, 13.5]],  // the crest: its way is in history.csv
+  // Base and sides are fixed.
+  "fixed_lines": [[-1, 0.01, 31, 0.01], [29.99, -1, 29.99, 15], [0.01, -1, 0.01, 5]],  // fix where they cross edges
+  "measured_points": [[18.5, 13.5]],  // crest; its displacement goes to history.csv
  },
  "analysis": {
   "step_count": 300,
   "time_step": "1 ms",
-  // Springs of contact: stiffer ones overlap less and cost more (keyblock check says when).
+  // Contact springs: stiffer ones overlap less and cost more.
   "contact_penalty": "5 GPa",
   "block_materials": [
    {"name": "rock", "like": "limestone", "youngs_modulus": "5 GPa"},  // a jointed mass is softer than intact rock
@@ -61,16 +61,16 @@ constexpr const char* kSlopeCase = R"case({
    {"name": "cross joint", "friction_angle_deg": "30 deg", "cohesion": "10 kPa"},
   ],
  },
- // "run": {"set": {"motion": "static"}} looks for the equilibrium itself, `keyblock fos slope.json` for the factor of
- // safety.
+ // "run": {"set": {"motion": "static"}} computes the equilibrium itself,
+ // `keyblock fos slope.json` the factor of safety.
 }
 )case";
 
 constexpr const char* kArchCase = R"case({
  // A semicircular arch of 11 stones on two abutments. It stands while its thickness is more than 0.107 of its radius
  // (Heyman 1995); this one has 0.18.
- // keyblock run arch.json -o out/arch; then look at out/arch/picture.svg.
- // Editors complete and check by the schema that `keyblock formats --schema > keyblock-case.schema.json` writes.
+ // keyblock run arch.json -o out; then open out/picture.svg.
+ // Editors complete and check keys by this schema: keyblock formats --schema > keyblock-case.schema.json
  "$schema": "keyblock-case.schema.json",
  "keyblock": 2,  // layout 2: motion in time, plane strain and gravity of 9.81 m/s2, unless the file says otherwise
  "units": {"length": "m", "mass": "kg", "time": "s"},  // values with units of their own are converted
@@ -106,10 +106,10 @@ constexpr const char* kArchCase = R"case({
 )case";
 
 constexpr const char* kBeamCase = R"case({
- // A clamped beam under its own weight, on covers (the manifold method), so that it bends: one block would not.
- // Its tip sinks by about w l^4/(8 E' I), E' = E/(1 - nu^2): 22.6 mm, and by shear a little more.
- // keyblock run beam.json -o out/beam; then look at out/beam/field.svg.
- // Editors complete and check by the schema that `keyblock formats --schema > keyblock-case.schema.json` writes.
+ // A clamped beam under its own weight, modelled with NMM covers, so that it bends; a single block would not.
+ // Its tip settles by about w l^4/(8 E' I), E' = E/(1 - nu^2): 22.6 mm, plus a little by shear.
+ // keyblock run beam.json -o out; then open out/field.svg.
+ // Editors complete and check keys by this schema: keyblock formats --schema > keyblock-case.schema.json
  "$schema": "keyblock-case.schema.json",
  "keyblock": 2,  // layout 2: motion in time, plane strain and gravity of 9.81 m/s2, unless the file says otherwise
  "units": {"length": "m", "mass": "kg", "time": "s"},  // values with units of their own are converted
@@ -122,7 +122,7 @@ constexpr const char* kBeamCase = R"case({
  "covers": {
   "functions": "derived",
   "mesh": {"side": "0.25 m"},
-  "displacements": [{"along": [[0, 1], [0, 0]]}],  // the left end is held: a chain of points on the boundary
+  "displacements": [{"along": [[0, 1], [0, 0]]}],  // the left end is fixed: a chain of points on the boundary
   // "tractions": [{"along": [[10, 0], [10, 1]], "y": -1000}],  // a load on the other end, Pa
  },
  "analysis": {
@@ -136,9 +136,9 @@ constexpr const char* kBeamCase = R"case({
 )case";
 
 constexpr const char* kTunnelCase = R"case({
- // A tunnel in jointed rock, dug out and bolted in stages.
- // keyblock run tunnel.json -o out/tunnel; then look at out/tunnel/picture.svg.
- // Editors complete and check by the schema that `keyblock formats --schema > keyblock-case.schema.json` writes.
+ // A tunnel in jointed rock, excavated and bolted in stages.
+ // keyblock run tunnel.json -o out; then open out/picture.svg.
+ // Editors complete and check keys by this schema: keyblock formats --schema > keyblock-case.schema.json
  "$schema": "keyblock-case.schema.json",
  "keyblock": 2,  // layout 2: motion in time, plane strain and gravity of 9.81 m/s2, unless the file says otherwise
  "units": {"length": "m", "mass": "kg", "time": "s"},  // values with units of their own are converted
@@ -169,7 +169,7 @@ constexpr const char* kTunnelCase = R"case({
    [-10, 13.164, 6.087, 16, "joint"],
    [-10, 15.397, -6.583, 16, "joint"],
   ],
-  "fixed_lines": [[-11, 0.01, 11, 0.01], [-9.99, -1, -9.99, 17], [9.99, -1, 9.99, 17]],  // hold where they cross edges
+  "fixed_lines": [[-11, 0.01, 11, 0.01], [-9.99, -1, -9.99, 17], [9.99, -1, 9.99, 17]],  // fix where they cross edges
   "measured_points": [[0, 10.5]],  // above the crown
  },
  "analysis": {
@@ -201,10 +201,10 @@ constexpr const char* kTunnelCase = R"case({
 )case";
 
 constexpr const char* kBlockCase = R"case({
- // A block that slides down a plane of 30 degrees. With 20 degrees of friction it comes
- // g t^2/2 (sin 30 - cos 30 tan 20) far: 0.906 m in a second.
- // keyblock run block.json -o out/block; then look at out/block/picture.svg.
- // Editors complete and check by the schema that `keyblock formats --schema > keyblock-case.schema.json` writes.
+ // A block that slides down a plane of 30 degrees. With 20 degrees of friction it slides by
+ // g t^2/2 (sin 30 - cos 30 tan 20) = 0.906 m in one second.
+ // keyblock run block.json -o out; then open out/picture.svg.
+ // Editors complete and check keys by this schema: keyblock formats --schema > keyblock-case.schema.json
  "$schema": "keyblock-case.schema.json",
  "keyblock": 2,  // layout 2: motion in time, plane strain and gravity of 9.81 m/s2, unless the file says otherwise
  "units": {"length": "m", "mass": "kg", "time": "s"},  // values with units of their own are converted
@@ -213,7 +213,7 @@ constexpr const char* kBlockCase = R"case({
    {"material": "rock", "outer": [[0, 0, 1], [10, 0, 1], [0, 5.7735, 1]]},
    {"material": "rock", "outer": [[4.80385, 3, 1], [5.30385, 3.86603, 1], [3.5718, 4.86603, 1], [3.0718, 4, 1]]},
   ],
-  "fixed_points": [[1, 1, 1], [8, 0.5, 1]],  // x, y, number of the block that is held there
+  "fixed_points": [[1, 1, 1], [8, 0.5, 1]],  // x, y, number of the block that is fixed there
   "measured_points": [[4.18782, 3.93301, 2]],
  },
  "analysis": {
@@ -226,11 +226,11 @@ constexpr const char* kBlockCase = R"case({
 )case";
 
 constexpr std::array<CaseTemplate, 5> kTemplates{{
-    {"slope", "a jointed slope of 45 degrees, its joints as rows of a drawing", kSlopeCase},
-    {"arch", "a semicircular arch of eleven stones", kArchCase},
-    {"beam", "a clamped beam on covers, which bends", kBeamCase},
-    {"tunnel", "a tunnel in jointed rock, dug out and bolted in stages", kTunnelCase},
-    {"block", "a block that slides down a plane", kBlockCase},
+    {"slope", "jointed slope of 45 degrees, joints as rows of a drawing", kSlopeCase},
+    {"arch", "semicircular arch of eleven stones", kArchCase},
+    {"beam", "clamped beam that bends, modelled with NMM covers", kBeamCase},
+    {"tunnel", "tunnel in jointed rock, excavated and bolted in stages", kTunnelCase},
+    {"block", "block that slides down a plane", kBlockCase},
 }};
 
 }  // namespace
