@@ -36,47 +36,46 @@ namespace keyblock {
 namespace {
 
 constexpr std::array<Command, 20> kCommands{{
-    {"new", "writes a commented case to begin one's own from: slope, arch, beam, tunnel or block", configure_new,
+    {"new", "create a commented example case: slope, arch, beam, tunnel or block", configure_new,
      "keyblock new slope\nkeyblock new arch -o my_arch.json"},
-    {"check", "says what files are, what they hold, what is odd about them, and what a run costs", configure_check,
+    {"check", "check input files: format, contents, likely mistakes, estimated run time", configure_check,
      "keyblock check old.geo old.ana\nkeyblock check slope.json --trial 10\nkeyblock check archive"},
-    {"cut", "cuts a drawing into blocks, or a mesh by it into elements and covers", configure_cut,
+    {"cut", "cut a drawing into blocks, or a mesh into NMM elements and covers", configure_cut,
      "keyblock cut slope.dxf -o slope.blk --svg slope.svg\nkeyblock cut slope.dxf --mesh 20 -o slope.cv"},
-    {"joints", "draws joint sets from statistics into an outline", configure_joints,
+    {"joints", "draw joint sets from their statistics into an outline", configure_joints,
      "keyblock joints --slope height=10,angle=60 --set dip=35,spacing=2,trace=50 -o slope.dxf"},
-    {"run", "reruns a case and writes its results into a folder", configure_run,
+    {"run", "run a case and write its results into a folder", configure_run,
      "keyblock run old.geo old.ana -o out\nkeyblock run old.geo old.ana --both -o out\n"
      "keyblock run slope.json -o out --set motion=static\n"
      "keyblock run slope.json -o out --history crest=point:12,20 --history line:0,5,30,5\nkeyblock run --resume out"},
-    {"plot", "draws another quantity, or another step, of a run that is over", configure_plot,
+    {"plot", "draw a quantity or a step of a finished run", configure_plot,
      "keyblock plot out --field s1\nkeyblock plot out --field crosses --step 200 -o crosses.svg"},
-    {"fos", "divides the strength of joints or rock until a case no longer stands", configure_fos,
+    {"fos", "compute the factor of safety by strength reduction of joints or rock", configure_fos,
      "keyblock fos slope.json -o out\nkeyblock fos slope.json --reduce joints --to-within 0.005"},
-    {"sif", "stress intensity factors and J of the crack tips of a case", configure_sif,
+    {"sif", "compute stress intensity factors and J at the crack tips of a case", configure_sif,
      "keyblock sif legacy_cases/stress_intensity/edge_crack_05\nkeyblock sif plate.json --json"},
-    {"compare", "reruns cases against their expected values and the old program's traces", configure_compare,
+    {"compare", "rerun verification cases and compare them with their reference values", configure_compare,
      "keyblock compare legacy_cases/sliding_block\nkeyblock compare legacy_cases --all --json"},
-    {"tradeoff", "runs a case in many ways: what each digit of accuracy costs", configure_tradeoff,
+    {"tradeoff", "compare accuracy and run time over many settings", configure_tradeoff,
      "keyblock tradeoff slope.json --budget 60s\nkeyblock tradeoff slope.json --error 1e-3"},
-    {"sweep", "runs a case over contact stiffness and step: where it is accurate, where it fails", configure_sweep,
+    {"sweep", "map the error of a case over contact stiffness and step size", configure_sweep,
      "keyblock sweep slope.json --picture sweep.svg"},
-    {"batch", "checks, runs or converts every case of an archive, and writes a catalogue", configure_batch,
+    {"batch", "check, run or convert every case of an archive; write a catalogue", configure_batch,
      "keyblock batch archive --check -o out\nkeyblock batch archive --run --time-limit 600 -o out"},
-    {"convert", "writes a case in another format and names what that cannot hold", configure_convert,
+    {"convert", "convert a case to another format; list what is lost", configure_convert,
      "keyblock convert old.geo old.ana -o case.json\nkeyblock convert slope.json -o slope.dxf"},
-    {"element", "drives one element of a material along a path of strains and stresses", configure_element,
+    {"element", "drive one element of a material along a path of strains and stresses", configure_element,
      "keyblock element case.json --path triaxial --confining 5 --to -0.02"},
-    {"fit", "finds parameters of rock from measured curves of stress and strain, or from triaxial tests", configure_fit,
+    {"fit", "fit rock parameters to stress-strain curves, triaxial or toughness tests", configure_fit,
      "keyblock fit curve.csv --svg curve.svg\nkeyblock fit --triaxial tests.csv"},
-    {"formats", "lists the file formats and how well each is known (also: info)", configure_formats,
+    {"formats", "list the file formats, the case-file schema, the material library", configure_formats,
      "keyblock formats dxf\nkeyblock formats --schema > keyblock-case.schema.json\nkeyblock formats --materials"},
-    {"info", "the same as formats", configure_formats, "keyblock info dxf"},
-    {"explain", "explains a warning or doubt by its code: what it means and what to do", configure_explain,
+    {"info", "same as formats", configure_formats, "keyblock info dxf"},
+    {"explain", "explain a warning by its code: meaning and remedy", configure_explain,
      "keyblock explain energy_beyond_limit\nkeyblock explain --json"},
-    {"shell", "prints the man page, or a script that completes commands in bash", configure_shell,
+    {"shell", "print the man page, or the completion script for bash", configure_shell,
      "keyblock shell man > keyblock.1\nkeyblock shell bash > keyblock.bash"},
-    {"version", "prints the version, the commit and the compiler of the program", configure_version,
-     "keyblock version"},
+    {"version", "print version, commit and compiler", configure_version, "keyblock version"},
 }};
 
 // CLI11 says no more than that a command is needed.
@@ -136,12 +135,13 @@ std::vector<std::string> as_asked(std::vector<std::string> arguments) {
 
 int run_program(const std::vector<std::string>& arguments) {
   CLI::App program{
-      "Keyblock: reruns the files of discontinuous deformation analysis and the numerical manifold method"};
+      "Keyblock: discontinuous deformation analysis (DDA) and numerical manifold method (NMM) in two dimensions"};
   program.name("keyblock");
   program.formatter(std::make_shared<HelpFormat>());
   program.set_version_flag("--version", version_words());
   program.require_subcommand(1);
-  program.footer("keyblock help COMMAND explains a command and its options, and shows examples.");
+  program.footer(
+      "First run: keyblock new slope && keyblock run slope.json -o out. Options and examples: keyblock help COMMAND.");
   add_message_options(program);
   Action chosen;
   for (const Command& command : kCommands) {

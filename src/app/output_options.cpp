@@ -1,4 +1,4 @@
-// Words of the two options; see output_options.hpp.
+// Declares the options; see output_options.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output_options.hpp"
 
@@ -20,30 +20,30 @@ std::array<CLI::Option*, 5> add_output_options(CLI::App& options, OutputOptions&
   CLI::Option* histories =
       options
           .add_option("--history", chosen.histories,
-                      "[NAME=]point:X,Y, block:N, contact:A,B, joint:N, line:X1,Y1,X2,Y2 or bolt:N: followed in "
-                      "histories.csv, beyond 5,000 steps at every n-th; may be repeated")
+                      "record in histories.csv: [NAME=]point:X,Y, block:N, contact:A,B, joint:N, line:X1,Y1,X2,Y2 or "
+                      "bolt:N; every n-th step of runs beyond 5,000; may be repeated")
           ->take_all();
   CLI::Option* contacts = options.add_option(
       "--contacts", chosen.contacts,
-      fmt::format("which contacts are written: automatic (all; up to {:g} rows those of every frame), all, chosen "
-                  "(those of histories), none, or N: those of every N-th frame",
+      fmt::format("contacts to write: automatic (all, thinned beyond {:g} rows), all, chosen (those of histories), "
+                  "none, or N (those of every N-th frame)",
                   kMostContactRows));
   CLI::Option* field =
       options
           .add_option(
               "--field", chosen.field,
-              "what field.svg shows: a component of stress, a principal one (s1 the greatest, s3 the least), the "
-              "von Mises stress, the displacement, or principal stresses as crosses (default: the component that "
-              "varies most)")
+              "quantity shown in field.svg: a stress component, s1 (greatest principal stress), s3 (least), von "
+              "Mises stress, displacement, or crosses of principal stresses (default: the component that varies "
+              "most)")
           ->check(one_word_of(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
   CLI::Option* frames =
       options
           .add_option("--frames", chosen.frames,
-                      "how the numbers of frames (.vtu, .vtp) are written: raw (bytes), zlib (packed: smaller, and "
-                      "slower to write) or text (default: raw)")
+                      "coding of frames (.vtu, .vtp): raw (bytes), zlib (smaller, slower to write) or text (default: "
+                      "raw)")
           ->check(one_word_of(formats::vtk_coding_names()));
-  CLI::Option* pictures = options.add_flag("!--no-pictures", chosen.has_pictures,
-                                           "draw no picture; `plot` draws what is shown from the frames later");
+  CLI::Option* pictures =
+      options.add_flag("!--no-pictures", chosen.has_pictures, "draw no pictures; `keyblock plot` draws them later");
   pictures->excludes(field);
   return {histories, contacts, field, frames, pictures};
 }

@@ -252,31 +252,29 @@ ExitCode run_batch(const BatchOptions& options) {
 
 Action configure_batch(CLI::App& app) {
   const auto options = std::make_shared<BatchOptions>();
-  app.add_option("DIR", options->root, "the folder of the archive")->required();
+  app.add_option("DIR", options->root, "folder of the archive")->required();
   app.add_option("-o,--output", options->folder,
                  "folder for catalogue.csv, .json and .html, journal.jsonl and results (required)")
       ->type_name("FOLDER");
   app.add_flag("--check", options->is_check,
-               "read every case and say what it holds and what is wrong with it (one of --check, --run and --convert "
-               "is required)");
-  app.add_flag("--run", options->is_run, "run every case under the profiles legacy and standard, and compare them");
+               "check every case: contents, warnings, errors (one of --check, --run and --convert is required)");
+  app.add_flag("--run", options->is_run, "run every case under the profiles legacy and standard and compare them");
   app.add_option("--convert", options->format, "convert every case to this format, as `keyblock convert --to`");
-  app.add_option("--profile", options->profile, "only this preset of all choices")->check(one_word_of(profile_names()));
-  app.add_option("--jobs", options->threads, "jobs at a time (default: as many as cores)")->check(CLI::Range(1, 1024));
-  app.add_option(
-         "--time-limit", options->limits.cpu_seconds,
-         "seconds of processor time for the check of a job and for each process of --run and --convert (default: none)")
+  app.add_option("--profile", options->profile, "use only this profile")->check(one_word_of(profile_names()));
+  app.add_option("--jobs", options->threads, "jobs at a time (default: number of cores)")->check(CLI::Range(1, 1024));
+  app.add_option("--time-limit", options->limits.cpu_seconds,
+                 "processor time per check and per process of --run and --convert, seconds (default: no limit)")
       ->check(above_zero());
   app.add_option("--memory-limit", options->limits.memory_mebibytes,
-                 "MiB of address space for each of them (default: none)")
+                 "address space for each of them, MiB (default: no limit)")
       ->check(above_zero());
-  app.add_option("--largest-file", options->largest_mebibytes, "larger files, in MiB, are named, not read")
+  app.add_option("--largest-file", options->largest_mebibytes, "files larger than N MiB are listed, not read")
       ->capture_default_str()
       ->check(above_zero());
   app.add_option("--row", options->row_files)->group("");  // not for people: in no help text
-  app.add_flag("--resume", options->is_resumed, "go on with the batch in OUT; jobs whose files changed are done again");
-  app.add_flag("--force", options->may_overwrite, "begin the batch in OUT again");
-  app.add_flag("--json", options->as_json, "print catalogue.json on standard output too");
+  app.add_flag("--resume", options->is_resumed, "continue the batch in FOLDER; jobs with changed files are repeated");
+  app.add_flag("--force", options->may_overwrite, "start the batch in FOLDER again");
+  app.add_flag("--json", options->as_json, "also print catalogue.json on standard output");
   return [options] { return run_batch(*options); };
 }
 

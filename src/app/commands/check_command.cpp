@@ -1,4 +1,4 @@
-// `keyblock check`: says what each file is and why we think so, what it holds, and what is odd or wrong about it.
+// `keyblock check`: prints format, contents, warnings and errors of input files, and the estimated run time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -181,7 +181,7 @@ void print(const CaseReport& report) {
   print(report.warnings);
   if (report.plan) fmt::print("  profile {}, because {}\n", report.profile.name, printable(report.profile.why));
   if (report.plan) print(*report.plan);
-  if (!report.size.empty()) fmt::print("  {}\n", report.size);
+  if (!report.size.empty()) fmt::print("  size: {}\n", report.size);
   if (!report.smallest_block.empty()) fmt::print("  {}\n", report.smallest_block);
   if (report.trial) fmt::print("  {}\n", cost_in_words(*report.trial, report.steps));
   for (const std::string& stage : report.stages) fmt::print("  {}\n", printable(stage));
@@ -351,14 +351,14 @@ ExitCode check_files(const CheckOptions& options) {
 
 Action configure_check(CLI::App& options) {
   const auto chosen = std::make_shared<CheckOptions>();
-  add_case_options(options, chosen->given,
-                   "geometry and analysis files, in any order, the folder of a case, or a folder of cases: each looked "
-                   "at, one verdict a line")
+  add_case_options(
+      options, chosen->given,
+      "geometry and analysis files in any order, the folder of a case, or a folder of cases (one line each)")
       .files->required();
   options
       .add_option("--trial", chosen->trial_seconds,
-                  fmt::format("seconds in which steps are tried, to say what a run costs and whether it begins "
-                              "(default: {:g}); 0: none",
+                  fmt::format("seconds for trial steps, which show whether a run starts and estimate its time "
+                              "(default: {:g}); 0: no trial",
                               kTrialSeconds))
       ->check(zero_or_above());
   options.add_flag("--json", chosen->as_json, "print the report as JSON");

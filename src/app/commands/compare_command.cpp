@@ -209,14 +209,14 @@ Action configure_compare(CLI::App& options) {
   options.add_option("cases", chosen->cases, "case folders, or folders of cases")->capture_default_str();
   options
       .add_option("--profile", chosen->profile,
-                  "only this preset of all choices (default: legacy and standard, as which others are judged); traces "
-                  "are of legacy")
+                  "run only this profile (default: legacy and standard, whose tolerances the others share); traces are "
+                  "those of legacy")
       ->check(one_word_of(profile_names()));
   add_thread_option(options);
   options.add_flag("--all", chosen->with_slow, "run slow cases too");
-  options.add_option("--picture", chosen->picture, "write a picture of the one case given (SVG)")->type_name("FILE");
+  options.add_option("--picture", chosen->picture, "write a picture (SVG), if one case is given")->type_name("FILE");
   options.add_flag("--force", chosen->force, "overwrite the picture if it exists");
-  options.add_flag("--sources", chosen->with_sources, "print the reasons of the tolerances too");
+  options.add_flag("--sources", chosen->with_sources, "print the reasons of the tolerances");
   options.add_flag("--json", chosen->as_json, "print the tables as JSON");
   return [chosen] { return compare(*chosen); };
 }

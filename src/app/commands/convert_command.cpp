@@ -121,15 +121,15 @@ ExitCode convert_files(const ConvertOptions& options) {
 
 Action configure_convert(CLI::App& app) {
   const auto options = std::make_shared<ConvertOptions>();
-  app.add_option("IN", options->files, "the files of one case, in any order")->required();
+  app.add_option("IN", options->files, "files of one case, in any order")->required();
   add_drawing_options(app, options->reading);
-  app.add_option("-o,--output", options->output, "the file to write; where the target is two files, their common name")
+  app.add_option("-o,--output", options->output, "file to write; if the target is two files, their common name")
       ->type_name("FILE");
   app.add_option(
       "--to", options->target,
       "format: " + study::target_names() + ", or an ending such as json (default: by the ending of the output)");
-  app.add_flag("--strict", options->is_strict, "write nothing and exit 1 where the target cannot hold all");
-  app.add_flag("--force", options->may_overwrite, "overwrite files that exist; what was there is kept as .bak");
+  app.add_flag("--strict", options->is_strict, "write nothing and exit with 1 if anything would be lost");
+  app.add_flag("--force", options->may_overwrite, "overwrite existing files; the old ones are kept as .bak");
   app.add_flag("--bug-compatible", options->takes_faults,
                "take native and XML files with the faults of the Berkeley program's readers: first material line and "
                "bolts lost, "

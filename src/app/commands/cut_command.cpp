@@ -181,32 +181,30 @@ ExitCode cut_file(const CutOptions& options) {
 
 Action configure_cut(CLI::App& app) {
   auto options = std::make_shared<CutOptions>();
-  app.add_option("GEO", options->drawing, "the drawing: a geometry file of the old programs, DXF, or a case file")
+  app.add_option("GEO", options->drawing,
+                 "drawing: DXF, a case file, or a geometry file of Shi's or the Berkeley program")
       ->required();
   add_drawing_options(app, options->reading);
-  app.add_option("-o,--output", options->output, "the block file to write; with a mesh, the cover file")
-      ->type_name("FILE");
+  app.add_option("-o,--output", options->output, "block file to write; with a mesh, cover file")->type_name("FILE");
   CLI::Option* picture =
-      app.add_option("--svg", options->picture, "a picture to write: of the blocks, or of the mesh and its elements")
+      app.add_option("--svg", options->picture, "picture of the blocks, or of the mesh and its elements, to write")
           ->type_name("FILE");
-  app.add_flag("--numbers", options->numbers,
-               "write into the picture the number of every block, or element, that has room for it")
+  app.add_flag("--numbers", options->numbers, "write block or element numbers into the picture if they fit")
       ->needs(picture);
-  app.add_option(
-         "--merging", options->merging,
-         "how near crossings become one node: nearest_first, independent of the order of lines, or in_order_found, "
-         "as the old programs and profile legacy do")
+  app.add_option("--merging", options->merging,
+                 "merging of close crossings: nearest_first (independent of the order of lines) or in_order_found (as "
+                 "Shi's programs and profile legacy)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, NodeMerging>{
           {"nearest_first", NodeMerging::nearest_first}, {"in_order_found", NodeMerging::in_order_found}}));
   app.add_option("--near-pieces", options->near_pieces,
-                 "what becomes of a piece that passes a node nearer than the drawing's distance: led_through, or "
-                 "deleted, as the old programs and profile legacy do")
+                 "line pieces that pass a node within the merging distance: led_through it, or deleted (as Shi's "
+                 "programs and profile legacy)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, NearPieces>{{"led_through", NearPieces::led_through},
                                                                             {"deleted", NearPieces::deleted}}));
   add_mesh_options(app, options->mesh);
   app.add_flag("--absorb", options->absorbs,
-               "give pieces alone on a cover and below 0.2 of the mean area the covers of their neighbour, as the old "
-               "manifold cutter does");
+               "give elements alone on a cover and smaller than 0.2 of the mean area the covers of their neighbour, as "
+               "Shi's manifold program does");
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist");
   app.add_flag("--json", options->as_json, "print counts, warnings and snaps as JSON");
   return [options] { return cut_file(*options); };

@@ -78,7 +78,7 @@ ExitCode explain(const ExplainOptions& options) {
 
 Action configure_explain(CLI::App& options) {
   const auto chosen = std::make_shared<ExplainOptions>();
-  options.add_option("code", chosen->code, "code of a warning or doubt, in brackets behind its message; none: all")
+  options.add_option("code", chosen->code, "code in brackets at the end of a warning (default: list all)")
       ->type_name("CODE");
   options.add_flag("--json", chosen->as_json, "print as JSON");
   return [chosen] { return explain(*chosen); };

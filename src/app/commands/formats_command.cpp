@@ -97,9 +97,9 @@ ExitCode list(const FormatsOptions& options) {
 
 Action configure_formats(CLI::App& app) {
   const auto options = std::make_shared<FormatsOptions>();
-  app.add_option("NAME", options->name, "one format, with a sample");
+  app.add_option("NAME", options->name, "print one format with a sample");
   app.add_flag("--schema", options->wants_schema, "print the JSON Schema of the case file");
-  app.add_flag("--materials", options->wants_materials, "print the library of rock and joints that `like` takes from");
+  app.add_flag("--materials", options->wants_materials, "print the library of rocks and joints for the key `like`");
   app.add_flag("--json", options->as_json, "print as JSON");
   return [options] { return list(*options); };
 }

@@ -18,11 +18,10 @@ struct FosOptions : ReductionOptions {
 
 Action configure_fos(CLI::App& options) {
   const auto chosen = std::make_shared<FosOptions>();
-  add_case_options(options, chosen->given, "one case folder (legacy_cases/…), or the files of a case")
-      .files->required();
+  add_case_options(options, chosen->given, "one case folder, or the files of a case").files->required();
   options
       .add_option("--reduce", chosen->what,
-                  "whose strength: joints, rock, or both (default: what case.json says, else joints)")
+                  "strength to reduce: joints, rock or both (default: as the case says, else joints)")
       ->check(one_word_of({"joints", "rock", "both"}));
   add_reduction_options(options, *chosen);
   options.add_option("-o,--output", chosen->folder, "folder for fos.json, trials.csv, picture.svg and fos.svg")

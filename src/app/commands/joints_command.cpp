@@ -147,29 +147,28 @@ Action configure_joints(CLI::App& app) {
   auto options = std::make_shared<JointsOptions>();
   auto* file =
       app.add_option("SPEC", options->specification,
-                     "JSON file in place of the options: rectangle or slope, sets, tunnels, fixed, measured, seed, "
-                     "boundary_joint, edge_node_ratio, with the keys that the options below have (docs/slope.json)");
-  app.add_option(
-         "-o,--output", options->output,
-         "the drawing to write: DXF, a case file or DDAML if it ends in .dxf, .json or .xml, else a geometry file")
+                     "JSON file instead of the options (docs/slope.json): rectangle or slope, sets, tunnels, fixed, "
+                     "measured, seed, boundary_joint, edge_node_ratio, with the keys of the options below");
+  app.add_option("-o,--output", options->output,
+                 "drawing to write: DXF (.dxf), case file (.json), DDAML (.xml), else geometry file")
       ->type_name("FILE")
       ->required();
   const auto add = [&](const char* name, auto& value, const char* help) {
     return app.add_option(name, value, help)->excludes(file);
   };
   add("--set", options->sets,
-      "a joint set: dip=60,spacing=1,trace=5,gap=0.5,scatter=0.1,dip_scatter_deg=5,distribution=lognormal,joint=2; "
-      "scatter is the standard deviation over the mean of spacing, trace and gap (without dip_scatter_deg, the dip "
-      "scatters by that share of 90 degrees); again for more");
-  add("--rectangle", options->rectangle, "the outline: width=20,height=10,x=0,y=0");
+      "joint set: dip=60,spacing=1,trace=5,gap=0.5,scatter=0.1,dip_scatter_deg=5,distribution=lognormal,joint=2; "
+      "scatter: standard deviation over mean of spacing, trace and gap (and, without dip_scatter_deg, of the dip over "
+      "90 degrees); may be repeated");
+  add("--rectangle", options->rectangle, "outline: width=20,height=10,x=0,y=0");
   add("--slope", options->slope,
-      "the outline, the foot of its face at x = 0, y = 0: height=10,angle=60,bench=3,benches=2,toe=10,crest=15,base=5");
-  add("--tunnel", options->tunnels, "shape=circle|d|horseshoe,width=4,height=4,x=10,y=5; again for more");
-  add("--fixed", options->fixed, "a fixed line: x1,y1,x2,y2; again for more");
-  add("--measured", options->measured, "a measured point: x,y; again for more");
+      "outline with the foot of its face at x = 0, y = 0: height=10,angle=60,bench=3,benches=2,toe=10,crest=15,base=5");
+  add("--tunnel", options->tunnels, "shape=circle|d|horseshoe,width=4,height=4,x=10,y=5; may be repeated");
+  add("--fixed", options->fixed, "fixed line: x1,y1,x2,y2; may be repeated");
+  add("--measured", options->measured, "measured point: x,y; may be repeated");
   add("--edge-node-ratio", options->edge_node_ratio,
-      "how near crossings become one when cut, over the extent of the drawing (default: 0.001)");
-  app.add_option("--seed", options->seed, "the same seed gives the same drawing; rules that of SPEC (default: 1)");
+      "distance over the extent of the drawing, below which crossings are merged (default: 0.001)");
+  app.add_option("--seed", options->seed, "seed of the random numbers, overrides that of SPEC (default: 1)");
   app.add_flag("--force", options->may_overwrite, "overwrite the file if it exists");
   app.add_flag("--json", options->as_json, "print the counts as JSON");
   return [options] { return make_joints(*options); };

@@ -13,35 +13,33 @@ namespace keyblock {
 
 void add_mesh_options(CLI::App& app, MeshOptions& options) {
   auto* rows = app.add_option("--mesh", options.plan.half_rows,
-                              "cut a regular triangular mesh with this half number of rows by the drawing, joints that "
-                              "end inside included: elements and physical covers")
+                              "cut a regular triangular mesh of 2 N rows by the drawing into elements and physical "
+                              "covers; joints that end inside a block cut too")
                    ->check(CLI::Range(1, kMostHalfRows));
-  auto* side = app.add_option("--mesh-side", options.plan.side,
-                              "the same with an unstructured mesh of sides no longer than this")
+  auto* side = app.add_option("--mesh-side", options.plan.side, "same with an unstructured mesh, longest side NUMBER")
                    ->check(above_zero())
                    ->excludes(rows);
   app.add_option("--mesh-refine", options.refined,
-                 "X Y SIDE: near this point sides no longer than this, growing with the distance; may be repeated")
+                 "X Y SIDE: longest side near the point (X, Y); sides grow with distance; may be repeated")
       ->type_size(3)
       ->needs(side);
   app.add_option("--mesh-shape", options.plan.shape,
-                 "equilateral triangles, or those of the old manifold cutter (old: 1.3 times as wide as high)")
+                 "equilateral triangles, or old: 1.3 times as wide as high, as in Shi's manifold program")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, MeshShape>{{"equilateral", MeshShape::equilateral}, {"old", MeshShape::old}}))
       ->needs(rows);
-  app.add_option("--mesh-angle", options.plan.angle_deg, "degrees by which the regular mesh is turned")
+  app.add_option("--mesh-angle", options.plan.angle_deg, "rotation of the regular mesh, degrees")
       ->check(CLI::Range(-180.0, 180.0))
       ->needs(rows);
   app.add_option(
          "--mesh-placement", options.plan.placement,
-         "free: rows about the middle and 10 % beyond the greater extent, the old density rule; aligned: rows on "
-         "the lower and the upper edge, of an unstructured mesh sides along all lines")
+         "free: rows centred, 10 % beyond the larger extent, as in Shi's program; aligned: rows on the lower and "
+         "upper edge (unstructured mesh: sides along all lines)")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, MeshPlacement>{{"free", MeshPlacement::free}, {"aligned", MeshPlacement::aligned}}));
-  app.add_option(
-         "--mesh-snap", options.plan.snap_ratio,
-         "move mesh nodes onto lines nearer than this ratio of max(H/2, W/2.6), as the old manifold cutter does: "
-         "0.0015 in most of its samples")
+  app.add_option("--mesh-snap", options.plan.snap_ratio,
+                 "move mesh nodes onto lines nearer than this share of max(H/2, W/2.6); Shi's program: 0.0015 in most "
+                 "samples")
       ->check(CLI::Range(0.0, 0.1));
 }
 

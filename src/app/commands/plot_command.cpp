@@ -145,25 +145,26 @@ ExitCode plot(const PlotOptions& options) {
 
 Action configure_plot(CLI::App& options) {
   const auto chosen = std::make_shared<PlotOptions>();
-  options.add_option("RUN", chosen->folder, "the folder that a run wrote, also of one that was stopped")
+  options.add_option("RUN", chosen->folder, "results folder of a finished or stopped run")
       ->required()
       ->check(CLI::ExistingDirectory);
   options
-      .add_option("--field", chosen->field,
-                  "a component of stress, a principal one (s1 the greatest, s3 the least), the von Mises stress, the "
-                  "displacement, or principal stresses as crosses (default: the component that varies most)")
+      .add_option(
+          "--field", chosen->field,
+          "quantity: a stress component, s1 (greatest principal stress), s3 (least), von Mises stress, displacement, "
+          "or crosses of principal stresses (default: the component that varies most)")
       ->check(one_word_of(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
-  CLI::Option* step =
-      options.add_option("--step", chosen->step, "the step whose frame is drawn (default: the last that has one)");
+  CLI::Option* step = options.add_option("--step", chosen->step, "step to draw (default: the last frame)");
   options
       .add_option("-o,--output", chosen->file,
-                  "the picture to write, SVG (default: RUN/field_FIELD_end.svg, or with the step in place of end)")
+                  "picture to write, SVG (default: RUN/field_FIELD_end.svg, or the step instead of end)")
       ->type_name("FILE");
-  options.add_flag("--numbers", chosen->numbers, "write into every block, or element, that has room for it its number");
+  options.add_flag("--numbers", chosen->numbers, "write block or element numbers into the picture if they fit");
   options
-      .add_flag("--own-scale", chosen->has_own_scale,
-                "colours, magnification and part of the plane of this step alone (default: those of all steps of the "
-                "run, so that pictures of its steps make a film)")
+      .add_flag(
+          "--own-scale", chosen->has_own_scale,
+          "scale colours, magnification and frame to this step alone (default: to all steps, so that the pictures "
+          "make an animation)")
       ->needs(step);
   options.add_flag("--force", chosen->force, "overwrite the file if it exists");
   options.add_flag("--json", chosen->as_json, "print file, frame, field and time as JSON");

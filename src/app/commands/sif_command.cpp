@@ -150,8 +150,8 @@ ExitCode print_intensity(const SifOptions& options) {
 
 Action configure_sif(CLI::App& app) {
   const auto options = std::make_shared<SifOptions>();
-  add_case_options(app, options->given, "one case folder (legacy_cases/…), or the files of a case").files->required();
-  app.add_flag("--json", options->as_json, "print JSON in place of the table");
+  add_case_options(app, options->given, "one case folder, or the files of a case").files->required();
+  app.add_flag("--json", options->as_json, "print JSON instead of the table");
   return [options] { return print_intensity(*options); };
 }
 

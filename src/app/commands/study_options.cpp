@@ -37,24 +37,25 @@ study::RunLimits StudyOptions::limits() const {
 }
 
 void add_study_options(CLI::App& options, StudyOptions& chosen) {
-  options.add_option("case", chosen.paths, "one case folder (legacy_cases/…), or the files of a case")->required();
-  options.add_option("--profile", chosen.profile, "preset that runs vary (default: standard)")
+  options.add_option("case", chosen.paths, "one case folder, or the files of a case")->required();
+  options.add_option("--profile", chosen.profile, "preset from which the runs differ (default: standard)")
       ->check(one_word_of(profile_names()));
-  options.add_option("--set", chosen.sets, "key=value: a setting of all runs; may be repeated")
+  options.add_option("--set", chosen.sets, "change one setting of all runs; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
   options
       .add_option(
           "--against", chosen.against,
-          "what errors are measured against: expected (values of expected.csv; the default where there are any) "
-          "or finest (the limit of runs of ever smaller steps)")
+          "reference for errors: expected (values of expected.csv; default if there are any) or finest (limit of "
+          "runs with ever smaller steps)")
       ->check(one_word_of({"expected", "finest"}));
-  options.add_option("--finest", chosen.finest, "part of the step that the limit is taken at: 4 (default), 8, 16, …")
+  options
+      .add_option("--finest", chosen.finest,
+                  "smallest step of the reference: 1/N of the step, N = 4 (default), 8, 16, …")
       ->check(CLI::Range(4, 1024));
-  options.add_option("--repeat", chosen.repeat, "time each run so often, and take the best (default: 1)")
+  options.add_option("--repeat", chosen.repeat, "time each run N times and take the shortest (default: 1)")
       ->check(CLI::Range(1, 1000));
-  options.add_option("--limit", chosen.limit, "seconds of processor time a run may take (default: 60)")
-      ->check(above_zero());
+  options.add_option("--limit", chosen.limit, "processor time per run, seconds (default: 60)")->check(above_zero());
   options.add_option("--picture", chosen.picture, "write a picture (SVG)")->type_name("FILE");
   options.add_flag("--json", chosen.as_json, "print the table as JSON");
   options.add_flag("--force", chosen.force, "overwrite files");

@@ -9,7 +9,7 @@ void add_thread_option(CLI::App& options) {
   options
       .add_option_function<int>(
           "--threads", [](int count) { context().use_threads(count); },
-          "threads of a step (default: as many as processors); results do not depend on it")
+          "threads per step (default: number of processors); results do not depend on it")
       ->check(CLI::Range(1, 256));
 }
 

@@ -260,18 +260,19 @@ Action configure_tradeoff(CLI::App& options) {
   add_study_options(options, *chosen);
   options
       .add_option("--vary", chosen->vary,
-                  "only these choices: basis, step, enforcement, penalty, tolerance, integrator, impact, forces, "
+                  "vary only these settings: basis, step, enforcement, penalty, tolerance, integrator, impact, forces, "
                   "functions, mesh")
       ->delimiter(',');
-  options.add_flag("--full", chosen->is_full, "all combinations, not only single choices and the usual pairs");
-  options.add_option("--most", chosen->most, "runs of --full at most (default: 200)")->check(above_zero());
+  options.add_flag("--full", chosen->is_full, "run all combinations instead of single changes and the usual pairs");
+  options.add_option("--most", chosen->most, "largest number of runs of --full (default: 200)")->check(above_zero());
   options.add_option(
       "--budget", chosen->budget,
-      "pick the most accurate run within this time (10s, 500ms, 2min); to find it takes several times as long");
-  options.add_option("--error", chosen->error, "pick the cheapest run within this error, as 1e-3")->check(above_zero());
+      "pick the most accurate run within this time (10s, 500ms, 2min); the study itself takes several times as long");
+  options.add_option("--error", chosen->error, "pick the fastest run within this error, e.g. 1e-3")
+      ->check(above_zero());
   options
       .add_option("-o,--output", chosen->output,
-                  "file for the settings picked, for run --settings-file (default: CASE.settings)")
+                  "file for the picked settings, for run --settings-file (default: CASE.settings)")
       ->type_name("FILE");
   return [chosen] {
     context().use_threads(1);  // prices are processor time

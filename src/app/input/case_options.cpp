@@ -13,18 +13,20 @@ namespace keyblock {
 CaseOptionList add_case_options(CLI::App& options, CaseOptions& chosen, const std::string& about_files) {
   CaseOptionList list{};
   list.files = options.add_option("files", chosen.paths, about_files);
-  list.profile = options
-                     .add_option("--profile", chosen.profile,
-                                 "preset of all choices (default: what a case file says; else legacy for files of the "
-                                 "old programs, which fos and sif take as standard, and standard for own case files)")
-                     ->check(one_word_of(profile_names()));
-  list.sets = options.add_option("--set", chosen.sets, "key=value: one setting on top of the profile; may be repeated")
+  list.profile =
+      options
+          .add_option("--profile", chosen.profile,
+                      "preset of all settings (default: the profile of the case file; else legacy for files of "
+                      "Shi's and the Berkeley programs, except in fos and sif; else standard)")
+          ->check(one_word_of(profile_names()));
+  list.sets = options.add_option("--set", chosen.sets, "change one setting of the profile; may be repeated")
                   ->type_name("KEY=VALUE")
                   ->take_all();
-  list.settings_file = options
-                           .add_option("--settings-file", chosen.settings_file,
-                                       "name = value on each line, below --set; `profile = NAME` too, below --profile")
-                           ->type_name("FILE");
+  list.settings_file =
+      options
+          .add_option("--settings-file", chosen.settings_file,
+                      "read settings from FILE, one name = value per line; --set and --profile override it")
+          ->type_name("FILE");
   list.reading = add_drawing_options(options, chosen.reading);
   return list;
 }

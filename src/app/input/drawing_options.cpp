@@ -11,21 +11,20 @@
 namespace keyblock {
 
 std::vector<CLI::Option*> add_drawing_options(CLI::App& options, DrawingOptions& chosen) {
-  return {options
-              .add_option("--layers", chosen.layers,
-                          "table that says what the layers of a DXF drawing are: lines layer,part below that heading "
-                          "(`keyblock formats dxf-layers` shows one)")
-              ->type_name("FILE"),
-          options
-              .add_option("--unit", chosen.choices.unit,
-                          "unit of length of a DXF drawing, instead of the one that it names ($INSUNITS)")
-              ->check(one_word_of(formats::dxf_unit_names())),
-          options
-              .add_option("--join", chosen.choices.join,
-                          "join ends of lines of a drawing to lines nearer than this, in the unit in which the drawing "
-                          "is read: closes gaps of an outline and joints that end just short, trims what passes a line")
-              ->type_name("DISTANCE")
-              ->check(above_zero())};
+  return {
+      options
+          .add_option("--layers", chosen.layers,
+                      "table of the meaning of DXF layers, with the heading layer,part (example: keyblock formats "
+                      "dxf-layers)")
+          ->type_name("FILE"),
+      options.add_option("--unit", chosen.choices.unit, "unit of length of a DXF drawing, overrides its $INSUNITS")
+          ->check(one_word_of(formats::dxf_unit_names())),
+      options
+          .add_option("--join", chosen.choices.join,
+                      "join ends of lines to lines nearer than DISTANCE, in the unit of the drawing: closes gaps of "
+                      "the outline, extends joints that end just short, trims those that overshoot")
+          ->type_name("DISTANCE")
+          ->check(above_zero())};
 }
 
 void take_layers(std::vector<std::string>& files, const std::string& layers) {

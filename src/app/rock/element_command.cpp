@@ -188,24 +188,24 @@ ExitCode run_element(const ElementOptions& options) {
 
 Action configure_element(CLI::App& app) {
   auto options = std::make_shared<ElementOptions>();
-  app.add_option("CASE", options->input, "the case or analysis file that holds the material")->required();
+  app.add_option("CASE", options->input, "case or analysis file with the material")->required();
   app.add_option("--material", options->material, "number of the block material")->check(CLI::PositiveNumber);
   app.add_option(
       "--path", options->path,
-      "uniaxial, triaxial or biaxial (yy driven, sides under --confining), oedometer (sides held), shear "
-      "(2xy driven), cyclic (as triaxial, to the targets again and again, --cycles times: of --to -0.01,0.002 between "
-      "these, of --to -0.01 back to 0); or a file .csv with columns exx or sxx, eyy or syy, gxy or sxy, ezz or szz, a "
-      "row a leg");
-  app.add_option("--to", options->targets, "strains that yy, or 2xy, is brought to one after another")
+      "uniaxial, triaxial or biaxial (yy driven, sides under --confining), oedometer (sides fixed), shear (2xy "
+      "driven), "
+      "cyclic (triaxial between the targets, --cycles times; one target: back to 0), or a .csv file with one row per "
+      "leg and columns exx or sxx, eyy or syy, gxy or sxy, ezz or szz");
+  app.add_option("--to", options->targets, "target strains of yy, or 2xy, in order")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("--confining", options->confining, "pressure on the sides, F/L², above 0 presses");
-  app.add_option("--cycles", options->cycles, "how often the targets are gone through")->check(CLI::Range(1, 10000));
-  app.add_option("--steps", options->steps, "of each leg")->check(CLI::Range(1, 1000000));
-  app.add_option("--size", options->size, "of the element, L: of softening by fracture_energy")->check(above_zero());
-  app.add_option("-o,--output", options->output, "the curve to write (CSV); without it, it is printed")
-      ->type_name("FILE");
-  app.add_option("--svg", options->picture, "a picture of stress over strain to write")->type_name("FILE");
+  app.add_option("--confining", options->confining, "confining pressure, F/L², compression positive");
+  app.add_option("--cycles", options->cycles, "number of cycles")->check(CLI::Range(1, 10000));
+  app.add_option("--steps", options->steps, "steps per leg")->check(CLI::Range(1, 1000000));
+  app.add_option("--size", options->size, "size of the element, L, for softening by fracture_energy")
+      ->check(above_zero());
+  app.add_option("-o,--output", options->output, "write the curve (CSV) instead of printing it")->type_name("FILE");
+  app.add_option("--svg", options->picture, "write a picture of stress over strain")->type_name("FILE");
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist");
   app.add_flag("--json", options->as_json, "print extremes and end as JSON");
   return [options, &app] {

@@ -263,38 +263,37 @@ Action configure_fit(CLI::App& app) {
   auto options = std::make_shared<FitOptions>();
   app.add_option(
          "CURVE", options->input,
-         "a file .csv with columns strain and stress of one loading under uniaxial compression; with --triaxial "
-         "s3 and s1 of tests at failure, compression positive; or what `element -o` writes; with a unit in the "
-         "heading, \"stress [MPa]\", that is "
-         "the one "
-         "of what is found")
+         ".csv file with columns strain and stress of one uniaxial compression test, or the output of `element -o`; "
+         "with --triaxial s3 and s1 at failure, compression positive; a unit in the heading, \"stress [MPa]\", is the "
+         "unit of the results")
       ->required();
   CLI::Option* triaxial = app.add_flag("--triaxial", options->is_triaxial, "fit cohesion and friction to s1 over s3");
   CLI::Option* toughness =
-      app.add_option("--toughness", options->toughness,
-                     "find the toughness from loads at which notched specimens broke, a row each, with columns of the "
-                     "test: chevron_bend (diameter, span, notch, load), semicircular_bend (radius, thickness, notch, "
-                     "span, load) or notched_disc (diameter, thickness, notch, end, load)")
+      app.add_option(
+             "--toughness", options->toughness,
+             "compute the toughness from the failure loads of notched specimens, one row each, with the columns of "
+             "the test: chevron_bend (diameter, span, notch, load), semicircular_bend (radius, thickness, notch, "
+             "span, load) or notched_disc (diameter, thickness, notch, end, load)")
           ->check(CLI::IsMember(kTests))
           ->excludes(triaxial);
-  app.add_option("--compression", options->compression, "its sign in the file: positive, negative, auto")
+  app.add_option("--compression", options->compression, "sign of compression in the file")
       ->check(CLI::IsMember(kSigns))
       ->excludes(triaxial)
       ->excludes(toughness);
   app.add_option("--strain-factor", options->strain_factor,
-                 "what 1 in the column of strain is: 0.01 for per cent (default: as its heading says, \"strain [%]\")")
+                 "strain that 1 in the column means: 0.01 for per cent (default: by the heading, \"strain [%]\")")
       ->check(above_zero())
       ->excludes(triaxial)
       ->excludes(toughness);
   app.add_option("--friction", options->friction_deg,
-                 "angle of friction in degrees, from other tests, with which the strength becomes one of mohr_coulomb")
+                 "friction angle from other tests, degrees; the strength becomes one of mohr_coulomb")
       ->check(CLI::Range(0.0, 89.0))
       ->excludes(triaxial)
       ->excludes(toughness);
-  app.add_option("-o,--output", options->output, "measured, fitted and residual of each point to write (CSV)")
+  app.add_option("-o,--output", options->output, "write measured value, fit and residual of each point (CSV)")
       ->type_name("FILE");
-  app.add_option("--material", options->material, "keys of a block material of a case file to write (JSON)");
-  app.add_option("--svg", options->picture, "a picture of both curves to write")->type_name("FILE");
+  app.add_option("--material", options->material, "write the keys of a block material for a case file (JSON)");
+  app.add_option("--svg", options->picture, "write a picture of both curves")->type_name("FILE");
   app.add_flag("--force", options->may_overwrite, "overwrite files that exist");
   app.add_flag("--json", options->as_json, "print values, errors and residuals as JSON");
   return [options] { return run_fit(*options); };

@@ -13,7 +13,7 @@ namespace keyblock {
 
 Action configure_shell(CLI::App& options) {
   const auto what = std::make_shared<std::string>();
-  options.add_option("WHAT", *what, "man: the man page; bash: a script that completes commands and options")
+  options.add_option("WHAT", *what, "man: man page; bash: completion script for commands and options")
       ->required()
       ->check(one_word_of({"man", "bash"}));
   return [what, &options] {

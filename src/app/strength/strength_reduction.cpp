@@ -313,26 +313,26 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
   return {
       options
           .add_option("--from", chosen.asked.from,
-                      "first factor, at which the case must stand (default: 1, and less where that falls)")
+                      "first factor, at which the case must be stable (default: 1, or less if unstable at 1)")
           ->check(above_zero()),
       options.add_option("--to", chosen.asked.to, "largest factor (default: 16 times the first)")->check(above_zero()),
-      options.add_option("--to-within", chosen.asked.within, "width of the bracket (default: 0.01)")
+      options.add_option("--to-within", chosen.asked.within, "final width of the bracket (default: 0.01)")
           ->check(above_zero()),
       options
-          .add_option("--trial-limit", chosen.trial_limit,
-                      "linear systems after which a trial is given up as undecided, which ends the search with the "
-                      "bracket known by then; 0: none (default: 100,000, or 10 times the longest trial before if that "
-                      "is more)")
+          .add_option(
+              "--trial-limit", chosen.trial_limit,
+              "linear solves after which a trial is undecided and the search ends with the bracket so far; 0: no "
+              "limit (default: 100,000, or 10 times the longest trial before if that is more)")
           ->type_name("SYSTEMS")
           ->check(count_of_systems()),
       options
           .add_option("--exempt", chosen.asked.exempt,
-                      "what keeps its strength: material:N, joint_material:N, box:x1,y1,x2,y2 or "
+                      "keep the strength of material:N, joint_material:N, box:x1,y1,x2,y2 or "
                       "polygon:x1,y1,x2,y2,x3,y3,…; may be repeated")
           ->type_name("WHAT")
           ->take_all(),
       options.add_flag("!--no-mesh-error", chosen.seeks_mesh_error,
-                       "do not estimate the error of the mesh by a search on a coarser one")};
+                       "do not estimate the mesh error by a second search on a coarser mesh")};
 }
 
 ExitCode reduce_strength(const AskedCase& asked, const ReductionOptions& options) {
