@@ -3,6 +3,7 @@
 #include "app/progress.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -10,23 +11,25 @@
 
 #include "app/messages.hpp"
 #include "base/context.hpp"
+#include "base/counted.hpp"
+#include "problem/units/readable.hpp"
 
 namespace keyblock {
 namespace {
 
 constexpr double kTerminalSeconds = 0.2;  // between two renewals on a terminal
 constexpr double kLogSeconds = 5;         // between two lines in a log
-constexpr double kPatience = 2;           // without a step, until that is told
-constexpr double kLeastShare = 0.02;      // of a search, from which on its end is guessed
-constexpr double kForecastSeconds = 2;    // of stepping, or so many steps, after which the cost of all is foretold
+constexpr double kPatience = 2;           // without a step, until the elapsed time is shown
+constexpr double kLeastShare = 0.02;      // of a search, from which on its end is estimated
+constexpr double kForecastSeconds = 2;    // of stepping, or so many steps, after which the total time is estimated
 constexpr int kForecastSteps = 20;
-constexpr double kLongRun = 20;  // seconds left, below which nobody needs to be told
+constexpr double kLongRun = 20;  // seconds left, below which no estimate is shown
 
 double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
 }
 
-// Nobody may be there to read it, or no room where it goes: the run goes on.
+// Errors of writing are ignored: the run continues if nobody reads its progress.
 void show(const std::string& text) {
   std::fputs(text.c_str(), stderr);
   std::fflush(stderr);
@@ -42,10 +45,11 @@ std::string time_in_words(double seconds) {
   return fmt::format("{:.1f} days", seconds / kDay);
 }
 
-ProgressLine::ProgressLine(int step_count, int steps_done, std::string cheaper)
+ProgressLine::ProgressLine(int step_count, int steps_done, std::string cheaper, Units units)
     : step_count_(step_count),
       steps_done_(steps_done),
       cheaper_(std::move(cheaper)),
+      units_(std::move(units)),
       on_terminal_(isatty(STDERR_FILENO) == 1),
       started_(Clock::now()),
       shown_(started_),
@@ -54,40 +58,50 @@ ProgressLine::ProgressLine(int step_count, int steps_done, std::string cheaper)
       step_(steps_done),
       context_(context()) {
   context_.tell(nullptr, 0);
-  if (shows_progress()) waiting_ = std::thread([this] { tell_of_waiting(); });
+  if (shows_progress()) waiting_ = std::thread([this] { show_waiting(); });
 }
 
 ProgressLine::~ProgressLine() {
   finish();
 }
 
-// A search tells its share of the way; what is left would take as long as that took.
+// The rest of a search is estimated from the time that its part so far took.
 std::string ProgressLine::words_of_waiting(Clock::time_point now) const {
   const Headway way = context_.headway();
-  std::string words = step_ == steps_done_ ? fmt::format("start and step {}", step_ + 1)
-                                           : fmt::format("step {} of {}", step_ + 1, step_count_);
+  std::string words = step_ == steps_done_ ? fmt::format("initial state and step {}", step_ + 1)
+                                           : fmt::format("step {}/{}", step_ + 1, step_count_);
   words += fmt::format(": {:.0f} s so far", seconds(now - stepped_));
   if (way.what == nullptr) return words;
   words += fmt::format("; {}", way.what);
   if (way.share < kLeastShare) return words;
-  words += fmt::format(", about {:.0f} % of the way", 100 * way.share);
   const double left = seconds(now - stepped_) * (1 - way.share) / way.share;
-  return words + fmt::format(", {} left", time_in_words(left));
+  return words + fmt::format(", {:.0f} % done, about {} left", 100 * way.share, time_in_words(left));
+}
+
+std::string ProgressLine::words_of_step(const StepReport& report) const {
+  std::string words =
+      fmt::format("step {}/{}  t = {}", report.step, step_count_, readable(report.time, measures::kTime, units_));
+  if (spdlog::should_log(spdlog::level::debug))
+    words += fmt::format("  step size {}  {}", readable(report.dt, measures::kTime, units_),
+                         counted(static_cast<std::size_t>(report.passes), "iteration"));
+  if (report.step < step_count_) words += fmt::format("  about {} left", time_in_words(seconds_left()));
+  return words;
 }
 
 void ProgressLine::forecast(Clock::time_point now) {
   const int made = step_ - steps_done_;
   if (is_forecast_ || made < 2 || (made < kForecastSteps && seconds(now - forecast_from_) < kForecastSeconds)) return;
   is_forecast_ = true;
-  if (seconds_left() < kLongRun) return;
+  if (seconds_left() < kLongRun || !spdlog::should_log(spdlog::level::debug)) return;
   keyblock::show(fmt::format(
-      "{}forecast after {} steps: {:.2g} s a step, about {} for the {} that are left{}\n", line_open_ ? "\r\x1b[K" : "",
-      made, pace_.seconds_a_step(), time_in_words(seconds_left()), step_count_ - step_,
-      cheaper_.empty() ? "" : "; contact springs are stiff for the step: " + cheaper_ + " makes steps cheaper"));
+      "{}estimate after {}: {:.2g} s per step, about {} for the remaining {}{}\n", line_open_ ? "\r\x1b[K" : "",
+      counted(static_cast<std::size_t>(made), "step"), pace_.seconds_a_step(), time_in_words(seconds_left()),
+      step_count_ - step_,
+      cheaper_.empty() ? "" : "; contact springs are stiff for this step size: " + cheaper_ + " makes steps cheaper"));
   line_open_ = false;
 }
 
-void ProgressLine::tell_of_waiting() {
+void ProgressLine::show_waiting() {
   std::unique_lock lock(mutex_);
   while (!wakes_.wait_for(lock, std::chrono::seconds(1), [this] { return is_over_; })) {
     const Clock::time_point now = Clock::now();
@@ -112,9 +126,8 @@ void ProgressLine::show(const StepReport& report) {
   const bool last = report.step == step_count_;
   if (!last && seconds(now - shown_) < (on_terminal_ ? kTerminalSeconds : kLogSeconds)) return;
   shown_ = now;
-  keyblock::show(fmt::format("{}step {} of {}  time {:.6g}  dt {:.4g}  passes {}  {} left{}",
-                             on_terminal_ ? "\r\x1b[K" : "", report.step, step_count_, report.time, report.dt,
-                             report.passes, time_in_words(seconds_left()), on_terminal_ ? "" : "\n"));
+  keyblock::show(
+      fmt::format("{}{}{}", on_terminal_ ? "\r\x1b[K" : "", words_of_step(report), on_terminal_ ? "" : "\n"));
   line_open_ = on_terminal_;
 }
 

@@ -1,4 +1,4 @@
-// The progress line of a run on standard error: steps, dt, passes, time left.
+// Prints the progress of a run on standard error: step, time, time left.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,6 +10,7 @@
 
 #include "app/step_pace.hpp"
 #include "base/context.hpp"
+#include "problem/run_choices.hpp"
 #include "result/step_report.hpp"
 
 namespace keyblock {
@@ -17,14 +18,15 @@ namespace keyblock {
 /// "40 s", "12 min", "3.5 h", "2.1 days".
 std::string time_in_words(double seconds);
 
-/// On a terminal one line renewed a few times a second; elsewhere a line now and then. Between steps that take long,
-/// and in the search for the start or for an equilibrium, it says for how long by now, how far it is and how much time
-/// is left, as far as the search tells that. After the first few steps of a long run a line of its own says what a step
-/// and all of them cost. Nothing under --quiet.
+/// Prints "step 120/300  t = 0.12 s  about 1 s left": on a terminal one line that is renewed, elsewhere a line every
+/// few seconds. During long steps, and during the search for an equilibrium, it shows the elapsed time and, if known,
+/// the share done. --verbose adds step size and iterations, and an estimate of the time of all steps. Silent with
+/// --quiet.
 class ProgressLine {
  public:
-  /// `steps_done`: by an earlier part of the run. `cheaper`: what would make steps cheaper, for the forecast; or empty.
-  ProgressLine(int step_count, int steps_done, std::string cheaper);
+  /// `steps_done`: by an earlier part of the run. `cheaper`: a setting that makes steps cheaper, or empty; the estimate
+  /// names it.
+  ProgressLine(int step_count, int steps_done, std::string cheaper, Units units);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -35,14 +37,16 @@ class ProgressLine {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void tell_of_waiting();
+  void show_waiting();
   std::string words_of_waiting(Clock::time_point now) const;
+  std::string words_of_step(const StepReport& report) const;
   void forecast(Clock::time_point now);
   double seconds_left() const { return pace_.seconds_a_step() * (step_count_ - step_); }
 
   int step_count_;
   int steps_done_;
   std::string cheaper_;
+  Units units_;
   bool on_terminal_;
   Clock::time_point started_;
   Clock::time_point shown_;

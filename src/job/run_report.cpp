@@ -196,9 +196,9 @@ Json json_of(const EquilibriumWay& way) {
 /// Advice for load steps of yielding rock without contacts. Motion is no option: it would apply all loads at once.
 std::vector<Remedy> what_to_try_under_loads(const Scene& scene) {
   std::vector<Remedy> remedies{{fmt::format("--set steps={}", kMoreLoadSteps * scene.settings.step_count),
-                                "shorter load steps may go on, unless this is the limit load"}};
+                                "makes the load steps shorter, which helps unless this is the limit load"}};
   if (scene.settings.standard.load_control == LoadControl::share && !scene.next && scene.end.steps == 0)
-    remedies.push_back({"--set load_control=arc_length", "arc_length follows the equilibria beyond a limit load"});
+    remedies.push_back({"--set load_control=arc_length", "follows the equilibria beyond a limit load"});
   return remedies;
 }
 
@@ -207,19 +207,19 @@ std::vector<Remedy> what_to_try_under_loads(const Scene& scene) {
 std::vector<Remedy> what_to_try(const Prepared& prepared, const RunOutcome& outcome) {
   const Settings& settings = prepared.scene.settings;
   if (settings.dynamics == Dynamics::shi) {
-    std::vector<Remedy> remedies{{"--profile standard", "the rules of today"}};
+    std::vector<Remedy> remedies{{"--profile standard", "solves contact forces to a stated residual"}};
     if (settings.quirks.velocity_from_coming_step)
       remedies.push_back(
-          {"--set quirk.velocity_from_coming_step=off", "which often lets a run go further whose step size changes"});
+          {"--set quirk.velocity_from_coming_step=off", "often lets a run with a changing step size continue"});
     return remedies;
   }
   if (settings.standard.motion == MotionRule::dynamic || outcome.failure == FailureKind::cracks) return {};
   const bool yields = may_yield(prepared.scene);
   if (yields && prepared.scene.is_untouched && outcome.failure == FailureKind::no_equilibrium)
     return what_to_try_under_loads(prepared.scene);
-  std::vector<Remedy> remedies{{"--set motion=dynamic", "dynamic shows the motion"}};
+  std::vector<Remedy> remedies{{"--set motion=dynamic", "shows the motion"}};
   if (!yields && !prepared.scene.model.continuum)  // of blocks without strength
-    remedies.push_back({"--profile legacy", "legacy makes each step from rest, as the old program did"});
+    remedies.push_back({"--profile legacy", "starts each step from rest, as Shi's programs do"});
   return remedies;
 }
 

@@ -68,7 +68,7 @@ struct RunRecord {
   std::vector<std::string> outputs;  ///< file names in the run's folder
 };
 
-/// An option of `run`, and what it does.
+/// An option of `run`, and its effect with the verb first: "shows the motion".
 struct Remedy {
   std::string option;
   std::string what;

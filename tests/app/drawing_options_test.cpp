@@ -52,7 +52,7 @@ TEST(DrawingOptions, a_joint_that_ends_short_is_told_with_its_place_and_joined_b
   const support::ProgramRun run = run_keyblock({"run", file, "--join", "0.003", "-o", out, "--json"});
   EXPECT_EQ(run.exit_code, 0) << run.messages;
   EXPECT_TRUE(contains(run.messages, "2 blocks")) << run.messages;
-  EXPECT_TRUE(contains(run.messages, "size: 10 m wide, 10 m high")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, ", 10 m by 10 m, ")) << run.messages;
 }
 
 TEST(DrawingOptions, a_case_file_says_the_same_by_keys) {
@@ -64,7 +64,7 @@ TEST(DrawingOptions, a_case_file_says_the_same_by_keys) {
   const std::string unit =
       R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"}, "drawing_unit": "mm", )";
   EXPECT_TRUE(
-      contains(run_keyblock({"check", drawing, written("unit.json", unit + kAnalysis)}).output, "4 m wide, 4 m high"));
+      contains(run_keyblock({"check", drawing, written("unit.json", unit + kAnalysis)}).output, "size: 4 m by 4 m"));
 }
 
 TEST(DrawingOptions, the_unit_of_a_drawing_is_overruled_and_its_size_printed) {
@@ -72,10 +72,10 @@ TEST(DrawingOptions, the_unit_of_a_drawing_is_overruled_and_its_size_printed) {
   const std::string units = R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"}, )";
   const std::string file = written("case.json", units + kAnalysis);
   const std::string as_metres = run_keyblock({"check", drawing, file}).output;
-  EXPECT_TRUE(contains(as_metres, "size: 24000 m wide, 24000 m high")) << as_metres;
+  EXPECT_TRUE(contains(as_metres, "size: 24000 m by 24000 m")) << as_metres;
   EXPECT_TRUE(contains(as_metres, "units_contradict")) << as_metres;
   const std::string as_millimetres = run_keyblock({"check", drawing, file, "--unit", "mm"}).output;
-  EXPECT_TRUE(contains(as_millimetres, "size: 24 m wide, 24 m high")) << as_millimetres;
+  EXPECT_TRUE(contains(as_millimetres, "size: 24 m by 24 m")) << as_millimetres;
   EXPECT_FALSE(contains(as_millimetres, "units_contradict")) << as_millimetres;
 }
 

@@ -66,7 +66,7 @@ TEST(LookAhead, a_sound_case_is_told_its_cost_and_its_smallest_block_alone) {
   const auto report = check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)})));
   EXPECT_TRUE(report["warnings"].empty()) << report["warnings"];
   EXPECT_EQ(report["smallest_block"], "smallest block: 2 at 5, 2, area 4, 57.1 % of the mean");
-  EXPECT_EQ(report["size"], "size: 10 m wide, 3 m high");
+  EXPECT_EQ(report["size"], "10 m by 3 m");
   EXPECT_EQ(report["cost"]["steps"], 50);
   EXPECT_GT(report["cost"]["steps_tried"], 0);
   EXPECT_GT(report["cost"]["step_seconds"], 0);

@@ -35,7 +35,7 @@ std::string block_over_floor(const std::string& low, const std::string& high, co
 support::ProgramRun run_of(const std::string& folder, const std::string& text, const std::string& profile) {
   const std::string out = fresh_folder(folder);
   write_text(out + "/in.json", text);
-  return run_keyblock({"run", out + "/in.json", "--profile", profile, "-o", out + "/out"});
+  return run_keyblock({"run", out + "/in.json", "--profile", profile, "-o", out + "/out", "--verbose"});
 }
 
 /// A free block of 1 m and 2500 kg/m3 without weight, under the old rules: what `more` says of its points and of the
@@ -50,12 +50,13 @@ std::string lone_block(const std::string& points, const std::string& more) {
 
 void expect_trusted(const support::ProgramRun& run) {
   EXPECT_EQ(run.exit_code, 0) << run.messages;
-  EXPECT_EQ(run.messages.find("not to be trusted"), std::string::npos) << run.messages;
+  EXPECT_EQ(run.messages.find("results are unreliable"), std::string::npos) << run.messages;
 }
 
 void expect_doubted(const support::ProgramRun& run, const std::string& why) {
   EXPECT_EQ(run.exit_code, 1) << run.messages;
-  EXPECT_NE(run.messages.find("the results are not to be trusted: " + why), std::string::npos) << run.messages;
+  EXPECT_NE(run.messages.find("the run finished, but its results are unreliable: " + why), std::string::npos)
+      << run.messages;
 }
 
 double last_of(const formats::CsvTable& table, const std::string& column) {
@@ -195,7 +196,8 @@ TEST(RunDoubts, a_start_at_rest_may_bend_bodies_on_covers) {
       run_of("doubt_bent", case_of(R"({"outer": [[0, 0, 1], [10, 0, 1], [10, 1, 1], [0, 1, 1]]})", "[[0, 1], [0, 0]]"),
              "standard");
   expect_trusted(beam);
-  EXPECT_NE(beam.messages.find("start: at t = 0 stresses and contact forces balance the loads"), std::string::npos)
+  EXPECT_NE(beam.messages.find("initial state: at t = 0 stresses and contact forces balance the loads"),
+            std::string::npos)
       << beam.messages;
   EXPECT_EQ(beam.messages.find("start_without_rest"), std::string::npos) << beam.messages;
   const support::ProgramRun slope = run_of("doubt_slope",

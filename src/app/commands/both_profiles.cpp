@@ -1,4 +1,4 @@
-// Rows of a table, and the few causes of difference that records show.
+// Builds the rows of the table, and names causes of differences that the records show.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/both_profiles.hpp"
 
@@ -19,14 +19,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kSame = 0.01;       // of the largest of its kind
 constexpr double kRoundOff = 1e-12;  // of the size of the scene, or as a strain
-constexpr double kMuchDeeper = 10;   // penetrations that are told of
+constexpr double kMuchDeeper = 10;   // times the other overlap: reported
 constexpr int kColumnWidth = 28;
 
 const char* word_for(const ProfileAnswer& answer) {
   if (!answer.refused.empty()) return "not run";
   switch (answer.record.outcome.end) {
     case RunEnd::finished:
-      return answer.record.doubts.empty() ? "finished" : "finished, in doubt";
+      return answer.record.doubts.empty() ? "finished" : "finished, unreliable";
     case RunEnd::failed:
       return "failed";
     case RunEnd::stopped:
@@ -39,7 +39,7 @@ bool has_run(const ProfileAnswer& answer) {
   return answer.refused.empty();
 }
 
-// One that failed in its first step has nothing to compare.
+// A run that failed in its first step has no values to compare.
 bool has_values(const ProfileAnswer& answer) {
   return has_run(answer) && answer.record.outcome.steps > 0;
 }
@@ -48,7 +48,7 @@ bool is_static(const Settings& settings) {
   return settings.dynamics == Dynamics::standard && settings.standard.motion != MotionRule::dynamic;
 }
 
-// Whether every step begins at rest.
+// Returns true if every step starts from rest.
 bool creeps(const Settings& settings) {
   return !is_static(settings) && settings.velocity_carry_over.common == 0;
 }
@@ -72,7 +72,7 @@ std::vector<Pair> extremes_of(const ProfileAnswer& one, const ProfileAnswer& oth
       {std::abs(a.least_stress), std::abs(a.greatest_stress), std::abs(b.least_stress), std::abs(b.greatest_stress)});
   const double length = kRoundOff * std::max(one.length, other.length);
   const double pressure = kRoundOff * std::max(one.modulus, other.modulus);
-  return {{"greatest displacement", a.displacement, b.displacement, moved, length},
+  return {{"largest displacement", a.displacement, b.displacement, moved, length},
           {"least principal stress", a.least_stress, b.least_stress, stress, pressure},
           {"greatest principal stress", a.greatest_stress, b.greatest_stress, stress, pressure}};
 }
@@ -100,7 +100,7 @@ std::vector<Row> rows_of(const ProfileAnswer& one, const ProfileAnswer& other, c
       row("steps", [](const ProfileAnswer& a) { return fmt::format("{}", a.record.outcome.steps); }),
       row(with_declared("end time", measures::kTime, units),
           [](const ProfileAnswer& a) { return fmt::format("{:.6g}", a.record.outcome.time); }),
-      value(with_declared("greatest displacement", measures::kLength, units),
+      value(with_declared("largest displacement", measures::kLength, units),
             [](const ProfileAnswer& a) {
               return value_of_block(a.record.extremes.displacement, a.record.extremes.displaced_element);
             }),
@@ -112,7 +112,7 @@ std::vector<Row> rows_of(const ProfileAnswer& one, const ProfileAnswer& other, c
             [](const ProfileAnswer& a) {
               return value_of_block(a.record.extremes.greatest_stress, a.record.extremes.stretched_element);
             }),
-      value(with_declared("greatest penetration", measures::kLength, units),
+      value(with_declared("deepest overlap", measures::kLength, units),
             [](const ProfileAnswer& a) { return fmt::format("{:.3g}", a.record.totals.greatest_penetration); }),
       row("exit code", [](const ProfileAnswer& a) { return fmt::format("{}", static_cast<int>(a.code)); }),
       {"results", one.folder, other.folder},
@@ -128,40 +128,37 @@ std::set<std::string> warned_of(const RunRecord& record) {
 std::string reason_of_end(const ProfileAnswer& answer) {
   if (!has_run(answer)) return fmt::format("{} was not run: {}", answer.profile, answer.refused);
   if (answer.record.outcome.end == RunEnd::failed)
-    return fmt::format("{} ended: {}", answer.profile, answer.record.outcome.reason);
+    return fmt::format("{} failed: {}", answer.profile, answer.record.outcome.reason);
   if (!answer.record.doubts.empty())
-    return fmt::format("{} is not to be trusted: {}", answer.profile, answer.record.doubts.front().sentence);
+    return fmt::format("{} is unreliable: {}", answer.profile, answer.record.doubts.front().sentence);
   return {};
 }
 
-// What the one warns of and the other does not.
+// Warnings of one profile that the other does not give.
 std::string warned_alone(const ProfileAnswer& one, const ProfileAnswer& other) {
   const std::set<std::string> known = warned_of(other.record);
   std::vector<std::string> alone;
   for (const std::string& name : warned_of(one.record))
     if (!known.contains(name)) alone.push_back(name);
-  return alone.empty() ? std::string() : fmt::format("{} alone warns of {}", one.profile, fmt::join(alone, ", "));
+  return alone.empty() ? std::string() : fmt::format("only {} warns: {}", one.profile, fmt::join(alone, ", "));
 }
 
 std::string of_statics(const ProfileAnswer& one, const ProfileAnswer& other) {
   if (!creeps(one.settings) || !is_static(other.settings)) return {};
-  return fmt::format(
-      "the case is static: {} begins each step at rest and shows how far {} steps come, {} looks for the equilibrium "
-      "itself",
-      one.profile, one.record.outcome.steps, other.profile);
+  return fmt::format("the case is static: {} starts each of {} steps from rest, {} computes the equilibrium directly",
+                     one.profile, one.record.outcome.steps, other.profile);
 }
 
 std::string of_depth(const ProfileAnswer& one, const ProfileAnswer& other) {
   const double depth = one.record.totals.greatest_penetration;
   const double less = other.record.totals.greatest_penetration;
   if (!(depth > kMuchDeeper * less) || !warned_of(one.record).contains("deep_penetration")) return {};
-  return fmt::format("blocks lie {:.3g} deep in one another under {}, {:.3g} under {}", depth, one.profile, less,
-                     other.profile);
+  return fmt::format("deepest overlap {:.3g} under {}, {:.3g} under {}", depth, one.profile, less, other.profile);
 }
 
 std::string of_steps(const ProfileAnswer& one, const ProfileAnswer&) {
   if (!warned_of(one.record).contains("step_cut")) return {};
-  return fmt::format("{} cut its steps, to {:.3g} at least of {:.3g}: the same number of them ends earlier",
+  return fmt::format("{0} cut its steps from {2:.3g} down to {1:.3g}, so that the same number of steps ends earlier",
                      one.profile, one.record.totals.least_dt, one.settings.time_step);
 }
 
@@ -191,7 +188,7 @@ Json json_of(const ProfileAnswer& answer) {
 }  // namespace
 
 std::vector<std::string> differences(const ProfileAnswer& one, const ProfileAnswer& other) {
-  if (!has_run(one) || !has_run(other)) return {"one profile alone was run"};
+  if (!has_run(one) || !has_run(other)) return {"only one profile was run"};
   std::vector<std::string> found;
   if (std::string_view(word_for(one)) != word_for(other))
     found.push_back(fmt::format("end: {} and {}", word_for(one), word_for(other)));
@@ -204,8 +201,8 @@ std::vector<std::string> differences(const ProfileAnswer& one, const ProfileAnsw
   for (const Pair& pair : extremes_of(one, other)) {
     if (!pair.differs()) continue;
     if (ends_apart)
-      found.push_back(fmt::format("{}: {:.5g} at time {:.5g} and {:.5g} at time {:.5g}, which cannot be compared",
-                                  pair.what, pair.one, end, pair.other, other_end));
+      found.push_back(fmt::format("{}: {:.5g} at time {:.5g} and {:.5g} at time {:.5g}, not comparable", pair.what,
+                                  pair.one, end, pair.other, other_end));
     else
       found.push_back(fmt::format("{}: {:.5g} and {:.5g}, by {:.3g} % of the largest", pair.what, pair.one, pair.other,
                                   100 * std::abs(pair.one - pair.other) / pair.largest));
@@ -218,7 +215,7 @@ std::vector<std::string> reasons(const ProfileAnswer& one, const ProfileAnswer& 
   for (const ProfileAnswer* answer : {&one, &other}) put(found, reason_of_end(*answer));
   if (!has_run(one) || !has_run(other)) return found;
   if (one.blocks != other.blocks)
-    found.emplace_back("the drawing is cut by other rules (settings node_merging and near_pieces)");
+    found.emplace_back("the profiles cut the drawing by different rules (settings node_merging and near_pieces)");
   for (const auto& why : {of_statics, of_steps, of_depth, warned_alone}) {
     put(found, why(one, other));
     put(found, why(other, one));
@@ -232,7 +229,7 @@ std::string side_by_side(const ProfileAnswer& one, const ProfileAnswer& other, c
     text +=
         fmt::format("{:{}} {:{}} {}\n", row.name, kColumnWidth, printable(row.one), kColumnWidth, printable(row.other));
   const std::vector<std::string> found = differences(one, other);
-  if (found.empty()) return text + "nothing differs by more than a hundredth\n";
+  if (found.empty()) return text + "no difference above 1 %\n";
   for (const std::string& sentence : found) text += fmt::format("differs  {}\n", printable(sentence));
   for (const std::string& sentence : reasons(one, other)) text += fmt::format("because  {}\n", printable(sentence));
   return text;

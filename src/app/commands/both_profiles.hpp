@@ -1,4 +1,4 @@
-// `run --both`: what the two sets of rules make of one case, side by side, with what is known of why they differ.
+// Compares the two runs of `run --both`: table, differences, known causes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace keyblock {
 
-/// What one profile came to.
+/// Result of the run under one profile.
 struct ProfileAnswer {
   std::string profile;
   std::string folder;
-  std::string refused;  ///< why it was not run; empty where it was, and nothing below is known otherwise
+  std::string refused;  ///< why it was not run, and nothing below is known; empty if it was
   ExitCode code = ExitCode::ok;
   RunRecord record;
   Settings settings;
@@ -24,20 +24,19 @@ struct ProfileAnswer {
   double modulus = 0;  ///< greatest Young's modulus
 };
 
-/// A sentence for each quantity that differs by more than a hundredth of the largest of its kind in either run; empty
-/// if none does. Round-off is no difference: a displacement below 1e-12 of the scene, a stress below 1e-12 of the
-/// modulus. Displacements and stresses of runs that end at different times are not compared; the sentence gives the
-/// times.
+/// Returns one sentence per quantity that differs by more than 1 % of the largest value of its kind. Differences below
+/// round-off do not count: 1e-12 of the scene for displacements, 1e-12 of the modulus for stresses. If the runs end at
+/// different times, displacements and stresses are not compared; the sentence gives the times.
 std::vector<std::string> differences(const ProfileAnswer& one, const ProfileAnswer& other);
 
-/// What is known of why, a sentence each.
+/// Returns one sentence per known cause of a difference.
 std::vector<std::string> reasons(const ProfileAnswer& one, const ProfileAnswer& other);
 
-/// A table of two columns, then differences and reasons; `units` are those of the case, or empty.
+/// Returns a table of two columns, then differences and causes; `units` are those of the case, or empty.
 std::string side_by_side(const ProfileAnswer& one, const ProfileAnswer& other, const Units& units);
 nlohmann::ordered_json side_by_side_json(const ProfileAnswer& one, const ProfileAnswer& other);
 
-/// That of the first; where that is good and the other is not, 1.
+/// Returns the exit code of the first run; 1 if only the second went wrong.
 ExitCode code_of_both(const ProfileAnswer& one, const ProfileAnswer& other);
 
 }  // namespace keyblock

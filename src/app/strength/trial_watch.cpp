@@ -65,13 +65,13 @@ void TrialWatch::tell(Clock::time_point now) {
   const double since = std::chrono::duration<double>(now - told_).count();
   if (!shows_progress() || so_far < kPatienceWithTrials || (!on_terminal_ && since < kBetweenLines)) return;
   told_ = now;
-  std::string words = fmt::format("F = {:.6g}: trial {}, {} so far", *factor_, made_ + 1, time_in_words(so_far));
+  std::string words = fmt::format("trial {} (F = {:.4g}): {} so far", made_ + 1, *factor_, time_in_words(so_far));
   if (const Headway way = context_.headway(); way.what != nullptr) {
     words += fmt::format("; {}", way.what);
-    if (way.share >= kLeastShareOfTrial) words += fmt::format(", about {:.0f} % of the way", 100 * way.share);
+    if (way.share >= kLeastShareOfTrial) words += fmt::format(", {:.0f} % done", 100 * way.share);
   }
   if (made_ > 0)
-    words += fmt::format("; the {} before took {} on average", counted(static_cast<std::size_t>(made_), "trial"),
+    words += fmt::format("; {} before took {} on average", counted(static_cast<std::size_t>(made_), "trial"),
                          time_in_words(taken_ / made_));
   std::fputs((on_terminal_ ? "\r\x1b[K" + words : words + "\n").c_str(), stderr);
   std::fflush(stderr);

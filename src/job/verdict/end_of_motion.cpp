@@ -10,7 +10,7 @@
 #include "base/words/plain_number.hpp"
 #include "job/run_report.hpp"
 #include "job/verdict/energy_scale.hpp"
-#include "problem/units/measure.hpp"
+#include "problem/units/readable.hpp"
 
 namespace keyblock {
 namespace {
@@ -71,39 +71,6 @@ std::string name_of(const Prepared& prepared, int number) {
   return fmt::format("{} {}", prepared.scene.model.nodes.empty() ? "block" : "element", number + 1);
 }
 
-std::string with_unit_after(double value, const Measure& measure, const Units& units) {
-  const std::string unit = is_declared(measure, units) ? unit_of(measure, units) : std::string();
-  return fmt::format("{}{}{}", plain(value, 3), unit.empty() ? "" : " ", unit);
-}
-
-std::string state_in_words(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end) {
-  const std::string fastest =
-      fmt::format("{} near ({}, {}) at {}", name_of(prepared, end.fastest), plain(end.fastest_at.x, 4),
-                  plain(end.fastest_at.y, 4), with_unit_after(end.speed, measures::kVelocity, record.units));
-  const std::string energy = end.kinetic_share
-                                 ? fmt::format("kinetic energy {:.1g} of the largest stored energy", *end.kinetic_share)
-                                 : std::string("without a ledger, judged by speeds alone");
-  switch (end.state) {
-    case MotionState::at_rest:
-      if (end.speed == 0) return fmt::format("came to rest ({})", energy);
-      return fmt::format("came to rest ({}); fastest: {}", energy, fastest);
-    case MotionState::moving:
-      return fmt::format("still moving: {} ({})", fastest, energy);
-    case MotionState::equilibrium:
-      return std::ranges::count(record.doubts, "equilibrium_far_away", &Warning::name) == 0
-                 ? "in equilibrium"
-                 : "in an equilibrium far from the drawing";
-    case MotionState::no_equilibrium:
-      return "no equilibrium";
-    case MotionState::not_equilibrium:
-      break;
-  }
-  if (record.equilibrium_way && record.equilibrium_way->share)
-    return fmt::format("not in equilibrium: {:.2g} % of the way", 100 * *record.equilibrium_way->share);
-  return fmt::format("not in equilibrium: the last tenth of the static steps made {:.2g} % of the way",
-                     100 * end.least_share_of_way);
-}
-
 }  // namespace
 
 std::string_view word_for(MotionState state) {
@@ -149,22 +116,47 @@ EndOfMotion end_of_motion(const Prepared& prepared, const RunRecord& record, con
   return end;
 }
 
-std::vector<std::string> sentences(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end) {
-  std::vector<std::string> all{state_in_words(prepared, record, end)};
-  const Extremes& found = record.extremes;
-  if (found.displacement == 0) {
-    all.emplace_back("largest displacement: 0, nothing moved");
-    return all;
+std::string state_in_words(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end) {
+  const std::string fastest =
+      fmt::format("{} near ({}, {}) at {}", name_of(prepared, end.fastest), plain(end.fastest_at.x, 4),
+                  plain(end.fastest_at.y, 4), readable(end.speed, measures::kVelocity, record.units));
+  const std::string energy = end.kinetic_share
+                                 ? fmt::format("kinetic energy {:.1g} of the largest stored energy", *end.kinetic_share)
+                                 : std::string("without a ledger, judged by speeds alone");
+  switch (end.state) {
+    case MotionState::at_rest:
+      return fmt::format("came to rest ({})", energy);
+    case MotionState::moving:
+      return fmt::format("still moving: {} ({})", fastest, energy);
+    case MotionState::equilibrium:
+      return std::ranges::count(record.doubts, "equilibrium_far_away", &Warning::name) == 0
+                 ? "in equilibrium"
+                 : "in an equilibrium far from the drawing";
+    case MotionState::no_equilibrium:
+      return "no equilibrium";
+    case MotionState::not_equilibrium:
+      break;
   }
-  std::string farthest =
-      fmt::format("largest displacement: {} near ({}, {}) by {}", name_of(prepared, found.displaced_element),
-                  plain(found.displaced_from.x, 4), plain(found.displaced_from.y, 4),
-                  with_unit_after(found.displacement, measures::kLength, record.units));
+  if (record.equilibrium_way && record.equilibrium_way->share)
+    return fmt::format("not in equilibrium: {:.2g} % of the way", 100 * *record.equilibrium_way->share);
+  return fmt::format("not in equilibrium: the last tenth of the static steps made {:.2g} % of the way",
+                     100 * end.least_share_of_way);
+}
+
+std::string farthest_in_words(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end) {
+  const Extremes& found = record.extremes;
+  if (found.displacement == 0) return "0, nothing moved";
+  const auto length_of = [&](double length) { return readable(length, measures::kLength, record.units); };
+  std::string words =
+      fmt::format("{} near ({}, {}): {}", name_of(prepared, found.displaced_element), plain(found.displaced_from.x, 4),
+                  plain(found.displaced_from.y, 4), length_of(found.displacement));
   if (end.farthest_point)
-    farthest += fmt::format("; measured point {} by {}", *end.farthest_point + 1,
-                            with_unit_after(end.farthest_point_way, measures::kLength, record.units));
-  all.push_back(std::move(farthest));
-  return all;
+    words += fmt::format("; measured point {}: {}", *end.farthest_point + 1, length_of(end.farthest_point_way));
+  return words;
+}
+
+std::vector<std::string> sentences(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end) {
+  return {state_in_words(prepared, record, end), "largest displacement: " + farthest_in_words(prepared, record, end)};
 }
 
 nlohmann::ordered_json motion_json(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end) {

@@ -50,6 +50,12 @@ struct EndOfMotion {
 /// The largest stored energy counts as no less than `work_of_weight` of `first`.
 EndOfMotion end_of_motion(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last);
 
+/// Returns the state with the greatest speed, without a full stop: "still moving: block 2 near …".
+std::string state_in_words(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end);
+
+/// Returns the largest displacement: "block 27 near (16.8, 12.8): 0.775 mm; measured point 1: 0.754 mm".
+std::string farthest_in_words(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end);
+
 /// Two sentences without a full stop: the state with the greatest speed; the greatest displacement. Lengths and speeds
 /// name their units where the case declares them.
 std::vector<std::string> sentences(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end);

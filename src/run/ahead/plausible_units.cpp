@@ -180,8 +180,8 @@ std::string size_of_scene(const Model& model, const Units& units) {
   if (model.start_vertices.empty()) return {};
   const Box box = box_about(model);
   const std::string unit = units.length.empty() ? "" : " " + units.length;
-  return fmt::format("size: {}{} wide, {}{} high{}", plain(box.size().x), unit, plain(box.size().y), unit,
-                     unit.empty() ? " (no unit is declared)" : "");
+  return fmt::format("{}{} by {}{}{}", plain(box.size().x), unit, plain(box.size().y), unit,
+                     unit.empty() ? " (no unit declared)" : "");
 }
 
 }  // namespace keyblock

@@ -17,7 +17,7 @@ Warnings implausible_units(const Problem& problem, const Settings& settings, con
 /// `units_contradict` of a block material.
 Warnings contradictions_of(const BlockMaterial& material, const Units& units);
 
-/// Width and height of all bodies before any load, in the declared unit; empty if there are none.
+/// Returns width and height of all bodies before any load, "30 m by 14 m"; empty if there are none.
 std::string size_of_scene(const Model& model, const Units& units);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// The two sentences at the end of a run, and the same in run.json: rest, motion, equilibrium, greatest displacement.
+// End of a run in the summary and in run.json: rest, motion, equilibrium, largest displacement.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ Ended ended(std::string text, const std::vector<std::string>& more = {}) {
 
 TEST(EndOfMotion, a_block_on_a_floor_came_to_rest) {
   const Ended end = ended(block_over_floor("0", "50"));
-  EXPECT_TRUE(end.says("came to rest (kinetic energy ")) << end.run.messages;
+  EXPECT_TRUE(end.says("  motion    came to rest (kinetic energy ")) << end.run.messages;
   EXPECT_EQ(end.motion["state"], "at_rest");
   EXPECT_LE(end.motion["kinetic_share"], 1e-6);
 }
@@ -61,7 +61,8 @@ TEST(EndOfMotion, a_block_that_falls_still_moves_at_the_speed_of_its_fall) {
     const Ended end = ended(block_over_floor("0.5", "100"), {"--profile", profile});
     EXPECT_TRUE(end.says("still moving: block 2 near (0.5, 0.9")) << end.run.messages;
     EXPECT_TRUE(end.says("at 0.98") && end.says(" m/s")) << end.run.messages;
-    EXPECT_TRUE(end.says("largest displacement: block 2 near (") && end.says("; measured point 1 by 0.04"))
+    EXPECT_TRUE(end.says("  largest   block 2 near (") && end.says("; measured point 1: 4")) << end.run.messages;
+    EXPECT_TRUE(end.motion["sentences"][1].get<std::string>().starts_with("largest displacement: block 2 near ("))
         << end.run.messages;
     EXPECT_EQ(end.motion["state"], "moving");
     EXPECT_EQ(end.motion["fastest"]["block"], 2);

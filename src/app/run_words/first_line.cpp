@@ -1,0 +1,60 @@
+// Counts come from the first scene of the run, the number of steps from all of its stages.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/run_words/first_line.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "base/counted.hpp"
+#include "problem/units/readable.hpp"
+#include "run/ahead/plausible_units.hpp"
+
+namespace keyblock {
+namespace {
+
+std::string bodies_in_words(const Model& model) {
+  if (!model.nodes.empty()) return counted(model.elements.size(), "element");
+  std::set<std::size_t> fixed;
+  for (const CarriedPoint& point : model.fixed_points) fixed.insert(point.element.value);
+  const std::string blocks = counted(model.elements.size(), "block");
+  return fixed.empty() ? blocks : fmt::format("{} ({} fixed)", blocks, fixed.size());
+}
+
+bool starts_each_step_from_rest(const Settings& settings) {
+  return settings.velocity_carry_over.common == 0;
+}
+
+std::string steps_in_words(const Scene& first, const Units& units) {
+  const Settings& settings = first.settings;
+  const std::vector<const Scene*> scenes = scenes_of(first);
+  const bool may_end_early =
+      std::ranges::any_of(scenes, [](const Scene* scene) { return scene->end.equilibrium.has_value(); });
+  const std::string steps = (may_end_early ? "at most " : "") + counted(static_cast<std::size_t>(settings.step_count),
+                                                                        is_statics(settings) ? "load step" : "step");
+  const std::string stages = scenes.size() > 1 ? fmt::format(" in {} stages", scenes.size()) : "";
+  if (is_statics(settings)) return steps + stages;
+  const std::string size = readable(settings.time_step, measures::kTime, units);
+  return settings.step_control == StepControl::constant ? fmt::format("{} of {}{}", steps, size, stages)
+                                                        : fmt::format("{}{}, the first of {}", steps, stages, size);
+}
+
+}  // namespace
+
+std::string first_line(const std::string& file, const Prepared& prepared, const RunRecord& record) {
+  const Settings& settings = prepared.scene.settings;
+  std::vector<std::string> parts{bodies_in_words(prepared.scene.model)};
+  if (std::string size = size_of_scene(prepared.scene.model, record.units); !size.empty())
+    parts.push_back(std::move(size));
+  parts.emplace_back(is_statics(settings)                   ? "static"
+                     : starts_each_step_from_rest(settings) ? "static (each step starts from rest)"
+                                                            : "dynamic");
+  parts.push_back(steps_in_words(prepared.scene, record.units));
+  parts.push_back("profile " + record.profile);
+  return fmt::format("{}: {}", file, fmt::join(parts, ", "));
+}
+
+}  // namespace keyblock

@@ -1,0 +1,28 @@
+// Units of a readable size: the prefix follows the number, undeclared units stay away.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "problem/units/readable.hpp"
+
+#include <gtest/gtest.h>
+
+namespace keyblock::readable_test {
+
+const Units kMetres{"m", "kg", "s"};
+const Units kMillimetres{"mm", "t", "s"};
+
+TEST(Readable, lengths_stresses_and_times_take_the_prefix_that_fits) {
+  EXPECT_EQ(readable(0.000775, measures::kLength, kMetres), "0.775 mm");
+  EXPECT_EQ(readable(0.906, measures::kLength, kMetres), "0.906 m");
+  EXPECT_EQ(readable(2500, measures::kLength, kMillimetres), "2.5 m");
+  EXPECT_EQ(readable(-270123, measures::kStress, kMetres), "-270 kPa");
+  EXPECT_EQ(readable(7.25, measures::kStress, kMillimetres), "7.25 MPa");
+  EXPECT_EQ(readable(0.001, measures::kTime, kMetres), "1 ms");
+  EXPECT_EQ(readable(0.98, measures::kVelocity, kMetres), "0.98 m/s");
+}
+
+TEST(Readable, what_is_not_declared_has_no_unit_and_three_digits) {
+  EXPECT_EQ(readable(0.08232, measures::kLength, {}), "0.0823");
+  EXPECT_EQ(readable(-3318529, measures::kStress, {}), "-3.32e+06");
+  EXPECT_EQ(readable(0, measures::kStress, kMetres), "0 Pa");
+}
+
+}  // namespace keyblock::readable_test
