@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 #include <vector>
 
 #include "base/counted.hpp"
@@ -16,12 +16,18 @@
 namespace keyblock {
 namespace {
 
+// Blocks with at least two fixed points; about a single one a block can rotate.
+std::size_t fixed_blocks(const Model& model) {
+  std::map<std::size_t, int> points;
+  for (const CarriedPoint& point : model.fixed_points) ++points[point.element.value];
+  return static_cast<std::size_t>(std::ranges::count_if(points, [](const auto& entry) { return entry.second > 1; }));
+}
+
 std::string bodies_in_words(const Model& model) {
   if (!model.nodes.empty()) return counted(model.elements.size(), "element");
-  std::set<std::size_t> fixed;
-  for (const CarriedPoint& point : model.fixed_points) fixed.insert(point.element.value);
   const std::string blocks = counted(model.elements.size(), "block");
-  return fixed.empty() ? blocks : fmt::format("{} ({} fixed)", blocks, fixed.size());
+  const std::size_t fixed = fixed_blocks(model);
+  return fixed == 0 ? blocks : fmt::format("{} ({} fixed)", blocks, fixed);
 }
 
 bool starts_each_step_from_rest(const Settings& settings) {

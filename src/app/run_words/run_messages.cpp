@@ -140,8 +140,9 @@ void RunMessages::print_doubts(const Warnings& doubts) const {
     spdlog::error("{}: error: {}{} [{}]", file_,
                   i == 0 ? "the run finished, but its results are unreliable: " : "also unreliable: ",
                   doubts[i].sentence, doubts[i].name);
-    if (const Diagnostic* known = find_diagnostic(doubts[i].name); known != nullptr && !known->remedy.empty())
-      print_help(std::string(known->remedy));
+    const bool is_last_of_code = i + 1 == doubts.size() || doubts[i + 1].name != doubts[i].name;
+    const Diagnostic* known = find_diagnostic(doubts[i].name);
+    if (is_last_of_code && known != nullptr && !known->remedy.empty()) print_help(std::string(known->remedy));
   }
 }
 

@@ -47,8 +47,11 @@ double force_of_stress(const FieldFrame& field) {
 // Resultants below this share of `force_of_stress` are those of loads that balance each other.
 constexpr double kNoResultant = 1e-6;
 
+bool are_loaded(const ForceBalance& forces) {
+  return length(forces.loads.force) != 0 || forces.loads.moment != 0;
+}
+
 std::string balance_in_words(const ForceBalance& forces, const FieldFrame& field) {
-  if (length(forces.loads.force) == 0 && forces.loads.moment == 0) return "no loads act";
   double largest = length(forces.loads.force);
   for (const Resultant& support : forces.supports) largest = std::max(largest, length(support.force));
   if (largest <= kNoResultant * force_of_stress(field))
@@ -104,19 +107,26 @@ void put_energy(Rows& rows, const RunRecord& record) {
                       : created);
 }
 
+std::string reaction_in_words(const ReactionCurve& curve, const Units& units) {
+  const bool has_unit = is_declared(measures::kForce, units);
+  return fmt::format("reaction {} of displacement {} is {}{}{}", curve.component, curve.number + 1,
+                     plain(curve.reaction.back(), 6), has_unit ? " " : "",
+                     has_unit ? unit_of(measures::kForce, units) : std::string());
+}
+
 void put_limit_loads(Rows& rows, const RunRecord& record) {
   const bool has_yielded = record.plastic && record.plastic->totals.yielded > 0;
   for (const ReactionCurve& curve : record.reactions) {
-    const std::string reaction = fmt::format("reaction {} of displacement {}", curve.component, curve.number + 1);
+    const std::string reaction = reaction_in_words(curve, record.units);
+    const auto driven = [&](std::size_t i) { return readable(curve.driven[i], measures::kLength, record.units); };
     if (const std::optional<std::size_t> first = plateau_of(curve))
       put(rows, "limit",
-          fmt::format("limit load of this mesh: {} is {} since step {}, driven by {}", reaction,
-                      plain(curve.reaction.back(), 6), curve.steps[*first], plain(curve.driven[*first])));
+          fmt::format("limit load of this mesh: {} since step {}, driven by {}", reaction, curve.steps[*first],
+                      driven(*first)));
     else if (const std::optional<double> slope = end_slope(curve); slope && has_yielded)
       put(rows, "limit",
-          fmt::format("not reached: {} is {}, driven by {}; it still {} by {:.2g} % per % of displacement", reaction,
-                      plain(curve.reaction.back(), 6), plain(curve.driven.back()), *slope < 0 ? "falls" : "grows",
-                      std::abs(*slope)));
+          fmt::format("not reached: {}, driven by {}; it still {} by {:.2g} % per % of displacement", reaction,
+                      driven(curve.driven.size() - 1), *slope < 0 ? "falls" : "grows", std::abs(*slope)));
   }
 }
 
@@ -158,7 +168,8 @@ std::vector<std::string> summary_rows(const Prepared& prepared, const RunRecord&
   }
   put_stresses(rows, prepared, record);
   put_contacts(rows, prepared, record);
-  if (record.outcome.forces) put(rows, "forces", balance_in_words(*record.outcome.forces, record.outcome.field));
+  if (record.outcome.forces && are_loaded(*record.outcome.forces))
+    put(rows, "forces", balance_in_words(*record.outcome.forces, record.outcome.field));
   put_yielding(rows, record);
   put_energy(rows, record);
   if (!record.outcome.why_early.empty())
