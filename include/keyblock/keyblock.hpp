@@ -290,7 +290,7 @@ struct Intensity {
 KEYBLOCK_API Intensity stress_intensity(const Case& of, const Choices& choices = {},
                                         const Context& context = Context());
 
-/// "0.1.0".
+/// "0.2.0".
 KEYBLOCK_API std::string version();
 
 }  // namespace v1

@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-/// "keyblock 0.1.0, commit 0123abc, g++ 12.2.0"; the commit is that which was built, with a + where files differed from
+/// "keyblock 0.2.0, commit 0123abc, g++ 12.2.0"; the commit is that which was built, with a + where files differed from
 /// it, and left out where the sources came without their history.
 std::string version_words();
 
