@@ -23,7 +23,8 @@ constexpr double kPatience = 2;           // without a step, until the elapsed t
 constexpr double kLeastShare = 0.02;      // of a search, from which on its end is estimated
 constexpr double kForecastSeconds = 2;    // of stepping, or so many steps, after which the total time is estimated
 constexpr int kForecastSteps = 20;
-constexpr double kLongRun = 20;  // seconds left, below which no estimate is shown
+constexpr double kLeastLeft = 0.5;  // seconds, which would be rounded to 0
+constexpr double kLongRun = 20;     // seconds left, below which no estimate is shown
 
 double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
@@ -84,8 +85,9 @@ std::string ProgressLine::words_of_step(const StepReport& report) const {
   if (spdlog::should_log(spdlog::level::debug))
     words += fmt::format("  step size {}  {}", readable(report.dt, measures::kTime, units_),
                          counted(static_cast<std::size_t>(report.passes), "iteration"));
-  if (report.step < step_count_) words += fmt::format("  about {} left", time_in_words(seconds_left()));
-  return words;
+  if (report.step == step_count_) return words;
+  const double left = seconds_left();
+  return words + (left < kLeastLeft ? "  less than 1 s left" : fmt::format("  about {} left", time_in_words(left)));
 }
 
 void ProgressLine::forecast(Clock::time_point now) {
