@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "job/recorded_run.hpp"
 #include "job/run_doubts.hpp"
 #include "job/run_warnings.hpp"
 #include "job/verdict/end_of_motion.hpp"
@@ -12,6 +13,38 @@
 #include "run/steppers.hpp"
 
 namespace keyblock::api {
+namespace {
+
+Outcome outcome_of(const Prepared& prepared, const RunRecord& record) {
+  Outcome outcome;
+  outcome.end = record.outcome.end == RunEnd::failed    ? End::failed
+                : record.outcome.end == RunEnd::stopped ? End::stopped
+                : record.doubts.empty()                 ? End::finished
+                                                        : End::doubtful;
+  outcome.reason = record.outcome.reason;
+  outcome.steps = record.outcome.steps;
+  outcome.time = record.outcome.time;
+  if (record.motion) outcome.sentences = sentences(prepared, record, *record.motion);
+  outcome.warnings = public_warnings(record.warnings);
+  outcome.doubts = public_warnings(record.doubts);
+  return outcome;
+}
+
+Step step_of(const StepReport& report) {
+  return {report.step, report.time, report.dt, report.passes, report.residual, report.greatest_penetration};
+}
+
+Outcome outcome_of(RecordedRun& run, const std::function<void(const Step&)>& on_step) {
+  run.open();
+  const bool has_begun = run.run([&](const StepReport& report) {
+    if (on_step) on_step(step_of(report));
+  });
+  if (has_begun) run.finish();
+  return outcome_of(run.prepared(), run.record());
+}
+
+}  // namespace
+
 inline namespace v1 {
 
 struct Run::State {
@@ -38,7 +71,7 @@ struct Run::State {
   Observer what_is_told() {
     Observer told;
     told.on_step = [this](const StepReport& report) {
-      last = {report.step, report.time, report.dt, report.passes, report.residual, report.greatest_penetration};
+      last = step_of(report);
       record.totals.add(report);
       record.steps.add(report);
       watch.add(report);
@@ -65,16 +98,7 @@ struct Run::State {
     record.extremes = extremes_of(*first, last_frame, record.outcome.field);
     record.plastic = plastic_extremes_of(last_frame);
     keyblock::judge(record, prepared(), watch, *first, last_frame, place);
-    outcome.end = record.outcome.end == RunEnd::failed    ? End::failed
-                  : record.outcome.end == RunEnd::stopped ? End::stopped
-                  : record.doubts.empty()                 ? End::finished
-                                                          : End::doubtful;
-    outcome.reason = record.outcome.reason;
-    outcome.steps = record.outcome.steps;
-    outcome.time = record.outcome.time;
-    if (record.motion) outcome.sentences = sentences(prepared(), record, *record.motion);
-    outcome.warnings = public_warnings(record.warnings);
-    outcome.doubts = public_warnings(record.doubts);
+    outcome = outcome_of(prepared(), record);
   }
 
   Plan plan;
@@ -136,6 +160,30 @@ Frame Run::frame(Detail detail) const {
 
 const Outcome& Run::outcome() const {
   return state_->outcome;
+}
+
+Outcome record(const Case& of, const std::string& folder, const Recording& how, const Choices& choices,
+               const Context& context) {
+  return guarded([&] {
+    const Under under(context.state().context);
+    OpenCase read = of.data().open;
+    static_cast<AskedCase&>(read) = asked_under(of, choices);
+    RecordedRun run(std::move(read), {folder,
+                                      how.overwrite ? Overwrite::yes : Overwrite::no,
+                                      Trace::no,
+                                      how.checkpoint_every,
+                                      how.every,
+                                      {how.histories, how.contacts, {}, how.frames, how.pictures}});
+    return outcome_of(run, how.on_step);
+  });
+}
+
+Outcome resume(const std::string& folder, const std::function<void(const Step&)>& on_step, const Context& context) {
+  return guarded([&] {
+    const Under under(context.state().context);
+    RecordedRun run(folder, Recording{}.checkpoint_every);
+    return outcome_of(run, on_step);
+  });
 }
 
 }  // namespace v1

@@ -4,8 +4,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -21,14 +19,9 @@
 #include "app/run_words/run_messages.hpp"
 #include "app/stop_request.hpp"
 #include "app/strength/strength_reduction.hpp"
-#include "base/bytes/sha256.hpp"
-#include "base/context.hpp"
 #include "base/error.hpp"
-#include "job/run_heading.hpp"
-#include "job/run_job.hpp"
-#include "run/follow/history_option.hpp"
+#include "job/recorded_run.hpp"
 #include "run/look_ahead.hpp"
-#include "run/settings_of.hpp"
 #include "settings/profile.hpp"
 #include "settings/settings_guide.hpp"
 #include "settings/settings_table.hpp"
@@ -36,14 +29,11 @@
 namespace keyblock {
 namespace {
 
-// What an interruption may cost, unless asked otherwise.
-constexpr double kCheckpointSeconds = 30;
-
 struct RunOptions {
   CaseOptions given;
   std::string folder;
   std::string resume;  ///< folder of a run to go on with
-  double checkpoint_every = kCheckpointSeconds;
+  double checkpoint_every = RecordingOptions{}.checkpoint_every;
   int record_every = 0;
   bool as_json = false;
   bool trace = false;
@@ -53,27 +43,6 @@ struct RunOptions {
   OutputOptions outputs;
   ReductionOptions reduction;
 };
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings) {
-  std::vector<InputRecord> records;
-  for (const formats::FileReading& file : readings)
-    records.push_back({file.path, sha256(file.source.text), std::string(file.choice->format->name),
-                       file.choice->recognition.evidence});
-  return records;
-}
 
 ExitCode exit_code(const RunRecord& record) {
   switch (record.outcome.end) {
@@ -92,39 +61,6 @@ ExitCode list_settings(const RunOptions& options) {
   return ExitCode::ok;
 }
 
-RunRequest request_of(const RunOptions& options, const std::vector<std::string>& files,
-                      const std::vector<Override>& overrides, const RunRecord& record, const Settings& settings) {
-  RunRequest request{this_program(),
-                     std::filesystem::weakly_canonical(std::filesystem::absolute(options.folder)).string(),
-                     (context().folder().empty() ? std::filesystem::current_path() : context().folder()).string(),
-                     files,
-                     record.profile,
-                     {},
-                     record.record_every,
-                     options.trace,
-                     {},
-                     {},
-                     {},
-                     options.outputs.histories,
-                     options.outputs.contacts,
-                     options.outputs.field,
-                     options.given.reading.choices.unit,
-                     options.given.reading.choices.join,
-                     options.outputs.frames,
-                     options.outputs.has_pictures};
-  for (const auto& [name, value] : overrides) request.sets.push_back(fmt::format("{}={}", name, value));
-  for (const InputRecord& input : record.inputs) {
-    request.read.push_back(input.file);
-    request.digests.push_back(input.sha256);
-  }
-  if (const std::string& named = settings.body_acceleration.file; !named.empty()) {
-    request.read.push_back(named);
-    request.digests.push_back(sha256(formats::load(named).text));
-  }
-  for (const SettingText& setting : list(settings)) request.settings.push_back(setting.name + "=" + setting.value);
-  return request;
-}
-
 ProfileAnswer answer_of(const RunRecord& record, const Prepared& prepared, const std::string& folder) {
   double modulus = 0;
   for (const BlockMaterial& rock : prepared.scene.model.block_materials)
@@ -140,79 +76,39 @@ ProfileAnswer answer_of(const RunRecord& record, const Prepared& prepared, const
           modulus};
 }
 
-// `saved`: the checkpoint to go on from, its request already taken, or all that a run left before its first one; none
-// for a new run.
-ProfileAnswer run_asked(const RunOptions& options, RunMessages& messages, const RunRequest* saved_request,
-                        Archive* saved) {
-  Stopwatch watch;
-  const OpenCase asked = opened(case_of(options.given));
-  const formats::Case& loaded = asked.input;
-  Problem problem_asked = loaded.problem;
-  RunRecord record;
-  record.units = loaded.problem.units;
-  record.inputs = input_records(loaded.files);
-  record.timings.read = watch.lap();
-  problem_asked.outputs = outputs_asked(problem_asked.outputs, options.outputs);
-  const PlannedCase plan = planned(asked, problem_asked);
-  const Prepared& prepared = plan.prepared;
-  const Problem& problem = plan.problem;
-  record.profile = plan.profile.name;
-  record.profile_because = plan.profile.why;
-  record.record_every =
-      options.record_every > 0 ? options.record_every : usual_frame_interval(problem, prepared.scene.settings);
-  record.warnings = joined(loaded.warnings, plan.warnings);
-  record.timings.prepare = watch.lap();
-  const std::string title = title_of(asked.files.front(), record.profile);
-  RunRequest request = request_of(options, asked.files, plan.asked, record, prepared.scene.settings);
-  if (saved) require_same(checkpoint_in(options.folder), *saved_request, request);
-  for (const std::string& file : asked.files) require_not_below(file, options.folder);
-  RunJob job(
-      prepared, std::move(record), std::move(request),
-      {options.folder, overwrite_if(options.force), options.trace ? Trace::yes : Trace::no, options.checkpoint_every,
-       problem.analysis->place, problem.outputs, options.outputs.field, formats::names_of(loaded.files),
-       formats::vtk_coding_of(options.outputs.frames), options.outputs.has_pictures},
-      saved);
-  listen_for_stops();  // from here on something is left that a stop should leave whole
-  job.open();
-  ProgressLine progress(prepared.scene.settings.step_count, job.steps_before().value_or(0), softer_springs(prepared),
-                        job.record().units);
-  messages.print_start(asked.files.front(), prepared, job.record());
-  if (saved != nullptr) messages.print_resumed(job.steps_before());
-  if (!job.run([&](const StepReport& report) { progress.show(report); })) {
-    messages.print_stopped_early(options.folder);
-    return answer_of(job.record(), prepared, options.folder);
-  }
-  progress.finish();
-  const std::string json = job.finish(title, watch.lap());
-  if (options.as_json && !options.both) print_record(json, options.folder + "/run.json");
-  messages.print_end(prepared, job.record(), options.folder);
-  return answer_of(job.record(), prepared, options.folder);
+RecordingOptions recording_of(const RunOptions& options) {
+  return {options.folder,           overwrite_if(options.force), options.trace ? Trace::yes : Trace::no,
+          options.checkpoint_every, options.record_every,        options.outputs};
 }
 
-// Asks again what the run was asked, from the folder that names of its files were taken from.
+ProfileAnswer answer_of_run(RecordedRun& run, RunMessages& messages, bool is_resumed, bool prints_json) {
+  listen_for_stops();  // from here on something is left that a stop should leave whole
+  run.open();
+  const Prepared& prepared = run.prepared();
+  ProgressLine progress(prepared.scene.settings.step_count, run.steps_before().value_or(0), softer_springs(prepared),
+                        run.record().units);
+  messages.print_start(run.first_file(), prepared, run.record());
+  if (is_resumed) messages.print_resumed(run.steps_before());
+  if (!run.run([&](const StepReport& report) { progress.show(report); })) {
+    messages.print_stopped_early(run.folder());
+    return answer_of(run.record(), prepared, run.folder());
+  }
+  progress.finish();
+  const std::string json = run.finish();
+  if (prints_json) print_record(json, run.folder() + "/run.json");
+  messages.print_end(prepared, run.record(), run.folder());
+  return answer_of(run.record(), prepared, run.folder());
+}
+
+ProfileAnswer run_asked(const RunOptions& options, RunMessages& messages) {
+  RecordedRun run(case_of(options.given), recording_of(options));
+  return answer_of_run(run, messages, false, options.as_json && !options.both);
+}
+
 ExitCode resume_run(const RunOptions& options) {
-  RunOptions again = options;
-  again.folder = std::filesystem::absolute(options.resume).string();
-  Archive saved = read_checkpoint(checkpoint_in(again.folder));
-  RunRequest request;
-  saved.group("request", [&] { describe(saved, request); });
-  require_own(checkpoint_in(again.folder), request);
-  if (!std::filesystem::is_directory(request.working_folder))
-    saved.refuse("working_folder", fmt::format("expected the folder {}, found none", request.working_folder));
-  context().use_folder(request.working_folder);
-  if (request.record_every < 1 || request.files.empty())
-    saved.refuse("request", "expected files and a frame every so many steps, found none");
-  again.given = {request.files, request.profile, request.sets, {}, {}};
-  again.record_every = request.record_every;
-  again.trace = request.has_trace;
-  again.outputs.histories = request.histories;
-  again.outputs.contacts = request.contacts;
-  again.outputs.field = request.field;
-  again.outputs.frames = request.frames;
-  again.outputs.has_pictures = request.has_pictures;
-  again.given.reading.choices = {request.unit, request.join};
+  RecordedRun run(options.resume, options.checkpoint_every);
   RunMessages messages;
-  return run_asked(again, messages, &request, &saved).code;
+  return answer_of_run(run, messages, true, options.as_json).code;
 }
 
 ExitCode run_reduced(const RunOptions& options) {
@@ -238,7 +134,7 @@ ProfileAnswer answer_under(const RunOptions& options, const std::string& profile
     return answer;
   };
   try {
-    return run_asked(own, messages, nullptr, nullptr);
+    return run_asked(own, messages);
   } catch (const InputError& error) {
     return refused(error);
   } catch (const UsageError& error) {
@@ -277,7 +173,7 @@ ExitCode run_files(const RunOptions& options) {
     throw UsageError("run: no folder given for the results; usage: keyblock run CASE -o FOLDER");
   if (options.both) return run_both(options);
   RunMessages messages;
-  return run_asked(options, messages, nullptr, nullptr).code;
+  return run_asked(options, messages).code;
 }
 
 }  // namespace

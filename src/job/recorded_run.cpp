@@ -1,0 +1,157 @@
+// Plans the case, says in a request what it was asked, and hands both to the job that writes the folder.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/recorded_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "base/bytes/sha256.hpp"
+#include "base/context.hpp"
+#include "base/error.hpp"
+#include "formats/registry.hpp"
+#include "job/run_heading.hpp"
+#include "run/run.hpp"
+#include "settings/settings_table.hpp"
+
+namespace keyblock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings) {
+  std::vector<InputRecord> records;
+  for (const formats::FileReading& file : readings)
+    records.push_back({file.path, sha256(file.source.text), std::string(file.choice->format->name),
+                       file.choice->recognition.evidence});
+  return records;
+}
+
+RunRequest request_of(const RecordingOptions& options, const OpenCase& read, const PlannedCase& plan,
+                      const RunRecord& record) {
+  const Settings& settings = plan.prepared.scene.settings;
+  const fs::path& from = context().folder();
+  RunRequest request{this_program(),
+                     fs::weakly_canonical(fs::absolute(options.folder)).string(),
+                     (from.empty() ? fs::current_path() : from).string(),
+                     read.files,
+                     record.profile,
+                     {},
+                     record.record_every,
+                     options.trace == Trace::yes,
+                     {},
+                     {},
+                     {},
+                     options.outputs.histories,
+                     options.outputs.contacts,
+                     options.outputs.field,
+                     read.choices.unit,
+                     read.choices.join,
+                     options.outputs.frames,
+                     options.outputs.has_pictures};
+  for (const auto& [name, value] : plan.asked) request.sets.push_back(fmt::format("{}={}", name, value));
+  for (const InputRecord& input : record.inputs) {
+    request.read.push_back(input.file);
+    request.digests.push_back(input.sha256);
+  }
+  if (const std::string& named = settings.body_acceleration.file; !named.empty()) {
+    request.read.push_back(named);
+    request.digests.push_back(sha256(formats::load(named).text));
+  }
+  for (const SettingText& setting : list(settings)) request.settings.push_back(setting.name + "=" + setting.value);
+  return request;
+}
+
+std::vector<Override> overrides_in(const std::vector<std::string>& sets) {
+  std::vector<Override> overrides;
+  for (const std::string& text : sets) {
+    const std::size_t equals = text.find('=');
+    overrides.emplace_back(text.substr(0, equals), text.substr(std::min(equals, text.size() - 1) + 1));
+  }
+  return overrides;
+}
+
+PlannedCase planned_with(const OpenCase& read, const OutputOptions& outputs) {
+  Problem problem = read.input.problem;
+  problem.outputs = outputs_asked(problem.outputs, outputs);
+  return planned(read, problem);
+}
+
+}  // namespace
+
+RecordedRun::Beginning RecordedRun::saved_in(const std::string& folder, double checkpoint_every) {
+  Beginning beginning;
+  const std::string whole = fs::absolute(folder).string();
+  beginning.checkpoint = std::make_unique<Archive>(read_checkpoint(checkpoint_in(whole)));
+  Archive& saved = *beginning.checkpoint;
+  RunRequest& request = beginning.request.emplace();
+  saved.group("request", [&] { describe(saved, request); });
+  require_own(checkpoint_in(whole), request);
+  if (!fs::is_directory(request.working_folder))
+    saved.refuse("working_folder", fmt::format("expected the folder {}, found none", request.working_folder));
+  context().use_folder(request.working_folder);
+  if (request.record_every < 1 || request.files.empty())
+    saved.refuse("request", "expected files and a frame every so many steps, found none");
+  beginning.options = {whole,
+                       Overwrite::no,
+                       request.has_trace ? Trace::yes : Trace::no,
+                       checkpoint_every,
+                       request.record_every,
+                       {request.histories, request.contacts, request.field, request.frames, request.has_pictures}};
+  beginning.read = opened(
+      asked_case({request.files, {}, request.profile, overrides_in(request.sets), {request.unit, request.join}}));
+  return beginning;
+}
+
+RecordedRun::RecordedRun(const std::string& folder, double checkpoint_every)
+    : RecordedRun(saved_in(folder, checkpoint_every)) {}
+
+RecordedRun::RecordedRun(OpenCase read, const RecordingOptions& options)
+    : RecordedRun(Beginning{.options = options, .read = std::move(read)}) {}
+
+RecordedRun::RecordedRun(const AskedCase& asked, const RecordingOptions& options)
+    : RecordedRun(Beginning{.options = options, .read = opened(asked)}) {}
+
+RecordedRun::RecordedRun(Beginning beginning)
+    : last_(beginning.at),
+      options_(std::move(beginning.options)),
+      read_(std::move(beginning.read)),
+      checkpoint_(std::move(beginning.checkpoint)) {
+  const formats::Case& input = read_.input;
+  RunRecord record;
+  record.units = input.problem.units;
+  record.inputs = input_records(input.files);
+  record.timings.read = lap();
+  plan_ = planned_with(read_, options_.outputs);
+  record.profile = plan_.profile.name;
+  record.profile_because = plan_.profile.why;
+  record.record_every = options_.record_every > 0 ? options_.record_every
+                                                  : usual_frame_interval(plan_.problem, plan_.prepared.scene.settings);
+  record.warnings = joined(input.warnings, plan_.warnings);
+  record.timings.prepare = lap();
+  title_ = title_of(read_.files.front(), record.profile);
+  RunRequest request = request_of(options_, read_, plan_, record);
+  if (beginning.request) require_same(checkpoint_in(options_.folder), *beginning.request, request);
+  for (const std::string& file : read_.files) require_not_below(file, options_.folder);
+  job_ = std::make_unique<RunJob>(
+      plan_.prepared, std::move(record), std::move(request),
+      RunJobOptions{options_.folder, options_.overwrite, options_.trace, options_.checkpoint_every,
+                    plan_.problem.analysis->place, plan_.problem.outputs, options_.outputs.field,
+                    formats::names_of(input.files), formats::vtk_coding_of(options_.outputs.frames),
+                    options_.outputs.has_pictures},
+      checkpoint_.get());
+}
+
+std::string RecordedRun::finish() {
+  return job_->finish(title_, lap());
+}
+
+double RecordedRun::lap() {
+  const Time now = std::chrono::steady_clock::now();
+  return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+}
+
+}  // namespace keyblock

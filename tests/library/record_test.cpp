@@ -1,0 +1,86 @@
+// What the library records is what the program leaves.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <keyblock/keyblock.hpp>
+#include <set>
+#include <string>
+
+namespace kb = keyblock::api;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+kb::Case slide() {
+  return kb::Case::read({KEYBLOCK_SOURCE_DIR "/legacy_cases/sliding_block/a30_p20"});
+}
+
+fs::path empty_folder(const std::string& name) {
+  const fs::path folder = fs::path(::testing::TempDir()) / ("keyblock_record_" + name);
+  fs::remove_all(folder);
+  return folder;
+}
+
+/// Names of all files below, without run.json, which holds times.
+std::set<std::string> files_below(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && entry.path().filename() != "run.json")
+      names.insert(fs::relative(entry.path(), folder).string());
+  return names;
+}
+
+void expect_same_results(const fs::path& a, const fs::path& b) {
+  const std::set<std::string> names = files_below(a);
+  EXPECT_GT(names.size(), 5U);
+  EXPECT_EQ(names, files_below(b));
+  for (const std::string& name : names) EXPECT_EQ(bytes_of(a / name), bytes_of(b / name)) << name;
+}
+
+}  // namespace
+
+TEST(Record, a_recorded_run_leaves_what_the_program_leaves) {
+  const fs::path own = empty_folder("own"), program = empty_folder("program");
+  int steps = 0;
+  const kb::Outcome outcome = kb::record(slide(), own.string(), {.on_step = [&](const kb::Step&) { ++steps; }});
+  EXPECT_EQ(outcome.end, kb::End::finished) << outcome.reason;
+  EXPECT_EQ(steps, outcome.steps);
+  const std::string command = std::string(KEYBLOCK_PROGRAM) +
+                              " run " KEYBLOCK_SOURCE_DIR "/legacy_cases/sliding_block/a30_p20 --quiet -o " +
+                              program.string();
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  expect_same_results(own, program);
+  EXPECT_THROW(kb::record(slide(), own.string()), kb::SettingError) << "results stand there";
+  EXPECT_THROW(kb::resume(own.string()), kb::SettingError) << "the run is over";
+  fs::remove_all(own);
+  fs::remove_all(program);
+}
+
+TEST(Record, a_run_stopped_by_its_context_is_resumed_to_the_same_bytes) {
+  const fs::path whole = empty_folder("whole"), parted = empty_folder("parted");
+  kb::record(slide(), whole.string());
+  const kb::Context context;
+  const kb::Outcome first = kb::record(slide(), parted.string(),
+                                       {.on_step =
+                                            [&](const kb::Step& step) {
+                                              if (step.number == 9) context.stop();
+                                            }},
+                                       {}, context);
+  EXPECT_EQ(first.end, kb::End::stopped);
+  EXPECT_LT(first.steps, 20);
+  const fs::path here = fs::current_path();
+  const kb::Outcome second = kb::resume(parted.string());
+  EXPECT_EQ(second.end, kb::End::finished) << second.reason;
+  EXPECT_EQ(fs::current_path(), here);
+  expect_same_results(whole, parted);
+  fs::remove_all(whole);
+  fs::remove_all(parted);
+}
