@@ -1,4 +1,4 @@
-// `keyblock explain`: what a warning or doubt means, and what to do about it.
+// `keyblock explain`: explains a warning or doubt by its code, or lists all codes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -6,6 +6,7 @@
 #include <cctype>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -55,14 +56,11 @@ ExitCode explain(const ExplainOptions& options) {
       for (const Diagnostic& row : diagnostics()) rows.push_back(json_of(row));
       fmt::print("{}\n", rows.dump(1));
     } else {
+      const std::size_t longest = std::ranges::max(
+          diagnostics() | std::views::transform([](const Diagnostic& row) { return row.code.size(); }));
       for (const Diagnostic& row : diagnostics())
-        fmt::print("{:<28} {:<8} {}\n", row.code, word_of(row.level), row.summary);
+        fmt::print("{:<{}} {:<8} {}\n", row.code, longest, word_of(row.level), row.summary);
     }
-    return ExitCode::ok;
-  }
-  if (const auto level = level_without_row(without_brackets(options.code))) {
-    fmt::print("{} ({}): it is not explained here yet; `check` and --verbose have its sentence\n",
-               without_brackets(options.code), word_of(*level));
     return ExitCode::ok;
   }
   const Diagnostic& row = named(options.code);

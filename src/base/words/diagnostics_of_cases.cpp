@@ -1,0 +1,195 @@
+// Rows of warnings about a case before its first step: geometry, materials, loads, settings and scene.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+
+#include "base/words/diagnostics_parts.hpp"
+
+namespace keyblock::diagnostic_rows {
+namespace {
+
+using enum DiagnosticLevel;
+
+constexpr auto kCases = std::to_array<Diagnostic>({
+    {"block_cannot_bend", warning, "A slender block cannot bend",
+     "The block is more than five times as long as wide on average, and has at least half the median area of free "
+     "blocks. The strain of a DDA block is uniform.",
+     "Model it with NMM covers (section `covers`), or cut it into shorter blocks."},
+    {"block_material_clamped", warning, "A block material does not exist",
+     "The number of a block material is outside the list of the analysis. The nearest number of the list is taken.",
+     "Correct the number, or add the block material to the analysis."},
+    {"block_outside_outline", warning, "Blocks lie outside the boundary lines",
+     "Joints drawn beyond the outline close blocks there.",
+     "Shorten the joints; in a DXF drawing a closed boundary cuts them off."},
+    {"blocks_overlap", warning, "Blocks overlap in the input",
+     "Two blocks share more than 1 % of the area of the smaller one. Contact pushes them apart, or ignores the "
+     "overlap.",
+     "Correct the outlines of the blocks named."},
+    {"bolt_broken_at_start", error, "A bolt is broken before the first step",
+     "The pretension of the bolt is not below its strength.", "Give a smaller pretension or a greater strength."},
+    {"bolt_strength_without_effect", warning, "The strength of bolts has no effect",
+     "Under profile legacy bolts never break, as in Shi's programs.",
+     "Use --profile standard, under which bolts break."},
+    {"bolt_type_clamped", warning, "A bolt type does not exist",
+     "The type of a bolt is outside the list bolt_properties. The nearest type of the list is taken.",
+     "Correct the type, or add it to bolt_properties."},
+    {"bolts_without_effect", warning, "Bolts have no effect",
+     "NMM bodies whose contact is ignored, or with excavations in section `covers`, are solved by linear statics. "
+     "It knows no bolts.",
+     "Set `contact` of the section `covers` to felt, and excavate by `stages`."},
+    {"bolts_without_properties", warning, "Bolts have neither stiffness nor pretension",
+     "A bolt with stiffness 0 and pretension 0 carries no force. Bolts of four numbers in a geometry file are such "
+     "bolts, unless the analysis gives their properties.",
+     "Give stiffness, strength and pretension in bolt_properties of the analysis."},
+    {"bonded_crack_faces", warning, "The faces of a crack are bonded",
+     "Contact is felt, and the joint material of a crack, or of a joint that ends in rock, has cohesion or tensile "
+     "strength. Its faces hold together, and K is that of a bonded crack until the bonds break.",
+     "Give the crack a joint_material without cohesion and tensile strength."},
+    {"chain_off_boundary", warning, "A chain of loads leaves the boundary",
+     "Part of a chain of tractions or prescribed displacements lies on no edge of a body, by more than 1e-6 of its "
+     "length. That part acts on nothing.",
+     "Move the points of the chain onto the outline, or end the chain where the body ends."},
+    {"contact_damping_without_effect", note, "Contact damping has no effect",
+     "The analysis file gives a contact damping, which no profile reads.",
+     "Nothing, if no damping is needed; else --set stiffness_damping=TIME."},
+    {"contact_felt", warning, "Contact is not ignored in this run",
+     "The section `covers` sets contact to ignored. Only linear statics can ignore contact; these steps resolve it.",
+     "Set `contact` to felt, or use linear statics (velocity_carry_over 0, no stages, all blocks on covers)."},
+    {"contact_without_effect", warning, "Touching bodies do not feel each other",
+     "Excavations of the section `covers` are solved by linear statics, which knows no contact. Bodies and the two "
+     "sides of a joint pass through each other.",
+     "Excavate by `stages`, which resolve contact, or set `contact` to ignored."},
+    {"crack_closure", warning, "Cracks of the rock close at an implausible strain",
+     "closure_strain of the material is above 0.1. Cracks of rock close at a strain of 0.01 or less.",
+     "Give the strain as a number, not in per cent."},
+    {"damping_without_effect", note, "The damping of block materials has no effect",
+     "The analysis file gives block materials a damping, which no profile reads.",
+     "Nothing, if no damping is needed; else --set mass_damping.N or stiffness_damping.N for material N."},
+    {"free_blocks", note, "Blocks move freely from the start",
+     "These blocks touch nothing and have no bolt. In a dynamic run they fall or fly.",
+     "Nothing, if this is meant; else close the gaps of the drawing."},
+    {"functions_lock", warning, "Derived functions lock in plastic flow",
+     "NMM bodies with a strength and functions derived cannot flow without change of volume. Limit loads come out "
+     "far too high: 64 % in a footing of Tresca rock with 1,006 unknowns.",
+     "Set `functions` of the section `covers` to constant (1.4 % there)."},
+    {"history_of_distant_blocks", note, "A history follows blocks that lie apart",
+     "Two blocks of a contact history are farther apart before any load than the smaller one is large. The forces "
+     "are 0 until they meet.",
+     "Nothing, if the blocks will meet; else check their numbers in the picture."},
+    {"horizontal_force_without_effect", warning, "Horizontal body forces have no effect on blocks",
+     "The analysis gives a horizontal force per volume. It acts on elements of a cover file only.",
+     "Use --set gravity.x=VALUE or --set body_acceleration.x=VALUE."},
+    {"initial_strain_without_effect", note, "Initial strains have no effect",
+     "The analysis file gives initial strains, which move nothing, as in the Berkeley program.",
+     "Nothing, if none are needed; else give an initial stress."},
+    {"initial_velocity_without_effect", warning, "Initial velocities have no effect",
+     "Under profile legacy, blocks start with the values of the stress gradient, as in the Berkeley program.",
+     "Use --set quirk.start_velocity_slots=off, or --profile standard."},
+    {"joint_material_clamped", warning, "A joint material does not exist",
+     "The number of a joint material is outside the list of the analysis. The nearest number of the list is taken.",
+     "Correct the number, or add the joint material to the analysis."},
+    {"loading_points_without_load", warning, "Loading points carry no load",
+     "The analysis has fewer load curves than the geometry has loading points. The last points carry no load.",
+     "Add the missing curves, or remove the points."},
+    {"mesh_error_at_points", note, "Errors of stress at loaded points do not count",
+     "The stress has no limit at a point that carries a force. Within a quarter of the first mesh's side of it, "
+     "errors are left out of the estimate.",
+     "Nothing, if stress at these points does not matter; else spread the force as a traction."},
+    {"mesh_error_not_reached", warning, "The mesh does not reach the requested error",
+     "Refinement by error ended above the value of mesh.error, or no finer mesh confirmed the estimate. It ends "
+     "after 60 rounds, at most_unknowns, or if sides can be no shorter.",
+     "Raise most_unknowns of the mesh, or request a greater error."},
+    {"motion_applied", note, "The ground motion accelerates all blocks",
+     "The table of motion is multiplied by gravity and accelerates all blocks. The Berkeley program reads such "
+     "tables and never applies them.",
+     "Nothing, if the motion is meant to act; else leave out its file."},
+    {"motion_of_one_gravity", warning, "Block materials have different gravities",
+     "The table of motion is a multiple of gravity, which is unit weight over density. Materials differ in it by "
+     "more than 0.1 %; that of the first is taken.",
+     "Give the analysis a gravity, or correct unit_weight and density."},
+    {"no_fixed_points", warning, "No block is fixed",
+     "The geometry has no fixed points, and no section `covers` supports it. Nothing holds the blocks.",
+     "Add fixed points or fixed lines, unless the scene is meant to move freely."},
+    {"over_relaxation_without_effect", silent, "The over-relaxation factor has no effect",
+     "The analysis file gives an over-relaxation factor. The equations are solved directly.", "Nothing."},
+    {"overlaps_not_looked_for", note, "Some overlaps of blocks were not checked",
+     "Many corners lie close together. The search for overlaps ended before it had compared all pairs, and found "
+     "none.",
+     "Nothing, if the picture shows no overlaps; else simplify crowded outlines."},
+    {"point_outside_its_block", warning, "A point lies outside the block that the file names",
+     "The block file names the block of a fixed, loading or measured point. The point lies outside it by more than "
+     "0.001 of the root of the mean area. It moves with the block.",
+     "Correct the point or its block number."},
+    {"points_without_effect", warning, "Fixed and loading points have no effect",
+     "NMM bodies whose contact is ignored, or with excavations in section `covers`, are solved by linear statics. "
+     "It knows neither fixed nor loading points.",
+     "Give `displacements` and `forces` in the section `covers`."},
+    {"setting_without_effect", warning, "A setting has no effect in this run",
+     "No part of this run reads the setting. The message says which runs do.",
+     "Remove the setting; `keyblock run --settings` lists what reads each."},
+    {"slivers", warning, "Some blocks are slivers",
+     "A block is below 1 % of the mean area, or narrower than 2 % of its length. Slivers need small steps and may "
+     "never come to rest.",
+     "--set slivers=glue joins them to neighbours; slivers=leave_out removes them."},
+    {"soft_patterns", note, "Short waves of elastoplastic NMM bodies are too slow",
+     "Gradients of constant functions are averaged over covers and hardly see motion that alternates from cover to "
+     "cover. Velocities of single points after an impact are wrong; smooth motion and energy are right.",
+     "Nothing, if no point is followed through an impact."},
+    {"springs_stiff_for_step", note, "Contact springs are stiff for the time step",
+     "At least 500 pairs of blocks touch, and contact_penalty exceeds 100 times the mean mass over time_step². "
+     "Steps in which contacts slide may take tens to hundreds of linear solves.",
+     "Nothing, if the run is fast enough; else use a smaller contact_penalty or time_step."},
+    {"springs_unresolved", warning, "The time step is too long for the contact springs",
+     "Under impact=springs the lightest free body has the frequency ω = √(2 contact_penalty / mass). If ω time_step "
+     "exceeds 1, a blow lasts fewer than four steps, and rebound depends on the step.",
+     "Use a time_step of π/(20 ω), or a smaller contact_penalty."},
+    {"stage_without_effect", warning, "Part of a stage changes nothing",
+     "An excavation, a cut, a change of material, a removed bolt or a release of the stage meets nothing.",
+     "Correct its outline, line or number."},
+    {"strain_damping_takes_rebound", warning, "Damping of strain takes the rebound",
+     "Under impact=springs, damping of strain takes energy that the springs would return. The estimated rebound "
+     "speed of the lightest free body is below 95 % of that without damping.",
+     "Use strain_damping=none (or stiffness_damping=0), or impact=jump with restitution."},
+    {"strength", warning, "Values of a strength are likely mistakes",
+     "The strength of a block material has dilation above friction, a tensile strength above its apex, or a "
+     "matching that its surface does not read. Matching plane_strain also needs dilation equal to friction; "
+     "softening by plastic_strain depends on the mesh.",
+     "Correct the value named; for softening give fracture_energy in `after`."},
+    {"sudden_start_undamped", warning, "Undamped NMM bodies are suddenly loaded",
+     "NMM bodies in contact take their full weight at once, without stiffness_damping or mass_damping. They "
+     "oscillate by as much as they settle, and may walk along joints.",
+     "--set start=compatible starts from equilibrium."},
+    {"surplus_load_curves", warning, "Load curves have no loading point",
+     "The analysis has more load curves than the geometry has loading points. The last curves are ignored.",
+     "Add the missing points, or remove the curves."},
+    {"tables_large", warning, "Tables of results will be large",
+     "Histories and measured points will fill 100 MB or more: histories.csv, history.csv and points.csv, by the "
+     "number of steps.",
+     "Follow fewer points, or make fewer steps."},
+    {"unheld_blocks", warning, "Blocks are not connected to a support",
+     "Neither contacts nor bolts connect these blocks with a fixed block. They fall under gravity, or move as loads "
+     "push them.",
+     "Close the gaps of the drawing, or fix the blocks."},
+    {"unit_weight_without_effect", warning, "A unit weight has no effect",
+     "A unit weight differs from density times gravity by more than 0.1 %. Density times gravity is used, as in the "
+     "Berkeley program.",
+     "Correct unit_weight or density, or --set quirk.weight_of_first_material=off."},
+    {"units_contradict", warning, "A value is not plausible in the declared units",
+     "Expected: a scene of 0.03 to 5000 m, density 100 to 25000 kg/m³, modulus 1e4 to 1e12 Pa, gravity 0.01 to 1000 "
+     "m/s² and downward. Compressive strength lies between 1e-7 of the modulus and the modulus. Angles are in "
+     "degrees.",
+     "Correct the value or `units`; --unit gives the unit of a DXF drawing."},
+    {"unsupported_blocks", note, "Blocks have no support from below",
+     "No chain of blocks beneath leads from these blocks to a support. Friction, bonds and wedging alone can carry "
+     "them.",
+     "Nothing, if this is meant, as in a roof or an arch."},
+    {"zero_length_bolt", warning, "A bolt has no length",
+     "Both ends of the bolt are the same point. It has no direction and is left out.", "Correct the ends of the bolt."},
+});
+
+}  // namespace
+
+std::span<const Diagnostic> of_cases() {
+  return kCases;
+}
+
+}  // namespace keyblock::diagnostic_rows
