@@ -96,6 +96,35 @@ std::string kind_of(const Warning& warning) {
   return kind;
 }
 
+/// The first warning of a kind, and how many there are of it.
+struct Kind {
+  const Warning* first = nullptr;
+  int count = 0;
+};
+
+/// The kinds of each code; codes and kinds in the order of their first warnings.
+std::vector<std::pair<std::string, std::vector<Kind>>> sorted_by_code(const Warnings& warnings) {
+  std::vector<std::pair<std::string, std::vector<Kind>>> all;
+  std::map<std::string, std::size_t> codes;  // place in `all`
+  std::map<std::string, std::size_t> known;  // place of a kind among those of its code
+  for (const Warning& warning : warnings) {
+    const auto [code, is_new_code] = codes.emplace(warning.name, all.size());
+    if (is_new_code) all.push_back({warning.name, {}});
+    std::vector<Kind>& kinds = all[code->second].second;
+    const auto [kind, is_new] = known.emplace(kind_of(warning), kinds.size());
+    if (is_new) kinds.push_back({&warning, 0});
+    ++kinds[kind->second].count;
+  }
+  return all;
+}
+
+/// The second line of a warning or an error; notes have none.
+void log_help(const std::string& code) {
+  const Diagnostic* row = find_diagnostic(code);
+  if (row == nullptr || row->level == DiagnosticLevel::note || row->level == DiagnosticLevel::silent) return;
+  spdlog::warn("  help: {}", row->remedy);
+}
+
 }  // namespace
 
 void print_messages_plainly() {
@@ -138,18 +167,18 @@ void print_record(const std::string& record, const std::string& file) {
 
 void log_warnings(const Warnings& warnings) {
   if (spdlog::should_log(spdlog::level::debug)) {
-    for (const Warning& warning : warnings) spdlog::warn("{}", to_string(warning));
+    std::set<std::string> helped;
+    for (const Warning& warning : warnings) {
+      spdlog::warn("{}", to_string(warning));
+      if (helped.insert(warning.name).second) log_help(warning.name);
+    }
     return;
   }
-  std::vector<std::pair<const Warning*, int>> firsts;
-  std::map<std::string, std::size_t> known;  // kind, and which of the firsts it is
-  for (const Warning& warning : warnings) {
-    const auto [kind, is_new] = known.emplace(kind_of(warning), firsts.size());
-    if (is_new) firsts.emplace_back(&warning, 0);
-    ++firsts[kind->second].second;
+  for (const auto& [code, kinds] : sorted_by_code(warnings)) {
+    for (const auto& [first, count] : kinds)
+      spdlog::warn("{}{}", to_string(*first), count > 1 ? fmt::format(" ({} times)", count) : "");
+    log_help(code);
   }
-  for (const auto& [first, count] : firsts)
-    spdlog::warn("{}{}", to_string(*first), count > 1 ? fmt::format(" ({} times)", count) : "");
 }
 
 void log_by_level(const Warnings& warnings, std::string_view of) {

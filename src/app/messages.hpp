@@ -20,7 +20,8 @@ void add_message_options(CLI::App& program);
 /// gone, a warning names the file. Throws OutputError if it cannot be written for another reason, as on a full disk.
 void print_record(const std::string& record, const std::string& file);
 
-/// To standard error, each kind once with how often it was met; under --verbose all.
+/// Prints to standard error each kind once with its number, and after the kinds of a code its remedy (`  help: …`);
+/// notes have no remedy there. Under --verbose prints all, each code with its remedy once.
 void log_warnings(const Warnings& warnings);
 
 /// What a run says: errors as `log_warnings`, then warnings, those of the first five codes; notes in one line that

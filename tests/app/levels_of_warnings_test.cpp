@@ -1,9 +1,11 @@
-// What a run says by level: warnings in sentences, notes in one line, bookkeeping in the record alone.
+// What a run prints by level: warnings with their remedies, notes in one line, bookkeeping in the record only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "base/words/diagnostics.hpp"
 #include "tests/support/program.hpp"
@@ -63,12 +65,54 @@ TEST(LevelsOfWarnings, notes_are_one_line_with_their_codes_and_verbose_has_their
   EXPECT_TRUE(contains(run_keyblock({"check", folder + "/case.json"}).output, "defaults taken: "));
 }
 
+TEST(LevelsOfWarnings, a_remedy_follows_the_warnings_of_its_code_once_and_notes_have_none) {
+  const std::string folder = fresh_folder("levels_help");
+  support::write_text(folder + "/case.json", square(""));
+  std::vector<std::string> arguments{"run",   folder + "/case.json",     "-o",    folder + "/out",
+                                     "--set", "elastic_law=logarithmic", "--set", "path_step=2"};
+  const std::string help = fmt::format("  help: {}\n", find_diagnostic("setting_without_effect")->remedy);
+  const auto run = run_keyblock(arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  EXPECT_EQ(count_of(run.messages, "[setting_without_effect]\n"), 2U) << run.messages;
+  EXPECT_EQ(count_of(run.messages, help), 1U) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "[setting_without_effect]\n" + help)) << run.messages;
+  EXPECT_EQ(count_of(run.messages, "  help: "), 1U) << run.messages;
+  arguments[3] = folder + "/two";
+  arguments.emplace_back("--verbose");
+  const auto verbose = run_keyblock(arguments);
+  EXPECT_EQ(count_of(verbose.messages, help), 1U) << verbose.messages;
+  EXPECT_TRUE(contains(verbose.messages, "[defaults_taken]\n")) << verbose.messages;
+  EXPECT_FALSE(contains(verbose.messages, std::string(find_diagnostic("defaults_taken")->remedy))) << verbose.messages;
+  EXPECT_FALSE(contains(run_keyblock({"run", folder + "/case.json", "-o", folder + "/three", "--quiet", "--set",
+                                      "elastic_law=logarithmic"})
+                            .messages,
+                        "help"));
+}
+
+TEST(LevelsOfWarnings, explain_lists_every_code_and_explains_each) {
+  const auto list = run_keyblock({"explain"});
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_EQ(count_of(list.output, "\n"), diagnostics().size());
+  for (const Diagnostic& row : diagnostics()) {
+    const std::string line = fmt::format("{:<8} {}\n", word_of(row.level), row.summary);
+    EXPECT_TRUE(contains(list.output, std::string(row.code) + ' ')) << row.code;
+    EXPECT_TRUE(contains(list.output, line)) << row.code;
+  }
+  const auto one = run_keyblock({"explain", "[start_settled]"});
+  EXPECT_EQ(one.exit_code, 0);
+  EXPECT_TRUE(contains(one.output, "start_settled (note): ")) << one.output;
+  const auto wrong = run_keyblock({"explain", "start_setled"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_TRUE(contains(wrong.messages, "did you mean \"start_settled\"?")) << wrong.messages;
+}
+
 TEST(LevelsOfWarnings, each_code_has_one) {
   EXPECT_EQ(level_of("energy_beyond_limit"), DiagnosticLevel::error);
   EXPECT_EQ(level_of("unheld_blocks"), DiagnosticLevel::warning);
   EXPECT_EQ(level_of("start_settled"), DiagnosticLevel::note);
   EXPECT_EQ(level_of("nodes_merged"), DiagnosticLevel::silent);
-  EXPECT_EQ(level_of("a code that is none"), DiagnosticLevel::warning);
+  EXPECT_EQ(level_of("stage_not_balanced"), DiagnosticLevel::error);
+  EXPECT_EQ(level_of("no_such_code"), DiagnosticLevel::warning);
 }
 
 }  // namespace keyblock::levels_of_warnings_test

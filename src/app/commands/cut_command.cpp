@@ -1,7 +1,6 @@
 // `keyblock cut`: a drawing in, a block file or a cover file out, and on request a picture and the counts of cutting.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <map>
 #include <memory>
@@ -87,8 +86,8 @@ const Drawing& drawing_of(const formats::Case& loaded, const std::string& path) 
 void warn_of_holes(const Blocks& blocks) {
   for (const BlockPolygon& block : blocks.blocks) {
     if (block.holes.empty()) continue;
-    spdlog::warn("{}", to_string(Warning{"holes_not_written", blocks.place,
-                                         "a block file holds no holes: blocks inside others overlap them there"}));
+    log_warnings(
+        {{"holes_not_written", blocks.place, "a block file holds no holes: blocks inside others overlap them there"}});
     return;
   }
 }
@@ -114,7 +113,7 @@ void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
   Manifold manifold = cut_cover(cut.graph, std::move(fitted.mesh));
   const int absorbed = options.absorbs ? absorb_small_pieces(manifold) : 0;
   if (!cut.blocks.blocks.bolts.empty())
-    spdlog::warn("{}", to_string(Warning{"bolts_not_written", cut.blocks.blocks.place, "a cover file holds no bolts"}));
+    log_warnings({{"bolts_not_written", cut.blocks.blocks.place, "a cover file holds no bolts"}});
   if (!options.output.empty())
     write_output(options.output, formats::kNmmCover.write({{}, {}, {}, to_cover(manifold, cut.blocks.blocks)}),
                  overwrite_if(options.may_overwrite));
