@@ -14,9 +14,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// A link that leads to a folder around it.
+bool leads_up(const fs::directory_entry& entry) {
+  if (!entry.is_symlink()) return false;
+  const fs::path target = fs::canonical(entry.path()), from = fs::canonical(entry.path().parent_path());
+  return std::ranges::mismatch(target, from).in1 == target.end();
+}
+
 void visit(const fs::path& folder, const fs::path& root, std::vector<CaseFolder>& cases) {
   const bool has_expected = fs::exists(folder / "expected.csv");
-  const bool has_trace = fs::exists(folder / "steps.csv") && fs::exists(folder / "blocks.csv");
+  const bool is_of_a_run = fs::exists(folder / "run.json");  // its trace is no expected one
+  const bool has_trace = !is_of_a_run && fs::exists(folder / "steps.csv") && fs::exists(folder / "blocks.csv");
   if (has_expected || has_trace) {
     const fs::path relative = folder.lexically_relative(root);
     const std::string name =
@@ -25,7 +33,7 @@ void visit(const fs::path& folder, const fs::path& root, std::vector<CaseFolder>
   }
   std::vector<fs::path> inner;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_directory()) inner.push_back(entry.path());
+    if (entry.is_directory() && !leads_up(entry)) inner.push_back(entry.path());
   std::ranges::sort(inner);
   for (const fs::path& below : inner) visit(below, root, cases);
 }

@@ -44,6 +44,22 @@ TEST(CaseFolders, the_case_at_a_path_is_taken_whatever_results_lie_in_it) {
   EXPECT_EQ(the_case_in(root.string()).folder.filename(), "y") << "the one below";
 }
 
+TEST(CaseFolders, results_of_a_run_with_a_trace_are_no_case) {
+  const fs::path root = fresh_folder("results_in_case");
+  fs::create_directories(root / "out");
+  write_text(root / "expected.csv", "");
+  for (const char* name : {"out/steps.csv", "out/blocks.csv", "out/run.json"}) write_text(root / name, "");
+  EXPECT_EQ(find_cases({root.string()}).size(), 1U);
+}
+
+TEST(CaseFolders, a_link_that_leads_up_is_not_followed) {
+  const fs::path root = fresh_folder("case_with_link");
+  fs::create_directories(root / "a");
+  write_text(root / "a" / "expected.csv", "");
+  fs::create_directory_symlink(root, root / "a" / "up");
+  EXPECT_EQ(find_cases({root.string()}).size(), 1U);
+}
+
 TEST(CaseFolders, a_path_without_any_is_refused) {
   EXPECT_THROW(find_cases({fresh_folder("no_cases")}), InputError);
   EXPECT_THROW(find_cases({fresh_folder("no_cases") + "/none"}), InputError);

@@ -34,7 +34,7 @@ int unknowns_of(const std::string& file, const std::vector<Override>& sets) {
 
 }  // namespace
 
-TEST(AskedCase, every_case_folder_can_be_configured_in_each_profile_that_it_runs) {
+TEST(Plan, every_case_folder_can_be_configured_in_each_profile_that_it_runs) {
   int configured_cases = 0;
   for (const CaseFolder& folder : find_cases({kCases})) {
     if (!folder.has_expected) continue;
@@ -52,7 +52,7 @@ TEST(AskedCase, every_case_folder_can_be_configured_in_each_profile_that_it_runs
   EXPECT_GT(configured_cases, 290);
 }
 
-TEST(AskedCase, a_case_folder_that_does_not_run_legacy_takes_standard_and_says_why) {
+TEST(Plan, a_case_folder_that_does_not_run_legacy_takes_standard_and_says_why) {
   const AskedCase asked = asked_case({{kCases + "bolt/breaking"}, {}, {}, {}});
   const formats::Case input = formats::load_case(asked.files);
   const ChosenProfile chosen = profile_for(asked, input.problem);
@@ -62,7 +62,7 @@ TEST(AskedCase, a_case_folder_that_does_not_run_legacy_takes_standard_and_says_w
   EXPECT_THROW(profile_for(legacy, input.problem), UsageError);
 }
 
-TEST(AskedCase, settings_of_the_command_line_come_after_those_of_the_settings_file_and_of_the_case) {
+TEST(Plan, settings_of_the_command_line_come_after_those_of_the_settings_file_and_of_the_case) {
   const std::string folder = support::fresh_folder("asked_order");
   support::write_text(folder + "/a.settings", "profile = draft\nsteps = 7\nbody_acceleration_file = shake.csv\n");
   const AskedCase asked = asked_case({{kCases + "newmark_sine/row_1"}, folder + "/a.settings", {}, {{"steps", "9"}}});
@@ -74,7 +74,7 @@ TEST(AskedCase, settings_of_the_command_line_come_after_those_of_the_settings_fi
   EXPECT_EQ(all.front(), (Override{"body_acceleration_file", kCases + "newmark_sine/row_1/motion.csv"}));
 }
 
-TEST(AskedCase, a_setting_of_case_json_that_does_not_fit_is_told_with_its_file) {
+TEST(Plan, a_setting_of_case_json_that_does_not_fit_is_told_with_its_file) {
   const std::string folder = support::fresh_folder("asked_wrong") + "/c";
   std::filesystem::copy(kCases + "sliding_block/a30_p20", folder);
   for (const char* ending : {".geo", ".ana"})
@@ -90,7 +90,7 @@ TEST(AskedCase, a_setting_of_case_json_that_does_not_fit_is_told_with_its_file) 
   }
 }
 
-TEST(AskedCase, a_case_file_may_set_its_mesh_and_the_command_line_overrules_it) {
+TEST(Plan, a_case_file_may_set_its_mesh_and_the_command_line_overrules_it) {
   const std::string folder = support::fresh_folder("asked_mesh");
   support::write_text(folder + "/side.json", plate(R"("mesh.side": "0.125")"));
   support::write_text(folder + "/plain.json", plate(""));

@@ -124,23 +124,23 @@ ProfileAnswer answer_under(const RunOptions& options, const std::string& profile
   RunOptions own = options;
   own.given.profile = profile;
   own.folder = (std::filesystem::path(options.folder) / profile).string();
-  const auto refused = [&](const std::exception& error) {
+  const auto refused = [&](const std::exception& error, ExitCode code) {
     ProfileAnswer answer;
     answer.profile = profile;
     answer.folder = "-";
     answer.refused = error.what();
-    answer.code = ExitCode::unreadable;
+    answer.code = code;
     spdlog::error("{}", error.what());
     return answer;
   };
   try {
     return run_asked(own, messages);
   } catch (const InputError& error) {
-    return refused(error);
+    return refused(error, ExitCode::unreadable);
   } catch (const UsageError& error) {
-    return refused(error);
+    return refused(error, ExitCode::usage);
   } catch (const std::invalid_argument& error) {
-    return refused(error);
+    return refused(error, ExitCode::usage);
   }
 }
 
