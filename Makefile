@@ -10,7 +10,7 @@ PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3
            libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev \
            libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 libyaml-cpp-dev zlib1g-dev
 
-.PHONY: help build install uninstall deb debug run test cases index fronts validate bench bare sanitize fuzz format tidy clean packages
+.PHONY: help build install uninstall deb debug run test docs cases index fronts validate bench bare sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## use | | this list
@@ -88,6 +88,13 @@ deb: packages ## use | 16 min | makes a Debian package of what `make install` pu
 	cmake -S . -B build-deb -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build-deb --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages
 	cd build-deb && cpack -G DEB
+
+# Debian's packages alone; a warning fails.
+docs: ## use | 20 s | builds the site of all pages in out/site (index.html leads to docs/site/index.html)
+	@$(call install_missing,python3-sphinx python3-myst-parser furo libjs-katex)
+	/usr/bin/sphinx-build -q -W --keep-going -b html -c docs/site . out/site
+	cp docs/*.svg out/site/docs/
+	printf '<meta http-equiv="refresh" content="0; url=docs/site/index.html">\n' >out/site/index.html
 
 debug: packages ## care | long | compiles with assertions and debug information in build-debug, each file by itself
 	cmake -S . -B build-debug -G Ninja -DCMAKE_BUILD_TYPE=Debug -DKEYBLOCK_BATCHES=OFF
