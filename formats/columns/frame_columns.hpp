@@ -75,9 +75,9 @@ struct FrameColumns {
 /// `field`: the same instant within the elements; without elements there are no columns of it.
 FrameColumns columns_of(const Frame& frame, const ContactFrames& contacts, const FieldFrame& field = {});
 
-/// The same frame with more columns of blocks, and of corners with stress: principal_stress_greatest and _least in the plane, principal_axis (unit,
-/// of the greatest); where rock may yield mean_stress, von_mises_stress, lode_angle (degree;
-/// material/stress_invariants.hpp); where `materials` are given (by their numbers in the frame) elastic_strain, the
+/// The same frame with more columns of blocks, and of corners with stress: principal_stress_greatest and _least in the
+/// plane, principal_axis (unit, of the greatest); where rock may yield mean_stress, von_mises_stress, lode_angle
+/// (degree; material/stress_invariants.hpp); where `materials` are given (by their numbers in the frame) elastic_strain, the
 /// strain of Hooke's law for the intact rock. Out of the plane it is 0 in plane strain without plastic strain,
 /// -nu (sxx + syy) / E in plane stress.
 FrameColumns with_derived(FrameColumns frame, std::span<const BlockMaterial> materials = {});

@@ -61,8 +61,8 @@ class Context {
   void use_threads(int count) const;
   LoopThreads& threads() const;
 
-  /// Relative paths of input files count from this folder, also in parts that are made from here on; empty, as at first:
-  /// from the working directory, which nothing changes.
+  /// Relative paths of input files count from this folder, also in parts that are made from here on. Empty, as at
+  /// first: from the working directory, which nothing changes.
   void use_folder(const std::filesystem::path& folder) const;
   const std::filesystem::path& folder() const;
 
