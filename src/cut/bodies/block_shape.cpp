@@ -1,4 +1,4 @@
-// Loops and area of a block.
+// Computes the loops of points and the area of a block.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/block_shape.hpp"
 

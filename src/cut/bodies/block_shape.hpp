@@ -1,4 +1,4 @@
-// A block as plain loops of points.
+// Declares the loops of points of a block, and its area.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace keyblock {
 
-/// Where its corners lie: the outer loop, then its holes.
+/// Returns the corners of the outer loop, then those of each hole.
 std::vector<std::vector<Point>> loops_of(const BlockPolygon& block);
 
-/// Less its holes.
+/// Returns the area of the block without its holes.
 double area_of(const BlockPolygon& block);
 
 }  // namespace keyblock

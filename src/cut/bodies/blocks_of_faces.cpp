@@ -1,4 +1,4 @@
-// Chains become loops without straight vertices; see blocks_of_faces.hpp.
+// Turns chains into loops without straight vertices; see blocks_of_faces.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/blocks_of_faces.hpp"
 
@@ -66,8 +66,8 @@ BodyGraph BlocksOfFaces::graph(const std::vector<int>& kept, const std::vector<E
   return graph;
 }
 
-// Leaves out straight vertices; an edge so joined keeps the material of its last part, and so does its line, which is
-// put behind `lines`.
+// Leaves out straight vertices. A joined edge keeps the material of its last part, and its line, which is appended to
+// `lines`.
 BlockLoop BlocksOfFaces::loop_of(const Chain& chain, std::vector<int>& lines) const {
   BlockLoop loop;
   for (std::size_t i = 0; i < chain.size(); ++i) {

@@ -1,4 +1,4 @@
-// Faces of an arrangement of lines to blocks, and to the graph of bodies with their slits.
+// Turns the faces of an arrangement of lines into blocks, and into the graph of bodies with their slits.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-/// Blocks go into the result of the notes, in the order of their faces. Views what it is given.
+/// Appends one block per face to `result.blocks`, in the order of the faces. Keeps references to its arguments.
 class BlocksOfFaces {
  public:
   BlocksOfFaces(const Arrangement& arrangement, const std::vector<Face>& faces, const UsedLines& lines, CutNotes& notes,
@@ -18,11 +18,11 @@ class BlocksOfFaces {
 
   void make();
 
-  /// `kept`: of each block its number before the holes were removed.
+  /// Returns the outlines of the bodies and their slits. `kept`: number of each block before the holes were removed.
   BodyGraph graph(const std::vector<int>& kept, const std::vector<Edge>& slits) const;
 
-  /// The joint of the edge that arrives at each corner, outer loop before holes, index from 0; of a block as before the
-  /// holes were removed.
+  /// Returns the joint of the edge that arrives at each corner, index from 0; outer loop before holes. `block` counts
+  /// the blocks before the holes were removed.
   const std::vector<int>& lines_of_block(int block) const { return lines_of_block_[static_cast<std::size_t>(block)]; }
 
  private:
@@ -36,8 +36,8 @@ class BlocksOfFaces {
   const UsedLines& lines_;
   CutNotes& notes_;
   CutResult& result_;
-  std::vector<int> face_of_block_;                // before holes are removed
-  std::vector<std::vector<int>> lines_of_block_;  // likewise
+  std::vector<int> face_of_block_;                // per block, before holes are removed
+  std::vector<std::vector<int>> lines_of_block_;  // per block, before holes are removed
 };
 
 }  // namespace keyblock

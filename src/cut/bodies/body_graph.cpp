@@ -1,4 +1,4 @@
-// Loops to pieces; see body_graph.hpp.
+// Turns the loops of a block into pieces; see body_graph.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/body_graph.hpp"
 

@@ -1,4 +1,5 @@
-// Outlines of bodies and slits in them as one graph: what cuts a mathematical mesh.
+// Holds the outlines of bodies and their slits as one graph, which cuts a mathematical mesh.
+// Theory: docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,25 +10,25 @@
 
 namespace keyblock {
 
-/// A straight piece between two nodes. Outlines say which body lies on either side; a slit (a joint that ends inside,
-/// or that joins two loops) has the same body on both sides, whichever that is.
+/// Straight piece between two nodes. Outlines name the body on either side. A slit is a joint that ends inside a body
+/// or joins two loops; it has the same body on both sides and names none.
 struct BodyPiece {
   int from = 0;
   int to = 0;
   bool is_slit = false;
-  int left = -1;  ///< body to the left of from → to; -1: none, or a slit
+  int left = -1;  ///< body to the left of from → to; -1: no body, or a slit
   int right = -1;
   int joint_material = 0;  ///< index from 0
 };
 
-/// Pieces of outlines meet in nodes only; slits may cross everything.
+/// Outlines and slits of all bodies. Pieces of outlines meet in nodes only; slits may cross everything.
 struct BodyGraph {
   std::vector<Point> nodes;
   std::vector<BodyPiece> pieces;
   std::vector<int> materials;  ///< block material of each body, index from 0
 };
 
-/// A block of a block file as the only body.
+/// Returns the graph whose only body is the given block.
 BodyGraph graph_of(const BlockPolygon& block);
 
 }  // namespace keyblock

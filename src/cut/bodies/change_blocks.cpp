@@ -1,4 +1,4 @@
-// Each block is cut alone by the lines near it; whatever it carried is handed to its pieces.
+// Cuts each block alone by the lines near it, then hands its points and bolts to its pieces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/change_blocks.hpp"
 
@@ -17,8 +17,9 @@
 namespace keyblock {
 namespace {
 
-// Pieces thinner than this share of their block's size (the root of its area) are slivers of an outline drawn along its
-// edges: as blocks they would be crushed and passed by their neighbours, and lead every contact tolerance.
+// Thickness of the thinnest piece kept, per size of its block (square root of the area). Thinner pieces come from
+// outlines drawn along edges of blocks. As blocks they would be crushed, neighbours would pass through them, and they
+// would set every contact tolerance.
 constexpr double kThinnest = 5e-3;
 
 Box box_of(const BlockPolygon& block) {
@@ -42,7 +43,7 @@ std::optional<Point> inside_of(const BlockPolygon& block) {
   return point_inside(loops_of(block));
 }
 
-/// Twice the area over the circumference: the width of a strip, half that of a square.
+/// Returns twice the area over the circumference: the width of a strip, half the width of a square.
 double thickness(const BlockPolygon& block) {
   double circumference = 0;
   for (const std::vector<Point>& loop : loops_of(block))
@@ -50,7 +51,7 @@ double thickness(const BlockPolygon& block) {
   return 2 * area_of(block) / circumference;
 }
 
-/// What the lines make of one block, slivers left out; the block itself where they do not cut it.
+/// Returns the pieces into which the lines cut one block, without slivers, or the block itself if nothing cuts it.
 std::vector<BlockPolygon> pieces_of(const BlockPolygon& block, std::span<const JointLine> lines, const Place& place) {
   Blocks alone;
   alone.place = place;
@@ -75,7 +76,7 @@ std::vector<BlockPolygon> pieces_of(const BlockPolygon& block, std::span<const J
   return pieces;
 }
 
-/// Hands blocks on one by one, then what they carried.
+/// Collects the changed blocks one by one, then hands over their points and bolts.
 class Handover {
  public:
   explicit Handover(const Blocks& before) : before_(before) {
@@ -98,7 +99,7 @@ class Handover {
   }
 
  private:
-  /// The piece of a block that carries what the block carried there; below 0 where it went.
+  /// Returns the piece of block `parent` that holds the point, or a negative number if that piece is gone.
   int heir(int parent, Point p) const {
     for (const int child : children_[static_cast<std::size_t>(parent)])
       if (holds(changed_.blocks.blocks[static_cast<std::size_t>(child)], p)) return child;
@@ -128,7 +129,7 @@ class Handover {
 
   const Blocks& before_;
   ChangedBlocks changed_;
-  std::vector<std::vector<int>> children_;  ///< of each block before
+  std::vector<std::vector<int>> children_;  ///< per earlier block
 };
 
 bool is_within(const BlockPolygon& piece, std::span<const Region> regions) {

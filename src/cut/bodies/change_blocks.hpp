@@ -1,4 +1,4 @@
-// Blocks after something is dug out of them or a line cuts them, and what each of them was before.
+// Declares the excavation and the cutting of blocks, which record from which block each piece came.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// A closed chain; what lies within it goes. The faces that this leaves have the joint material.
+/// Region to excavate, bounded by a closed chain. The faces left by the excavation get the joint material.
 struct Region {
   std::vector<Point> outline;
   int joint_material = 0;  ///< index from 0
@@ -18,20 +18,20 @@ struct Region {
 
 struct ChangedBlocks {
   Blocks blocks;
-  std::vector<int> parents;  ///< of each block: the index of the block before that it is, or is a piece of
-  // Of each point and bolt that is left: its index before. A point goes with the rock about it, a bolt with either end.
+  std::vector<int> parents;  ///< per block: index of the earlier block that it is, or is a piece of
+  // Earlier index of each point and bolt that is left. A point goes with the rock around it, a bolt with either end.
   std::vector<int> fixed_points;
   std::vector<int> loading_points;
   std::vector<int> measured_points;
   std::vector<int> bolts;
 };
 
-/// Blocks less all that lies within the regions, in their order; pieces of one block follow one another, the largest
-/// first. Pieces thinner than half a percent of their block's size are slivers and left out; a block of which nothing
-/// else is cut off goes or stays whole.
+/// Excavates the regions and returns the remaining blocks in their order. Pieces of one block follow one another, the
+/// largest first. Pieces thinner than half a percent of their block's size are slivers and are left out. A block of
+/// which only slivers would be cut off stays whole or is removed whole.
 ChangedBlocks without_regions(const Blocks& blocks, std::span<const Region> regions);
 
-/// Every block that a line passes through from side to side comes apart along it; an end inside a block cuts nothing.
+/// Cuts every block that a line crosses from side to side; a line that ends inside a block does not cut it.
 ChangedBlocks cut_along(const Blocks& blocks, std::span<const JointLine> lines);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Slits by their chains; tips by the pieces that end in one node alone.
+// Finds slits from chains, and tips from pieces with an end that no other piece shares.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/cracks.hpp"
 
@@ -15,8 +15,8 @@
 namespace keyblock {
 namespace {
 
-// Of the extent of all pieces: what rounding leaves of no distance, and by how much an end goes beyond a line that it
-// is meant to meet.
+// Shares of the extent of all pieces. Distances up to the first are rounding; the second is the prolongation of an end
+// beyond the line that it is meant to meet.
 constexpr double kRounding = 1e-13;
 constexpr double kBeyond = 1e-10;
 
@@ -41,11 +41,11 @@ void require_length(const CrackPlan& crack) {
 
 class CrackedGraph {
  public:
-  /// `before`: the cracks that the graph has already.
+  /// `before`: cracks already in the graph.
   CrackedGraph(BodyGraph& graph, std::span<const CrackPlan> before)
       : graph_(graph), before_(before), extent_(extent_of(graph)) {}
 
-  /// Pieces may cross bodies from side to side: looked at between their crossings with outlines.
+  /// Tests the middle of each part between crossings with outlines, because a piece may cross bodies from side to side.
   bool holds_some_of(const CrackPlan& crack) const {
     for (std::size_t i = 0; i + 1 < crack.along.size(); ++i) {
       const Segment piece{crack.along[i], crack.along[i + 1]};
@@ -97,7 +97,7 @@ class CrackedGraph {
 
   void require_apart(const CrackPlan& crack, const Segment& piece, const Segment& there, const char* what) const {
     if (meeting(piece, there) != Meeting::overlapping) return;
-    // Ends that touch in one point are no overlap.
+    // Pieces that share one point do not overlap.
     const double a = foot(piece, there.start), b = foot(piece, there.end);
     if (std::min(std::max(a, b), 1.0) - std::max(std::min(a, b), 0.0) <= 0) return;
     const Point from = as_drawn(there.start), to = as_drawn(there.end);
@@ -107,7 +107,7 @@ class CrackedGraph {
                                  what, from.x, from.y, to.x, to.y));
   }
 
-  // Where the file has an end that `prolonged` moved.
+  // Returns the end as the file has it, before `prolonged` moved it.
   Point as_drawn(Point p) const {
     for (const CrackPlan& crack : before_)
       for (const Point end : {crack.along.front(), crack.along.back()})
@@ -135,7 +135,7 @@ class CrackedGraph {
   double extent_;
 };
 
-/// Slits of each node, and whether anything else ends there.
+/// Lists the slits at each node, and if an outline passes it.
 class SlitEnds {
  public:
   explicit SlitEnds(const BodyGraph& graph) : graph_(graph), extent_(extent_of(graph)) {
@@ -184,7 +184,7 @@ class SlitEnds {
     return p.from == node ? p.to : p.from;
   }
 
-  /// The pieces of the straight end of the slit.
+  /// Returns the pieces of the straight end of the slit at node `tip`.
   std::vector<int> straight_end(int tip) const {
     std::vector<int> run{slits_[static_cast<std::size_t>(tip)].front()};
     for (int node = other_end(run.front(), tip);;) {
@@ -227,8 +227,8 @@ class SlitEnds {
 
   const BodyGraph& graph_;
   double extent_;
-  std::vector<std::vector<int>> slits_;  // pieces of each node
-  std::vector<char> outlines_;           // whether an outline has the node
+  std::vector<std::vector<int>> slits_;  // pieces at each node
+  std::vector<char> outlines_;           // true if an outline has the node
 };
 
 }  // namespace
@@ -236,7 +236,7 @@ class SlitEnds {
 bool is_in_a_body(const BodyGraph& graph, Point p) {
   bool is_in = false;
   for (const BodyPiece& piece : graph.pieces) {
-    if ((piece.left < 0) == (piece.right < 0)) continue;  // a slit, or between two bodies
+    if ((piece.left < 0) == (piece.right < 0)) continue;  // a slit, or an outline between two bodies
     const Segment s = segment_of(graph, piece);
     const bool goes_up = s.end.y > s.start.y;
     const Segment up = goes_up ? s : Segment{s.end, s.start};

@@ -1,4 +1,5 @@
-// Cracks as slits of a graph of bodies, and the tips that slits have.
+// Adds cracks to a graph of bodies as slits, and finds the tips of slits.
+// Theory: docs/theory/10-fracture.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,19 +12,19 @@
 
 namespace keyblock {
 
-/// Whether every crack must lie in a body: where rock was dug out they may be gone.
+/// States if a crack outside all bodies is an error; after an excavation its rock may be gone.
 enum class CracksOutside { are_refused, are_gone };
 
-/// Adds each crack behind the other pieces of the graphs of which a body holds some of it: not in the drawing, whose
-/// cutting would merge and prune them. An end that rounding alone keeps from an outline or another slit is prolonged
-/// across it. Throws InputError for a chain without length, for one of which nothing lies in a body, and for one that
-/// runs along an outline, a joint or another crack.
+/// Appends each crack to the graphs whose bodies hold a part of it. Cracks are not part of the drawing, because cutting
+/// would merge and prune them. An end that misses an outline or another slit by rounding alone is prolonged across it.
+/// Throws InputError for a chain without length and for a crack along an outline, a joint or another crack. Throws it
+/// for a crack outside all bodies, unless `outside` allows these.
 void add_cracks(std::span<BodyGraph> graphs, std::span<const CrackPlan> cracks, CracksOutside outside);
 
-/// The ends of slits that lie inside a body and on nothing else, in the order of the pieces.
+/// Returns the ends of slits that lie inside a body and on no other piece, in the order of the pieces.
 std::vector<CrackTip> tips_of(const BodyGraph& graph);
 
-/// Whether a body of the graph holds the point.
+/// Returns true if a body of the graph holds the point.
 bool is_in_a_body(const BodyGraph& graph, Point p);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Drawing to blocks; see cut_blocks.hpp.
+// Cuts a drawing into blocks; see cut_blocks.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/cut_blocks.hpp"
 
@@ -27,7 +27,7 @@ bool is_finite(const Segment& s) {
   return std::isfinite(s.start.x) && std::isfinite(s.start.y) && std::isfinite(s.end.x) && std::isfinite(s.end.y);
 }
 
-/// The same whichever way the line runs.
+/// Returns the end points in an order that does not depend on the direction of the line.
 std::array<double, 4> ends_of(const Segment& s) {
   const std::pair start(s.start.x, s.start.y);
   const std::pair end(s.end.x, s.end.y);
@@ -35,10 +35,10 @@ std::array<double, 4> ends_of(const Segment& s) {
   return {low.first, low.second, high.first, high.second};
 }
 
-/// What becomes of joints that bound nothing.
+/// Treatment of joints that bound no block.
 enum class LooseEnds { removed, slits };
 
-/// One cutting, from stage to stage.
+/// Performs one cutting, stage by stage.
 class Cutting {
  public:
   Cutting(const Drawing& drawing, NodeMerging merging, NearPieces near_pieces, LooseEnds loose_ends)
@@ -77,7 +77,7 @@ class Cutting {
 
   UsedLines used_lines() {
     UsedLines used;
-    std::set<std::array<double, 4>> met;  // n lines in one place would make n² crossings
+    std::set<std::array<double, 4>> met;  // n coincident lines would make n² crossings
     std::vector<std::size_t> repeated;
     for (std::size_t i = 0; i < drawing_.joints.size(); ++i) {
       const JointLine& line = drawing_.joints[i];
@@ -98,7 +98,7 @@ class Cutting {
     return used;
   }
 
-  /// Crossings and nodes, with what is to be said of them.
+  /// Finds crossings and nodes, and records their warnings.
   Arrangement meet() {
     const Crossings crossings = find_crossings(lines_.segments, tolerances());
     notes_.of_overlaps(crossings.found);
@@ -112,7 +112,7 @@ class Cutting {
     return std::move(table.arrangement);
   }
 
-  /// Ends that reach past the last line they meet become nodes of their own, and what lies between becomes slits.
+  /// Makes nodes of the ends that reach past the last line they meet; the pieces in between become slits.
   void keep_free_ends(const Crossings& crossings, NodeTable& table) {
     std::vector<Node>& nodes = table.arrangement.nodes;
     const auto add = [&](Point end) {
@@ -137,8 +137,8 @@ class Cutting {
     }
   }
 
-  /// Ends that reach no other line, overshoots of the merging distance excepted: drawings are meant to have
-  /// these.
+  /// Finds the ends that reach no other line, except overshoots of the merging distance. Drawings of bodies have such
+  /// ends on purpose.
   void mark_free_ends(const Crossings& crossings) {
     constexpr double kRoundOffOfStation = 1e-12;
     for (std::size_t line = 0; line < lines_.segments.size(); ++line) {
@@ -166,7 +166,7 @@ class Cutting {
     arrangement_.edges = std::move(pruning.kept);
   }
 
-  /// What merging has bent is made a plane drawing again.
+  /// Turns the arrangement into a plane one again after merging has bent pieces.
   void straighten_out() {
     Planarized planar = planarize(std::move(arrangement_), lines_.boundary_count, tolerances(), near_pieces_);
     if (!planar.is_settled)
@@ -212,8 +212,8 @@ class Cutting {
   LooseEnds loose_ends_;
   UsedLines lines_;
   Arrangement arrangement_;
-  std::vector<char> is_dangling_;  // of each line: a part of it hangs loose
-  std::vector<Edge> slits_;        // what pruning removed, and free ends, where they are kept
+  std::vector<char> is_dangling_;  // per line: true if a part of it has a free end
+  std::vector<Edge> slits_;        // pruned pieces and free ends, if they are kept
   CutResult result_;
   CutNotes notes_{drawing_, lines_, result_};
 };

@@ -1,4 +1,4 @@
-// The sentences of cutting; see cut_notes.hpp.
+// Writes the warnings of cutting; see cut_notes.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/cut_notes.hpp"
 
@@ -16,9 +16,9 @@
 namespace keyblock {
 namespace {
 
-// Ends that come so near to a line are likely meant to meet it.
-constexpr double kNearInMerges = 4;      // merging distances
-constexpr double kNearInScales = 0.005;  // of the drawing's scale
+// Limits of the distance at which a free end is likely meant to meet a line.
+constexpr double kNearInMerges = 4;      // per merging distance
+constexpr double kNearInScales = 0.005;  // per scale of the drawing
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void CutNotes::warn(std::string name, Place at, std::string sentence) {
   result_.warnings.push_back({std::move(name), std::move(at), std::move(sentence)});
 }
 
-// As the file counts lines, from 1.
+// Counts lines as the file does, from 1.
 std::size_t CutNotes::number(int line) const {
   return static_cast<std::size_t>(lines_.sources[line] - drawing_.joints.data()) + 1;
 }

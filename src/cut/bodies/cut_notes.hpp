@@ -1,4 +1,4 @@
-// What cutting says of the lines of a drawing: warnings, snaps and counts.
+// Collects the warnings, snaps and counts of cutting.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,29 +11,29 @@
 
 namespace keyblock {
 
-/// The lines that have a length, with what the drawing says of each.
+/// Lines of non-zero length, each with its source in the drawing.
 struct UsedLines {
   std::vector<Segment> segments;
   std::vector<const JointLine*> sources;
   std::size_t boundary_count = 0;
 };
 
-/// Puts into `result` what is met on the way. Views the drawing, the lines and the result.
+/// Adds what cutting finds to `result`. Keeps references to the drawing, the lines and the result.
 class CutNotes {
  public:
   CutNotes(const Drawing& drawing, const UsedLines& lines, CutResult& result)
       : drawing_(drawing), lines_(lines), result_(result) {}
 
   const Place& place(int line) const { return lines_.sources[line]->place; }
-  std::size_t number(int line) const;  ///< in the file, from 1
+  std::size_t number(int line) const;  ///< number in the file, from 1
   void warn(std::string name, Place at, std::string sentence);
-  /// By the numbers of the lines in the file.
+  /// `lines`: numbers of lines in the file.
   void of_repeated(const std::vector<std::size_t>& lines);
   void of_overlaps(const std::vector<Crossing>& found);
-  /// `is_dangling`: of each line, whether a part of it hangs loose.
+  /// `is_dangling`: per line, true if a part of it has a free end.
   void of_dangling(const std::vector<char>& is_dangling);
   void of_merging(const std::vector<Crossing>& found, const NodeTable& table);
-  /// Loose ends that stop just short of another line: how near, and where.
+  /// Warns of free ends that stop just short of another line, with their distance and place.
   void of_near_ends(const std::vector<char>& is_dangling);
   void of_removed(const char* name, const char* why, const std::vector<Edge>& edges);
 

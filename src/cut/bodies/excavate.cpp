@@ -1,4 +1,4 @@
-// The outlines cut like joints of materials of their own; what they enclose is left out.
+// Cuts the bodies by the outlines, which count as joints with materials of their own, and drops the enclosed parts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/excavate.hpp"
 
@@ -15,10 +15,10 @@
 namespace keyblock {
 namespace {
 
-// Of the outline of region i it is i less; no joint of a file has such a material.
+// Joint material of outline 0; outline i has this number less i. No joint of a file has such a material.
 constexpr int kOutline = std::numeric_limits<int>::max();
 
-/// The number of every body that stays, -1 of the others; their materials into `materials`.
+/// Returns the new number of every body that stays, -1 for the others. Appends the materials to `materials`.
 std::vector<int> numbers_of_rest(const std::vector<BlockPolygon>& bodies, const std::vector<Region>& regions,
                                  const Blocks* blocks, std::vector<int>& materials) {
   std::vector<int> numbers;
@@ -33,7 +33,7 @@ std::vector<int> numbers_of_rest(const std::vector<BlockPolygon>& bodies, const 
     const BlockPolygon* owner = &body;
     if (blocks != nullptr) {
       const auto found = std::ranges::find_if(blocks->blocks, [&](const auto& block) { return holds(block, *inside); });
-      owner = found == blocks->blocks.end() ? nullptr : &*found;  // a hole of the blocks
+      owner = found == blocks->blocks.end() ? nullptr : &*found;  // lies in a hole of the blocks
     }
     numbers.push_back(is_gone || owner == nullptr ? -1 : static_cast<int>(materials.size()));
     if (numbers.back() >= 0) materials.push_back(owner->material);

@@ -1,4 +1,4 @@
-// Bodies without the regions that are dug out of them.
+// Removes excavated regions from bodies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace keyblock {
 
-/// The edges of blocks as lines, which are cut without any merging of crossings. Blocks get no materials so.
+/// Returns the edges of blocks as lines, to be cut without merging of crossings. Block materials are not kept.
 Drawing lines_of(const Blocks& blocks);
 
-/// The bodies of the drawing less all that lies within the `regions`, and of each its material (from `blocks` where
-/// they are given, whose lines the drawing is). A joint that an outline cuts ends there. Throws InputError where
-/// nothing is left.
+/// Returns the bodies of the drawing without the `regions`, each with its material. With `blocks`, the drawing must be
+/// their lines, and materials are theirs. A joint that an outline cuts ends there. Throws InputError if nothing is
+/// left.
 BodyGraph excavated(const Drawing& drawing, const std::vector<Region>& regions, NodeMerging merging,
                     const Blocks* blocks = nullptr);
 

@@ -1,5 +1,5 @@
-// Marks of a drawing into blocks; see place_points.hpp. Rules: the old block cutter's, legacy rules 7 to 9
-// of cutting.
+// Places marks of a drawing in blocks by the rules of Shi's block cutter (legacy rules 7 to 9 of cutting); see
+// place_points.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/place_points.hpp"
 
@@ -47,14 +47,14 @@ Point left_normal(const Segment& s) {
   return (1 / length(along)) * Point{-along.y, along.x};
 }
 
-/// Adds to one set of blocks, and keeps what it could not place.
+/// Adds marks to one set of blocks and records those it could not place.
 class Placer {
  public:
   Placer(const CutTolerances& tolerances, Blocks& blocks) : tolerances_(tolerances), blocks_(blocks) {}
 
   Warnings take_warnings() { return std::move(warnings_); }
 
-  /// The numbers of the blocks that stay.
+  /// Returns the numbers of the blocks that stay.
   std::vector<int> remove_holes(const std::vector<MarkedPoint>& hole_points) {
     std::vector<char> is_hole(blocks_.blocks.size(), 0);
     for (const MarkedPoint& mark : hole_points) {
@@ -101,8 +101,8 @@ class Placer {
                      line.segment.start.x, line.segment.start.y, line.segment.end.x, line.segment.end.y)});
   }
 
-  /// Once all fixed lines are placed: of blocks in which one ends, and which nothing holds but the one point where it
-  /// leaves them.
+  /// Warns of blocks in which a fixed line ends and whose only fixed point is the one where it leaves them. Call it
+  /// after all fixed lines are placed.
   void warn_of_single_points() {
     std::vector<int> held(blocks_.blocks.size());
     for (const BlockPoint& point : blocks_.fixed_points) ++held[point.block];
@@ -142,7 +142,7 @@ class Placer {
                              bolt.name});
   }
 
-  // Loads belong to loading points by their order: leaving one out would give its load to the next.
+  // Loads belong to loading points by order: without this point its load would act on the next one.
   void add_loading(const MarkedPoint& mark) {
     const auto at = find("loading point", mark.position, mark.place);
     if (!at)
@@ -152,7 +152,7 @@ class Placer {
     blocks_.loading_points.push_back({at->nearest, at->block, mark.place});
   }
 
-  /// Once all marks are placed: one warning a kind, with their number and the first.
+  /// Issues one warning per kind, with the count and the first point. Call it after all marks are placed.
   void warn_of_points() {
     const auto at = [](const Mark& mark) {
       return fmt::format("{} ({}, {})", mark.kind, mark.position.x, mark.position.y);
@@ -201,7 +201,7 @@ class Placer {
 
   double reach() const { return std::max(tolerances_.merge, tolerances_.vertex_catch); }
 
-  /// The block of a point, and where the point is put; outside by round-off it stays.
+  /// Returns the block of a point and the place where the point is put. A point outside by round-off keeps its place.
   std::optional<BlockBeside> find(std::string_view kind, Point p, const Place& place) {
     if (const auto block = block_at(blocks_.blocks, p, tolerances_.vertex_catch)) return BlockBeside{*block, p};
     auto beside = block_beside(blocks_.blocks, p, reach());
@@ -219,7 +219,7 @@ class Placer {
     warnings_.push_back({name, marks.front().place, std::move(sentence)});
   }
 
-  /// "3 points (2 × bolt end, 1 × fixed point)".
+  /// Returns the counts by kind, such as "3 points (2 × bolt end, 1 × fixed point)".
   static std::string kinds_of(const std::vector<Mark>& marks) {
     std::vector<std::string_view> kinds;
     for (const Mark& mark : marks)

@@ -1,5 +1,5 @@
-// Puts the marks of a drawing into blocks: fixed lines and points, loading and measured points, bolts,
-// hole points and material lines.
+// Places the marks of a drawing in blocks: fixed lines and points, loading and measured points, bolts, hole points and
+// material lines.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace keyblock {
 
-/// Does the block hold the point? Its edges belong to it, holes do not.
+/// Returns true if the block holds the point. Edges belong to the block, holes do not.
 bool holds(const BlockPolygon& block, Point p);
 
-/// The first block with a vertex within `vertex_catch` of the point, else the first one holding it.
+/// Returns the first block with a vertex within `vertex_catch` of the point, or else the first one that holds it.
 std::optional<int> block_at(const std::vector<BlockPolygon>& blocks, Point p, double vertex_catch);
 
-/// The block nearest to a point outside all of them, and its point nearest to that; nothing farther than `reach`.
+/// The nearest block to a point outside all blocks, and the nearest point on it.
 struct BlockBeside {
   int block = 0;
   Point nearest;
@@ -26,13 +26,13 @@ struct BlockBeside {
 std::optional<BlockBeside> block_beside(const std::vector<BlockPolygon>& blocks, Point p, double reach);
 
 struct PlacedMarks {
-  std::vector<int> kept;  ///< of each block left after the holes, its number before
+  std::vector<int> kept;  ///< per block left after the holes: its earlier number
   Warnings warnings;
 };
 
-/// Removes the blocks that hold hole points, sets materials, and adds every carried point and bolt to
-/// `blocks`. Points outside all blocks, but within the merging distance of one, are moved onto it (`points_moved` where
-/// that is more than round-off). What lies farther outside is left out with the warning `point_outside_blocks`.
+/// Removes the blocks that hold hole points, sets materials, and adds every point and bolt to `blocks`. A point outside
+/// all blocks, but within the merging distance of one, is moved onto it; `points_moved` warns of moves above round-off.
+/// Points farther outside are left out with the warning `point_outside_blocks`.
 PlacedMarks place_marks(const Drawing& drawing, const CutTolerances& tolerances, Blocks& blocks);
 
 }  // namespace keyblock

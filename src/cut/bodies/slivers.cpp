@@ -1,4 +1,4 @@
-// Area and length against the two limits.
+// Compares area and width with the two limits.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/slivers.hpp"
 

@@ -1,5 +1,4 @@
-// Which blocks are slivers: so small or so narrow beside the others that they fail to come to rest and need small
-// steps.
+// Finds slivers: blocks so small or narrow next to the others that they do not come to rest and need small steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,23 +9,23 @@
 
 namespace keyblock {
 
-inline constexpr double kSliverArea = 0.01;   ///< of the mean area of all blocks; smaller blocks are slivers
+inline constexpr double kSliverArea = 0.01;   ///< per mean area of all blocks; smaller blocks are slivers
 inline constexpr double kSliverWidth = 0.02;  ///< mean width over length; narrower blocks are slivers
 
-/// The size of a block, in the units of the input.
+/// Size of a block, in the units of the input.
 struct BlockForm {
-  Point centroid;     ///< of its outer loop
-  double area = 0;    ///< less its holes
-  double length = 0;  ///< the greatest distance of two corners
+  Point centroid;     ///< centroid of the outer loop
+  double area = 0;    ///< area without holes
+  double length = 0;  ///< greatest distance between two corners
 
-  double width() const { return length > 0 ? area / length : 0; }  ///< in the mean
+  double width() const { return length > 0 ? area / length : 0; }  ///< mean width
 };
 
 BlockForm form_of(const BlockPolygon& block);
 
 bool is_sliver(const BlockForm& form, double mean_area);
 
-/// "below 1 % of the mean area or narrower than 2 % of their length".
+/// Returns "below 1 % of the mean area or narrower than 2 % of their length".
 std::string slivers_in_words();
 
 }  // namespace keyblock

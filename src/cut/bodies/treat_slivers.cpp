@@ -1,4 +1,4 @@
-// One sliver after another, then whatever blocks carried; see treat_slivers.hpp.
+// Treats one sliver after another, then moves points and bolts; see treat_slivers.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/treat_slivers.hpp"
 
@@ -21,10 +21,11 @@
 namespace keyblock {
 namespace {
 
-// Corners of neighbours that are one to a side: as near as files round them, but far nearer than a sliver is wide.
-constexpr double kSameCorner = 1e-4;         // of the size of the mean block
-constexpr double kSameCornerOfWidth = 0.02;  // of the width of the sliver
-constexpr std::size_t kMostNamed = 3;        // slivers by their places in a warning
+// Distance at which corners of neighbours are the same: as large as files round them, but far below the width of a
+// sliver.
+constexpr double kSameCorner = 1e-4;         // per size of the mean block
+constexpr double kSameCornerOfWidth = 0.02;  // per width of the sliver
+constexpr std::size_t kMostNamed = 3;        // slivers named by place in a warning
 
 struct Piece {
   DrawnBlock block;
@@ -32,7 +33,7 @@ struct Piece {
   Box box;
   std::vector<std::size_t> members;  ///< numbers as cut
   bool is_gone = false;
-  bool is_alone = false;  ///< shares a side with none
+  bool is_alone = false;  ///< shares a side with no block
 };
 
 Box box_about(const BlockPolygon& block, double margin) {
@@ -239,15 +240,15 @@ class Treatment {
   }
 
   CutResult cut_;
-  std::vector<Piece> pieces_;        ///< in the order as cut; the larger of two goes on as their union
+  std::vector<Piece> pieces_;        ///< in the order as cut; the larger of two becomes their union
   std::vector<double> areas_;        ///< as cut
-  std::vector<char> was_sliver_;     ///< of each block as cut: it is one, or is part of one
-  std::vector<std::size_t> number_;  ///< of each block as cut: that of the block it belongs to at the end
-  std::vector<BlockForm> found_;     ///< slivers in the order in which they went
+  std::vector<char> was_sliver_;     ///< per block as cut: it is a sliver, or part of one
+  std::vector<std::size_t> number_;  ///< per block as cut: number of the final block it belongs to
+  std::vector<BlockForm> found_;     ///< slivers in the order of their removal
   std::vector<BlockBolt> idle_bolts_;
-  double total_ = 0;  ///< area of all, as cut
+  double total_ = 0;  ///< area of all blocks, as cut
   double area_left_ = 0;
-  std::size_t left_ = 0;  ///< how many blocks
+  std::size_t left_ = 0;  ///< number of blocks
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Slivers among blocks that were cut: glued to their neighbours, or left out.
+// Merges slivers among cut blocks with their neighbours, or deletes them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,13 +6,16 @@
 
 namespace keyblock {
 
-/// The blocks with their slivers treated, until none is left by the mean area of the blocks that then are.
-/// Glued: the smallest first, each with the neighbour that it shares the longest length of side with; the larger of the
-/// two gives number, block material and place, and carries the points and bolts of both. One that shares a side with
-/// none stays.
-/// Left out: the block is not there. Throws InputError where one carries a point or a bolt, or no block would be left.
-/// Adds the warning `slivers_glued` or `slivers_left_out` with their number, places and share of all area, or
-/// `setting_without_effect` where there are none.
+/// Treats slivers until none is left; the mean area is that of the remaining blocks.
+///
+/// Glued: merges the smallest first, each with the neighbour that shares the longest length of side. The larger of the
+/// two gives number, block material and place; the union carries the points and bolts of both. A sliver that shares a
+/// side with no block stays.
+///
+/// Left out: deletes the block. Throws InputError if it carries a point or a bolt, or if no block would be left.
+///
+/// Adds the warning `slivers_glued` or `slivers_left_out` with count, places and share of the total area. Adds
+/// `setting_without_effect` if there are no slivers.
 CutResult with_slivers_treated(CutResult cut, Slivers slivers);
 
 }  // namespace keyblock

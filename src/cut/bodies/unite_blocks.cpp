@@ -1,4 +1,4 @@
-// Sides that run against each other cancel; the others are linked to loops again.
+// Cancels sides that run against each other, then links the remaining sides to loops.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/unite_blocks.hpp"
 
@@ -13,19 +13,19 @@
 namespace keyblock {
 namespace {
 
-// Twice the area that a corner adds, over the square of the chord, below which the corner is straight: round-off of
-// crossings, far below what an area is asked to keep.
+// Limit below which a corner is straight: twice the area that the corner adds, over the square of the chord. It covers
+// the round-off of crossings, far below the accuracy required of areas.
 constexpr double kStraightShare = 1e-12;
 
 struct DirectedSide {
   int from = 0;
   int to = 0;
   int joint_material = 0;
-  int line = -1;  ///< of the drawing, below 0 without one
+  int line = -1;  ///< of the drawing; negative without one
   bool is_gone = false;
 };
 
-/// A corner and the line of the side that arrives there.
+/// Corner with the line of the side that arrives there.
 struct LinedCorner {
   BlockVertex vertex;
   int line = -1;
@@ -52,7 +52,7 @@ class Uniting {
   }
 
  private:
-  /// `foreign`: how many of the nodes so far are those of the other block, which near corners are taken for.
+  /// Returns the node at p. `foreign`: number of leading nodes that belong to the other block; near corners join these.
   int node_of(Point p, std::size_t foreign) {
     std::size_t nearest = nodes_.size();
     for (std::size_t i = 0; i < foreign; ++i)
@@ -83,7 +83,7 @@ class Uniting {
 
   Point at(int node) const { return nodes_[static_cast<std::size_t>(node)]; }
 
-  // At the nodes that lie on them.
+  // Splits the sides at the nodes that lie on them.
   std::vector<DirectedSide> split(const std::vector<DirectedSide>& sides) const {
     std::vector<DirectedSide> pieces;
     for (const DirectedSide& side : sides) {
@@ -120,7 +120,7 @@ class Uniting {
     return shared;
   }
 
-  // The next side of the same sector of rock: the first clockwise from the way back.
+  // Returns the next side of the same sector of rock: the first clockwise from the reversed side.
   std::size_t next(std::size_t side, const std::vector<char>& is_used) const {
     const Point back = at(left_[side].from) - at(left_[side].to);
     std::size_t best = left_.size();

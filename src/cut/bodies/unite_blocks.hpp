@@ -1,4 +1,4 @@
-// Two blocks that share a side become one; the joint between them goes.
+// Unites two blocks that share a side and removes the joint between them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// A block, and of the side that arrives at each corner (outer loop before holes) the joint of the drawing that made
-/// it, index from 0; no lines where blocks were given.
+/// Block with the joint of the drawing that made the side arriving at each corner, index from 0. Outer loop before
+/// holes; `lines` is empty if the blocks were given, not cut.
 struct DrawnBlock {
   BlockPolygon polygon;
   std::vector<int> lines;
@@ -18,13 +18,13 @@ struct DrawnBlock {
 
 struct UnitedBlocks {
   DrawnBlock block;
-  double shared = 0;  ///< length of the sides that they had in common
+  double shared = 0;  ///< length of the shared sides
 };
 
-/// Their union, of the material and place of the first, or nothing where they share no side or lie on one another.
-/// Sides that run along each other are cut at each other's corners; corners nearer than `tolerance` (length) are one,
-/// that of the first. What is enclosed between the two becomes a hole. Remaining sides keep their joint materials; a
-/// corner that is left straight goes where the material is the same on both sides of it.
+/// Returns the union, with the material and place of `first`, or nothing if the blocks share no side or overlap. Sides
+/// that run along each other are cut at each other's corners. Corners nearer than `tolerance` [length] become the
+/// corner of `first`. Gaps enclosed between the two become holes. Remaining sides keep their joint materials. A corner
+/// that is left straight is removed if the material is the same on both sides of it.
 std::optional<UnitedBlocks> united(const DrawnBlock& first, const DrawnBlock& second, double tolerance);
 
 }  // namespace keyblock

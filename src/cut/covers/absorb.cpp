@@ -1,4 +1,4 @@
-// Absorption of small pieces; see absorb.hpp.
+// Absorbs small pieces; see absorb.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/absorb.hpp"
 
@@ -24,7 +24,7 @@ bool is_alone_on_a_cover(const Manifold& manifold, const ManifoldElement& elemen
                      [&](int cover) { return manifold.covers[cover].elements.size == 1; });
 }
 
-/// The neighbour behind the longest edge, or -1. A piece alone on a cover has neighbours across one side only.
+/// Returns the neighbour across the longest edge, or -1. A piece alone on a cover has neighbours across one side only.
 int nearest_neighbour(const Manifold& manifold, const ManifoldElement& element) {
   int best = -1;
   double longest = 0;

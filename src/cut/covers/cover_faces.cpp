@@ -1,4 +1,4 @@
-// Faces of an overlay and what they are part of; see cover_faces.hpp.
+// Labels the faces of an overlay with their bodies and triangles; see cover_faces.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/cover_faces.hpp"
 
@@ -28,7 +28,7 @@ void visit_links(const Face& face, Visit visit) {
   }
 }
 
-/// Of the edge of a half-edge.
+/// Returns the edge of a half-edge as a segment.
 Segment edge_segment(const Arrangement& arrangement, int half_edge) {
   const Edge& e = arrangement.edges[half_edge / 2];
   return {arrangement.nodes[e.from].position, arrangement.nodes[e.to].position};
@@ -38,13 +38,13 @@ double edge_length(const Arrangement& arrangement, int half_edge) {
   return distance(of.start, of.end);
 }
 
-/// Contracts edges of no length.
+/// Contracts edges of zero length.
 class Contraction {
  public:
   Contraction(CoverFaces& faces, double round_off) : faces_(faces), round_off_(round_off) {}
 
-  /// Where a piece passes a node of the mesh up to rounding, edges of no length are left between them, and faces that
-  /// have no others.
+  /// Removes edges of zero length, and faces that have no others. Such edges arise if a piece passes a node of the mesh
+  /// up to rounding.
   void run() {
     std::vector<Chain*> chain_of(2 * faces_.origins.size(), nullptr);
     const auto note = [&](Chain& chain) {
@@ -78,7 +78,7 @@ class Contraction {
 
   bool is_short(int half_edge) const { return edge_length(faces_.arrangement, half_edge) <= 2 * round_off_; }
 
-  /// The first piece that a chain runs along, or none.
+  /// Returns the first piece that a chain runs along, or kNone.
   int piece_of(const Chain& chain) const {
     for (const ChainLink& link : chain) {
       if (origin(link.half_edge).piece != kNone) return origin(link.half_edge).piece;
@@ -86,7 +86,7 @@ class Contraction {
     return kNone;
   }
 
-  /// What is left of a needle whose short edge is contracted is one piece.
+  /// Replaces a needle whose short edge was contracted by one piece.
   void drop_faces_of_two_edges() {
     for (CoverFace& face : faces_.faces) {
       if (face.face.outer.size() != 2) continue;
@@ -133,7 +133,7 @@ class Labelling {
 
   double length(int half_edge) const { return edge_length(result_.arrangement, half_edge); }
 
-  /// Keeps the edges that `is_kept` names, with their labels.
+  /// Keeps the edges for which `is_kept` is true, with their labels.
   template <class IsKept>
   void keep_edges(IsKept is_kept) {
     int kept = 0;
@@ -169,7 +169,8 @@ class Labelling {
     }
   }
 
-  /// From the sides of the mesh; a face that has none lies in the triangle of a face beyond a piece.
+  /// Finds triangles from the sides of the mesh. A face without such a side lies in the triangle of a face beyond a
+  /// piece.
   void find_triangles() {
     std::vector<int> known;
     const auto learn = [&](int face, int triangle) {
@@ -197,8 +198,8 @@ class Labelling {
     return (half_edge % 2 == 0) != from.side_is_reversed ? side.left : side.right;
   }
 
-  /// Outlines say what lies beside them; it reaches on across sides of the mesh and slits. Where rounding makes
-  /// outlines contradict each other the greater length is believed.
+  /// Finds bodies from the outlines beside faces; a body extends across sides of the mesh and slits. If rounding makes
+  /// outlines contradict each other, the greater length decides.
   void find_bodies() {
     struct Vote {
       int region, body;
@@ -241,10 +242,11 @@ class Labelling {
     return piece != kNone && !graph_.pieces[piece].is_slit;
   }
 
-  /// Says whether there were any. A flat face joins the one across a side of the mesh that it has most of its length in
-  /// common with, and its triangle. (A flat face between two pieces stays: the drawing has it.)
+  /// Merges each flat face with the face that shares most of its length across a side of the mesh, and its triangle.
+  /// Flat faces between two pieces stay, because the drawing has them. Returns true if there were any flat faces to
+  /// merge.
   bool leave_out_flat_faces() {
-    std::vector<double> extent;  // of flat faces
+    std::vector<double> extent;  // of flat faces; negative for others
     for (const CoverFace& face : result_.faces) extent.push_back(flat_extent(face).value_or(-1));
     std::vector<char> is_left_out(edges().size(), 0);
     for (std::size_t f = 0; f < result_.faces.size(); ++f) {
@@ -270,7 +272,7 @@ class Labelling {
     return true;
   }
 
-  /// The extent of a face of a body that has no thickness.
+  /// Returns the extent of a face of a body if it has no thickness.
   std::optional<double> flat_extent(const CoverFace& face) const {
     if (face.body == kNone || face.triangle < 0) return std::nullopt;
     const std::vector<Node>& nodes = result_.arrangement.nodes;
@@ -313,7 +315,7 @@ class Labelling {
 
   const BodyGraph& graph_;
   CoverFaces result_;
-  std::vector<int> triangle_of_;  // of each half-edge, from the round before
+  std::vector<int> triangle_of_;  // per half-edge, from the iteration before
   double round_off_ = 0;
 };
 

@@ -1,4 +1,5 @@
-// The faces that bodies and joints cut from a triangular mesh, each with its body and its triangle.
+// Computes the faces that bodies and joints cut from a triangular mesh, each with its body and its triangle.
+// Theory: docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,14 +19,14 @@ struct CoverFace {
 struct CoverFaces {
   Arrangement arrangement;
   std::vector<MeshSide> sides;
-  std::vector<EdgeOrigin> origins;     ///< of each edge
-  std::vector<CoverFace> faces;        ///< of bodies only, triangle by triangle
+  std::vector<EdgeOrigin> origins;     ///< per edge
+  std::vector<CoverFace> faces;        ///< in bodies only, triangle by triangle
   std::vector<int> face_of_half_edge;  ///< -1: no body there
 };
 
-/// Pieces of slits that end inside a triangle are left out, for they part nothing. Where a piece runs along a side of
-/// the mesh within round-off, but not on it, there would be a face without thickness between them: that part of the
-/// side is left out. Throws std::invalid_argument where a body reaches beyond the mesh.
+/// Cuts the mesh by the graph. Pieces of slits that end inside a triangle separate nothing and are left out. A piece
+/// may run along a side of the mesh within round-off, but not on it. That part of the side is left out, to avoid a face
+/// without thickness. Throws std::invalid_argument if a body reaches beyond the mesh.
 CoverFaces cover_faces(const BodyGraph& graph, const TriangleMesh& mesh);
 
 }  // namespace keyblock

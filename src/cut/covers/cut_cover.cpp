@@ -1,4 +1,4 @@
-// Elements, covers and boundary loops from the faces; see cut_cover.hpp.
+// Builds elements, covers and boundary loops from faces; see cut_cover.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/cut_cover.hpp"
 
@@ -34,7 +34,7 @@ class Elements {
     }
   }
 
-  /// Around each connected piece: from a boundary edge to the next, across the edges between that lead to neighbours.
+  /// Walks around each connected piece: from one boundary edge to the next, across the edges to neighbours in between.
   void add_boundary() {
     std::vector<char> is_done(corner_.size(), 0);
     for (std::size_t h = 0; h < corner_.size(); ++h) {
@@ -69,7 +69,7 @@ class Elements {
     return range;
   }
 
-  /// A side of the mesh, and no joint, with the same body beyond.
+  /// Returns true for a side of the mesh that is no joint and has the same body beyond.
   bool is_open(int half_edge) const {
     const int here = cut_.face_of_half_edge[half_edge];
     const int beyond = cut_.face_of_half_edge[half_edge ^ 1];
@@ -88,11 +88,11 @@ class Elements {
   const BodyGraph& graph_;
   const CoverFaces& cut_;
   Manifold& manifold_;
-  std::vector<int> next_;    // of each half-edge of an element, in its loop
-  std::vector<int> corner_;  // that it leaves
+  std::vector<int> next_;    // per half-edge of an element, in its loop
+  std::vector<int> corner_;  // corner from which the half-edge starts
 };
 
-/// Numbers the bodies that have elements, as a region that was dug out along an outline may leave one without.
+/// Renumbers the bodies that have elements; an excavation along an outline may leave a body without any.
 void leave_out_empty(Manifold& manifold) {
   std::vector<int> number(manifold.body_materials.size(), -1);
   for (const ManifoldElement& element : manifold.elements) number[static_cast<std::size_t>(element.body)] = 0;

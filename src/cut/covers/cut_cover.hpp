@@ -1,4 +1,5 @@
 // Cuts a triangular mesh by bodies and joints into manifold elements and physical covers.
+// Theory: docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,14 +8,14 @@
 
 namespace keyblock {
 
-/// A body so thin that all of its elements are lost in round-off: it stays, without elements, so that bodies count as
-/// they do in the graph, or the others are numbered on without it.
+/// Treatment of a body so thin that all of its elements are lost in round-off. `stay` keeps the numbers of bodies as
+/// they are in the graph; `are_left_out` renumbers the others.
 enum class EmptyBodies { stay, are_left_out };
 
-/// Elements triangle by triangle; covers in the order of the mesh's nodes, those that share a node adjacent. The covers
-/// of a node are the parts of its star that hang together across sides of the mesh: a joint through the star makes two,
-/// one that ends in it leaves one. A joint is taken to end where it last meets a side of the mesh. Nothing is moved.
-/// Throws std::invalid_argument where the mesh does not cover all bodies.
+/// Returns elements triangle by triangle, and covers in the order of the mesh's nodes; covers of one node are adjacent.
+/// The covers of a node are the parts of its star that are connected across sides of the mesh. A joint through the star
+/// makes two covers, a joint that ends in it leaves one. A joint ends where it last meets a side of the mesh. No node
+/// is moved. Throws std::invalid_argument if the mesh does not cover all bodies.
 Manifold cut_cover(const BodyGraph& graph, TriangleMesh mesh, EmptyBodies empty = EmptyBodies::stay);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Slots to corners, edges to neighbours, loops to boundary; see from_cover.hpp.
+// Turns slots into corners, edges into neighbours, and loops into the boundary; see from_cover.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/from_cover.hpp"
 
@@ -63,8 +63,8 @@ class FromCover {
     }
   }
 
-  /// A slot may stand twice in the chain of an element with a hole: once where a bridge leaves, once where the loop
-  /// goes on.
+  /// Marks edges in loops. A slot may occur twice in the chain of an element with a hole: where a bridge leaves, and
+  /// where the loop continues.
   void mark_loop_edges() {
     is_in_loop_.assign(cover_.vertices.size(), 0);
     for (const SlotRange& loop : cover_.loops) {
@@ -117,7 +117,7 @@ class FromCover {
     return points;
   }
 
-  /// An edge outside all loops whose reverse is in the same chain is a bridge: it parts the chain in two.
+  /// Splits the chain at bridges: edges outside all loops whose reverse is in the same chain.
   std::vector<Slots> without_bridges(Slots chain) {
     std::map<EdgeKey, std::size_t> walked;
     const std::size_t n = chain.size();
@@ -133,7 +133,7 @@ class FromCover {
     return {std::move(chain)};
   }
 
-  /// The way there leaves place `there`, the way back goes from `back` to `next`.
+  /// Splits a chain at a bridge. The outward edge leaves place `there`; the return edge leads from `back` to `next`.
   std::vector<Slots> parted(const Slots& chain, std::size_t there, std::size_t back, std::size_t next) {
     const auto at = [&](std::size_t i) { return chain.begin() + static_cast<std::ptrdiff_t>(i); };
     Slots inner(at(there + 1), at(back));
@@ -254,14 +254,14 @@ class FromCover {
   const Cover& cover_;
   Manifold manifold_;
   std::map<std::array<int, 3>, int> triangles_;
-  std::vector<char> is_in_loop_;     // of each slot: the edge that leaves it in its chain
+  std::vector<char> is_in_loop_;     // per slot: true if the edge that leaves it in its chain is in a loop
   std::vector<int> corner_of_slot_;  // -1: none
   std::vector<int> element_of_corner_;
-  std::vector<int> next_corner_;             // in its loop
+  std::vector<int> next_corner_;             // next in its loop
   std::vector<std::pair<int, int>> merged_;  // slots at both ends of bridges: the first is the corner of the second
 };
 
-/// Pieces by their ends; one whose reverse is there already is its other side.
+/// Collects pieces by their ends; a piece whose reverse exists already becomes its other side.
 class GraphOfBodies {
  public:
   explicit GraphOfBodies(const Manifold& manifold) : manifold_(manifold) { graph_.materials = manifold.body_materials; }

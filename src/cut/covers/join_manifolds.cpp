@@ -1,4 +1,4 @@
-// Every index moves by what was there before.
+// Shifts every index of the appended manifold by the counts before it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/join_manifolds.hpp"
 

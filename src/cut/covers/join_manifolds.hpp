@@ -1,4 +1,4 @@
-// Bodies cut one by one from the same mesh, together.
+// Joins bodies cut one by one from the same mesh.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-/// Adds the bodies of `more`, which was cut from the mesh of `to`, behind those of `to`. They share no covers.
+/// Appends the bodies of `more` to those of `to`. Both must be cut from the same mesh; they share no covers.
 void join(Manifold& to, const Manifold& more);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// One manifold a block, all together.
+// Cuts one manifold per block and appends it to the others.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/mesh_blocks.hpp"
 
@@ -8,7 +8,7 @@
 namespace keyblock {
 namespace {
 
-// Behind those before, with its own mesh.
+// Appends a manifold that has its own mesh.
 void add(Manifold& manifold, Manifold more) {
   const auto nodes = static_cast<int>(manifold.mesh.nodes.size());
   const auto triangles = static_cast<int>(manifold.mesh.triangles.size());

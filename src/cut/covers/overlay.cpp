@@ -1,4 +1,4 @@
-// Meetings of pieces with each other and with the mesh; see overlay.hpp.
+// Finds meetings of pieces with each other and with the mesh; see overlay.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/overlay.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 /// Units in the last place of the greatest coordinate: a node of a mesh and a crossing take a few roundings each.
 constexpr double kRoundOffUnits = 16;
 
-/// Crossings at a flat angle are known less well than this from floating-point numbers: they get exact ones.
+/// Error of floating-point stations above which crossings at a flat angle get exact ones.
 constexpr double kRoughPlaceOnSide = 1e-14;
 
 std::vector<MeshSide> sides_of(const TriangleMesh& mesh) {
@@ -56,7 +56,7 @@ double round_off_of(const BodyGraph& graph, const TriangleMesh& mesh) {
   return kRoundOffUnits * std::numeric_limits<double>::epsilon() * greatest;
 }
 
-/// Nodes of the graph, where they are nodes of the mesh up to rounding the same to the bit.
+/// Returns the nodes of the graph; those that are nodes of the mesh up to rounding are made equal to the bit.
 std::vector<Point> nodes_on_mesh(const BodyGraph& graph, const TriangleMesh& mesh, double round_off) {
   std::vector<Segment> points;
   for (const Point p : mesh.nodes) points.push_back({p, p});
@@ -70,14 +70,14 @@ std::vector<Point> nodes_on_mesh(const BodyGraph& graph, const TriangleMesh& mes
   return nodes;
 }
 
-/// A node strictly inside a segment; where two segments cross there, `other` is the other one, else -1.
+/// Node strictly inside a segment. If two segments cross there, `other` is the second one, else -1.
 struct StopOnSegment {
   Station station;
   int node = 0;
   int other = -1;
 };
 
-/// Pieces and sides as segments between numbered nodes: those of the graph, then those of the mesh, then crossings.
+/// Holds pieces and sides as segments between numbered nodes: those of the graph, then of the mesh, then crossings.
 class Overlaying {
  public:
   Overlaying(const BodyGraph& graph, const TriangleMesh& mesh, std::vector<MeshSide> sides)
@@ -104,7 +104,7 @@ class Overlaying {
     segments_.push_back({positions_[from], positions_[to]});
   }
 
-  /// Sides of the mesh meet each other in their common nodes only.
+  /// Meets pieces with pieces and sides only, because sides of the mesh meet each other in common nodes.
   void meet() {
     SegmentGrid grid(segments_, 0);
     const int count = static_cast<int>(segments_.size());
@@ -133,7 +133,7 @@ class Overlaying {
     }
   }
 
-  /// A node on the straight line of a segment, but perhaps outside of it.
+  /// Puts a node on a segment. The node must be on its straight line, but may lie beyond its ends.
   void put_on(int segment, int node) {
     const Point p = positions_[node];
     const Segment& s = segments_[segment];
@@ -156,7 +156,7 @@ class Overlaying {
     }
   }
 
-  /// The end of `segment` on the straight line of `carrier`, or -1.
+  /// Returns the end of `segment` on the straight line of `carrier`, or -1.
   int end_on_carrier(int segment, int carrier) const {
     const Segment& c = segments_[carrier];
     for (const int node : ends_[segment]) {
@@ -255,7 +255,7 @@ class Overlaying {
     result.origins.emplace_back();
   }
 
-  /// The first piece and the first side.
+  /// Records the first piece and the first side of an edge.
   void note_origin(const Part& part, Overlay& result) const {
     EdgeOrigin& origin = result.origins.back();
     const bool is_reversed = part.is_reversed != (result.arrangement.edges.back().from == part.high);
@@ -275,7 +275,7 @@ class Overlaying {
   std::vector<std::array<int, 2>> ends_;
   std::vector<Segment> segments_;
   std::vector<std::vector<StopOnSegment>> stops_;
-  std::vector<std::pair<int, int>> same_;  // nodes that are one point
+  std::vector<std::pair<int, int>> same_;  // pairs of nodes that are one point
 };
 
 }  // namespace

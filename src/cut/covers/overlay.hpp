@@ -1,4 +1,4 @@
-// Lays outlines and slits over a triangular mesh: the exact arrangement of both, nothing moved.
+// Computes the exact arrangement of outlines, slits and a triangular mesh without moving any point.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,14 +11,14 @@
 
 namespace keyblock {
 
-/// A side of triangles of the mesh; -1 where the mesh ends.
+/// Side of triangles of the mesh; a triangle of -1 means that the mesh ends there.
 struct MeshSide {
-  std::array<int, 2> nodes{};  ///< of the mesh
+  std::array<int, 2> nodes{};  ///< nodes of the mesh
   int left = -1;               ///< triangle to the left of nodes[0] → nodes[1]
   int right = -1;
 };
 
-/// What an edge of the overlay is a part of. Where a piece runs along a side of the mesh, an edge is part of both.
+/// Source of an edge of the overlay. An edge belongs to a piece and a side if the piece runs along the side.
 struct EdgeOrigin {
   int piece = -1;  ///< of the graph, in its direction if `piece_is_reversed` is false; -1: none
   int side = -1;   ///< of the mesh; -1: none
@@ -29,13 +29,13 @@ struct EdgeOrigin {
 struct Overlay {
   Arrangement arrangement;  ///< its lines: the pieces, then the sides
   std::vector<MeshSide> sides;
-  std::vector<EdgeOrigin> origins;  ///< of each edge
-  double round_off = 0;             ///< what rounding may have made of no distance at all
+  std::vector<EdgeOrigin> origins;  ///< per edge
+  double round_off = 0;             ///< distance below which rounding may separate equal points
 };
 
-/// Which pieces and sides meet, and in which order along each of them, is decided exactly from their end points. Only
-/// crossings get new positions, rounded, and nodes of the graph
-/// that are nodes of the mesh up to rounding.
+/// Overlays the graph on the mesh. Exact predicates on the end points decide which pieces and sides meet, and their
+/// order along each. Only crossings get new, rounded positions. Nodes of the graph that are nodes of the mesh up to
+/// rounding get those positions.
 Overlay overlay(const BodyGraph& graph, const TriangleMesh& mesh);
 
 }  // namespace keyblock

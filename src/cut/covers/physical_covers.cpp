@@ -1,4 +1,4 @@
-// Stars joined across sides of the mesh; see physical_covers.hpp.
+// Connects stars across sides of the mesh; see physical_covers.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/physical_covers.hpp"
 
@@ -11,15 +11,15 @@
 namespace keyblock {
 namespace {
 
-/// One of the three nodes of an element's triangle; its number is 3 element + place.
+/// One of the three nodes of an element's triangle; its number is 3 · element + place.
 struct Slot {
   int node = 0;
   int group = 0;  ///< lowest slot of the cover
   int slot = 0;
 };
 
-/// Across an edge, which is part of the side that both triangles have, the slots of the side's two nodes join. (Where
-/// cutting left out a face without thickness, an edge of round-off length may lead back into the same triangle.)
+/// Joins the slots of the two nodes of the side that both triangles share. (If cutting left out a face without
+/// thickness, an edge of round-off length may lead back into the same triangle.)
 void join(const Manifold& manifold, int a, int b, UnionFind& groups) {
   if (manifold.elements[a].triangle == manifold.elements[b].triangle) return;
   const auto& of_a = manifold.mesh.triangles[manifold.elements[a].triangle];

@@ -1,4 +1,5 @@
-// Physical covers: the parts of the stars of mathematical nodes that hang together.
+// Computes physical covers: the connected parts of the stars of mathematical nodes.
+// Theory: docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,10 +7,10 @@
 
 namespace keyblock {
 
-/// Gives the elements, which know their neighbours, the covers that they make.
+/// Computes the covers of the elements, whose neighbours must be set.
 void set_covers(Manifold& manifold);
 
-/// Lists the covers anew after elements were given those of others; covers that no element has are left out.
+/// Renumbers the covers after elements were given those of others; covers without elements are left out.
 void relist_covers(Manifold& manifold);
 
 }  // namespace keyblock

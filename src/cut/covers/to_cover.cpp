@@ -1,4 +1,4 @@
-// Elements to slots and points to elements; see to_cover.hpp.
+// Turns elements into slots and puts points into elements; see to_cover.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/to_cover.hpp"
 
@@ -33,7 +33,7 @@ double distance_to_edges(const std::vector<std::vector<Point>>& loops, Point p) 
   return nearest;
 }
 
-/// Corners in the order of one chain around an element and its holes.
+/// Orders the corners of an element and its holes in one chain.
 class Chaining {
  public:
   Chaining(const Manifold& manifold, const ManifoldElement& element)
@@ -49,7 +49,7 @@ class Chaining {
   struct Bridge {
     double length = 0;
     int at = 0;      // place in the chain
-    int corner = 0;  // of the hole
+    int corner = 0;  // corner of the hole
   };
 
   Point position(int corner) const { return manifold_.corners[corner].position; }
@@ -62,7 +62,7 @@ class Chaining {
     chain_.insert(chain_.begin() + bridge.at + 1, detour.begin(), detour.end());
   }
 
-  /// The shortest that crosses no edge of the element.
+  /// Returns the shortest bridge that crosses no edge of the element.
   Bridge shortest_bridge(const SlotRange& hole) const {
     std::vector<Bridge> bridges;
     for (int at = 0; at < static_cast<int>(chain_.size()); ++at) {

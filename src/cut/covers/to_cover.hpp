@@ -1,4 +1,4 @@
-// A cut mesh as a cover file says it, with the points of the drawing in their elements.
+// Writes a cut mesh in the form of a cover file, with the points of the drawing in their elements.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,14 +8,15 @@
 
 namespace keyblock {
 
-/// The element of a body that holds the point; where rounding leaves it in none, the nearest. -1: the body has none.
+/// Returns the element of a body that holds the point, or the nearest if rounding leaves it in none. Returns -1 if the
+/// body has no elements.
 int element_at(const Manifold& manifold, int body, Point p);
 
-/// The points of the bodies, each in its element.
+/// Returns the points of the bodies, each in its element.
 ElementPoints points_in_elements(const Manifold& manifold, const Blocks& blocks);
 
-/// `blocks` are the bodies of the manifold: their points go along, their bolts do not. An element with holes becomes
-/// one chain, which runs to each hole and back on the same line.
+/// Returns the cover of a manifold. `blocks` must be its bodies; their points are kept, their bolts are not. An element
+/// with holes becomes one chain, which runs to each hole and back on the same line.
 Cover to_cover(const Manifold& manifold, const Blocks& blocks);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// The edges that meet in each node.
+// Lists the edges that meet in each node.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// Nodes and edges that lines make of the plane: what the stages of cutting hand to each other.
+// Holds the nodes and edges that lines form in the plane, which the stages of cutting pass on.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,15 +9,14 @@
 
 namespace keyblock {
 
-/// Where lines meet. `is_exact`: all its crossings are one and the same point of the plane; nothing was
-/// merged.
+/// Point where lines meet. `is_exact`: all its crossings are the same point of the plane; no crossing was merged.
 struct Node {
   Point position;
   bool is_exact = true;
 };
 
-/// A piece between two nodes, in the direction of its line. `is_on_line`: it lies exactly on its line, whose
-/// direction then rules its order about a node, free of the rounding of node coordinates.
+/// Piece between two nodes, in the direction of its line. `is_on_line`: it lies exactly on its line. The direction of
+/// the line then decides its order around a node, free of the rounding of node coordinates.
 struct Edge {
   int from = 0;
   int to = 0;
@@ -25,7 +24,7 @@ struct Edge {
   bool is_on_line = true;
 };
 
-/// Something moved by more than round-off to make the drawing's pieces meet.
+/// A point moved by more than round-off to make the pieces of the drawing meet.
 struct Snap {
   enum class Kind { node_merged, end_reached, edge_rerouted };
   Kind kind = Kind::node_merged;
@@ -47,7 +46,7 @@ constexpr const char* to_string(Snap::Kind kind) {
 }
 
 struct Arrangement {
-  std::vector<Segment> lines;  ///< what `Edge::line` counts
+  std::vector<Segment> lines;  ///< indexed by `Edge::line`
   std::vector<Node> nodes;
   std::vector<Edge> edges;
 };

@@ -1,4 +1,4 @@
-// Pairs of lines that meet; see crossings.hpp.
+// Finds pairs of lines that meet; see crossings.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/crossings.hpp"
 
@@ -12,8 +12,8 @@
 namespace keyblock {
 namespace {
 
-/// Lines almost along each other: floating-point numbers place their crossing worse than this, and may put it beyond
-/// other crossings of either line.
+/// Error of floating-point stations above which exact ones are computed. Lines almost along each other have such
+/// errors, and their crossing may get beyond other crossings of either line.
 constexpr double kRoughStation = 1e-10;
 
 bool is_in_box(const Segment& s, Point p) {
@@ -77,7 +77,7 @@ class PairTest {
            std::min(b.start.y, b.end.y) - reach <= std::max(a.start.y, a.end.y);
   }
 
-  /// Does the shorter of the two lie on the carrier of the longer?
+  /// Returns true if the shorter of the two lies on the straight line of the longer.
   static bool is_along(const Segment& a, const Segment& b, double reach) {
     const bool a_is_longer = distance(a.start, a.end) > distance(b.start, b.end);
     const Segment& carrier = a_is_longer ? a : b;
@@ -97,7 +97,7 @@ class PairTest {
     found_.push_back({line, other, point_at(lines_[line], t.value), false, false});
   }
 
-  /// The lower line's ends first, as in the old programs.
+  /// Adds the ends of the lower line first, as Shi's programs do.
   template <class IsOn>
   void add_ends(int line, int other, IsOn is_on) {
     const Segment& a = lines_[line];
@@ -121,7 +121,7 @@ class PairTest {
   std::vector<Crossing> found_;
 };
 
-/// Stops of every line, not yet in order.
+/// Collects the stops of every line, not yet in order.
 void collect_stops(std::span<const Segment> lines, Crossings& crossings) {
   crossings.first_stop.assign(lines.size() + 1, 0);
   for (const Crossing& c : crossings.found) {
@@ -140,7 +140,7 @@ void collect_stops(std::span<const Segment> lines, Crossings& crossings) {
   }
 }
 
-/// Exact order of two stops of one line.
+/// Compares two stops of one line exactly.
 class StopOrder {
  public:
   StopOrder(std::span<const Segment> lines, const std::vector<Crossing>& found, int line)

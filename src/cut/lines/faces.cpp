@@ -1,6 +1,6 @@
-// Faces by rotation about the nodes, holes by looking for the edge below; see faces.hpp.
-// Half-edge 2e runs along edge e from `from` to `to`, half-edge 2e + 1 back. A walk is a closed sequence of
-// half-edges with one face on its left; the walk about the outside of a connected part is its rim.
+// Traces faces by rotation around the nodes, and places holes by the edge below them; see faces.hpp. Half-edge 2e runs
+// along edge e from `from` to `to`, half-edge 2e + 1 back. A walk is a closed sequence of half-edges with one face on
+// its left. The walk around the outside of a connected part is its rim.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/faces.hpp"
 
@@ -20,7 +20,7 @@ namespace {
 
 /// All walks, one after the other.
 struct Walks {
-  std::vector<std::size_t> start;  // of each walk, and one past the last
+  std::vector<std::size_t> start;  // per walk, and one past the last
   std::vector<int> half_edges;
   std::vector<int> of_half_edge;
 
@@ -58,7 +58,7 @@ class ChainCutter {
   explicit ChainCutter(const Arrangement& a) : a_(a), position_(a.nodes.size(), -1) {}
 
   std::vector<Chain> cut(const Walks& walks, int walk) {
-    // Two loops through one node have three edges each at least.
+    // Two loops through one node have at least three edges each.
     constexpr std::size_t kShortestWithTwoVisits = 6;
     const bool is_plain = walks.start[walk + 1] - walks.start[walk] < kShortestWithTwoVisits;
     std::vector<Chain> chains;
@@ -90,7 +90,7 @@ class ChainCutter {
       ChainLink link{head(a_, h), a_.edges[h / 2].line, h};
       if (position_[link.node] >= 0) {
         chains.push_back(take_loop(open, link.node));
-        // The loop is closed by the edge arriving now, what is left by the edge that arrived first.
+        // The arriving edge closes the loop; the edge that arrived first closes the remainder.
         std::swap(chains.back().front(), link);
       }
       position_[link.node] = static_cast<int>(open.size());
@@ -115,10 +115,10 @@ class ChainCutter {
   }
 
   const Arrangement& a_;
-  std::vector<int> position_;  // of a node in the open chain
+  std::vector<int> position_;  // per node: place in the open chain
 };
 
-/// The walk about the outside of each connected part, and the part's leftmost (then lowest) node.
+/// Walk around the outside of each connected part, with the part's leftmost (then lowest) node.
 struct Rim {
   int walk = 0;
   int node = 0;
@@ -128,15 +128,14 @@ bool is_left_of(Point a, Point b) {
   return std::tie(a.x, a.y) < std::tie(b.x, b.y);
 }
 
-/// Of the edges leaving a leftmost node the one turned farthest counter-clockwise has the outside on its
-/// left.
+/// Returns the edge leaving a leftmost node that turns farthest counter-clockwise: it has the outside on its left.
 int outermost(const Arrangement& a, std::span<const int> leaving) {
   int best = leaving.front();
   for (const int h : leaving) {
     const Segment from = direction(a, best);
     const Segment to = direction(a, h);
     const int by_lines = turn(from.start, from.end, to.start, to.end);
-    // Parallel lines that end in one node by merging part along their edges.
+    // Parallel lines that end in one node by merging are separated by the ends of their edges.
     const int by_ends = by_lines != 0 ? by_lines
                                       : orientation(a.nodes[tail(a, h)].position, a.nodes[head(a, best)].position,
                                                     a.nodes[head(a, h)].position);
@@ -163,22 +162,22 @@ std::vector<Rim> find_rims(const Arrangement& a, const RotationSystem& rotation,
   return rims;
 }
 
-/// An edge from its left to its right end.
+/// Returns an edge from its left to its right end.
 Segment rightward(const Arrangement& a, const Edge& e) {
   const Point p = a.nodes[e.from].position;
   const Point q = a.nodes[e.to].position;
   return is_left_of(p, q) ? Segment{p, q} : Segment{q, p};
 }
 
-/// For two pieces over a common x that do not cross.
+/// Compares two pieces over a common x that do not cross.
 bool is_above(const Segment& a, const Segment& b) {
   if (a.start.x < b.start.x) return !is_above(b, a);
   const int start = orientation(b.start, b.end, a.start);
   return start != 0 ? start > 0 : orientation(b.start, b.end, a.end) > 0;
 }
 
-/// For each rim the half-edge nearest below its leftmost node, which has that node on its left; -1 where
-/// nothing lies below. `rims` from left to right.
+/// Returns, per rim, the half-edge nearest below its leftmost node, with that node on its left; -1 if nothing lies
+/// below. `rims` must be ordered from left to right.
 std::vector<int> half_edges_below(const Arrangement& a, const std::vector<Rim>& rims) {
   std::vector<int> nearest(rims.size(), -1);
   const auto x_of = [&](const Rim& rim) { return a.nodes[rim.node].position.x; };
@@ -197,16 +196,16 @@ std::vector<int> half_edges_below(const Arrangement& a, const std::vector<Rim>& 
   return nearest;
 }
 
-// What stands around a walk where no bounded walk does.
+// Surroundings of walks without a bounded walk around them, and of walks that are no rims.
 constexpr int kOpenPlane = -1;
 constexpr int kNotARim = -2;
 
-/// For each walk that is the rim of a part: the bounded walk around it, or kOpenPlane.
+/// Returns, per walk that is the rim of a part, the bounded walk around it, or kOpenPlane.
 std::vector<int> find_surroundings(const Arrangement& a, const Walks& walks, std::vector<Rim> rims) {
   std::vector<int> around(walks.count(), kNotARim);
   for (const Rim& rim : rims) around[rim.walk] = kOpenPlane;
   if (rims.size() < 2) return around;
-  // From left to right: the rim that a look down may meet belongs to a part that begins farther left.
+  // The rim found below belongs to a part that begins farther left, so parts are visited from left to right.
   std::sort(rims.begin(), rims.end(),
             [&](const Rim& x, const Rim& y) { return is_left_of(a.nodes[x.node].position, a.nodes[y.node].position); });
   const std::vector<int> below = half_edges_below(a, rims);

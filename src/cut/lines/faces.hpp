@@ -1,5 +1,4 @@
-// Traces the faces of an arrangement: each an outer chain counter-clockwise and the chains of its holes
-// clockwise.
+// Traces the faces of an arrangement: an outer chain counter-clockwise, and clockwise chains of holes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,8 +8,8 @@
 
 namespace keyblock {
 
-/// A node of a chain, and the edge that arrives there: its line, and the half-edge that has the face on its left
-/// (2e along edge e, 2e + 1 against it).
+/// Node of a chain with the edge that arrives there. `half_edge` has the face on its left: 2e along edge e, 2e + 1
+/// against it.
 struct ChainLink {
   int node = 0;
   int line = 0;
@@ -19,16 +18,16 @@ struct ChainLink {
 
 using Chain = std::vector<ChainLink>;
 
-/// The face lies to the left of every edge of its chains. A chain passes each node once: where a hole touches
-/// the outer chain in a node they are two chains.
+/// Face to the left of every edge of its chains. A chain passes each node once: a hole that touches the outer chain in
+/// a node is a chain of its own.
 struct Face {
   Chain outer;
   std::vector<Chain> holes;
 };
 
-/// All bounded faces of a pruned arrangement, numbered as the old programs do: nodes ascending, about each
-/// node its edges counter-clockwise from the x direction; each edge calls for the face to its right. A chain
-/// starts at its lowest node.
+/// Returns all bounded faces of a pruned arrangement, in the order of Shi's programs. Nodes ascend, edges around each
+/// node run counter-clockwise from the x direction, and each edge adds the face to its right. A chain starts at its
+/// lowest node.
 std::vector<Face> trace_faces(const Arrangement& arrangement);
 
 }  // namespace keyblock

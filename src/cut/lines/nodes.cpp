@@ -1,4 +1,4 @@
-// Nodes from crossings, edges from lines; see nodes.hpp.
+// Builds nodes from crossings and edges from lines; see nodes.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/nodes.hpp"
 
@@ -22,7 +22,7 @@ struct NearPair {
   int second = 0;
 };
 
-/// All pairs of points nearer than `reach`, by distance: points sorted into square cells of that size.
+/// Finds all pairs of points nearer than `reach`, by distance; points are sorted into square cells of that size.
 class NearPairs {
  public:
   NearPairs(const std::vector<Point>& points, double reach) : points_(points), reach_(reach) {
@@ -89,7 +89,7 @@ class Merger {
   bool is_exact(int crossing) { return !is_merged_[groups_.find(crossing)]; }
   const std::vector<int>& undecided() const { return undecided_; }
 
-  /// The old programs look for crossings with boundary lines first, then for all others.
+  /// Returns true for crossings with boundary lines, which Shi's programs look for before all others.
   bool is_found_early(int crossing) const { return crossings_.found[crossing].other < boundary_count_; }
 
  private:
@@ -100,7 +100,7 @@ class Merger {
     std::vector<Point> points;
   };
 
-  /// One crossing of every group of exactly coinciding ones.
+  /// Returns one crossing of every group of exactly coinciding crossings.
   Leaders leaders_of_groups() {
     Leaders leaders;
     for (std::size_t i = 0; i < crossings_.found.size(); ++i) {
@@ -112,8 +112,8 @@ class Merger {
     return leaders;
   }
 
-  /// Earlier nodes win, no averaging, boundary lines' crossings with one another never merge (legacy-formats 3.6, rule
-  /// 1).
+  /// Merges each crossing with an earlier node, without averaging; crossings of two boundary lines never merge
+  /// (legacy-formats 3.6, rule 1).
   void merge_with_earlier(const CutTolerances& tolerances) {
     const auto [leaders, points] = leaders_of_groups();
     const auto rank = [this](int crossing) { return std::pair(!is_found_early(crossing), crossing); };
@@ -139,8 +139,7 @@ class Merger {
     const auto [leaders, points] = leaders_of_groups();
     members_.resize(crossings_.found.size());
     for (const int leader : leaders) members_[leader] = {leader};
-    // Exactly coinciding crossings of inner lines hide a boundary crossing; the group then counts as
-    // boundary.
+    // A boundary crossing may coincide exactly with inner lines; its group then counts as boundary.
     has_boundary_.assign(crossings_.found.size(), 0);
     for (std::size_t i = 0; i < crossings_.found.size(); ++i) {
       if (is_boundary(static_cast<int>(i))) has_boundary_[groups_.find(static_cast<int>(i))] = 1;
@@ -182,17 +181,16 @@ class Merger {
   const Crossings& crossings_;
   int boundary_count_;
   UnionFind groups_;
-  std::vector<std::vector<int>> members_;  // of each group's leader
+  std::vector<std::vector<int>> members_;  // members of each group's leader
   std::vector<char> has_boundary_;
   std::vector<char> is_merged_;
   std::vector<int> undecided_;
 };
 
-/// Chooses the crossing of a node that gives its coordinates: the first found, as in the old programs, where
-/// all of them differ by round-off only. Where they differ more, not the order of the lines but the drawing
-/// decides: a crossing before the end of an overlap, boundary lines before others, ends drawn there before
-/// lines passing through, long lines before short ones, square crossings before flat ones. The first found
-/// again where all this is equal.
+/// Chooses the crossing that gives a node its coordinates. If all crossings differ by round-off only, it is the first
+/// found, as in Shi's programs. Otherwise the drawing decides, not the order of its lines. A crossing goes before the
+/// end of an overlap, and boundary lines before others. Ends drawn there go before lines passing through, long lines
+/// before short ones, square crossings before flat ones. If all are equal, the first found is chosen.
 class Placing {
  public:
   Placing(std::span<const Segment> lines, std::size_t boundary_count, const Crossings& crossings,
@@ -202,14 +200,13 @@ class Placing {
         found_(crossings.found),
         tolerances_(tolerances) {}
 
-  /// Of crossings that are exactly one point: the first found, but the end of an overlap only if there is
-  /// nothing else.
+  /// Returns the first found of crossings at exactly one point; the end of an overlap only if there is no other.
   int first_found(std::span<const int> members) const {
     const auto crossing = std::find_if(members.begin(), members.end(), [&](int i) { return !found_[i].is_end; });
     return crossing == members.end() ? members.front() : *crossing;
   }
 
-  /// `members` in the order of finding.
+  /// Chooses among `members`, which are in the order of finding.
   int choose(std::span<const int> members) const {
     const int first = first_found(members);
     const auto is_at = [&](int place) {
@@ -240,11 +237,10 @@ class Placing {
     return is_clearly_more(squareness(a), squareness(b));
   }
 
-  /// Equal measures must not be told apart by their rounding.
+  /// Equal measures must not be distinguished by their rounding.
   static bool is_clearly_more(double a, double b) { return a > b * (1 + 1e-6); }
 
-  /// 2 for each of the two lines that ends right there, 1 where it ends within the merging distance (an
-  /// overshoot).
+  /// Returns the sum over both lines: 2 if a line ends right there, 1 if within the merging distance (an overshoot).
   int ends_drawn_at(int crossing) const {
     const Crossing& c = found_[crossing];
     int sum = 0;
@@ -261,7 +257,7 @@ class Placing {
     return distance(a.start, a.end) + distance(b.start, b.end);
   }
 
-  /// |sin| of the angle between the two lines.
+  /// Returns |sin| of the angle between the two lines.
   double squareness(int crossing) const {
     const Segment& a = lines_[found_[crossing].line];
     const Segment& b = lines_[found_[crossing].other];
@@ -276,9 +272,9 @@ class Placing {
   const CutTolerances& tolerances_;
 };
 
-/// The crossings of each node in the order of finding, nodes in the order of their first crossing.
+/// Crossings of each node in the order of finding; nodes in the order of their first crossing.
 struct Members {
-  std::vector<std::size_t> start;  // of each node, and one past the last
+  std::vector<std::size_t> start;  // per node, and one past the last
   std::vector<int> crossings;
 
   std::size_t node_count() const { return start.size() - 1; }
@@ -307,7 +303,7 @@ Members members_of_nodes(Merger& merger, const Crossings& crossings) {
   return members;
 }
 
-/// Makes the nodes and says which node each crossing is.
+/// Makes the nodes and returns the node of each crossing.
 std::vector<int> number_nodes(Merger& merger, const Crossings& crossings, const Placing& placing, NodeMerging merging,
                               NodeTable& table) {
   const Members members = members_of_nodes(merger, crossings);
@@ -326,7 +322,7 @@ std::vector<int> number_nodes(Merger& merger, const Crossings& crossings, const 
   return node_of_crossing;
 }
 
-/// Pieces between consecutive nodes of every line; where lines share a piece the lowest-numbered line has it.
+/// Returns the pieces between consecutive nodes of every line. A piece shared by lines belongs to the lowest-numbered.
 std::vector<Edge> make_edges(const Crossings& crossings, const std::vector<int>& node_of_crossing,
                              const std::vector<Node>& nodes) {
   std::vector<Edge> edges;
@@ -365,7 +361,7 @@ NodeTable make_nodes(std::vector<Segment> lines, std::size_t boundary_count, con
     const Crossing& c = crossings.found[i];
     const int node = node_of_crossing[i];
     if (tolerances.is_exact()) continue;
-    // A crossing that slides along both its lines bends neither: the end of an overlap, mostly.
+    // A crossing that slides along both its lines bends neither; most are ends of overlaps.
     const Point to = table.arrangement.nodes[node].position;
     if (std::max(distance_to_carrier(lines[c.line], to), distance_to_carrier(lines[c.other], to)) >
         tolerances.round_off) {

@@ -1,4 +1,4 @@
-// Detours and crossings of moved pieces; see planarize.hpp.
+// Makes detours and crossings of moved pieces; see planarize.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/planarize.hpp"
 
@@ -15,10 +15,10 @@
 namespace keyblock {
 namespace {
 
-/// A node put on a crossing may lie beside a further piece, whose detour may cross another. No piece crossed
-/// another in enough in all drawings tried; the bound only makes sure of an end.
+/// Bound on the iterations, which only guarantees an end. A node put on a crossing may lie beside a further piece,
+/// whose detour may cross another.
 constexpr int kMaxRounds = 20;
-/// Multiple of the nodes at the beginning: drawings that can be cut get a few more.
+/// Bound on the nodes, per nodes at the beginning; drawings that can be cut get few more.
 constexpr std::size_t kMostGrowth = 4;
 constexpr std::size_t kFewNodes = 100;
 
@@ -32,7 +32,7 @@ std::vector<Segment> segments_of(const Arrangement& a) {
   return result;
 }
 
-/// One piece for each pair of nodes: the lowest-numbered line's.
+/// Keeps one piece per pair of nodes, that of the lowest-numbered line.
 void drop_doubles(std::vector<Edge>& edges) {
   const auto ends = [](const Edge& e) { return std::pair(std::min(e.from, e.to), std::max(e.from, e.to)); };
   std::sort(edges.begin(), edges.end(),
@@ -41,7 +41,7 @@ void drop_doubles(std::vector<Edge>& edges) {
               edges.end());
 }
 
-/// A node on the way of an edge, and where.
+/// Node on an edge, and its place.
 struct Via {
   double t = 0;
   int node = 0;
@@ -59,7 +59,7 @@ void add_chain(std::vector<Edge>& edges, const Edge& edge, std::vector<Via> vias
   if (edge.to != last) edges.push_back({last, edge.to, edge.line, vias.empty() && edge.is_on_line});
 }
 
-/// Nodes in use, as points of a grid.
+/// Holds the nodes in use as points of a grid.
 class NodeGrid {
  public:
   NodeGrid(const Arrangement& a, double reach) : points_(used_nodes(a)), grid_(points_, reach) {}
@@ -110,8 +110,8 @@ class Detours {
   }
 
  private:
-  /// Round by round: all parts of the piece are led through the nodes beside them, and none turns back to a node that
-  /// any part passed in a round before. Parts with the same ends are one: there are no more than pairs of nodes.
+  /// Leads all parts of the piece through the nodes beside them, iteration by iteration. No part turns back to a node
+  /// that any part passed before. Parts with the same ends are one, so there are no more parts than pairs of nodes.
   void settle(const Edge& edge) {
     const double reach = edge.line < boundary_count_ ? tolerances_.round_off : tolerances_.near_pass;
     std::set<int> passed{edge.from, edge.to};
@@ -145,21 +145,22 @@ class Detours {
   std::vector<Edge> edges_;
 };
 
-/// Do two pieces cross away from common nodes? Pieces still on their lines never do.
+/// Returns true if two pieces cross away from common nodes; pieces still on their lines never do.
 bool cross_each_other(const Arrangement& a, const Edge& e, const Edge& f) {
   if (e.is_on_line && f.is_on_line) return false;
   if (e.from == f.from || e.from == f.to || e.to == f.from || e.to == f.to) return false;
   return meeting(segment_of(a, e), segment_of(a, f)) == Meeting::crossing;
 }
 
-/// Returns the place of a crossing on the piece, from 0 to 1. Of nearly parallel pieces the quotient may be no number.
+/// Returns the place of a crossing on the piece, from 0 to 1. The quotient may be NaN for nearly parallel pieces, which
+/// then use exact arithmetic.
 double place_of_crossing(const Segment& piece, const Segment& other) {
   Station place = station(piece, other);
   if (!std::isfinite(place.value) || !std::isfinite(place.error)) place = exact_station(piece, other);
   return std::clamp(place.value, 0.0, 1.0);
 }
 
-/// One round of crossings; says whether there were any.
+/// Splits pieces that cross, once over all pairs; returns true if there were any.
 bool split_crossings(Planarized& p) {
   Arrangement& a = p.arrangement;
   if (std::all_of(a.edges.begin(), a.edges.end(), [](const Edge& e) { return e.is_on_line; })) return false;
@@ -192,7 +193,7 @@ bool split_crossings(Planarized& p) {
 
 namespace {
 
-// Of two pieces that cross the one of the later line goes, boundaries stay (legacy-formats 3.6, step 4).
+// Deletes the piece of the later line if two pieces cross; boundaries stay (legacy-formats 3.6, step 4).
 Planarized without_near_pieces(Arrangement arrangement, std::size_t boundary_count, const CutTolerances& tolerances) {
   Planarized result{std::move(arrangement), {}, 0, {}, true};
   Arrangement& a = result.arrangement;

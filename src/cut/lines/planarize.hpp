@@ -1,5 +1,5 @@
-// After merging has moved nodes: pieces that pass a foreign node too near go through it, pieces that cross
-// get a node.
+// Restores a plane arrangement after merging has moved nodes. Pieces that pass a foreign node too near are led through
+// it, and pieces that cross get a node.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace keyblock {
 
-/// A piece led through a node beside it.
+/// Piece led through a node beside it.
 struct Detour {
   int line = 0;
   int node = 0;
@@ -22,13 +22,13 @@ struct Planarized {
   Arrangement arrangement;
   std::vector<Detour> detours;
   int crossings = 0;          ///< nodes put where pieces crossed
-  std::vector<Edge> deleted;  ///< pieces, as the old programs do
-  bool is_settled = true;     ///< false: nodes lie so near to one another that each round makes more
+  std::vector<Edge> deleted;  ///< pieces deleted, as Shi's programs do
+  bool is_settled = true;     ///< false: nodes lie so near to one another that each iteration adds more
 };
 
-/// Boundary pieces make detours within round-off only, as the old programs never delete them; other pieces
-/// those programs delete instead, which comes to the same where the way through the node is there already,
-/// and opens blocks where it is not.
+/// Leads pieces through near nodes. Boundary pieces make detours within round-off only, because Shi's programs never
+/// delete them. Other pieces those programs delete instead. The result is the same if the path through the node exists
+/// already; if not, deletion opens blocks.
 Planarized planarize(Arrangement arrangement, std::size_t boundary_count, const CutTolerances& tolerances,
                      NearPieces near_pieces = NearPieces::led_through);
 

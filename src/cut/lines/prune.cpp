@@ -1,4 +1,4 @@
-// Dangling pieces by peeling, bridges by depth-first search; see prune.hpp.
+// Finds dangling pieces by peeling, bridges by depth-first search; see prune.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/prune.hpp"
 
@@ -30,8 +30,8 @@ void peel(const Arrangement& a, const Adjacency& around, std::vector<Fate>& fate
   }
 }
 
-/// Tarjan's lowest reachable number, with the recursion unrolled: an edge down to a node from which nothing
-/// leads back above it is a bridge.
+/// Finds bridges by Tarjan's lowest reachable number, with the recursion unrolled. An edge down to a node is a bridge
+/// if nothing leads back above that node.
 class BridgeSearch {
  public:
   BridgeSearch(const Arrangement& a, const Adjacency& around, std::vector<Fate>& fate)

@@ -1,4 +1,4 @@
-// Removes every piece that bounds nothing: dangling ends, and bridges between loops.
+// Removes every piece that bounds nothing: free ends, and bridges between loops.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,12 +10,12 @@ namespace keyblock {
 
 struct Pruning {
   std::vector<Edge> kept;
-  std::vector<Edge> dangling;  ///< pieces of trees hanging on the rest, or lying alone
+  std::vector<Edge> dangling;  ///< pieces of trees that are attached to the rest, or isolated
   std::vector<Edge> bridges;   ///< pieces joining two loops: the same face on both sides
 };
 
-/// What is left does not depend on the order of the edges: an edge stays if and only if it lies on a closed
-/// chain.
+/// Returns the kept and removed edges, whose sets do not depend on the order of the edges. An edge is kept if and only
+/// if it lies on a closed chain.
 Pruning prune(const Arrangement& arrangement);
 
 }  // namespace keyblock

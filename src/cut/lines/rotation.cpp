@@ -1,4 +1,4 @@
-// Edges about nodes; see rotation.hpp.
+// Orders edges around nodes; see rotation.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/rotation.hpp"
 
@@ -9,12 +9,12 @@
 namespace keyblock {
 namespace {
 
-/// A direction as the segment from one exact point to another.
+/// Returns a direction as the segment between the exact positions of both nodes.
 Segment by_coordinates(const Arrangement& a, int half_edge) {
   return {a.nodes[tail(a, half_edge)].position, a.nodes[head(a, half_edge)].position};
 }
 
-/// Below the x axis, the x direction itself counting as above.
+/// Returns true below the x axis; the x direction itself counts as above.
 bool is_lower_half(const Segment& d) {
   return d.end.y < d.start.y || (d.end.y == d.start.y && d.end.x < d.start.x);
 }
@@ -44,8 +44,7 @@ RotationSystem::RotationSystem(const Arrangement& a) : start_(a.nodes.size() + 1
     const std::span<int> around(order_.data() + start_[node], order_.data() + start_[node + 1]);
     if (around.empty()) continue;
     std::sort(around.begin(), around.end(), [&](int x, int y) { return is_before(direction(a, x), direction(a, y)); });
-    // The old programs count angles from rounded coordinates: an edge along x may stand at 0 or just below
-    // 360 degrees.
+    // Shi's programs take angles from rounded coordinates: an edge along x may get 0 or just below 360 degrees.
     std::rotate(around.begin(),
                 std::min_element(around.begin(), around.end(),
                                  [&](int x, int y) { return is_before(by_coordinates(a, x), by_coordinates(a, y)); }),

@@ -1,5 +1,5 @@
-// The order of the edges about each node, which is all that tracing faces needs to know of the plane.
-// Half-edge 2e runs along edge e from `from` to `to`, half-edge 2e + 1 back.
+// Orders the edges around each node, the only geometry that tracing faces needs. Half-edge 2e runs along edge e from
+// `from` to `to`, half-edge 2e + 1 back.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,19 +20,19 @@ inline int head(const Arrangement& a, int half_edge) {
   return tail(a, twin(half_edge));
 }
 
-/// From one point to another in the exact direction of a half-edge.
+/// Returns a segment from one point to another in the exact direction of a half-edge.
 Segment direction(const Arrangement& a, int half_edge);
 
 class RotationSystem {
  public:
   explicit RotationSystem(const Arrangement& arrangement);
 
-  /// Half-edges leaving a node, counter-clockwise from the x direction.
+  /// Returns the half-edges leaving a node, counter-clockwise from the x direction.
   std::span<const int> leaving(int node) const {
     return {order_.data() + start_[node], order_.data() + start_[node + 1]};
   }
 
-  /// The half-edge that continues the walk with the same face on the left.
+  /// Returns the half-edge that continues the walk with the same face on the left.
   int next(int half_edge) const { return next_[half_edge]; }
 
  private:

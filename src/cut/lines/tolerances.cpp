@@ -1,4 +1,4 @@
-// Scale and tolerances of a drawing; see tolerances.hpp.
+// Computes the scale and tolerances of a drawing; see tolerances.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/tolerances.hpp"
 
@@ -30,15 +30,15 @@ double scale_of(const Box& box) {
   return 1.02 * std::max(box.size().y / 2, box.size().x / 2 / 1.3);
 }
 
-// A slip in one coordinate makes the drawing, and with it the merging distance, a hundred times as large.
+// Limits for a mistake in one coordinate, which can make the drawing and its merging distance a hundred times as large.
 constexpr double kFarReach = 20;
 constexpr double kSmallShare = 1.0 / 20;
 
-// Circles of symbols are many short lines: without a slip it takes more than most of them.
+// Circles of symbols are many short lines: without such a mistake, most lines must be shorter.
 constexpr double kHalf = 0.5;
 constexpr double kNearlyAll = 0.9;
 
-/// The value that this share of all is no greater than.
+/// Returns the value that a given share of all values does not exceed.
 double at_share(std::vector<double> values, double share) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
   std::nth_element(values.begin(), at, values.end());
@@ -89,11 +89,10 @@ CutTolerances cut_tolerances(const Drawing& drawing) {
   result.merge = 1.25 * e0 * w0;
   result.near_pass = e0 * w0;
   result.reach_ratio = e0 > 0 ? 1e-7 : 0;
-  // 1e-9 w0: files carry ten digits; 64 ulp of the greatest coordinate: a drawing far from the origin carries
-  // fewer.
+  // 1e-9 w0 because files carry ten digits; 64 ulp of the greatest coordinate because a drawing far from the origin
+  // carries fewer.
   result.round_off = e0 > 0 ? std::max(1e-9 * w0, 64 * std::numeric_limits<double>::epsilon() * greatest) : 0;
-  // 1e-9 w0² is the old value; the second keeps it small against a block of the merging size where e0 is
-  // below 0.001.
+  // 1e-9 w0² is Shi's value; the second keeps it small compared with a block of the merging size if e0 is below 0.001.
   result.collinear = std::min(1e-9, 1e-3 * e0 * e0) * w0 * w0;
   result.inset = 0.005 * w0;
   result.vertex_catch = 1e-5 * w0;

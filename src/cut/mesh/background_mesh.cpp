@@ -1,4 +1,4 @@
-// Rows of triangles; see background_mesh.hpp.
+// Generates rows of triangles; see background_mesh.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/background_mesh.hpp"
 
@@ -12,7 +12,7 @@ double ratio(MeshShape shape) {
   return shape == MeshShape::equilateral ? 2 / std::sqrt(3.0) : 1.3;
 }
 
-/// Rows j and places i of the nodes that the triangles about a box need, in the mesh's own directions.
+/// Rows j and places i of the nodes needed for the triangles over a box, in the mesh's own directions.
 class Rows {
  public:
   Rows(const Box& box, const RegularMesh& mesh) : mesh_(mesh), along_{std::cos(mesh.angle), std::sin(mesh.angle)} {
@@ -21,7 +21,7 @@ class Rows {
       const Point d = p - mesh.through;
       turned.add({dot(along_, d), cross(along_, d)});
     }
-    // A box edge on a row, to round-off, must not fall outside.
+    // A box edge on a row, to round-off, must not get outside.
     constexpr double kSlack = 1e-6;
     first_row = static_cast<int>(std::floor(turned.low.y / mesh.dy - kSlack));
     last_row = static_cast<int>(std::ceil(turned.high.y / mesh.dy + kSlack));
@@ -29,7 +29,7 @@ class Rows {
     count = static_cast<int>(std::ceil(turned.high.x / mesh.dx + kSlack)) - left_ + 2;
   }
 
-  /// The k-th node of a row; those of odd rows stand half a step farther left.
+  /// Returns the k-th node of a row; nodes of every second row are half a step farther left.
   Point node(int row, int k) const {
     const double x = mesh_.dx * (left_ + k - (is_odd(row) ? 0.5 : 0.0));
     const double y = mesh_.dy * row;
@@ -40,7 +40,7 @@ class Rows {
 
   int first_row = 0;
   int last_row = 0;
-  int count = 0;  ///< nodes of a row
+  int count = 0;  ///< nodes per row
 
  private:
   const RegularMesh& mesh_;
@@ -80,7 +80,7 @@ TriangleMesh regular_triangles(const Box& box, const RegularMesh& mesh) {
   for (int row = rows.first_row; row < rows.last_row; ++row) {
     const int below = (row - rows.first_row) * rows.count;
     const int above = below + rows.count;
-    const int shift = Rows::is_odd(row) ? 0 : 1;  // above node k of an even row stand k and k + 1
+    const int shift = Rows::is_odd(row) ? 0 : 1;  // above node k of an even row are nodes k and k + 1
     for (int k = 0; k + 1 < rows.count; ++k) {
       const int left = below + k;
       const int top = above + k;

@@ -1,4 +1,5 @@
-// The regular mathematical mesh: rows of equal triangles over a box.
+// Generates the regular mathematical mesh: rows of equal triangles over a box.
+// Theory: docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,8 +9,8 @@
 
 namespace keyblock {
 
-/// Rows stand `dy` apart, nodes of a row `dx`; every second row is shifted by dx/2. A node stands at `through`, and the
-/// rows run at `angle` to the x axis (radians). Lengths in the unit of the drawing.
+/// Regular mesh: rows are `dy` apart, nodes of a row `dx`; every second row is shifted by dx/2. A node is at `through`,
+/// and the rows run at `angle` to the x axis [rad]. Lengths in the unit of the drawing.
 struct RegularMesh {
   double dx = 1;
   double dy = 1;
@@ -17,19 +18,20 @@ struct RegularMesh {
   double angle = 0;
 };
 
-/// w = max(H/2, W/2.6), the scale of the old manifold cutter.
+/// Returns w = max(H/2, W/2.6), the scale of Shi's manifold cutter.
 double mesh_scale(const Box& box);
 
-/// The old cutter's density rule: dy = 1.1 w/n, rows at the box's middle and to either side;
-/// the n-th row from the middle has a node above the middle (legacy-formats 2.4, a fit to its samples).
-/// `half_rows`, n, is at least 1.
+/// Returns a mesh by the density rule of Shi's cutter: dy = 1.1 w/n, rows at the box's middle and to either side. The
+/// n-th row from the middle has a node above the middle (legacy-formats 2.4, a fit to its samples). `half_rows`, n, is
+/// at least 1.
 RegularMesh centred_mesh(const Box& box, int half_rows, MeshShape shape);
 
-/// 2n rows of triangles from the lower to the upper edge of the box, a node in its lower left corner.
+/// Returns a mesh with 2n rows of triangles from the lower to the upper edge of the box, a node in its lower left
+/// corner.
 RegularMesh aligned_mesh(const Box& box, int half_rows, MeshShape shape);
 
-/// The triangles of the mesh about the box, and a few beyond. Nodes are numbered row by row from the bottom, from left
-/// to right. An upward triangle names its lower left node first, a downward one its upper left node.
+/// Returns the triangles of the mesh over the box, and a few beyond. Nodes are numbered row by row from the bottom,
+/// from left to right. An upward triangle names its lower left node first, a downward one its upper left node.
 TriangleMesh regular_triangles(const Box& box, const RegularMesh& mesh);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Marks, closure and halving in rounds; see bisect_mesh.hpp.
+// Marks, closes and halves triangles iteratively; see bisect_mesh.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/bisect_mesh.hpp"
 
@@ -19,15 +19,15 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 
-// Sides of regular meshes are equal but for round-off.
+// Sides of regular meshes are equal except for round-off.
 constexpr double kEqualSides = 1e-9;
-constexpr int kUncut = -1;  // of an edge that is to be halved: no node yet
+constexpr int kUncut = -1;  // edge to be halved that has no node yet
 
 const Point& node(const TriangleMesh& mesh, int n) {
   return mesh.nodes[static_cast<std::size_t>(n)];
 }
 
-/// Of a side, in whichever direction.
+/// Returns the key of a side, equal for both directions.
 std::uint64_t key(int a, int b) {
   const auto [low, high] = std::minmax(a, b);
   return static_cast<std::uint64_t>(low) << 32U | static_cast<std::uint32_t>(high);
@@ -59,12 +59,12 @@ Triangle with_longest_side_first(const TriangleMesh& mesh, const Triangle& t, Po
   return best;
 }
 
-/// The first side of a triangle is the one that is halved next.
+/// Bisects a mesh; the first side of a triangle is the one to be halved next.
 class Bisection {
  public:
   explicit Bisection(TriangleMesh& mesh) : mesh_(mesh) {}
 
-  /// `longest_of`: the longest side that a triangle may have.
+  /// `longest_of`: longest side that a triangle may have.
   template <class Longest>
   bool mark_large(Longest longest_of) {
     cut_.clear();
@@ -73,7 +73,7 @@ class Bisection {
     return !cut_.empty();
   }
 
-  /// Where any side of a triangle is halved, its first one is.
+  /// Marks the first side of each triangle that has any side to be halved.
   void close() {
     for (bool changes = true; changes;) {
       changes = false;
@@ -140,7 +140,7 @@ double least_angle(const std::array<Point, 3>& p) {
   return least;
 }
 
-/// Triangles of each node.
+/// Returns the triangles of each node.
 std::vector<std::vector<int>> stars(const TriangleMesh& mesh) {
   std::vector<std::vector<int>> of_node(mesh.nodes.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -148,7 +148,7 @@ std::vector<std::vector<int>> stars(const TriangleMesh& mesh) {
   return of_node;
 }
 
-/// Nodes on the rim of the mesh, which bodies may reach to.
+/// Returns the nodes on the edge of the mesh, up to which bodies may reach.
 std::vector<char> rim_of(const TriangleMesh& mesh) {
   std::unordered_map<std::uint64_t, int> sides;
   for (const Triangle& t : mesh.triangles)

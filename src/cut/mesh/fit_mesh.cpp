@@ -1,4 +1,4 @@
-// Plans to meshes; see fit_mesh.hpp.
+// Turns plans into meshes; see fit_mesh.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/fit_mesh.hpp"
 
@@ -17,7 +17,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double kLeastSide = 1e-12;  // of the farthest coordinate: some thousand of its last digits
+constexpr double kLeastSide = 1e-12;  // per farthest coordinate: some thousand units of its last digit
 constexpr double kMostSidesAway = 1e6;
 
 void require_fewer(double triangles, double side) {
@@ -61,7 +61,7 @@ void require_length(double length, const char* what) {
     throw std::invalid_argument(fmt::format("{}: expected a finite length above 0, found {}", what, length));
 }
 
-/// Corners of shorter sides would fall on one another: refinement would not end.
+/// Corners of shorter sides would coincide by rounding, and refinement would not end.
 void require_resolved(double side, const Box& box, const char* what) {
   const double least = least_side(box);
   if (side < least)
@@ -69,7 +69,7 @@ void require_resolved(double side, const Box& box, const char* what) {
         fmt::format("expected {} of at least {:.3g}, which coordinates still resolve, found {}", what, least, side));
 }
 
-/// The refined points of the plan, and the tips.
+/// Returns the refined points of the plan, and the tips.
 std::vector<RefinedPoint> refined_points(const MeshPlan& plan, const Box& box, std::span<const Point> tips) {
   std::vector<RefinedPoint> points = plan.refined;
   if (plan.tip_side > 0)
@@ -94,8 +94,8 @@ TriangleMesh bisected(TriangleMesh mesh, const MeshPlan& plan, std::vector<Refin
   return mesh;
 }
 
-/// About how many of the sizes wanted fill a box, counted in cells that are no wider than two sides in their middle; no
-/// further than `kMostTriangles`.
+/// Estimates the number of triangles of the required sizes in a box. It counts cells that are no wider than two sides
+/// at their middle, up to `kMostTriangles`.
 double triangles_in(const Box& box, const MeshSize& size) {
   std::vector<Box> cells{box};
   double count = 0;
@@ -134,9 +134,9 @@ FittedMesh with_nodes_at_lines(TriangleMesh mesh, const MeshPlan& plan, const Bo
                                std::span<const Point> tips) {
   FittedMesh fitted{std::move(mesh)};
   if (plan.snap_ratio > 0) fitted.snapped = snap_nodes(fitted.mesh, graph, plan.snap_ratio * mesh_scale(box_of(graph)));
-  // Else meshes stay as they are.
+  // Without tip settings meshes stay as they are.
   if (plan.has_nodes_at_tips || plan.tip_side > 0 || plan.tip_functions.are_asked()) place_nodes(fitted.mesh, tips);
-  // Sides grow from a tip on, and a node that moved has drawn sides out.
+  // Sides grow from a tip on, and a node that moved has lengthened its sides.
   if (plan.tip_side > 0) bisect_at(fitted.mesh, tips, plan.tip_side, direction_of_rows(plan));
   return fitted;
 }

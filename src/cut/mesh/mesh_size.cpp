@@ -1,5 +1,5 @@
-// The least of many cones over the plane, by halves of the points; see mesh_size.hpp. Trees of a library find what is
-// nearest, not what is least: a tenth as fast here.
+// Computes the minimum of many cones over the plane by a tree of points; see mesh_size.hpp. Library trees find the
+// nearest point, not the least value: they were ten times as slow here.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/mesh_size.hpp"
 
@@ -31,13 +31,13 @@ class MeshSize::Halves {
     add(0, points_.size());
   }
 
-  /// The lesser of `side` and what the points want at p.
+  /// Returns the lesser of `side` and the sides that the points allow at p.
   double at(Point p, double side) const { return least_in(0, p, side); }
 
  private:
   struct Node {
     Box box;
-    double least = std::numeric_limits<double>::infinity();  // of the sides
+    double least = std::numeric_limits<double>::infinity();  // least of the sides
     std::size_t first = 0, last = 0;                         // points of a leaf, one behind the last
     std::array<std::size_t, 2> halves{};                     // places in nodes_; 0: a leaf
   };

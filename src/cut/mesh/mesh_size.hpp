@@ -1,4 +1,4 @@
-// How long the sides of a mesh may be in a place.
+// Computes the longest side allowed at each place of a mesh.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace keyblock {
 
-/// The longest side wanted in a place: `side`, or less near refined points, from which it grows by `growth` per length.
-/// Lengths in the unit of the drawing, `side` and those of refined points above 0. A copy shares the points.
+/// Longest side allowed at a place: `side`, or less near refined points, from which it grows by `growth` per length.
+/// Lengths in the unit of the drawing; `side` and the sides of refined points are above 0. Copies share the points.
 class MeshSize {
  public:
   MeshSize(double side, std::vector<RefinedPoint> refined, double growth);
@@ -19,10 +19,10 @@ class MeshSize {
   double side() const { return side_; }
   const std::vector<RefinedPoint>& refined() const { return *refined_; }
   double growth() const { return growth_; }
-  /// Of `side` and those of the points.
+  /// Returns the least of `side` and the sides of the points.
   double least() const { return least_; }
 
-  /// Of many points few are looked at.
+  /// Returns the longest side at p; visits few of many points.
   double at(Point p) const;
 
  private:

@@ -1,4 +1,4 @@
-// Nodes by their positions, then triangles by their nodes; see same_triangles.hpp.
+// Matches nodes by their positions, then triangles by their nodes; see same_triangles.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/same_triangles.hpp"
 
@@ -13,12 +13,12 @@ namespace {
 
 struct HashOfPosition {
   std::size_t operator()(const Point& p) const {
-    const std::size_t x = std::hash<double>{}(p.x);  // the same of 0 and -0
+    const std::size_t x = std::hash<double>{}(p.x);  // equal for 0 and -0
     return x ^ (std::hash<double>{}(p.y) + 0x9e3779b97f4a7c15ULL + (x << 6U) + (x >> 2U));
   }
 };
 
-/// Of each node of `is` that of `was` in the same place, -1: none. Of several in one place the first.
+/// Returns, per node of `is`, the first node of `was` in the same place; -1: none.
 std::vector<int> same_nodes(const std::vector<Point>& was, const std::vector<Point>& is) {
   std::unordered_map<Point, int, HashOfPosition> numbers;
   numbers.reserve(was.size());
@@ -36,7 +36,7 @@ std::vector<int> same_nodes(const std::vector<Point>& was, const std::vector<Poi
 
 std::vector<int> same_triangles(const TriangleMesh& was, const TriangleMesh& is) {
   const std::vector<int> nodes = same_nodes(was.nodes, is.nodes);
-  std::vector<int> first(was.nodes.size(), -1);  // of the triangles that begin at each node
+  std::vector<int> first(was.nodes.size(), -1);  // first of the triangles that begin at each node
   std::vector<int> next(was.triangles.size(), -1);
   for (std::size_t t = was.triangles.size(); t-- > 0;)
     next[t] = std::exchange(first[static_cast<std::size_t>(was.triangles[t][0])], static_cast<int>(t));

@@ -1,5 +1,5 @@
-// What two manifolds cut from meshes of one family have in common: a mesh that is bisected elsewhere keeps most of its
-// triangles, under other numbers.
+// Finds the triangles that two manifolds share. A mesh that is bisected elsewhere keeps most of its triangles, under
+// other numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,10 +9,11 @@
 
 namespace keyblock {
 
-/// Of each triangle of `is` that of `was` whose nodes have the same positions to the bit, in the same order; -1: none.
+/// Returns, per triangle of `is`, the triangle of `was` whose nodes have the same positions to the bit, in the same
+/// order; -1: none.
 std::vector<int> same_triangles(const TriangleMesh& was, const TriangleMesh& is);
 
-/// Whether both are without holes and have the same corners, in the same order.
+/// Returns true if both are without holes and have the same corners, in the same order.
 bool have_same_polygon(const Manifold& was, const ManifoldElement& old, const Manifold& is,
                        const ManifoldElement& element);
 

@@ -1,4 +1,4 @@
-// Nodes beside lines; see snap_nodes.hpp.
+// Moves nodes beside lines; see snap_nodes.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/snap_nodes.hpp"
 

@@ -1,5 +1,5 @@
-// Delaunay refinement by CGAL; see unstructured_mesh.hpp. The only file that knows CGAL, which takes ten seconds to
-// compile; its exact numbers are Boost's, so that nothing is linked.
+// Refines Delaunay triangulations by CGAL; see unstructured_mesh.hpp. No other file uses CGAL, which takes ten seconds
+// to compile. Its exact numbers are Boost's, so that nothing is linked.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/unstructured_mesh.hpp"
 
@@ -25,7 +25,7 @@ using FaceBase = CGAL::Delaunay_mesh_face_base_2<Kernel>;
 using Structure = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>, FaceBase>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 
-/// Refinement ends for sure down to this square of the sine of the smallest angle.
+/// Square of the sine of the smallest angle down to which refinement is sure to end.
 constexpr double kLeastSquaredSine = 0.125;
 
 Point to_point(const Kernel::Point_2& p) {
@@ -35,14 +35,14 @@ Kernel::Point_2 from_point(Point p) {
   return {p.x, p.y};
 }
 
-/// CGAL's concept of a criterion: too long a side must go, too small an angle should.
+/// Implements CGAL's concept of a criterion: a side too long must go, an angle too small should.
 class Wanted {
  public:
   struct Quality {
-    double length = 0;  ///< of the longest side over the wanted one, squared
-    double sine = 1;    ///< of the smallest angle, squared
+    double length = 0;  ///< longest side over the allowed one, squared
+    double sine = 1;    ///< sine of the smallest angle, squared
 
-    /// What is refined first.
+    /// Orders triangles by the urgency of refinement.
     bool operator<(const Quality& other) const {
       if (length > 1 || other.length > 1) return length > other.length;
       return sine < other.sine;
@@ -105,12 +105,12 @@ TriangleMesh numbered(const Triangulation& triangulation) {
   return mesh;
 }
 
-/// Share of the side wanted at a point: nearer than this to a line or another point it gets no node of its own.
-/// Triangles between them would have no area that coordinates resolve, or none that a balance of forces of all bodies
-/// sees: rock that may yield was turned over there in its elastic range.
+/// Distance to a line or another point, per allowed side, below which a point gets no node of its own. Triangles in
+/// between would have no area that coordinates resolve, or none that a balance of forces of all bodies resolves.
+/// Elastoplastic rock was inverted there in its elastic range.
 constexpr double kOwnNode = 0.1;
 
-/// The refined points that become nodes: those within the box that lie on lines exactly, or off them.
+/// Returns the refined points that become nodes: those within the box that lie exactly on lines, or away from them.
 std::vector<Point> nodes_at_points(const Box& box, const MeshSize& size, std::span<const Segment> along) {
   std::vector<Point> nodes;
   std::multimap<double, Point> by_x;
