@@ -1,4 +1,4 @@
-// The bases: one function each.
+// Defines the bases, one function each.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/basis.hpp"
 

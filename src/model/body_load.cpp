@@ -1,4 +1,4 @@
-// Gravity times what each material says of its weight.
+// Combines gravity with the unit weight and density of each material.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/body_load.hpp"
 

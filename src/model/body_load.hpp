@@ -1,4 +1,5 @@
-// Forces on the mass of a block: weight, and the acceleration that is given beside it.
+// Computes forces on the mass of a block: its weight, and a prescribed acceleration.
+// Theory: docs/theory/02-equations-of-motion.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,16 +9,18 @@
 
 namespace keyblock {
 
-/// Weight and horizontal body force per area, force / length². Weight under the quirk weight_of_first_material density
-/// × gravity. Without it the unit weight of the material, turned and scaled as gravity is against that of the file: w g
-/// / |g_file|, so that a unit weight that is not density × gravity (buoyant rock) keeps its ratio. Where the file has
-/// no gravity, unit weights cannot be scaled: they act downward as they are, and density × gravity is added.
+/// Returns weight and horizontal body force per area [force / length²].
+///
+/// Under the quirk weight_of_first_material the weight is density × gravity. Without it the unit weight w of the
+/// material is rotated and scaled with the gravity g relative to that of the file: w g / |g_file|. A unit weight that
+/// is not density × gravity (buoyant rock) so keeps its ratio. If the file has no gravity, unit weights act downward
+/// unscaled, and density × gravity is added.
 Eigen::Vector2d weight_per_area(const BlockMaterial& material, const Settings& settings);
 
-/// The given acceleration at `time`, length / time²: force per mass on every block, at its centroid.
+/// Returns the prescribed acceleration at `time` [length / time²]: a force per mass on every block, at its centroid.
 Eigen::Vector2d body_acceleration_at(const Settings& settings, double time);
 
-/// False where body_acceleration_at is zero at every time.
+/// Returns false if body_acceleration_at is zero at every time.
 bool has_body_acceleration(const Settings& settings);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Moduli of elements, and boundary edges by where they lie; see continuum.hpp.
+// Computes moduli of elements and finds boundary edges by position; see continuum.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/continuum.hpp"
 
@@ -16,9 +16,9 @@ namespace {
 
 // Cutting rounds crossings to some 1e-16 of the extent; the shortest edges of interest have 1e-8 of an element.
 constexpr double kAlong = 1e-10;
-// Share of the largest coordinate: far from the origin, points of a file and of the cut round by this.
+// Share of the largest coordinate by which points of a file and of the cut round far from the origin.
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
-constexpr double kInside = 1e-9;  // of an element: its own side of a crack
+constexpr double kInside = 1e-9;  // per size of an element: keeps a point on its own side of a crack
 
 }  // namespace
 

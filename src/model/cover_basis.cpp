@@ -1,4 +1,4 @@
-// Weights times cover functions, multiplied out; see cover_basis.hpp.
+// Multiplies weights by cover functions; see cover_basis.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/cover_basis.hpp"
 
@@ -27,13 +27,13 @@ int order_of(CoverFunctions functions) {
   return 0;
 }
 
-/// About the middle of the triangle, with the side of an equilateral one of its area.
+/// Returns the frame at the middle of the triangle; its size is the side of an equilateral triangle of equal area.
 LocalFrame frame_of(const std::array<Point, 3>& t) {
   const double area = cross(t[1] - t[0], t[2] - t[0]) / 2;
   return {(1.0 / 3) * (t[0] + t[1] + t[2]), std::sqrt(4 / std::sqrt(3.0) * area)};
 }
 
-/// λ_k of a triangle in local coordinates.
+/// Returns λ_k of a triangle in local coordinates.
 std::array<Eigen::Vector3d, 3> weights_of(const std::array<Point, 3>& triangle, const LocalFrame& frame) {
   std::array<Point, 3> t;
   for (std::size_t k = 0; k < 3; ++k) t[k] = frame.local(triangle[k]);
@@ -46,7 +46,7 @@ std::array<Eigen::Vector3d, 3> weights_of(const std::array<Point, 3>& triangle, 
   return weights;
 }
 
-/// The local coordinate x or y less that of a point, as a polynomial.
+/// Returns the local coordinate x or y minus that of a point, as a polynomial.
 Eigen::Vector3d less_x(Point p) {
   return {-p.x, 1, 0};
 }
@@ -54,7 +54,7 @@ Eigen::Vector3d less_y(Point p) {
   return {-p.y, 0, 1};
 }
 
-/// `product` of two polynomials of degree 1, without memory of its own.
+/// Returns the product of two polynomials of degree 1, without heap memory.
 Eigen::Vector<double, 6> product_of_linear(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   constexpr std::array<std::array<Eigen::Index, 3>, 3> kPlace{{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
   Eigen::Vector<double, 6> result = Eigen::Vector<double, 6>::Zero();
@@ -64,7 +64,7 @@ Eigen::Vector<double, 6> product_of_linear(const Eigen::Vector3d& a, const Eigen
   return result;
 }
 
-/// Sides of the triangles of covers: those of one of their elements.
+/// Returns one triangle side per cover, that of one of its elements.
 std::vector<double> sizes_of_covers(const Manifold& manifold, const std::vector<LocalFrame>& frames) {
   std::vector<double> sizes(manifold.covers.size(), 1);
   for (std::size_t e = 0; e < manifold.elements.size(); ++e) {
@@ -73,7 +73,7 @@ std::vector<double> sizes_of_covers(const Manifold& manifold, const std::vector<
   return sizes;
 }
 
-/// Of covers whose gradients are derived, but for those with an `own_gradient`: ascending.
+/// Returns the functions, ascending, of covers with derived gradients; those with an `own_gradient` derive none.
 std::vector<int> functions_of_derived(const std::array<int, 3>& covers, const std::vector<int>& own_gradient,
                                       const std::vector<CoverGradient>& gradients) {
   std::vector<int> functions(covers.begin(), covers.end());
@@ -89,7 +89,7 @@ std::vector<int> functions_of_derived(const std::array<int, 3>& covers, const st
   return functions;
 }
 
-/// Covers with a derived gradient do not derive it from what carries functions beside its polynomial.
+/// A cover must not derive its gradient from covers with functions besides their polynomial.
 void give_own_gradients(TipEnrichment& tips, const std::vector<CoverGradient>& gradients) {
   for (std::size_t c = 0; c < gradients.size(); ++c)
     for (const CoverGradient::Share& share : gradients[c].shares)
@@ -178,7 +178,7 @@ CoverFunctions CoverBasis::functions(int element) const {
                                                                                    : functions_;
 }
 
-// Near-tip functions go behind the polynomials, of which they have none.
+// Near-tip functions follow the polynomials and have no monomials.
 void CoverBasis::add(std::vector<int> functions, const Eigen::MatrixXd& monomial, const TipEnrichment* tips) {
   const auto element = static_cast<int>(first_number_.size());
   if (element == 0) {  // most have as many as the first, or one more
@@ -199,9 +199,8 @@ void CoverBasis::add(std::vector<int> functions, const Eigen::MatrixXd& monomial
                        (functions.size() - polynomials) * static_cast<std::size_t>(monomial.rows()));
 }
 
-// Function m of cover i is number i·count + m: λ_i times the m-th monomial of (x - x_i) in sides of the triangle. The
-// side is that of the element at hand: it is the same for all elements of a regular mesh only, so that the cover's own
-// is taken.
+// Function m of cover i has number i·count + m: λ_i times the m-th monomial of (x - x_i) in sides of the triangle. The
+// side is that of the cover, because the sides of its elements agree only in a regular mesh.
 void CoverBasis::add_cover_polynomials(const Manifold& manifold, const TipEnrichment* tips) {
   const int count = monomial_count(degree_ - 1);
   const std::vector<double> sizes = sizes_of_covers(manifold, frames_);
@@ -232,7 +231,7 @@ void CoverBasis::add_cover_polynomials(const Manifold& manifold, const TipEnrich
 
 void CoverBasis::add_derived(const Manifold& manifold, TipEnrichment* tips) {
   const std::vector<CoverGradient> gradients = derived_gradients(manifold);
-  std::vector<int> own_gradient(manifold.covers.size(), -1);  // its first function, the one behind it is by y
+  std::vector<int> own_gradient(manifold.covers.size(), -1);  // its first function, by x; the next is by y
   std::vector<double> sizes;
   if (tips != nullptr) {
     give_own_gradients(*tips, gradients);

@@ -1,5 +1,6 @@
-// The displacement of points of a manifold from unknowns on its physical covers: u(x) = T(x) d, a polynomial in each
-// element.
+// Computes the displacement of points of a manifold from the unknowns of its physical covers: u(x) = T(x) d, a
+// polynomial in each element.
+// Theory: docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,36 +17,36 @@ namespace keyblock {
 
 class TipEnrichment;
 
-/// Names of the command line and of tables.
+/// Returns the name used on the command line and in tables.
 const char* name_of(CoverFunctions functions);
 
-/// The displacement of one element. Both components are made of the same scalar functions, each of which carries two
-/// unknowns, (dx, dy): u(x) = Σ N_a(x) d_a.
+/// Displacement of one element. Both components use the same scalar functions, each with two unknowns (dx, dy): u(x) =
+/// Σ N_a(x) d_a.
 struct ElementShape {
-  int degree = 1;                              ///< of the polynomials
-  std::span<const int> functions;              ///< n of them, numbered in the whole manifold
+  int degree = 1;                              ///< degree of the polynomials
+  std::span<const int> functions;              ///< n function numbers, counted over the whole manifold
   Eigen::Map<const Eigen::MatrixXd> monomial;  ///< monomials of the local coordinates × n
   LocalFrame frame;
-  const TipShape* tip = nullptr;  ///< of functions that are no polynomials, the last ones; none in most elements
+  const TipShape* tip = nullptr;  ///< of near-tip functions, which come last; null in most elements
 
   int function_count() const { return static_cast<int>(functions.size()); }
-  /// N, 1 × n.
+  /// Returns N, 1 × n.
   Eigen::RowVectorXd values(Point x) const;
-  /// ∂N/∂x and ∂N/∂y, 2 × n, per length.
+  /// Returns ∂N/∂x and ∂N/∂y, 2 × n, per length.
   Eigen::Matrix2Xd gradients(Point x) const;
-  /// T, 2 × 2n: unknowns dx, dy of the first function, then of the second, …
+  /// Returns T, 2 × 2n: unknowns dx, dy of the first function, then of the second, …
   Eigen::Matrix2Xd displacement(Point x) const;
-  /// B, 3 × 2n: engineering strain (ex, ey, gxy) = B d.
+  /// Returns B, 3 × 2n: engineering strain (ex, ey, gxy) = B d.
   Eigen::Matrix3Xd strain(Point x) const;
 };
 
-/// The functions of all elements. Extended beyond its element, a shape is the same polynomial.
+/// Functions of all elements. A shape extends beyond its element as the same polynomial.
 class CoverBasis {
  public:
   CoverBasis(const Manifold& manifold, CoverFunctions functions, const TipFunctionPlan& tips = {});
 
   CoverFunctions functions() const { return functions_; }
-  /// Those of an element: linear ones in place of derived ones about tips with functions.
+  /// Returns the kind of functions of an element: linear instead of derived near tips with functions.
   CoverFunctions functions(int element) const;
   bool has_tip_functions() const { return !tip_shapes_.empty(); }
   int degree() const { return degree_; }
@@ -66,8 +67,8 @@ class CoverBasis {
   std::vector<double> coefficients_;
   std::vector<std::size_t> first_number_;
   std::vector<TipShape> tip_shapes_;
-  std::vector<int> tip_shape_of_;  // of each element, -1: none; empty without any
-  std::vector<char> is_linear_;    // elements of covers with gradients of their own among derived ones, likewise
+  std::vector<int> tip_shape_of_;  // per element, -1: none; empty if no element has one
+  std::vector<char> is_linear_;    // per element: covers have own gradients among derived ones; empty if no element has
 };
 
 }  // namespace keyblock

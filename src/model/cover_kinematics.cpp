@@ -1,4 +1,4 @@
-// Shares of the vertices are evaluated once; they do not change.
+// Evaluates the functions at the vertices once, because they do not change.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/cover_kinematics.hpp"
 
@@ -7,9 +7,9 @@
 namespace keyblock {
 namespace {
 
-// Newton on the map of an element: affine elements take one step, and a second shows that.
+// Bound on Newton iterations for the map of an element: affine elements converge in one, and a second confirms it.
 constexpr int kMostSteps = 20;
-// Of the element's size: round-off of a position.
+// Round-off of a position, per size of the element.
 constexpr double kSettled = 1e-14;
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Where the points of elements on covers are: x = X + Σ N_a(X) d_a, X on the undeformed manifold.
+// Computes the positions of points of elements on covers: x = X + Σ N_a(X) d_a, with X on the undeformed manifold.
+// Theory: docs/theory/01-kinematics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,16 +12,16 @@
 
 namespace keyblock {
 
-/// N_a at a point: what a unit of the unknowns (dx, dy) of cover function a moves it by.
+/// Value of N_a at a point: its displacement per unit of the unknowns (dx, dy) of cover function a.
 struct CoverShare {
   int function = 0;
   double value = 0;
 };
 
-/// The elements of a model that hang on covers, with the functions of their displacement.
+/// Maps the elements of a model that use covers to the functions of their displacement.
 class CoverKinematics {
  public:
-  /// Element `first` of the model is element 0 of the basis, and so on to the last of both.
+  /// Matches element `first` of the model with element 0 of the basis, and so on to the last of both.
   CoverKinematics(const Model& model, ElementIndex first, const CoverBasis& basis);
 
   bool carries(ElementIndex e) const { return e.value >= first_.value; }
@@ -28,9 +29,9 @@ class CoverKinematics {
   Eigen::Index unknown_count() const { return 2 * Eigen::Index{basis_.function_count()}; }
 
   std::span<const CoverShare> of_vertex(VertexIndex v) const;
-  /// At the point of an element that lay at `start`.
+  /// Returns the functions at the point of an element that was at `start` initially.
   std::vector<CoverShare> shares(ElementIndex e, Point start) const;
-  /// Where the point lay at the start that lies at `x` now; extended beyond the element as its polynomial is.
+  /// Returns the initial position of the point that is at `x` now; extended beyond the element by its polynomial.
   Point start_of(ElementIndex e, const Eigen::VectorXd& d, Point x) const;
 
  private:
@@ -41,7 +42,7 @@ class CoverKinematics {
   std::vector<std::size_t> begins_;
 };
 
-/// Where a point lies that lay at `start`.
+/// Returns the present position of the point that was at `start` initially.
 Point moved(Point start, std::span<const CoverShare> shares, const Eigen::VectorXd& d);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Weighted least squares over stars; see derived_gradients.hpp.
+// Solves weighted least squares over stars; see derived_gradients.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/derived_gradients.hpp"
 
@@ -15,7 +15,7 @@ constexpr double kWorstCondition = 50;
 
 using Neighbours = std::vector<std::vector<int>>;
 
-/// Covers that share an element with each cover, ascending, without itself.
+/// Returns, per cover, the covers that share an element with it, ascending, without itself.
 Neighbours neighbours_of(const Manifold& manifold) {
   Neighbours all(manifold.covers.size());
   for (std::size_t c = 0; c < all.size(); ++c) {
@@ -43,7 +43,7 @@ std::vector<int> with_second_ring(const Neighbours& neighbours, int cover) {
   return both;
 }
 
-/// The fit of d_j - d_0 by g·x + quadratic terms: rows √w (x, y | x², xy, y²).
+/// Fits d_j - d_0 by g·x + quadratic terms: rows √w (x, y | x², xy, y²).
 class Fit {
  public:
   Fit(const std::vector<Point>& offsets, double h) : h_(h) {
@@ -57,8 +57,8 @@ class Fit {
       columns_.row(j) = root_weights_(j) * Eigen::RowVector<double, 5>(p.x, p.y, p.x * p.x, p.x * p.y, p.y * p.y);
     }
     qr_.compute(columns_);
-    // The part of the quadratic terms that linear ones cannot say: where it is small, they are not determined. It is
-    // what the triangle of QR has below its first two rows.
+    // The triangle of QR below its first two rows holds the part of the quadratic terms beyond linear ones. A small
+    // part is not determined.
     Eigen::Matrix3d beyond = Eigen::Matrix3d::Zero();
     const Eigen::Index rows = std::min<Eigen::Index>(n - kLinear, kQuadratic);
     if (rows > 0)
@@ -71,7 +71,7 @@ class Fit {
 
   bool is_complete() const { return rank_ == kQuadratic; }
 
-  /// 2 × n: the gradient from the differences d_j - d_0.
+  /// Returns the gradient from the differences d_j - d_0, 2 × n.
   Eigen::Matrix2Xd gradient() const {
     if (is_complete()) return first_rows_of_inverse(qr_);
     Eigen::MatrixXd columns(columns_.rows(), kLinear + rank_);
@@ -83,7 +83,7 @@ class Fit {
   static constexpr Eigen::Index kLinear = 2;
   static constexpr Eigen::Index kQuadratic = 3;
 
-  // Those of R⁻¹ Qᵀ that give x and y, weights put on.
+  // Returns the rows of R⁻¹ Qᵀ that give x and y, times the weights.
   template <typename Qr>
   Eigen::Matrix2Xd first_rows_of_inverse(const Qr& qr) const {
     const Eigen::Index count = qr.cols();

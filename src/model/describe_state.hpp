@@ -1,4 +1,4 @@
-// The state as members to save and restore.
+// Describes the state as members to save and restore.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,10 +7,11 @@
 
 namespace keyblock {
 
-/// Restored into a state of the same model, whose tables give the sizes; another size throws InputError.
+/// Saves or restores a state. A restored state must belong to the same model, whose tables give the sizes; another size
+/// throws InputError.
 void describe(Archive& archive, State& state);
 
-/// Unknowns of one element, of its own number.
+/// Saves or restores the unknowns of one element, whose number it stores.
 void describe(Archive& archive, const char* name, Unknowns& unknowns);
 
 }  // namespace keyblock

@@ -1,4 +1,5 @@
-// The map of an element and its derivative; the translation is not turned, rotation and strain are.
+// Computes the map of an element and its derivative. Rotation and strain refer to the rotated frame, the translation
+// does not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/kinematics.hpp"
 
@@ -18,7 +19,7 @@ Eigen::Matrix2d rotation_matrix(double angle) {
   return Eigen::Matrix2d{{c, -s}, {s, c}};
 }
 
-// Of a size that the compiler knows, as most are.
+// Most operators have this size, which the compiler knows.
 using OfWholeBlock = Eigen::Matrix<double, 2, kMostUnknowns>;
 
 Eigen::Vector2d product(const DisplacementOperator& rows, const Unknowns& q) {
@@ -83,7 +84,7 @@ Point BlockMap::offset(Point place) const {
   return point_of(a_.inverse() * Eigen::Vector2d(from_centroid.x, from_centroid.y));
 }
 
-// The turn of the frame moves a point at right angles to its arm.
+// Rotation of the frame moves a point perpendicular to its arm.
 BlockJacobian::BlockJacobian(const Basis& basis, const Unknowns& q, const BlockMap& map)
     : constant_(basis.constant), per_x_(map.rotation() * basis.per_x), per_y_(map.rotation() * basis.per_y) {
   if (basis.rotation_unknown < 0 || q.size() == 0) return;

@@ -1,4 +1,4 @@
-// Looks up the value of a material, or that of any.
+// Looks up the value of one material, or of any.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/material_choices.hpp"
 

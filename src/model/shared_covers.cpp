@@ -1,4 +1,4 @@
-// Bodies by union of the elements of each cover.
+// Finds bodies by union of the elements of each cover.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/shared_covers.hpp"
 

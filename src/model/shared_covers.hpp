@@ -1,4 +1,4 @@
-// Elements that share covers: which nodes they hang on, and which of them form one body.
+// Finds the nodes used by elements on covers, and the elements that form one body.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace keyblock {
 
-/// Of each node, whether an element hangs on it; the others are places of covers that blocks have for themselves.
+/// Returns, per node, true if an element uses it; the others are places of covers that belong to one block alone.
 std::vector<bool> carrying_nodes(const Model& model);
 
-/// The body of each element: elements joined by shared covers are one. Bodies count from 0 in the order of their first
-/// elements.
+/// Returns the body of each element: elements connected by shared covers form one. Bodies count from 0 in the order of
+/// their first elements.
 std::vector<int> body_numbers(const Model& model);
 
 }  // namespace keyblock

@@ -1,5 +1,4 @@
-// Where the operators and the polygon integrals of an element are taken, as its vertices lie now; which states are
-// none.
+// Evaluates operators and polygon integrals of an element at its present vertices, and finds impossible states.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/state.hpp"
 
@@ -17,8 +16,7 @@ DisplacementOperator basis_at(const Model& model, const State& state, ElementInd
 Placement place(const Model& model, const Table<VertexIndex, Point>& vertices, ElementIndex index,
                 const Settings& settings) {
   const Element& element = model.elements[index];
-  // Near the polygon, so that a scene far from the origin keeps its digits; the Berkeley program does not do
-  // so.
+  // An origin near the polygon keeps the digits of a scene far from the origin; the Berkeley program does not use one.
   const Point origin = settings.quirks.moments_about_origin ? Point{} : vertices[element.first_vertex];
   const std::span<const Point> points(&vertices[element.first_vertex],
                                       static_cast<std::size_t>(element.vertices().size()));

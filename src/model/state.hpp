@@ -1,4 +1,4 @@
-// What changes during a run: time, positions, velocities and stresses.
+// Holds the quantities that change during a run: time, positions, velocities and stresses.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,31 +12,31 @@
 
 namespace keyblock {
 
-/// What an element carries. Moments are those of the current polygon about its centroid.
+/// State of an element. Moments are those of the current polygon about its centroid.
 struct ElementState {
   Point centroid;
   Moments moments;
-  Unknowns velocity;   ///< rate of the unknowns that the next attempt starts from (see velocity_from_coming_step)
+  Unknowns velocity;   ///< rate of the unknowns from which the next attempt starts (see velocity_from_coming_step)
   Unknowns last_step;  ///< the last accepted increment of the unknowns
   Stress stress;
-  double rotation = 0;  ///< sum of the step rotations, rad
-  Velocity carried{};   ///< of the centroid, where the element has no unknowns of its own
+  double rotation = 0;  ///< sum of the step rotations [rad]
+  Velocity carried{};   ///< of the centroid, if the element has no unknowns of its own
 };
 
-/// A cover that elements share: its unknowns are the displacement of its node.
+/// State of a cover shared by elements: its unknowns are the displacement of its node.
 struct NodeState {
   Point position;
   Point velocity;   ///< as `ElementState::velocity`
   Point last_step;  ///< as `ElementState::last_step`
 };
 
-/// A carried point now, and how far it has come.
+/// Present position and displacement of a carried point.
 struct PointState {
   Point position;
   Point displacement;
 };
 
-/// The ends of a bolt as they lie now, and the force it carries, tension positive.
+/// Present ends of a bolt, and its force, tension positive.
 struct BoltState {
   Point first;
   Point second;
@@ -57,10 +57,10 @@ struct State {
   std::vector<BoltState> bolts;
 };
 
-/// Displacement operator of `element` at the point `x` of the plane.
+/// Returns the displacement operator of `element` at the point `x` of the plane.
 DisplacementOperator basis_at(const Model& model, const State& state, ElementIndex element, Point x);
 
-/// Centroid and moments of an element's polygon as its vertices lie now.
+/// Centroid and moments of an element's polygon for its present vertices.
 struct Placement {
   Point centroid;
   Moments moments;  ///< about the centroid
@@ -68,17 +68,18 @@ struct Placement {
 Placement place(const Model& model, const Table<VertexIndex, Point>& vertices, ElementIndex element,
                 const Settings& settings);
 
-/// Where everything lay before any load: displacements are counted from there.
+/// Positions before any load, from which displacements are counted.
 struct StartPlaces {
   Table<VertexIndex, Point> vertices;
   Table<ElementIndex, Placement> elements;
 };
 StartPlaces places_of(const State& state);
 
-/// The first element that is turned inside out, or has a number that is not finite; none where all can be.
+/// Returns the first element that is inverted or has a non-finite number, or nothing if all are possible.
 std::optional<ElementIndex> impossible(const State& state);
 
-/// Velocity of the unknowns at the end of the last accepted step; zero where its block material carries none (static).
+/// Returns the velocity of the unknowns at the end of the last accepted step; zero if the block material carries none
+/// (static).
 Unknowns end_velocity(const ElementState& element, const State& state, const Settings& settings, int material);
 
 }  // namespace keyblock

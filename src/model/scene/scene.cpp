@@ -1,4 +1,4 @@
-// Follows the chain.
+// Follows the chain of scenes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/scene/scene.hpp"
 

@@ -1,4 +1,4 @@
-// What a run steps through: a model, the choices by which it moves, and the scene that follows it.
+// Holds a scene of a run: a model, its settings, and the scene that follows it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,14 +18,15 @@ namespace keyblock {
 struct SceneChange;
 struct CrackGrowth;
 
-/// When a scene gives way to the next, or the run ends.
+/// Conditions under which a scene gives way to the next, or the run ends.
 struct SceneEnd {
   std::string name;                   ///< of the stage that the scene is
-  int steps = 0;                      ///< at most; 0: all that the settings ask for
-  std::optional<double> equilibrium;  ///< earlier where forces are balanced to this share of the largest load
+  int steps = 0;                      ///< at most; 0: all steps of the settings
+  std::optional<double> equilibrium;  ///< earlier if forces balance to this share of the largest load
 };
 
-/// What whoever made a scene worked out of its model and settings on the way; floors above know what it is.
+/// Data computed while the scene was built, kept so that the stepper need not repeat the work. Only higher layers know
+/// its type.
 struct Groundwork {
   virtual ~Groundwork() = default;
 };
@@ -34,37 +35,36 @@ struct Scene {
   Model model;
   Settings settings;
   SceneEnd end = {};
-  std::shared_ptr<const SceneChange> next = {};  ///< none of the last
-  /// Bodies on covers at rest that do not feel each other, nor do the sides of their joints, but for faces of cracks
-  /// whose tips have functions: each step is one linear solution, or, where rock may yield, goes on from the one
-  /// before.
+  std::shared_ptr<const SceneChange> next = {};  ///< null for the last scene
+  /// True for static NMM bodies without contact, except at faces of cracks whose tips have functions. Each step is then
+  /// one linear solve, or, for elastoplastic rock, continues from the step before.
   bool is_untouched = false;
-  /// Of a load step of such rock that may yield: how often it is halved before no equilibrium is said to be there.
+  /// Number of times that a load step of elastoplastic rock is halved before the search for equilibrium fails.
   int load_cuts = 6;
-  std::shared_ptr<const CrackGrowth> growth = {};  ///< of cracks during the run; none: they stay
-  /// None, or of another model or other settings: steppers work it out, with the same result to the bit.
+  std::shared_ptr<const CrackGrowth> growth = {};  ///< of cracks during the run; null: they do not grow
+  /// Null, or of another model or other settings: steppers then compute it, with the same result to the bit.
   std::shared_ptr<const Groundwork> groundwork = {};
 };
 
-/// How the cracks of a scene go on, and the same scene with other cracks.
+/// Rule by which the cracks of a scene propagate, and a function that rebuilds the scene with other cracks.
 struct CrackGrowth {
   GrowthPlan plan;
   std::vector<CrackPlan> cracks;
-  /// With other cracks, its mesh refined at more points. Throws InputError as `prepare`.
+  /// Rebuilds the scene with other cracks and its mesh refined at more points. Throws InputError as `prepare` does.
   std::function<Scene(const std::vector<CrackPlan>&, const std::vector<RefinedPoint>&)> remade;
   double tip_side = 0;  ///< of triangles at tips
 };
 
-/// A scene, and what it was before.
+/// A scene, and the map to the scene before it.
 struct SceneChange {
   Scene scene;
   SceneMap map;
 };
 
-/// Whether a material of its bodies on covers has a strength.
+/// Returns true if a material of its NMM bodies has a strength.
 bool may_yield(const Scene& scene);
 
-/// The scene and all that follow it, in order.
+/// Returns the scene and all that follow it, in order.
 std::vector<const Scene*> scenes_of(const Scene& first);
 
 }  // namespace keyblock

@@ -1,11 +1,11 @@
-// Vertices are known by where they lay at the start, which no change moves.
+// Identifies vertices by their initial positions, which no change moves.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/scene/scene_map.hpp"
 
 namespace keyblock {
 namespace {
 
-// Of the scene's scale: a corner that a cut passes through is found anew within round-off.
+// Per scale of the scene: a cut through a corner finds it again within round-off.
 constexpr double kSamePlace = 1e-12;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Appends to a model; see build.hpp.
+// Appends elements and loops to a model; see build.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/setup/build.hpp"
 

@@ -1,4 +1,4 @@
-// The basis of its material for every block; none for those whose fixed points leave them no motion.
+// Chooses the basis of its material for every block, and none if its fixed points leave it no motion.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/setup/choose_basis.hpp"
 
@@ -8,7 +8,7 @@
 namespace keyblock {
 namespace {
 
-// Points of one element.
+// `points`: those of one element.
 bool pins(const std::vector<const CarriedPoint*>& points) {
   const bool is_still = std::ranges::all_of(points, [](const CarriedPoint* p) { return p->curve.times.empty(); });
   return is_still && std::ranges::any_of(points, [&](const CarriedPoint* p) { return p->start != points[0]->start; });

@@ -1,4 +1,4 @@
-// Gives each block the unknowns it needs: none where it is held, three or six where it may move.
+// Gives each block the unknowns it needs: none if it is fixed, three or six if it may move.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,15 +7,15 @@
 
 namespace keyblock {
 
-/// Every block gets the basis of its material, held or not: old rules hold blocks by springs.
+/// Gives every block the basis of its material, fixed or not, because the legacy rules hold blocks by springs.
 Model with_moving_bases(Model model, const PerMaterial<BlockBasis>& basis);
 
-/// A block held at two or more places by points that are not driven is `fixed`: two points of a rigid body leave it no
-/// motion, and a file that holds a block so means boundary. One that is held in mid-run has moved and keeps its
-/// unknowns. Every other block gets the basis of its material.
+/// Gives every block the basis of its material, except that a block with two or more fixed points is `fixed` if none of
+/// them is driven. Two points leave a rigid body no motion; a file that holds a block so means boundary. A block that
+/// is fixed during the run has moved and keeps its unknowns.
 Model with_bases(Model model, const PerMaterial<BlockBasis>& basis);
 
-/// True if a fixed point of the model sits on an element that may move.
+/// Returns true if a fixed point of the model lies on an element that may move.
 bool has_held_moving_element(const Model& model);
 
 }  // namespace keyblock

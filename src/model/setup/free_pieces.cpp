@@ -1,4 +1,4 @@
-// Rigid motions against the directions held; see free_pieces.hpp.
+// Compares rigid motions with the supported directions; see free_pieces.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/setup/free_pieces.hpp"
 
@@ -17,10 +17,11 @@
 namespace keyblock {
 namespace {
 
-// Of the sum of squares of a motion at all held places; a straight side held along itself hinders no turn to round-off.
+// Limit on the sum of squares of a motion at all supported places. A straight side supported along itself resists no
+// rotation up to round-off.
 constexpr double kHindered = 1e-12;
 constexpr double kShown = 1e-3;
-constexpr double kRounding = 1e-9;  // of the size of coordinates: shown as 0
+constexpr double kRounding = 1e-9;  // per size of coordinates: shown as 0
 
 struct Piece {
   int body = 0;
@@ -60,14 +61,14 @@ Point farthest_from(Point from, const std::vector<Point>& points) {
   return *std::ranges::max_element(points, {}, [&](Point p) { return distance(from, p); });
 }
 
-/// The faces at which pieces of one body lie side by side: what cuts it through.
+/// Faces at which pieces of one body lie side by side, where it is cut through.
 class Cuts {
  public:
   Cuts(const Manifold& manifold, UnionFind& groups) : manifold_(manifold), groups_(groups) {
     each_face([&](int element, Point from, Point to) { elements_[{from.x, from.y, to.x, to.y}].push_back(element); });
   }
 
-  /// The two ends of all of them, those farthest apart, of the piece of this element.
+  /// Returns the two ends, those farthest apart, of all cut faces of the piece of this element.
   std::optional<Segment> of(int piece) {
     std::vector<Point> ends;
     each_face([&](int element, Point from, Point to) {
@@ -127,7 +128,7 @@ std::vector<FreePiece> free_pieces(const Continuum& continuum) {
     pieces[groups.find(spring.element)].hold(spring.at, spring.direction);
 
   std::vector<FreePiece> free;
-  std::vector<int> firsts;  // an element of each
+  std::vector<int> firsts;  // one element of each piece
   for (const auto& [first, piece] : pieces) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(piece.hindered);
     const double greatest = modes.eigenvalues()(2);
@@ -146,7 +147,7 @@ std::string to_string(const FreePiece& piece) {
   const bool shifts = length(shift) > kShown;
   const bool turns = std::abs(piece.way(2)) > kShown;
   std::string how;
-  // A sign is of no meaning, nor is a zero's.
+  // Neither the sign of the direction nor that of a zero has a meaning.
   const auto shown = [](double value) { return std::abs(value) < kShown ? 0.0 : value; };
   const double sign = (shift.x < -kShown || (std::abs(shift.x) <= kShown && shift.y < 0) ? -1 : 1) / length(shift);
   if (shifts) how = fmt::format("move along ({:.3g}, {:.3g})", shown(sign * shift.x), shown(sign * shift.y));

@@ -1,4 +1,5 @@
-// Which pieces of a continuum its supports leave free to move, and how: what makes a static problem have no answer.
+// Finds pieces of a continuum that its supports leave free to move; with one, a static problem has no solution.
+// Theory: docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,18 +12,19 @@
 
 namespace keyblock {
 
-/// Elements that hang together and can move as a rigid body.
+/// Connected elements that can move as a rigid body.
 struct FreePiece {
   int body = 0;  ///< index from 0
   Point middle;  ///< mean of its elements' corners
   Eigen::Vector3d
-      way;  ///< a motion that nothing hinders: shift x and y of the middle, turn times the piece's size; length 1
-  std::optional<Segment> cut = std::nullopt;  ///< ends of the crack or joint that parts it from the rest of its body
+      way;  ///< a motion without resistance: shift x and y of the middle, rotation times the piece's size; length 1
+  std::optional<Segment> cut = std::nullopt;  ///< ends of the crack or joint that cuts it off from the rest of its body
 };
 
 std::vector<FreePiece> free_pieces(const Continuum& continuum);
 
-/// "body 2, about (1, 2), can move along (1, 0)", or "can turn", or both; why, and what helps.
+/// Describes the piece: "body 2, about (1, 2), can move along (1, 0)", or "can turn", or both; then the reason and a
+/// remedy.
 std::string to_string(const FreePiece& piece);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Blocks and an analysis to a model: one affine element a block.
+// Builds a model from blocks and an analysis: one affine element per block.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,12 +6,12 @@
 
 namespace keyblock {
 
-/// Block materials and joint materials out of range are taken as the nearest one that exists (the check of
-/// the problem warns of them). Horizontal body forces of manifold files act on no block. Loads are given to loading
-/// points in order; points beyond the curves carry none.
+/// Builds the model. Material numbers out of range become the nearest that exists (the check of the problem warns of
+/// them). Horizontal body forces of manifold files act on no block. Loads are given to loading points in order; points
+/// beyond the curves carry none.
 Model model_from_blocks(const Blocks& blocks, const Analysis& analysis);
 
-/// A bolt of the blocks between the elements that hold its ends.
+/// Returns a bolt of the blocks between the elements that hold its ends.
 Bolt bolt_between(const BlockBolt& bolt, ElementIndex first, ElementIndex second);
 
 }  // namespace keyblock

@@ -8,7 +8,7 @@
 namespace keyblock {
 namespace {
 
-// A corner of the mesh speaks of the edge that leaves it, one of the model of the edge that arrives.
+// A corner of the mesh describes the edge that leaves it, one of the model the edge that arrives.
 std::vector<Corner> corners_of(std::span<const ElementCorner> loop) {
   std::vector<Corner> corners;
   for (std::size_t i = 0; i < loop.size(); ++i) {

@@ -1,4 +1,4 @@
-// Numbers moved on; scale and mean area anew.
+// Shifts numbers, and recomputes scale and mean area.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/setup/join.hpp"
 
@@ -27,7 +27,7 @@ Model joined(Model blocks, const Model& bodies) {
   for (Element element : bodies.elements) {
     element.first_vertex = moved_on(element.first_vertex, vertices);
     element.end_vertex = moved_on(element.end_vertex, vertices);
-    for (int& cover : element.covers) cover += elements;  // behind those of each block
+    for (int& cover : element.covers) cover += elements;  // after the one cover of each block
 
     blocks.elements.push_back(element);
   }

@@ -1,4 +1,4 @@
-// Blocks and bodies on covers in one model.
+// Joins DDA blocks and NMM bodies in one model.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace keyblock {
 
-/// The elements of `bodies` behind those of `blocks`, all numbers moved on; materials are those of `blocks`. Points and
-/// bolts of `blocks` come first, then those of `bodies`.
+/// Appends the elements of `bodies` to those of `blocks` and shifts all their numbers; materials are those of `blocks`.
+/// Points and bolts of `blocks` come first, then those of `bodies`.
 Model joined(Model blocks, const Model& bodies);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// The angle whose tangent is the factor times the old one.
+// Scales the tangent of the friction angle, the cohesion and the tensile strength.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/setup/joint_strength.hpp"
 

@@ -1,4 +1,5 @@
-// Joints made weaker or stronger all at once, as strength reduction asks for.
+// Scales the strength of all joints, for strength reduction.
+// Theory: docs/theory/11-strength-reduction.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +7,8 @@
 
 namespace keyblock {
 
-/// tan φ, cohesion and tensile strength of every joint material times `factor` ≥ 0. Under the factor 1 nothing changes,
-/// to the bit.
+/// Multiplies tan φ, cohesion and tensile strength of every joint material by `factor` ≥ 0. The factor 1 changes no
+/// bit.
 Model with_joint_strength(Model model, double factor);
 
 }  // namespace keyblock

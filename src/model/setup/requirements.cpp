@@ -1,4 +1,4 @@
-// One function a term: the reason why a scene needs it, or nothing.
+// Decides, in one function per term, if a scene needs the term, and returns the reason.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/setup/requirements.hpp"
 
@@ -26,12 +26,12 @@ std::size_t elements_with(const Model& model, int unknowns) {
       model.elements, [&](const Element& element) { return element.basis->unknown_count() == unknowns; }));
 }
 
-/// Under profile `standard`; the old step gives them unknowns of their own.
+/// Counts elements on covers, for profile `standard`; the legacy step gives them unknowns of their own.
 std::size_t on_covers(const Model& model) {
   return model.continuum ? static_cast<std::size_t>(std::ranges::count_if(model.elements, &Element::is_on_covers)) : 0;
 }
 
-/// Two for each function of each cover.
+/// Returns two unknowns per function of each cover.
 int unknowns_on_covers(const Model& model) {
   if (!model.continuum) return 0;
   if (model.continuum->tip_functions.are_asked()) return 2 * basis_of(*model.continuum).function_count();
@@ -64,7 +64,7 @@ bool can_touch(const Model& model) {
   return model.elements.size() > 1 && std::ranges::any_of(model.elements, &Element::can_move);
 }
 
-/// Numbers of the materials of blocks that can move.
+/// Returns the numbers of the materials of blocks that can move.
 std::set<int> moving_materials(const Model& model) {
   std::set<int> materials;
   for (const Element& element : model.elements)
@@ -78,7 +78,7 @@ std::set<int> joints_in_use(const Model& model) {
   return joints;
 }
 
-/// Of the joint materials in use, those for which `holds`.
+/// Counts the joint materials in use for which `holds` is true.
 template <class Predicate>
 std::size_t joints_with(const Model& model, Predicate holds) {
   return static_cast<std::size_t>(std::ranges::count_if(joints_in_use(model), [&](int joint) {

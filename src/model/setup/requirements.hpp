@@ -1,4 +1,5 @@
-// What a scene takes: which unknowns, which terms, and why. Nothing absent from this list costs time in the run.
+// Lists the unknowns and equation terms that a scene needs, with the reason for each. Terms absent from the list cost
+// no time in the run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -45,11 +46,11 @@ struct Requirements {
   bool has(TermKind term) const;
 };
 
-/// The plan of a run, in the order of the theory. `why_enforcement` says why contact forces come about as they do,
-/// where that was not asked for.
+/// Returns the plan of a run, in the order of the theory. `why_enforcement` gives the reason for the enforcement of
+/// contact conditions, if the user did not set it.
 Requirements requirements(const Model& model, const Settings& settings, const std::string& why_enforcement = {});
 
-/// The plan of a run whose steps are linear static solutions.
+/// Returns the plan of a run whose steps are linear static solves.
 Requirements linear_requirements(const Model& model, const Settings& settings);
 
 }  // namespace keyblock

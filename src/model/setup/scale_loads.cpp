@@ -1,4 +1,4 @@
-// Functions of place are wrapped; see scale_loads.hpp.
+// Wraps functions of position to scale them; see scale_loads.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/setup/scale_loads.hpp"
 

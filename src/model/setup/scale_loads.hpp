@@ -1,4 +1,4 @@
-// All loads of bodies on covers multiplied by one factor.
+// Multiplies all loads of NMM bodies by one factor.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,8 @@
 
 namespace keyblock {
 
-/// Weight, body force, tractions, prescribed displacements and forces at points times `factor`; initial stress stays.
+/// Multiplies weight, body force, tractions, prescribed displacements and point forces by `factor`; initial stress
+/// stays.
 Continuum with_loads(Continuum continuum, double factor);
 
 }  // namespace keyblock

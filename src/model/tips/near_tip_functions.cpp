@@ -1,4 +1,4 @@
-// Polar coordinates about a tip; see near_tip_functions.hpp.
+// Uses polar coordinates at the tip; see near_tip_functions.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/tips/near_tip_functions.hpp"
 

@@ -1,4 +1,4 @@
-// Covers by distance, branches by neighbours; see tip_enrichment.hpp.
+// Chooses covers by distance and branches of θ by neighbours; see tip_enrichment.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/tips/tip_enrichment.hpp"
 
@@ -18,15 +18,15 @@ namespace {
 
 constexpr double kSidesOfRadius = 3;   // K of fra-01 within 0.3 % with sides of a/5; 2 sides: 0.9 %
 constexpr double kSidesOfPatch = 1.5;  // beyond R; without them 1.8 %
-// Of R: a tip with another line or tip nearer than this has a field of its own only where hardly an element sees it.
-// 1e-7 away the functions of two tips differ by no more than round-off, and residuals of 1e-9 are left.
+// Distance to another line or tip, per R, below which a tip gets no field of its own, as hardly any element resolves
+// it. At 1e-7 the functions of two tips differ by round-off only, and residuals of 1e-9 remain.
 constexpr double kLeastRoom = 0.003;
-constexpr double kAhead = 1e-6;       // of a side: where straight ahead begins
-constexpr double kSameAngle = 1e-6;   // rad; where θ is torn it differs by a turn
-constexpr double kDependent = 1e-12;  // of the greatest eigenvalue: such a combination says nothing
-constexpr double kRound = 1 + 1e-9;   // of R: nodes on its circle belong to it
+constexpr double kAhead = 1e-6;       // per side: where straight ahead begins
+constexpr double kSameAngle = 1e-6;   // rad; where θ jumps, it differs by a full turn
+constexpr double kDependent = 1e-12;  // per greatest eigenvalue: smaller combinations are dependent
+constexpr double kRound = 1 + 1e-9;   // per R: nodes on its circle belong to it
 constexpr int kPlainDegree = 8;       // of quadrature, far from the tip
-constexpr double kSmall = 0.01;       // of the triangles of a cover: what it has of them counts as little
+constexpr double kSmall = 0.01;       // per area of a cover's triangles: a smaller share counts as little
 
 double size_of(const std::array<Point, 3>& t) {
   return std::sqrt(2 / std::sqrt(3.0) * cross(t[1] - t[0], t[2] - t[0]));
@@ -133,7 +133,7 @@ bool TipEnrichment::holds_inside(int element, Point tip) const {
   return side(manifold_.triangle(manifold_.elements[static_cast<std::size_t>(element)]), tip) == Side::inside;
 }
 
-// All directions are in an element about the tip.
+// An element that holds the tip contains all directions.
 double TipEnrichment::angle_of(int element, const TipAxes& axes) const {
   if (holds_inside(element, axes.at)) return 0;
   return axes.angle_to(centroid(manifold_.polygon(manifold_.elements[static_cast<std::size_t>(element)]).front()));
@@ -154,7 +154,7 @@ int TipEnrichment::seed(const std::vector<int>& at_tip, const TipAxes& axes, dou
   return best;
 }
 
-/// With the neighbour, and the middle of the side between both.
+/// Calls `visit` with each neighbour and the middle of the shared side.
 template <class Visit>
 void TipEnrichment::visit_neighbours(int element, Visit visit) const {
   const std::span<const ElementCorner> loop =
@@ -165,7 +165,7 @@ void TipEnrichment::visit_neighbours(int element, Visit visit) const {
 }
 
 TipEnrichment::Middles TipEnrichment::middles(int seed, const TipAxes& axes, const std::vector<char>& is_near) const {
-  using Reached = std::pair<double, int>;  // from the tip, element
+  using Reached = std::pair<double, int>;  // distance from the tip, element
   const auto reach = [&](int e) {
     return distance(centroid(manifold_.polygon(manifold_.elements[static_cast<std::size_t>(e)]).front()), axes.at);
   };
@@ -203,8 +203,9 @@ std::vector<char> TipEnrichment::torn(const Middles& middles, const TipAxes& axe
   return is_torn;
 }
 
-// Orthonormal functions of a cover that has little of its triangles grow large in the rest of them, where the ghost
-// penalty integrates them, and its residual would be their round-off. They are scaled as if the cover had all of it.
+// Orthonormal functions of a cover that has little of its triangles grow large in the rest of them. The ghost penalty
+// integrates them there, and its residual would be their round-off. They are scaled as if the cover had all of its
+// triangles.
 Eigen::Matrix4Xd TipEnrichment::orthonormal(int cover, const TipAxes& axes, const Middles& middles) const {
   Eigen::Matrix4d products = Eigen::Matrix4d::Zero();
   double covered = 0, whole = 0;

@@ -1,4 +1,4 @@
-// Product rule; see tip_shape.hpp.
+// Applies the product rule; see tip_shape.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/tips/tip_shape.hpp"
 

@@ -1,4 +1,5 @@
-// What near-tip functions add to the displacement of one element.
+// Adds near-tip functions to the displacement of one element.
+// Theory: docs/theory/10-fracture.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,7 +18,8 @@ struct CoverWeight {
   double at(Point x) const { return 1 + dot(gradient, x - node); }
 };
 
-/// Functions λ_k F m: F the four near-tip functions of a tip on the element's branch of θ, m a combination of them.
+/// Functions λ_k F m: F holds the four near-tip functions of a tip on the element's branch of θ, m is a combination of
+/// them.
 struct TipShape {
   struct Branch {
     TipAxes tip;
@@ -31,11 +33,11 @@ struct TipShape {
   std::vector<Branch> branches;
   std::vector<Point> tips;  ///< of the branches
   std::vector<Function> functions;
-  int first = 0;  ///< their place in the element's list, which they end
+  int first = 0;  ///< their place in the element's list, at whose end they are
 
-  /// Adds the values to those of the element's functions, which hold zeros there.
+  /// Adds the values to those of the element's functions, which must be zero there.
   void add_values(Point x, Eigen::RowVectorXd& values) const;
-  /// The same of ∂/∂x and ∂/∂y.
+  /// Adds ∂/∂x and ∂/∂y to the gradients of the element's functions.
   void add_gradients(Point x, Eigen::Matrix2Xd& gradients) const;
 };
 
