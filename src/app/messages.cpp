@@ -140,14 +140,14 @@ void print_messages_plainly() {
 void add_message_options(CLI::App& program) {
   CLI::Option* quiet = program.add_flag_callback(
       "--quiet", [] { terminal()->set_level(spdlog::level::err); },
-      "errors alone on the terminal, no warnings and no progress");
+      "print errors only");
   CLI::Option* verbose = program.add_flag_callback(
       "--verbose", [] { spdlog::set_level(spdlog::level::debug); },
-      "every warning, where else one of a kind stands for all, and what takes time before the first step");
+      "print every warning in full, solver statistics and timings");
   quiet->excludes(verbose);
   program
       .add_option_function<std::string>("--log", log_into,
-                                        "a new file, or one whose name ends in .log, to which messages are added too")
+                                        "also append messages to FILE, which must be new or end in .log")
       ->type_name("FILE");
 }
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "base/words/diagnostics.hpp"
+
 namespace keyblock {
 
 std::string to_string(const Place& place) {
@@ -21,11 +23,13 @@ void add_warning(Warnings& warnings, Warning warning) {
   if (warnings.size() < kMostWarnings)
     warnings.push_back(std::move(warning));
   else if (warnings.size() == kMostWarnings)
-    warnings.push_back({"more_warnings", warning.place, "what is odd from here on is not listed"});
+    warnings.push_back({"more_warnings", warning.place, "further warnings are not listed"});
 }
 
 std::string to_string(const Warning& warning) {
-  return fmt::format("{}: warning: {} [{}]", to_string(warning.place), warning.sentence, warning.name);
+  const DiagnosticLevel level = level_of(warning.name);
+  const std::string_view word = level == DiagnosticLevel::silent ? "note" : word_of(level);
+  return fmt::format("{}: {}: {} [{}]", to_string(warning.place), word, warning.sentence, warning.name);
 }
 
 }  // namespace keyblock

@@ -75,7 +75,7 @@ inline Warnings joined(Warnings first, const Warnings& second) {
   return first;
 }
 
-/// `file:line:column: warning: sentence [name]`.
+/// `file:line:column: level: sentence [name]`, the level of the code: error, warning or note.
 std::string to_string(const Warning& warning);
 
 /// What the user asked for cannot be done as asked; exit code 2.

@@ -150,19 +150,25 @@ void add_strain(Warnings& remarks, const Prepared& prepared, const Frame& last, 
                    name_of(prepared.scene.model, number), strain(*most))});
 }
 
-// Energy that came from nothing is held against no less than the work of weight over a small way: the limit of 0.01 is
-// then a lift of the whole by a millionth of a block. Blocks that slid by more than this way, however slowly, are
-// judged by the energy that they had.
+// Returns the energy that came from nothing over the largest stored energy, but over no less than the work of weight
+// along a small way: the limit of 0.01 is then a lift of the whole by a millionth of a block. Blocks that slid by more
+// than this way, however slowly, are judged by the energy that they had.
+double energy_created(const Prepared& prepared, const RunRecord& record, const Frame& first) {
+  const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope);
+  if (made <= 0) return 0;
+  const double least = work_of_weight(prepared, first);
+  const double largest = record.ledger_sums.largest_stored;
+  return largest < least ? made * largest / least : made;
+}
+
 void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& record, const Frame& first,
                 const Place& place) {
   if (!keeps_energy(record)) return;
   const double limit = prepared.scene.settings.trust.energy;
-  const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope);
-  if (made <= limit) return;
+  const double share = energy_created(prepared, record, first);
+  if (share <= limit) return;
   const double least = work_of_weight(prepared, first);
   const double largest = record.ledger_sums.largest_stored;
-  const double share = largest < least ? made * largest / least : made;
-  if (share <= limit) return;
   found.push_back(
       {"energy_beyond_limit", place,
        fmt::format(
@@ -410,6 +416,7 @@ void judge(RunRecord& record, const Prepared& prepared, StepWatch& watch, const 
   record.warnings = joined(record.warnings, outcome_warnings(prepared, record.outcome, place));
   record.warnings = joined(record.warnings, broken_bolts(first, last, place));
   record.is_static = watch.is_static();
+  if (keeps_energy(record)) record.energy_created = energy_created(prepared, record, first);
   const Judgement judgement = judged(prepared, record, first, last, place);
   record.doubts = judgement.doubts;
   if (record.outcome.end == RunEnd::finished)

@@ -61,7 +61,8 @@ struct RunRecord {
   std::optional<EndOfMotion> motion = {};         ///< none of a run without a step
   Timings timings;
   Warnings warnings;
-  Warnings doubts;  ///< why a run that came to its end is not trusted; among `warnings` too
+  double energy_created = 0;  ///< over the largest stored energy, as `energy_limit` judges it
+  Warnings doubts;            ///< why a run that came to its end is not trusted; among `warnings` too
   int record_every = 1;
   std::vector<int> left_out = {};    ///< numbers, from 0, of elements that the pictures leave out
   std::vector<int> held = {};        ///< numbers, from 0, of blocks with a fixed point at the end

@@ -92,7 +92,8 @@ Warnings zero_length_bolts(const Blocks& blocks) {
 Warnings unusual_ratio(const Drawing& drawing) {
   if (drawing.edge_node_ratio > 0 && drawing.edge_node_ratio < kUsualEdgeNodeRatio) return {};
   return {{"edge_node_ratio_unusual", drawing.place,
-           fmt::format("edge-node ratio {} is outside the usual 0.001 to 0.02", drawing.edge_node_ratio)}};
+           fmt::format("edge-node ratio {} is not between 0 and {}; files usually have 0.001 to 0.02",
+                       drawing.edge_node_ratio, kUsualEdgeNodeRatio)}};
 }
 
 Warnings no_fixed_points(std::size_t count, const Place& place) {

@@ -99,7 +99,7 @@ void put_contacts(Rows& rows, const Prepared& prepared, const RunRecord& record)
 void put_energy(Rows& rows, const RunRecord& record) {
   if (!keeps_energy(record)) return;
   const LedgerScope& scope = record.outcome.ledger_scope;
-  const double made = record.ledger_sums.energy_made(scope);
+  const double made = record.energy_created;
   const std::string created =
       made > 0 ? fmt::format("energy created: {:.2g} of the largest", made) : "energy created: none";
   put(rows, "energy",

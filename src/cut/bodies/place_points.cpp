@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/counted.hpp"
+#include "base/words/plain_number.hpp"
 #include "base/words/quoted_name.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/predicates.hpp"
@@ -116,11 +117,10 @@ class Placer {
     warnings_.push_back(
         {"fixed_line_ends_in_block", found.front().place,
          fmt::format(
-             "{} held at one point alone, for a fixed line ends in {}, the first at ({}, {}): only where the line "
-             "crosses an edge does it hold, and about that point the block can turn; draw the line beyond the "
-             "outline, or add a fixed point",
-             found.size() == 1 ? "1 block is" : fmt::format("{} blocks are", found.size()),
-             found.size() == 1 ? "it" : "them", found.front().position.x, found.front().position.y)});
+             "{} can rotate: a fixed line ends inside {}, the first at ({}, {}), and fixes only the point where it "
+             "crosses the outline",
+             found.size() == 1 ? "1 block" : fmt::format("{} blocks", found.size()), found.size() == 1 ? "it" : "them",
+             plain(found.front().position.x), plain(found.front().position.y))});
   }
 
   void add_point(std::vector<BlockPoint>& list, std::string_view kind, const MarkedPoint& mark) {
