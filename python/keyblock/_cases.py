@@ -1,0 +1,237 @@
+"""Cases, plans and contexts.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import atexit
+import json
+import os
+import sys
+import threading
+import time
+from pathlib import Path
+
+from . import _keyblock
+
+_threads = 0  # of a context that does not say; children of a pool set 1
+
+
+class Context(_keyblock.Context):
+    """Stops a computation and limits its threads and its time.
+
+    threads: threads of a step, at most 256; 0 means all processors. Results do not depend on it.
+    time_limit: seconds until the context stops what runs under it; None means no limit. The clock starts here.
+    progress: True prints the progress of long searches to standard error.
+
+    A context that was stopped stays stopped. `with Context(...) as c:` ends the clock and the progress lines.
+    """
+
+    def __init__(self, threads=None, time_limit=None, progress=False):
+        super().__init__(_threads if threads is None else threads)
+        self._ended = threading.Event()
+        if time_limit is not None or progress:
+            threading.Thread(target=self._watch, args=(time_limit, progress), daemon=True).start()
+
+    def _watch(self, time_limit, progress):
+        end = None if time_limit is None else time.monotonic() + time_limit
+        while not self._ended.wait(min(1.0, 3600 if end is None else max(0.0, end - time.monotonic()))):
+            if end is not None and time.monotonic() >= end:
+                self.stop()
+                return
+            what, share = self.headway
+            if progress and what:
+                print(f"{what}: {share:.0%}" if share else what, file=sys.stderr, flush=True)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._ended.set()
+
+
+class Case:
+    """Content of case files. Nothing changes it; `with_value` returns another case."""
+
+    def __init__(self, case, files=()):
+        self._case = case
+        self._files = tuple(files)  # empty if no file holds this content
+
+    @property
+    def warnings(self):
+        """Warnings of reading: list of `Warning`."""
+        return list(self._case.warnings)
+
+    @property
+    def units(self):
+        """Names of the units of length, mass and time; each empty if the case does not declare it."""
+        return tuple(self._case.units)
+
+    @property
+    def files(self):
+        """Files of the case; empty if its content was changed."""
+        return self._files
+
+    def json(self):
+        """Returns the text of the case as a case file of Keyblock."""
+        return self._case.json()
+
+    def get(self, pointer=""):
+        """Returns a value of the case file by its JSON pointer, such as /analysis/joint_materials/0/friction_angle_deg.
+
+        A name may stand for the index of a list item: /analysis/joint_materials/bedding/friction_angle_deg. `*` stands for
+        all items; the result is then a list. Raises SettingError if the case has no such value.
+        """
+        found = [json.loads(self._case.get(p)) for p in self.pointers(pointer)]
+        return found if "*" in pointer.split("/") else found[0]
+
+    def with_value(self, pointer, value):
+        """Returns the same case with another value at this pointer, or at all pointers that `*` stands for.
+
+        A value is a number, a bool, a list, a dict, or a text with a unit ("50 kN") where the case file permits units.
+        Raises SettingError for a pointer to nothing, InputError for a value that the file must not have.
+        """
+        case = self._case
+        for each in self.pointers(pointer):
+            case = case.with_json(each, json.dumps(_plain(value)))
+        return Case(case)
+
+    def with_values(self, values):
+        """Returns the same case with several values: a dict of pointers and values."""
+        case = self
+        for pointer, value in values.items():
+            case = case.with_value(pointer, value)
+        return case
+
+    def pointers(self, pointer):
+        """Returns the JSON pointers that a pointer with names and `*` stands for. Raises SettingError if there are none."""
+        parts = pointer.split("/")
+        if not pointer or "*" not in parts and _has(self._case, pointer):
+            return [pointer]
+        found = [("", json.loads(self._case.get("")))]
+        for part in parts[1:] if pointer.startswith("/") else [pointer]:
+            found = [(f"{at}/{key}", value) for at, whole in found for key, value in _children(whole, part)]
+        if not found:
+            raise _keyblock.SettingError(f"expected a pointer to a value of the case, found {pointer}")
+        return [at for at, _ in found]
+
+    def write(self, path, format="keyblock-case"):
+        """Writes the case in a format of `keyblock convert --to`; an existing file is an error.
+
+        Returns sentences: content that the format cannot hold, content that is added, other rules of a run.
+        """
+        return self._case.write(os.fspath(path), format)
+
+    def __repr__(self):
+        names = ", ".join(Path(f).name for f in self._files)
+        return f"<Case {names or 'with changed values'}>"
+
+
+def read(*paths, layers=None, unit=None, join=None):
+    """Reads the files of a case in any order, or its folder.
+
+    layers: table of the layers of a DXF drawing. unit: unit of length of the drawing. join: distance of `keyblock check
+    --join`. With one of these three the program `keyblock` converts the files first. Raises InputError with file, line
+    and column.
+    """
+    from . import _program
+    files = [os.fspath(p) for p in paths]
+    if layers is None and unit is None and join is None:
+        return Case(_keyblock.Case.read(files), [os.path.abspath(f) for f in files])
+    return _program.read_converted(files, layers=layers, unit=unit, join=join)
+
+
+class Plan:
+    """A case made ready for its first step. Many runs may share it.
+
+    profile: legacy, draft, standard or reference; None takes what the files request.
+    settings: a dict, as `--set` of the program: {"time_step": "2 ms", "steps": 500}. True and False mean on and off.
+    Raises InputError, SettingError, Stopped.
+    """
+
+    def __init__(self, case, profile=None, settings=None, context=None):
+        self._case = case if isinstance(case, Case) else read(case)
+        self._choices = (profile or "", setting_pairs(settings))
+        self._plan = _keyblock.Plan(self._case._case, *self._choices, context or Context())
+
+    @property
+    def case(self):
+        return self._case
+
+    @property
+    def profile(self):
+        return self._plan.profile
+
+    @property
+    def why_profile(self):
+        """Reason for the profile."""
+        return self._plan.why_profile
+
+    @property
+    def settings(self):
+        """All settings: dict of names and values, both text."""
+        return dict(self._plan.settings)
+
+    @property
+    def warnings(self):
+        """Warnings of reading, cutting and preparing."""
+        return list(self._plan.warnings)
+
+    @property
+    def unknowns(self):
+        return self._plan.unknowns
+
+    @property
+    def blocks(self):
+        """Number of blocks; elements of NMM bodies count each."""
+        return self._plan.blocks
+
+    @property
+    def steps(self):
+        return self._plan.steps
+
+    def __repr__(self):
+        return f"<Plan {self.blocks} blocks, {self.unknowns} unknowns, {self.steps} steps, profile {self.profile}>"
+
+
+def setting_pairs(settings):
+    """Settings as pairs of text."""
+    def text(value):
+        value = _plain(value)
+        if isinstance(value, bool):
+            return "on" if value else "off"
+        return value if isinstance(value, str) else repr(value)
+    return [(str(name), text(value)) for name, value in (settings or {}).items()]
+
+
+def _plain(value):
+    """Numbers and arrays of NumPy as those of Python."""
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
+def _has(case, pointer):
+    try:
+        case.get(pointer)
+        return True
+    except _keyblock.SettingError:
+        return False
+
+
+def _children(value, part):
+    """(key, value) of the items of a list or dict that a part of a pointer stands for."""
+    if isinstance(value, dict):
+        name = part.replace("~1", "/").replace("~0", "~")
+        if part == "*":
+            return [(k.replace("~", "~0").replace("/", "~1"), v) for k, v in value.items()]
+        return [(part, value[name])] if name in value else []
+    if isinstance(value, list):
+        return [(str(i), v) for i, v in enumerate(value)
+                if part in ("*", str(i)) or isinstance(v, dict) and part == v.get("name")]
+    return []
+
+
+@atexit.register
+def _leave():
+    """Ends the process if an interrupted computation still runs: its thread must not outlive the interpreter."""
+    if _keyblock.left_behind():
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(130)

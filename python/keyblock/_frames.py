@@ -1,0 +1,228 @@
+"""Frames: one instant of a run as NumPy views, data frames and pictures.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import numpy as np
+
+XY = ("x", "y")
+TENSOR = ("xx", "yy", "xy", "zz")
+ENDS = ("x1", "y1", "x2", "y2")
+
+# Shape and dimension of the columns that are not plain numbers: length, mass, time as powers of (L, M, T), "rad" for
+# angles. Forces are those of a slice of unit thickness.
+_LENGTH, _SPEED, _FORCE, _STRESS = (1, 0, 0), (1, 0, -1), (0, 1, -2), (-1, 1, -2)
+_COLUMNS = {
+    "centroid": (XY, _LENGTH), "displacement": (XY, _LENGTH), "place": (XY, _LENGTH), "velocity": (XY, _SPEED),
+    "normal": (XY, None), "force": (XY, _FORCE), "stress": (TENSOR, _STRESS), "plastic_strain": (TENSOR, None),
+    "ends": (ENDS, _LENGTH), "gap": ((), _LENGTH), "slip": ((), _LENGTH), "length": ((), _LENGTH),
+    "normal_force": ((), _FORCE), "shear_force": ((), _FORCE), "area": ((), (2, 0, 0)), "rotation": ((), "rad"),
+    "rotation_rate": ((), "rad"), "K_I": ((), (-0.5, 1, -2)), "K_II": ((), (-0.5, 1, -2)), "J": ((), _FORCE),
+}
+
+
+def _about(part, name):
+    if (part, name) == ("cracks", "displacement"):
+        return ENDS, _LENGTH
+    if (part, name) == ("bolts", "force"):
+        return (), _FORCE
+    return _COLUMNS.get(name, ((), None))
+
+
+def _column(part, name, doc):
+    def get(self):
+        return self.column(part, name)
+    return property(get, doc=doc)
+
+
+class Frame:
+    """One instant of a run. Its arrays are views that cannot be written; they stay valid without the run."""
+
+    __slots__ = ("_frame", "units")
+
+    def __init__(self, frame, units=("", "", "")):
+        self._frame = frame
+        self.units = tuple(units)
+
+    step = property(lambda self: self._frame.step, doc="Number of the step; 0 is the start.")
+    time = property(lambda self: self._frame.time)
+    load_factor = property(lambda self: self._frame.load_factor, doc="Factor of the loads under crack growth.")
+
+    number = _column("blocks", "block", "Number of each block, n.")
+    material = _column("blocks", "material", "Number of the material of each block, n.")
+    centroid = _column("blocks", "centroid", "n x 2.")
+    displacement = _column("blocks", "displacement", "Displacement of centroids since the start, n x 2.")
+    rotation = _column("blocks", "rotation", "Rotation in radians, to the left, n.")
+    velocity = _column("blocks", "velocity", "n x 2.")
+    rotation_rate = _column("blocks", "rotation_rate", "Radians per time, n.")
+    stress = _column("blocks", "stress", "xx, yy, xy, zz, tension positive, n x 4.")
+    area = _column("blocks", "area", "n.")
+    vertices = _column("corners", "place", "All corners, loop after loop, x 2.")
+    loop_block = _column("loops", "row", "Row of the block of each loop.")
+    loop_corners = _column("loops", "corners", "Number of corners of each loop.")
+    point = _column("points", "place", "Measured points, p x 2.")
+    point_displacement = _column("points", "displacement", "p x 2.")
+    contact_block = _column("contacts", "block", "Number of the block of each contact, c.")
+    contact_other = _column("contacts", "other", "Number of the other block, c.")
+    contact_state = _column("contacts", "state", "0 open, 1 sticks, 2 slides, c.")
+    contact_point = _column("contacts", "place", "c x 2.")
+    contact_normal = _column("contacts", "normal", "Unit normal out of the other block, c x 2.")
+    contact_pressure = _column("contacts", "normal_force", "Normal force over thickness, c.")
+    contact_shear = _column("contacts", "shear_force", "Shear force over thickness, c.")
+    contact_gap = _column("contacts", "gap", "Positive if the faces are apart, c.")
+
+    @staticmethod
+    def parts():
+        """Returns the names of the parts: blocks, loops, corners, contacts, bolts, cracks, points, tips."""
+        from . import _keyblock
+        return _keyblock.Frame.parts()
+
+    def names(self, part):
+        """Returns the names of the columns of a part; none if it has no rows."""
+        return self._frame.names(part)
+
+    def column(self, part, name):
+        """Returns a column of a part as a view. Raises SettingError if there is none."""
+        return self._frame.column(part, name, len(_about(part, name)[0]) or 1)
+
+    def index_of(self, number):
+        """Returns the row of the block with this number. Raises KeyError if there is none."""
+        found = np.flatnonzero(self.number == number)
+        if not len(found):
+            raise KeyError(f"no block has the number {number}")
+        return int(found[0])
+
+    def part(self, part):
+        """Returns a part as a pandas data frame; without pandas as a dict of arrays.
+
+        Columns of several numbers become several columns, such as displacement_x. `attrs` holds step, time, and under
+        "units" the unit of each column; a unit is empty if the case does not declare it.
+        """
+        columns, units = {}, {}
+        for name in self.names(part):
+            suffixes, dimension = _about(part, name)
+            values = self.column(part, name)
+            for i, suffix in enumerate(suffixes or ("",)):
+                key = f"{name}_{suffix}" if suffix else name
+                columns[key] = values[:, i] if suffixes else values
+                units[key] = unit_text(dimension, self.units, per_time=name == "rotation_rate")
+        try:
+            import pandas
+        except ImportError:
+            return columns
+        table = pandas.DataFrame(columns)
+        table.attrs.update(step=self.step, time=self.time, units=units)
+        return table
+
+    def polygons(self):
+        """Returns the loops of each block: a list of lists of arrays of corners."""
+        loops = np.split(self.vertices, np.cumsum(self.loop_corners)[:-1]) if len(self.loop_corners) else []
+        blocks = [[] for _ in range(len(self.number))]
+        for row, loop in zip(self.loop_block, loops):
+            blocks[row].append(loop)
+        return blocks
+
+    def svg(self, colour=None, width=640):
+        """Returns a picture as SVG text: blocks coloured by a number of each, by default their displacement."""
+        return _svg(self, colour, width)
+
+    def _repr_svg_(self):
+        return self.svg()
+
+    def __repr__(self):
+        return f"<Frame of step {self.step}, time {self.time:g}: {len(self.number)} blocks>"
+
+
+def unit_text(dimension, units, per_time=False):
+    """Returns a unit made of those of length, mass and time; empty if it has none or they are not declared."""
+    length, mass, time = units
+    if dimension == "rad":
+        return (f"rad/{time}" if time else "") if per_time else "rad"
+    if dimension is None:
+        return ""
+    if any(power and not name for power, name in zip(dimension, units)):
+        return ""
+    if (length, mass, time) == ("m", "kg", "s") and dimension[1]:
+        return {_FORCE: "N/m", _STRESS: "Pa", (-0.5, 1, -2): "N/m^1.5"}[dimension]
+    parts = [(mass, dimension[1]), (length, dimension[0]), (time, dimension[2])]
+    above = "·".join(_power(n, p) for n, p in parts if p > 0) or "1"
+    return above + "".join("/" + _power(n, -p) for n, p in parts if p < 0)
+
+
+def _power(name, power):
+    return name + {1: "", 2: "²", 3: "³"}.get(power, f"^{power:g}")
+
+
+def _values(frame, colour):
+    """A number per block, and its name."""
+    if colour is None:
+        return np.hypot(*frame.displacement.T), "displacement"
+    if isinstance(colour, str):
+        values = frame.column("blocks", colour)
+        return (np.hypot(*values.T) if values.ndim == 2 and values.shape[1] == 2 else values), colour
+    return np.asarray(colour, float), ""
+
+
+# Ends and middle of a sequential scale, light to dark.
+_SCALE = np.array([[255, 247, 217], [247, 184, 96], [205, 83, 52], [103, 22, 60]], float)
+
+
+def _svg(frame, colour, width):
+    values, name = _values(frame, colour)
+    corners = frame.vertices
+    if not len(corners):
+        return f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="20"/>'
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    scale = (width - 20) / max(high[0] - low[0], 1e-300)
+    height = int((high[1] - low[1]) * scale) + 40
+    finite = values[np.isfinite(values)]
+    least, greatest = (finite.min(), finite.max()) if len(finite) else (0.0, 0.0)
+    shares = np.nan_to_num((values - least) / ((greatest - least) or 1.0)) * (len(_SCALE) - 1)
+    colours = np.stack([np.interp(shares, range(len(_SCALE)), c) for c in _SCALE.T], axis=1).astype(int)
+    unit = unit_text(_about("blocks", name)[1], frame.units) if name else ""
+    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+             f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="12">',
+             '<g stroke="#333" stroke-width="0.6" fill-rule="evenodd">']
+    for block, (loops, rgb) in enumerate(zip(frame.polygons(), colours)):
+        path = "".join("M" + "L".join(f"{x:.2f} {y:.2f}" for x, y in
+                                      np.column_stack(((l[:, 0] - low[0]) * scale + 10, (high[1] - l[:, 1]) * scale + 10)))
+                       + "Z" for l in loops)
+        lines.append(f'<path d="{path}" fill="#{rgb[0]:02x}{rgb[1]:02x}{rgb[2]:02x}">'
+                     f"<title>block {frame.number[block]}: {values[block]:.3g} {unit}</title></path>")
+    label = f"{name} {least:.3g} to {greatest:.3g} {unit}, " if name else ""
+    lines.append(f'</g><text x="10" y="{height - 8}">{label}step {frame.step}, time {frame.time:.4g} {frame.units[2]}'
+                 "</text></svg>")
+    return "\n".join(lines)
+
+
+def plot(frame, colour=None, ax=None, label=None, **options):
+    """Draws the blocks of a frame with Matplotlib and returns the axes.
+
+    colour: a number per block, or the name of a column of blocks; by default the displacement. ax: axes to draw on.
+    label: text of the colour bar. options: those of matplotlib.collections.PathCollection, such as cmap and edgecolors.
+    """
+    import matplotlib.pyplot as plt
+    from matplotlib.collections import PathCollection
+    from matplotlib.path import Path
+    values, name = _values(frame, colour)
+    ax = ax or plt.gca()
+    paths = []
+    for loops in frame.polygons():
+        vertices, codes = [], []
+        for i, loop in enumerate(loops):
+            x, y = loop.T
+            is_left = np.dot(x, np.roll(y, -1)) >= np.dot(y, np.roll(x, -1))
+            if is_left == (i > 0):  # holes run the other way
+                loop = loop[::-1]
+            vertices += [loop, loop[:1]]
+            codes += [Path.MOVETO] + [Path.LINETO] * (len(loop) - 1) + [Path.CLOSEPOLY]
+        paths.append(Path(np.concatenate(vertices), codes))
+    options.setdefault("edgecolors", "0.2")
+    options.setdefault("linewidths", 0.5)
+    blocks = PathCollection(paths, array=values, **options)
+    ax.add_collection(blocks)
+    ax.autoscale_view()
+    ax.set_aspect("equal")
+    unit = unit_text(_about("blocks", name)[1], frame.units) if name else ""
+    ax.figure.colorbar(blocks, ax=ax, label=label or (f"{name} [{unit}]" if unit else name))
+    ax.set_title(f"step {frame.step}, time {frame.time:.4g} {frame.units[2]}".rstrip())
+    return ax

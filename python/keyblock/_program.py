@@ -1,0 +1,242 @@
+"""The program `keyblock` in a child process, for work that the library cannot do yet.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import csv
+import json
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+from pathlib import Path
+
+from . import _keyblock
+from ._cases import Case, Plan, setting_pairs
+
+
+class ProgramError(_keyblock.Error):
+    """The program ended with an exit code that is no answer. `code`: the exit code; the text is its message."""
+
+    def __init__(self, message, code):
+        super().__init__(message)
+        self.code = code
+
+
+def program():
+    """Returns the path of the program: that of the environment variable KEYBLOCK_PROGRAM, else of the search path."""
+    found = os.environ.get("KEYBLOCK_PROGRAM") or shutil.which("keyblock")
+    if not found:
+        raise ProgramError("the program keyblock is not on the search path; KEYBLOCK_PROGRAM may name it", 127)
+    return found
+
+
+def _run(arguments, accepted=(0,)):
+    """Output of the program. Ctrl-C stops it within a second; it keeps its checkpoint."""
+    child = subprocess.Popen([program(), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        out, errors = child.communicate()
+    except BaseException:
+        if child.poll() is None:
+            child.send_signal(signal.SIGTERM)
+            try:
+                child.wait(1)
+            except subprocess.TimeoutExpired:
+                child.kill()
+                child.wait()
+        raise
+    if child.returncode in accepted:
+        return out
+    lines = [line for line in errors.splitlines() if "error" in line] or errors.splitlines()[-1:] or out.splitlines()[-1:]
+    raise ProgramError("\n".join(lines), child.returncode)
+
+
+def _options(**given):
+    """Options of the command line; None and False are left out."""
+    all = []
+    for name, value in given.items():
+        option = "--" + name.replace("_", "-")
+        if value is True:
+            all.append(option)
+        elif isinstance(value, (list, tuple)):
+            all += [text for one in value for text in (option, str(one))]
+        elif value is not None and value is not False:
+            all += [option, str(value)]
+    return all
+
+
+class _Files:
+    """The files of a case; a changed case is written into a folder that lives as long as this."""
+
+    def __init__(self, case, profile=None, settings=None):
+        self.case = case if isinstance(case, Case) else None
+        self._folder = None
+        self.options = [text for pair in setting_pairs(settings) for text in ("--set", "=".join(pair))]
+        if self.case is None:
+            self.paths = [os.fspath(case)]
+        elif self.case.files:
+            self.paths = list(self.case.files)
+        else:
+            self._folder = tempfile.TemporaryDirectory(prefix="keyblock_")
+            self.paths = [os.path.join(self._folder.name, "case.json")]
+            self.case.write(self.paths[0])
+            plan = Plan(self.case, profile, settings)  # the choices of the files that the content came from
+            profile = plan.profile
+            self.options = [text for pair in plan.settings.items() if pair[1] for text in ("--set", "=".join(pair))]
+        if profile:
+            self.options += ["--profile", profile]
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self._folder:
+            self._folder.cleanup()
+
+
+def read_converted(files, **options):
+    """Reads what the program converts into a case file."""
+    with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
+        path = os.path.join(folder, "case.json")
+        _run(["convert", *files, "-o", path, *_options(**options)])
+        return Case(_keyblock.Case.read([path]))
+
+
+def convert(*files, output, to=None, strict=False, force=False, layers=None, unit=None, join=None):
+    """Converts files with `keyblock convert`. Returns its report: outputs, losses and warnings."""
+    return json.loads(_run(["convert", *map(os.fspath, files), "-o", output, "--json",
+                            *_options(to=to, strict=strict, force=force, layers=layers, unit=unit, join=join)]))
+
+
+def new(kind, path):
+    """Writes a commented example case with `keyblock new`: slope, arch, beam, tunnel or block. Returns its path."""
+    _run(["new", kind, "-o", path])
+    return Path(path)
+
+
+def joints(spec, path, seed=None):
+    """Draws joint sets with `keyblock joints` into a drawing. Returns its path.
+
+    spec: a dict as docs/slope.json, or the path of one. path: ends in .dxf, .json, .xml or .geo. seed: rules that of spec.
+    """
+    with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
+        if isinstance(spec, dict):
+            file = Path(folder) / "joints.json"
+            file.write_text(json.dumps(spec), encoding="utf-8")
+            spec = file
+        _run(["joints", spec, "-o", path, *_options(seed=seed)])
+    return Path(path)
+
+
+class Results:
+    """A folder that `keyblock run` wrote. `run`: content of run.json; `end` is its end; `table(name)` reads a table."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        self.run = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
+
+    @property
+    def end(self):
+        """finished, stopped or failed."""
+        return self.run["outcome"]["end"]
+
+    @property
+    def doubts(self):
+        """Reasons not to trust the results."""
+        return self.run["outcome"].get("doubts", [])
+
+    def tables(self):
+        """Returns the names of the tables, such as history and contacts."""
+        return sorted(p.stem for p in self.folder.glob("*.csv"))
+
+    def table(self, name):
+        """Returns a table as a data frame with plain column names; its units are in `attrs["units"]`.
+
+        Without pandas: a dict of lists.
+        """
+        with open(self.folder / f"{name}.csv", newline="", encoding="utf-8") as file:
+            heading, *rows = csv.reader(file)
+        names, units = [], {}
+        for text in heading:
+            plain, _, unit = text.partition(" [")
+            names.append(plain)
+            units[plain] = unit.rstrip("]")
+        columns = {n: [_number(row[i]) for row in rows] for i, n in enumerate(names)}
+        try:
+            import pandas
+        except ImportError:
+            return columns
+        table = pandas.DataFrame(columns)
+        table.attrs["units"] = units
+        return table
+
+    def __repr__(self):
+        return f"<Results {self.folder}: {self.end}>"
+
+
+def _number(text):
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text
+
+
+_ANSWERS = (0, 1, 4)  # done; done with doubts; a run that failed, which its results say
+
+
+def record(case, folder, profile=None, settings=None, every=None, history=(), force=False, threads=None, trace=False,
+           pictures=True):
+    """Runs a case with `keyblock run` into a folder and returns its `Results`.
+
+    every: steps between frames. history: quantities to follow, such as "crest=point:12,20" or "block:4". trace: write
+    every step. A case with changed values is written beside the results' inputs first, and all its settings are set.
+    """
+    with _Files(case, profile, settings) as files:
+        _run(["run", *files.paths, "-o", folder, *files.options,
+              *_options(record_every=every, history=list(history), force=force, threads=threads, trace=trace,
+                        no_pictures=not pictures)], _ANSWERS)
+    return Results(folder)
+
+
+def resume(folder, threads=None):
+    """Goes on with an interrupted `record` or `keyblock run` from its checkpoint, with `keyblock run --resume`."""
+    _run(["run", "--resume", folder, *_options(threads=threads)], _ANSWERS)
+    return Results(folder)
+
+
+def compare(*cases, profile=None, all=False, threads=None):
+    """Reruns case folders against their expected values with `keyblock compare`. Returns its report."""
+    return json.loads(_run(["compare", *map(os.fspath, cases), "--json", *_options(profile=profile, all=all, threads=threads)],
+                           (0, 1)))
+
+
+def element(case, path, to=(), material=None, confining=None, cycles=None, steps=None, size=None):
+    """Drives one element of a material along a path with `keyblock element`. Returns (report, curve).
+
+    path: uniaxial, triaxial, biaxial, oedometer, shear, cyclic, or a table. to: strains, one after another. curve: a
+    list of dicts, one per increment.
+    """
+    with _Files(case) as files, tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
+        curve = os.path.join(folder, "curve.csv")
+        targets = _options(to=",".join(map(repr, map(float, to)))) if len(to) else []
+        report = _run(["element", files.paths[-1], "--path", path, "-o", curve, "--json", *targets,
+                       *_options(material=material, confining=confining, cycles=cycles, steps=steps, size=size)], (0, 1))
+        with open(curve, newline="", encoding="utf-8") as file:
+            return json.loads(report), [{k: _number(v) for k, v in row.items()} for row in csv.DictReader(file)]
+
+
+def fit(curve, triaxial=False, toughness=None, compression=None, strain_factor=None, friction=None):
+    """Finds parameters of rock from measured curves with `keyblock fit`. Returns its report."""
+    return json.loads(_run(["fit", curve, "--json", *_options(triaxial=triaxial, toughness=toughness, compression=compression,
+                                                              strain_factor=strain_factor, friction=friction)], (0, 1)))
+
+
+def cases(name, root=None):
+    """Returns the folders of the cases of a verification problem, such as "stress_intensity", sorted.
+
+    root: folder of the problems; by default KEYBLOCK_CASES, else legacy_cases below the current folder.
+    """
+    root = Path(root or os.environ.get("KEYBLOCK_CASES") or "legacy_cases")
+    return sorted(p.parent for p in (root / name).glob("*/case.json"))

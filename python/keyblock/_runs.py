@@ -1,0 +1,125 @@
+"""Runs, factors of safety and stress intensity factors.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import time
+
+from . import _keyblock
+from ._cases import Case, Context, Plan, read, setting_pairs
+from ._frames import Frame
+
+
+class Run:
+    """Steps of a case, made one at a time. Nothing is printed and nothing is written.
+
+    case: a Case, a Plan, or the path of a case. profile, settings: see Plan. threads: see Context. load: a function of
+    time that returns the acceleration (ax, ay) of a force per mass on every block; it is called once per step of the
+    plan, before the run, and its values go to the setting `body_acceleration_file`.
+
+    Iteration makes the steps: `for step in run`. Ctrl-C stops the computation within about a second and raises
+    KeyboardInterrupt; a factorisation that runs may end behind it. A stopped run does not go on. Several runs in several
+    threads are independent. Raises InputError, SettingError, Stopped.
+    """
+
+    def __init__(self, case, profile=None, settings=None, threads=None, context=None, load=None):
+        self.context = context or Context(threads)
+        self.load_seconds = 0.0
+        if load is not None:
+            settings = dict(settings or {}, **self._table_of(load, case, profile, settings))
+        if isinstance(case, Plan):
+            if profile or settings:
+                raise ValueError("a Plan has its profile and settings; give them to the Plan")
+            self.plan = case
+        else:
+            self.plan = Plan(case, profile, settings, self.context)
+        self._run = _keyblock.Run(self.plan._plan, self.context)
+
+    def _table_of(self, load, case, profile, settings):
+        import tempfile
+        plan = case if isinstance(case, Plan) else Plan(case, profile, settings, self.context)
+        dt = float(plan.settings["time_step"])
+        self._file = tempfile.NamedTemporaryFile("w", suffix=".csv")  # read while the plan is made
+        began = time.perf_counter()
+        rows = [(i * dt, *load(i * dt)) for i in range(plan.steps + 1)]
+        self.load_seconds = time.perf_counter() - began
+        self._file.write("time,ax,ay\n" + "".join(f"{t!r},{float(x)!r},{float(y)!r}\n" for t, x, y in rows))
+        self._file.flush()
+        return {"body_acceleration_file": self._file.name}
+
+    def __iter__(self):
+        return self
+
+    def __next__(self):
+        if not self.advance():
+            raise StopIteration
+        return self.last
+
+    def advance(self):
+        """Makes one step. Returns False if the run is at its end, stopped or failed; `outcome` gives the reason."""
+        return self._run.advance()
+
+    def go_on(self, until=None):
+        """Makes steps to the end, or until `until(run)` is true after a step; the run may then go on.
+
+        Returns the outcome, whose `end` is "running" before the end.
+        """
+        if until is None:
+            return self._run.finish()
+        for _ in self:
+            if until(self):
+                break
+        return self.outcome
+
+    def stop(self):
+        """Stops the run, also from another thread. It does not go on."""
+        self.context.stop()
+
+    def frame(self, detail="blocks"):
+        """Returns the state of now. detail="corners" adds displacement and stress of corners, and faces of cracks."""
+        if detail not in ("blocks", "corners"):
+            raise ValueError(f"detail: expected blocks or corners, found {detail}")
+        return Frame(self._run.frame(detail == "corners"), self.plan.case.units)
+
+    @property
+    def last(self):
+        """The last accepted step."""
+        return self._run.last
+
+    @property
+    def outcome(self):
+        """End, reason, sentences, warnings and doubts; its `end` is "running" before the end."""
+        return self._run.outcome
+
+    def record(self, folder, **options):
+        """Runs the same case with the program `keyblock` into a folder, from start to end: see `record`.
+
+        The steps of this run are not used: the library writes no result folders.
+        """
+        from . import _program
+        profile, settings = self.plan._choices
+        return _program.record(self.plan.case, folder, profile=profile or None, settings=dict(settings), **options)
+
+    def __repr__(self):
+        return f"<Run {self.outcome.end}, step {self.last.number} of {self.plan.steps}>"
+
+
+def factor_of_safety(case, what="", within=0.0, profile=None, settings=None, context=None):
+    """Divides the strength of "joints", "rock" or "both" until the case is unstable, as `keyblock fos`.
+
+    what, within: empty and 0 take what the `case.json` of a folder requests, else "joints" and 0.01. The result has the
+    bracket (`stands`, `falls`), `end`, `trials`, `notes` and `warnings`. Unlike the command it makes no second search on
+    a coarser mesh. Raises SettingError for another word or a width below 0.
+    """
+    case = case if isinstance(case, Case) else read(case)
+    return _keyblock.factor_of_safety(case._case, what, within, profile or "", setting_pairs(settings),
+                                      context or Context())
+
+
+def stress_intensity(case, profile=None, settings=None, context=None):
+    """Returns the stress intensity factors of all crack tips at the end of the loads, as `keyblock sif`: list of Tip.
+
+    `Tip` has x, y, k1, k2, j, kink_deg, k_equivalent, spread and doubt. Raises InputError for a case without cracks.
+    """
+    case = case if isinstance(case, Case) else read(case)
+    tips, _ = _keyblock.stress_intensity(case._case, profile or "", setting_pairs(settings), context or Context())
+    return tips

@@ -1,0 +1,410 @@
+// Binds the public library to Python: the module keyblock._keyblock, which the package wraps. Includes nothing of the
+// project but keyblock.hpp, so that another binding could replace this file.
+//
+// Columns become NumPy views without copies: a capsule keeps their owner. Computations run without Python's lock. On
+// the main thread they run on a thread of their own, so that Ctrl-C is heard while they compute: the context is stopped,
+// and KeyboardInterrupt is raised after kPatience at the latest, even if a factorisation still runs behind it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <keyblock/keyblock.hpp>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace kb = keyblock::api;
+namespace py = pybind11;
+using namespace std::chrono_literals;
+
+constexpr auto kBetweenLooks = 50ms;  // at the signals of Python
+constexpr auto kPatience = 700ms;     // with a computation that was stopped
+constexpr int kQuickUnknowns = 2000;  // a step of so few ends soon: it needs no thread of its own
+
+std::atomic<int> left_behind{0};  // computations that nobody waits for any more
+
+bool is_main_thread() {
+  return syscall(SYS_gettid) == getpid();
+}
+
+struct Task {
+  std::mutex mutex;
+  std::condition_variable ended;
+  bool is_done = false, is_left = false;
+  std::exception_ptr error;
+};
+
+/// Waits without Python's lock; true once the task is done.
+bool is_done_after(Task& task, std::chrono::milliseconds time) {
+  const py::gil_scoped_release release;
+  std::unique_lock lock(task.mutex);
+  return task.ended.wait_for(lock, time, [&] { return task.is_done; });
+}
+
+/// Does `work` on a thread of its own. `work` owns all that it uses: it may be left behind.
+template <class Work>
+void on_own_thread(const kb::Context& context, Work work) {
+  auto task = std::make_shared<Task>();
+  std::thread([task, work = std::move(work)]() mutable {
+    std::exception_ptr error;
+    try {
+      work();
+    } catch (...) {
+      error = std::current_exception();
+    }
+    const std::lock_guard lock(task->mutex);
+    task->error = error;
+    task->is_done = true;
+    if (task->is_left) --left_behind;
+    task->ended.notify_all();
+  }).detach();
+  while (!is_done_after(*task, kBetweenLooks)) {
+    if (PyErr_CheckSignals() == 0) continue;
+    py::error_already_set interrupt;
+    context.stop();
+    if (!is_done_after(*task, kPatience)) {
+      const std::lock_guard lock(task->mutex);
+      if (!task->is_done) {
+        task->is_left = true;
+        ++left_behind;
+      }
+    }
+    throw interrupt;
+  }
+  if (task->error) std::rethrow_exception(task->error);
+}
+
+/// Does `work` without Python's lock and returns its result. Throws what it throws, or KeyboardInterrupt.
+template <class Work>
+auto computed(const kb::Context& context, bool is_quick, Work work) {
+  using Result = decltype(work());
+  if (is_quick || !is_main_thread()) {
+    const py::gil_scoped_release release;
+    return work();
+  }
+  auto result = std::make_shared<std::optional<Result>>();
+  on_own_thread(context, [result, work = std::move(work)] { *result = work(); });
+  return std::move(**result);
+}
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+/// A view of the numbers of a column. Without rows it has `width` columns, if that is more than 1.
+template <class T>
+py::array view_of(const kb::Column<T>& column, std::size_t width) {
+  const std::size_t columns = column.rows() == 0 ? width : column.width();
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(column.rows())};
+  if (columns > 1) shape.push_back(static_cast<py::ssize_t>(columns));
+  auto owner = std::make_unique<kb::Column<T>>(column);
+  const py::capsule keeper(owner.release(), [](void* held) { delete static_cast<kb::Column<T>*>(held); });
+  py::array_t<T> view(std::move(shape), column.values().data(), keeper);
+  py::detail::array_proxy(view.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;  // other views share it
+  return view;
+}
+
+py::array column_of(const kb::Frame& frame, std::string_view part, std::string_view name, std::size_t width) {
+  if (frame.rows(part) > 0 && frame.is_integer(part, name)) return view_of(frame.integers(part, name), width);
+  return view_of(frame.reals(part, name), width);
+}
+
+/// A run that several threads of Python may hold.
+class Runner {
+ private:
+  struct Shared {
+    std::mutex mutex;
+    std::shared_ptr<kb::Run> run;
+    std::atomic<bool> is_computing{false};  // on a thread of its own
+  };
+
+  struct Computing {
+    explicit Computing(std::atomic<bool>& flag) : flag_(flag) { flag_ = true; }
+    ~Computing() { flag_ = false; }
+    std::atomic<bool>& flag_;
+  };
+
+  template <class Work>
+  auto with_run(bool is_quick, Work work) {
+    if (context_.is_stopped() && shared_->is_computing)
+      throw kb::Error("the run was interrupted, and its last computation still ends");
+    return computed(context_, is_quick, [shared = shared_, is_quick, work] {
+      const std::lock_guard lock(shared->mutex);
+      if (is_quick) return work(*shared->run);
+      const Computing computing(shared->is_computing);
+      return work(*shared->run);
+    });
+  }
+
+ public:
+  Runner(const kb::Plan& plan, const kb::Context& context)
+      : context_(context), is_quick_(plan.unknowns() <= kQuickUnknowns), shared_(std::make_shared<Shared>()) {
+    auto run = computed(context, false, [plan, context] { return std::make_shared<kb::Run>(plan, context); });
+    shared_->run = std::move(run);
+  }
+
+  bool advance() {
+    return with_run(is_quick_, [](kb::Run& run) { return run.advance(); });
+  }
+
+  /// To the end.
+  kb::Outcome finish() {
+    return with_run(false, [](kb::Run& run) { return run.go_on(); });
+  }
+
+  kb::Frame frame(bool has_corners) {
+    return with_run(true, [has_corners](kb::Run& run) {
+      return run.frame(has_corners ? kb::Detail::corners : kb::Detail::blocks);
+    });
+  }
+
+  kb::Step last() {
+    return with_run(true, [](kb::Run& run) { return run.last(); });
+  }
+
+  kb::Outcome outcome() {
+    return with_run(true, [](kb::Run& run) { return run.outcome(); });
+  }
+
+ private:
+  kb::Context context_;
+  bool is_quick_;
+  std::shared_ptr<Shared> shared_;
+};
+
+const char* name_of(kb::End end) {
+  switch (end) {
+    case kb::End::running:
+      return "running";
+    case kb::End::finished:
+      return "finished";
+    case kb::End::stopped:
+      return "stopped";
+    case kb::End::failed:
+      return "failed";
+    case kb::End::doubtful:
+      return "doubtful";
+  }
+  return "";
+}
+
+// The types of exceptions live as long as the interpreter.
+PyObject* error_type = nullptr;
+PyObject* input_error_type = nullptr;
+PyObject* setting_error_type = nullptr;
+PyObject* stopped_type = nullptr;
+
+PyObject* new_type(py::module_& m, const char* name, const char* doc, const py::handle& base) {
+  PyObject* type = PyErr_NewExceptionWithDoc((std::string("keyblock.") + name).c_str(), doc, base.ptr(), nullptr);
+  if (!type) throw py::error_already_set();
+  m.add_object(name, type);
+  return type;
+}
+
+void raise_input_error(const kb::InputError& error) {
+  const py::object type = py::reinterpret_borrow<py::object>(input_error_type);
+  const py::object raised = type(error.what());
+  raised.attr("file") = error.place.file;
+  raised.attr("line") = error.place.line;
+  raised.attr("column") = error.place.column;
+  PyErr_SetObject(input_error_type, raised.ptr());
+}
+
+void bind_errors(py::module_& m) {
+  error_type = new_type(m, "Error", "Base of the errors of this package.", PyExc_RuntimeError);
+  const py::handle base(error_type);
+  input_error_type = new_type(m, "InputError",
+                              "Input that cannot be used. `file`, `line` and `column` name the place; line and column "
+                              "count from 1, 0 means the file as a whole.",
+                              base);
+  setting_error_type = new_type(m, "SettingError", "An unknown setting, profile or pointer.", base);
+  stopped_type = new_type(m, "Stopped", "Raised by a computation that was stopped before it had a result.", base);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const kb::InputError& error) {
+      raise_input_error(error);
+    } catch (const kb::SettingError& error) {
+      PyErr_SetString(setting_error_type, error.what());
+    } catch (const kb::Stopped& error) {
+      PyErr_SetString(stopped_type, error.what());
+    } catch (const kb::Error& error) {
+      PyErr_SetString(error_type, error.what());
+    }
+  });
+}
+
+void bind_values(py::module_& m) {
+  py::class_<kb::Warning>(m, "Warning", "A likely mistake or a doubt, with a stable code and its place.")
+      .def_readonly("code", &kb::Warning::code)
+      .def_readonly("sentence", &kb::Warning::sentence)
+      .def_property_readonly("file", [](const kb::Warning& w) { return w.place.file; })
+      .def_property_readonly("line", [](const kb::Warning& w) { return w.place.line; })
+      .def_property_readonly("column", [](const kb::Warning& w) { return w.place.column; })
+      .def("__str__",
+           [](const kb::Warning& w) {
+             std::string place = w.place.file;
+             if (w.place.line > 0) place += ":" + std::to_string(w.place.line) + ":" + std::to_string(w.place.column);
+             return (place.empty() ? "" : place + ": ") + "warning: " + w.sentence + " [" + w.code + "]";
+           })
+      .def("__repr__", [](const kb::Warning& w) { return "<Warning " + w.code + ">"; });
+  py::class_<kb::Step>(m, "Step", "An accepted step.")
+      .def_readonly("number", &kb::Step::number)
+      .def_readonly("time", &kb::Step::time)
+      .def_readonly("dt", &kb::Step::dt, "Size of the step.")
+      .def_readonly("systems", &kb::Step::systems, "Solves of contact forces, or open-close iterations.")
+      .def_readonly("residual", &kb::Step::residual, "Largest force out of balance, over the largest load.")
+      .def_readonly("penetration", &kb::Step::penetration, "Deepest overlap.")
+      .def("__repr__", [](const kb::Step& s) {
+        return "<Step " + std::to_string(s.number) + ", time " + std::to_string(s.time) + ">";
+      });
+  py::class_<kb::Outcome>(m, "Outcome", "End of a run, its reason and its doubts.")
+      .def_property_readonly(
+          "end", [](const kb::Outcome& o) { return name_of(o.end); },
+          "running, finished, stopped, failed, or doubtful: it finished, and its results are unreliable.")
+      .def_readonly("reason", &kb::Outcome::reason, "Reason of a failure.")
+      .def_readonly("steps", &kb::Outcome::steps)
+      .def_readonly("time", &kb::Outcome::time)
+      .def_readonly("sentences", &kb::Outcome::sentences, "How the motion ended.")
+      .def_readonly("warnings", &kb::Outcome::warnings, "Of the plan and the run, doubts among them.")
+      .def_readonly("doubts", &kb::Outcome::doubts)
+      .def("__repr__", [](const kb::Outcome& o) {
+        return "<Outcome " + std::string(name_of(o.end)) + ", " + std::to_string(o.steps) + " steps>";
+      });
+}
+
+void bind_studies(py::module_& m) {
+  py::class_<kb::Trial>(m, "Trial", "One trial of a strength reduction.")
+      .def_readonly("factor", &kb::Trial::factor)
+      .def_readonly("verdict", &kb::Trial::verdict, "stands, falls or undecided.")
+      .def_readonly("why", &kb::Trial::why)
+      .def_readonly("displacement", &kb::Trial::displacement, "The largest one.")
+      .def("__repr__", [](const kb::Trial& t) { return "<Trial " + std::to_string(t.factor) + " " + t.verdict + ">"; });
+  py::class_<kb::Strength>(m, "Strength", "Factor of safety: the bracket and its trials.")
+      .def_readonly("stands", &kb::Strength::stands, "Largest factor at which the case is stable, or None.")
+      .def_readonly("falls", &kb::Strength::falls, "Smallest factor at which the case is unstable, or None.")
+      .def_readonly("end", &kb::Strength::end, "bracketed, falls, stands, undecided or stopped.")
+      .def_readonly("trials", &kb::Strength::trials)
+      .def_readonly("notes", &kb::Strength::notes)
+      .def_readonly("warnings", &kb::Strength::warnings);
+  py::class_<kb::Tip>(m, "Tip", "A crack tip at the end of the loads.")
+      .def_readonly("x", &kb::Tip::x, "Place in the undeformed body.")
+      .def_readonly("y", &kb::Tip::y, "Place in the undeformed body.")
+      .def_readonly("ahead_x", &kb::Tip::ahead_x, "Direction of length 1, along the crack into the rock.")
+      .def_readonly("ahead_y", &kb::Tip::ahead_y, "Direction of length 1, along the crack into the rock.")
+      .def_readonly("k1", &kb::Tip::k1, "Stress intensity, mode I [force/length^1.5].")
+      .def_readonly("k2", &kb::Tip::k2, "Stress intensity, mode II [force/length^1.5].")
+      .def_readonly("j", &kb::Tip::j, "Energy release rate [force/length].")
+      .def_readonly("kink_deg", &kb::Tip::kink_deg, "Direction of growth, from straight ahead to the left.")
+      .def_readonly("k_equivalent", &kb::Tip::k_equivalent)
+      .def_readonly("spread", &kb::Tip::spread, "Difference of K_I between integration domains, over K.")
+      .def_readonly("doubt", &kb::Tip::doubt, "Reason not to trust it, or empty.")
+      .def(
+          "asdict",
+          [](const kb::Tip& t) {
+            using namespace py::literals;
+            return py::dict("x"_a = t.x, "y"_a = t.y, "ahead_x"_a = t.ahead_x, "ahead_y"_a = t.ahead_y, "k1"_a = t.k1,
+                            "k2"_a = t.k2, "j"_a = t.j, "kink_deg"_a = t.kink_deg, "k_equivalent"_a = t.k_equivalent,
+                            "spread"_a = t.spread, "doubt"_a = t.doubt);
+          },
+          "Returns the numbers and the doubt as a dict.");
+  m.def(
+      "factor_of_safety",
+      [](const kb::Case& of, const std::string& what, double within, const std::string& profile, const Pairs& settings,
+         const kb::Context& context) {
+        return computed(context, false, [=] {
+          return kb::factor_of_safety(of, what, within, {profile, settings}, context);
+        });
+      },
+      py::arg("case"), py::arg("what"), py::arg("within"), py::arg("profile"), py::arg("settings"), py::arg("context"));
+  m.def(
+      "stress_intensity",
+      [](const kb::Case& of, const std::string& profile, const Pairs& settings, const kb::Context& context) {
+        const kb::Intensity found = computed(context, false, [=] {
+          return kb::stress_intensity(of, {profile, settings}, context);
+        });
+        return std::make_pair(found.tips, found.warnings);
+      },
+      py::arg("case"), py::arg("profile"), py::arg("settings"), py::arg("context"));
+}
+
+void bind_case(py::module_& m) {
+  py::class_<kb::Case>(m, "Case")
+      .def_static(
+          "read",
+          [](const std::vector<std::string>& paths) {
+            return computed(kb::Context(), false, [paths] { return kb::Case::read(paths); });
+          },
+          py::arg("paths"))
+      .def_property_readonly("warnings", &kb::Case::warnings)
+      .def_property_readonly("units", &kb::Case::units)
+      .def("json", &kb::Case::json)
+      .def("get", &kb::Case::get, py::arg("pointer"))
+      .def(
+          "with_json",
+          [](const kb::Case& of, std::string_view pointer, std::string_view value) { return of.with(pointer, value); },
+          py::arg("pointer"), py::arg("value"))
+      .def("write", &kb::Case::write, py::arg("path"), py::arg("format"));
+  py::class_<kb::Plan>(m, "Plan")
+      .def(py::init(
+               [](const kb::Case& of, const std::string& profile, const Pairs& settings, const kb::Context& context) {
+                 return computed(context, false, [=] { return kb::Plan(of, {profile, settings}, context); });
+               }),
+           py::arg("case"), py::arg("profile"), py::arg("settings"), py::arg("context"))
+      .def_property_readonly("profile", &kb::Plan::profile)
+      .def_property_readonly("why_profile", &kb::Plan::why_profile)
+      .def_property_readonly("settings", &kb::Plan::settings)
+      .def_property_readonly("warnings", &kb::Plan::warnings)
+      .def_property_readonly("unknowns", &kb::Plan::unknowns)
+      .def_property_readonly("blocks", &kb::Plan::blocks)
+      .def_property_readonly("steps", &kb::Plan::steps);
+}
+
+void bind_run(py::module_& m) {
+  py::class_<kb::Frame>(m, "Frame")
+      .def_property_readonly("step", &kb::Frame::step)
+      .def_property_readonly("time", &kb::Frame::time)
+      .def_property_readonly("load_factor", &kb::Frame::load_factor)
+      .def_static("parts", &kb::Frame::parts)
+      .def("names", &kb::Frame::names, py::arg("part"))
+      .def("rows", &kb::Frame::rows, py::arg("part"))
+      .def("column", &column_of, py::arg("part"), py::arg("name"), py::arg("width") = 1);
+  py::class_<Runner>(m, "Run")
+      .def(py::init<const kb::Plan&, const kb::Context&>(), py::arg("plan"), py::arg("context"))
+      .def("advance", &Runner::advance)
+      .def("finish", &Runner::finish)
+      .def("frame", &Runner::frame, py::arg("corners"))
+      .def_property_readonly("last", &Runner::last)
+      .def_property_readonly("outcome", &Runner::outcome);
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_keyblock, m) {
+  m.doc() = "The public library of Keyblock; the package keyblock wraps it.";
+  bind_errors(m);
+  bind_values(m);
+  py::class_<kb::Context>(m, "Context")
+      .def(py::init<int>(), py::arg("threads") = 0)
+      .def("stop", &kb::Context::stop)
+      .def_property_readonly("is_stopped", &kb::Context::is_stopped)
+      .def_property_readonly("headway", &kb::Context::headway);
+  bind_case(m);
+  bind_run(m);
+  bind_studies(m);
+  m.def("version", &kb::version);
+  m.def(
+      "left_behind", [] { return left_behind.load(); }, "Number of computations that an interrupt left running.");
+}
