@@ -1,0 +1,84 @@
+"""Ctrl-C while the library computes.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import sys
+import time
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+import keyblock as kb  # noqa: E402
+from support import ROOT, Folder, endless, press_ctrl_c, slide  # noqa: E402
+
+AFTER = 0.5  # seconds
+AT_MOST = 1.0  # seconds from the signal to the exception
+
+
+class Interrupts(Folder):
+    def interrupted(self, work):
+        """Seconds from the signal to KeyboardInterrupt."""
+        timer = press_ctrl_c(AFTER)
+        began = time.monotonic()
+        try:
+            work()
+        except KeyboardInterrupt:
+            return time.monotonic() - began - AFTER
+        finally:
+            timer.join()
+        self.fail("no KeyboardInterrupt")
+
+    def heard(self, name, work):
+        seconds = self.interrupted(work)
+        print(f"{name}: heard after {seconds:.2f} s", file=sys.stderr)
+        self.assertLess(seconds, AT_MOST + 0.5)  # machines of tests are busy
+
+    def test_small_steps_in_a_loop(self):
+        run = kb.Run(endless())
+        self.heard("loop", lambda: [None for _ in run])
+        self.assertIn(run.outcome.end, ("running", "stopped"))
+
+    def test_small_steps_to_the_end(self):
+        run = kb.Run(endless())
+        self.heard("go_on", run.go_on)
+        self.assertEqual(run.go_on().end, "stopped")
+        self.assertEqual(kb.Run(slide()).go_on().end, "finished")  # other runs go on
+
+    def test_steps_of_4901_blocks(self):
+        run = kb.Run(kb.Plan(self.wall(70, 70, 1000), settings={"start": "sudden"}))
+        self.heard("large step", lambda: [None for _ in run])
+
+    def test_the_initial_state(self):
+        plan = kb.Plan(self.wall(70, 70))
+        self.heard("initial state", lambda: kb.Run(plan))
+
+    def test_a_factor_of_safety(self):
+        case = self.wall(30, 30)
+        self.heard("factor of safety", lambda: kb.factor_of_safety(case))
+
+    def test_cutting(self):
+        spec = {"slope": {"height": 40, "angle": 60, "toe": 20, "crest": 40, "base": 10}, "seed": 2,
+                "sets": [{"dip": 35, "spacing": 0.3, "trace": 500, "scatter": 0.1},
+                         {"dip": 118, "spacing": 0.3, "trace": 500, "scatter": 0.1}],
+                "fixed": [[-20, -9.9, 80, -9.9]]}
+        drawing = kb.joints(spec, "fine.json")
+        case = kb.read(drawing, ROOT / "docs/bench.json")
+
+        def cut():
+            while True:  # a fast machine cuts it within the time before the signal
+                kb.Plan(case)
+        self.heard("cutting", cut)
+
+    def test_a_linear_solve(self):
+        case = self.beam("0.015 m")  # 106,000 unknowns
+
+        def solve():
+            while True:
+                kb.Run(kb.Plan(case)).go_on()
+        self.heard("linear solve", solve)
+        while kb._keyblock.left_behind():
+            time.sleep(0.1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,90 @@
+"""The program behind the Python package: what it leaves, and that runs in Python equal it.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+import keyblock as kb  # noqa: E402
+from support import CASES, FRICTION, ROOT, Folder, slide  # noqa: E402
+
+
+def column(table, name):
+    return list(table[name])
+
+
+class Program(Folder):
+    def test_a_run_in_python_ends_as_that_of_the_program(self):
+        kb.new("block", "block.json")
+        for case in (kb.read("block.json"), kb.read("block.json").with_value(FRICTION, 10), slide().with_value(FRICTION, 10)):
+            run = kb.Run(case)
+            run.go_on()
+            results = run.record("out", force=True)
+            points = results.table("points")
+            (dx, dy), = run.frame().point_displacement[-1:] if len(run.frame().point) else [(None, None)]
+            self.assertEqual((column(points, "dx")[-1], column(points, "dy")[-1]), (dx, dy), case)
+            self.assertEqual((results.end, results.doubts), ("finished", []))
+            self.assertEqual(results.run["profile"], run.plan.profile)
+
+    def test_record_leaves_the_files_of_keyblock_run(self):
+        kb.new("block", "block.json")
+        results = kb.record("block.json", "first", every=20, history=["block:2"], trace=True)
+        subprocess.run([kb.program(), "run", "block.json", "-o", "second", "--record-every", "20", "--history", "block:2",
+                        "--trace"], check=True, capture_output=True)
+        names = {str(p.relative_to("first")) for p in Path("first").rglob("*") if p.is_file()}
+        self.assertEqual(names, {str(p.relative_to("second")) for p in Path("second").rglob("*") if p.is_file()})
+        for name in names - {"run.json"}:  # which has the times that it took
+            self.assertEqual((Path("first") / name).read_bytes(), (Path("second") / name).read_bytes(), name)
+        self.assertIn("histories", results.tables())
+        with self.assertRaises(kb.ProgramError) as caught:
+            kb.record("block.json", "first")
+        self.assertEqual(caught.exception.code, 2)
+
+    def test_tables_have_plain_names_and_units(self):
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        kb.new("block", "block.json")
+        table = kb.record("block.json", "out", pictures=False).table("history")
+        self.assertEqual(list(table.columns), ["step", "time", "x1", "y1", "dx1", "dy1"])
+        self.assertEqual(table.attrs["units"]["dx1"], "m")
+        self.assertEqual(len(table), 101)
+
+    def test_an_interrupted_run_is_resumed(self):
+        kb.new("slope", "slope.json")
+        subprocess.run(["timeout", "-s", "INT", "2", kb.program(), "run", "slope.json", "--set", "steps=4000", "-o", "out"],
+                       capture_output=True)
+        if (self.folder / "out" / "checkpoint.h5").exists():  # a fast machine may have ended the run
+            results = kb.resume("out")
+            self.assertEqual((results.end, results.run["outcome"]["steps"]), ("finished", 4000))
+
+    def test_a_drawing_is_read_with_its_layers(self):
+        quarry = kb.read(ROOT / "docs/quarry.dxf", ROOT / "docs/bench.json", layers=ROOT / "docs/quarry_layers.csv")
+        self.assertGreater(kb.Plan(quarry).blocks, 30)
+        with self.assertRaises(kb.ProgramError):
+            kb.read(ROOT / "docs/quarry.dxf", ROOT / "docs/bench.json", layers="nothing.csv")
+
+    def test_joints_depend_on_the_seed(self):
+        texts = [kb.joints(str(ROOT / "docs/slope.json"), f"{i}.geo", seed=seed).read_text() for i, seed in enumerate((1, 1, 2))]
+        self.assertEqual(texts[0], texts[1])
+        self.assertNotEqual(texts[0], texts[2])
+
+    def test_other_commands_answer(self):
+        report = kb.compare(CASES / "sliding_block" / "a30_p20")
+        self.assertTrue(report)
+        kb.new("block", "block.json")
+        end, curve = kb.element("block.json", "uniaxial", to=[-0.001], material=1)
+        self.assertEqual(end["end"]["strain"][1], -0.001)
+        self.assertEqual(len(curve), end["points"])
+        self.write("curve.csv", "strain,stress\n" + "".join(f"{-e / 1e4},{-e * 1e-4 * 20e9}\n" for e in range(1, 11)))
+        self.assertTrue(kb.fit("curve.csv"))
+        self.assertTrue(kb.convert("block.json", output="block.dxf"))
+        self.assertEqual(len(kb.cases("sliding_block", CASES)), 21)
+
+
+if __name__ == "__main__":
+    unittest.main()

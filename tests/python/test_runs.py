@@ -1,0 +1,269 @@
+"""Cases, runs and frames in Python.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import ast
+import gc
+import sys
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+import keyblock as kb  # noqa: E402
+from support import CASES, FRICTION, Folder, endless, slide  # noqa: E402
+
+
+def resident_kib():
+    with open("/proc/self/status", encoding="ascii") as file:
+        return int(next(line for line in file if line.startswith("VmRSS")).split()[1])
+
+
+def final_bytes(plan, threads):
+    run = kb.Run(plan, threads=threads)
+    run.go_on()
+    return run.frame().vertices.tobytes()
+
+
+class Cases(Folder):
+    def test_a_value_is_read_and_changed_and_the_case_stays(self):
+        base = slide()
+        other = base.with_value(FRICTION, np.float64(12.5))
+        self.assertEqual((base.get(FRICTION), other.get(FRICTION)), (20, 12.5))
+        self.assertEqual(base.get("/analysis/joint_materials/*/friction_angle_deg"), [20])
+        self.assertEqual(other.with_value("/analysis/joint_materials/*/friction_angle_deg", 3).get(FRICTION), 3)
+        self.assertEqual(kb.Plan(other).profile, kb.Plan(base).profile)
+        for pointer in ("/analysis/no_such_thing", "no pointer", "/analysis/*/nothing"):
+            with self.assertRaises(kb.SettingError):
+                base.get(pointer)
+        with self.assertRaises(kb.InputError):
+            base.with_value(FRICTION, "steep")
+
+    def test_a_name_stands_for_an_index(self):
+        path = self.wall(2, 1).files[0]
+        case = kb.read(path)
+        self.assertEqual(case.get("/analysis/joint_materials/joint/friction_angle_deg"), 30)
+        self.assertEqual(case.with_value("/analysis/joint_materials/joint/friction_angle_deg", "25 deg").get(FRICTION), "25 deg")
+
+    def test_errors_keep_their_place(self):
+        path = self.write("bad.json", '{"keyblock": 2,\n "blocks": 7}')
+        with self.assertRaises(kb.InputError) as caught:
+            kb.read(path)
+        self.assertEqual((caught.exception.file, caught.exception.line), (str(path), 2))
+        self.assertGreater(caught.exception.column, 0)
+        self.assertIn("expected", str(caught.exception))
+        self.assertIsInstance(caught.exception, kb.Error)
+        with self.assertRaises(kb.SettingError):
+            kb.Plan(slide(), profile="no_profile")
+        with self.assertRaises(kb.SettingError):
+            kb.Plan(slide(), settings={"no_setting": 1})
+
+    def test_a_case_is_written_and_an_existing_file_is_an_error(self):
+        slide().write("slide.json")
+        self.assertEqual(kb.read("slide.json").get(FRICTION), 20)
+        with self.assertRaises(kb.Error):
+            slide().write("slide.json")
+
+    def test_warnings_have_code_and_place(self):
+        warnings = kb.Plan(slide()).warnings
+        self.assertTrue(all(w.code and w.sentence for w in warnings))
+        self.assertTrue(all(f"[{w.code}]" in str(w) for w in warnings))
+
+    def test_settings_are_text_numbers_or_bools(self):
+        plan = kb.Plan(self.wall(2, 1), "legacy", {"time_step": "3 ms", "steps": 7, "quirk.stale_contact_list": False})
+        self.assertEqual((plan.settings["steps"], plan.settings["quirk.stale_contact_list"]), ("7", "off"))
+        self.assertAlmostEqual(float(plan.settings["time_step"]), 0.003)
+        self.assertEqual(plan.steps, 7)
+
+
+class Runs(Folder):
+    def test_a_block_slides_as_theory_has_it(self):
+        for friction in (0, 10, 20):
+            run = kb.Run(slide().with_value(FRICTION, friction), "standard", {"basis": "rigid", "enforcement": "lagrange"})
+            outcome = run.go_on()
+            self.assertEqual(outcome.end, "finished", outcome.reason)
+            slope, phi = np.radians(30), np.radians(friction)
+            expected = 0.5 * 9.81 * (np.sin(slope) - np.cos(slope) * np.tan(phi)) * outcome.time ** 2
+            self.assertAlmostEqual(np.hypot(*run.frame().displacement[1]) / expected, 1, delta=1e-6)
+
+    def test_iteration_makes_steps_and_a_callback_leaves_the_run_able_to_go_on(self):
+        plan = kb.Plan(slide())
+        run = kb.Run(plan)
+        self.assertEqual([next(run).number for _ in range(3)], [1, 2, 3])
+        self.assertEqual(run.go_on(lambda r: r.last.number == 7).end, "running")
+        self.assertEqual(run.frame().step, 7)
+        self.assertEqual(run.go_on().steps, plan.steps)
+        self.assertFalse(run.advance())
+        self.assertEqual(run.frame().vertices.tobytes(), final_bytes(plan, 1))
+
+    def test_an_error_of_a_callback_passes_through(self):
+        run = kb.Run(slide())
+        with self.assertRaises(ZeroDivisionError):
+            run.go_on(lambda r: 1 / 0)
+        self.assertEqual(run.last.number, 1)
+
+    def test_two_threads_give_the_bytes_of_one_alone(self):
+        plan = kb.Plan(self.wall(30, 25), settings={"start": "sudden"})
+        self.assertGreater(plan.blocks, 700)
+        alone = final_bytes(plan, 1)
+        found = {}
+        threads = [threading.Thread(target=lambda n=n: found.update({n: final_bytes(plan, n)})) for n in (1, 2, 3)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual([found[n] == alone for n in (1, 2, 3)], [True] * 3)
+
+    def test_stop_of_one_run_leaves_the_other(self):
+        plan = kb.Plan(slide())
+        first, second = kb.Run(plan), kb.Run(plan)
+        next(first), next(second)
+        first.stop()
+        self.assertEqual(first.go_on().end, "stopped")
+        self.assertEqual(second.go_on().end, "finished")
+
+    def test_a_time_limit_stops_a_run(self):
+        with kb.Context(time_limit=0.3) as context:
+            run = kb.Run(endless(), context=context)
+            began = time.monotonic()
+            self.assertEqual(run.go_on().end, "stopped")
+            self.assertLess(time.monotonic() - began, 5)
+
+    def test_a_load_is_a_function_of_time(self):
+        still, pushed = kb.Run(slide(), "standard"), kb.Run(slide(), "standard", load=lambda t: (0.0, -9.81 * (t < 2)))
+        still.go_on(), pushed.go_on()
+        self.assertAlmostEqual(pushed.frame().displacement[1, 0] / still.frame().displacement[1, 0], 2, delta=1e-3)
+        self.assertGreater(pushed.load_seconds, 0)
+
+    def test_200_runs_in_one_process_keep_memory_flat(self):
+        plan = kb.Plan(slide())
+
+        def some(count):
+            for _ in range(count):
+                run = kb.Run(plan)
+                run.go_on(lambda r: r.last.number == 20)
+                run.frame().displacement
+        some(50)
+        gc.collect()
+        before = resident_kib()
+        some(200)
+        gc.collect()
+        growth = resident_kib() - before
+        print(f"200 runs: {growth} KiB more", file=sys.stderr)
+        self.assertLess(growth, 4096)
+
+
+class Frames(Folder):
+    def test_views_share_memory_and_outlive_the_run(self):
+        run = kb.Run(slide())
+        run.go_on()
+        frame = run.frame()
+        self.assertTrue(np.shares_memory(frame.stress, frame.column("blocks", "stress")))
+        self.assertFalse(frame.stress.flags.writeable)
+        self.assertFalse(frame.stress.flags.owndata)
+        stress = frame.stress
+        before = stress.copy()
+        del run, frame
+        gc.collect()
+        np.testing.assert_array_equal(stress, before)
+
+    def test_columns_fit_together(self):
+        run = kb.Run(slide())
+        run.go_on()
+        frame = run.frame()
+        self.assertEqual(frame.vertices.shape, (frame.loop_corners.sum(), 2))
+        self.assertEqual(frame.displacement.shape, (2, 2))
+        self.assertEqual(frame.column("cracks", "ends").shape, (0, 4))
+        for part in frame.parts():
+            for name in frame.names(part):
+                self.assertEqual(len(frame.column(part, name)), frame._frame.rows(part), (part, name))
+        self.assertEqual([len(b) for b in frame.polygons()], [1, 1])
+        self.assertEqual(frame.index_of(2), 1)
+        with self.assertRaises(KeyError):
+            frame.index_of(3)
+        with self.assertRaises(kb.SettingError):
+            frame.column("blocks", "colour")
+
+    def test_corners_have_displacement(self):
+        run = kb.Run(slide())
+        run.go_on()
+        frame = run.frame("corners")
+        self.assertEqual(frame.column("corners", "displacement").shape, frame.vertices.shape)
+        with self.assertRaises(ValueError):
+            run.frame("all")
+
+    def test_a_part_is_a_data_frame_with_units(self):
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        run = kb.Run(self.wall(2, 2))
+        run.go_on()
+        table = run.frame().part("contacts")
+        units = table.attrs["units"]
+        self.assertEqual(list(units), list(table.columns))
+        self.assertEqual((units["normal_force"], units["place_x"], units["block"]), ("N/m", "m", ""))
+        self.assertEqual(run.frame().part("blocks").attrs["units"]["stress_xx"], "Pa")
+        self.assertEqual(table.attrs["step"], 3)
+
+    def test_pictures_have_every_block(self):
+        run = kb.Run(self.wall(3, 2))
+        run.go_on()
+        frame = run.frame()
+        self.assertEqual(frame._repr_svg_().count("<path"), 7)
+        self.assertIn("<title>block 7", frame.svg(frame.stress[:, 1]))
+        try:
+            import matplotlib
+        except ImportError:
+            self.skipTest("matplotlib is not installed")
+        matplotlib.use("agg")
+        axes = kb.plot(frame, colour="rotation", cmap="viridis")
+        self.assertEqual(len(axes.collections[0].get_paths()), 7)
+
+    def test_a_frame_of_4901_blocks_is_cheap(self):
+        run = kb.Run(kb.Plan(self.wall(70, 70), settings={"start": "sudden"}))
+        run.frame()
+        times = []
+        for _ in range(20):
+            began = time.process_time()
+            run.frame()
+            times.append(time.process_time() - began)
+        began = time.process_time()
+        frame = run.frame()
+        made = time.process_time()
+        frame.vertices, frame.displacement, frame.stress
+        print(f"4,901 blocks: frame {1e3 * min(times):.2f} ms, three views {1e3 * (time.process_time() - made):.3f} ms "
+              "of processor time", file=sys.stderr)
+        self.assertLess(min(times), 0.05)
+
+
+class Stubs(unittest.TestCase):
+    def test_stubs_name_all_that_the_module_has(self):
+        text = (Path(__file__).resolve().parents[2] / "python/keyblock/_keyblock.pyi").read_text(encoding="utf-8")
+        tree = ast.parse(text)
+        named = {n.name: n for n in tree.body if isinstance(n, (ast.ClassDef, ast.FunctionDef))}
+        module = kb._keyblock
+        self.assertEqual(set(named), {n for n in dir(module) if not n.startswith("_")})
+        for name, node in named.items():
+            if isinstance(node, ast.ClassDef) and not issubclass(getattr(module, name), Exception):
+                members = {m.name for m in node.body if isinstance(m, ast.FunctionDef)} - {"__init__"}
+                self.assertEqual(members, {n for n in vars(getattr(module, name)) if not n.startswith("_")}, name)
+
+    def test_all_that_the_package_exports_is_documented(self):
+        for name in kb.__all__:
+            self.assertTrue(getattr(kb, name).__doc__, name)
+        self.assertTrue((Path(kb.__file__).parent / "py.typed").exists())
+
+
+class Studies(unittest.TestCase):
+    def test_stress_intensity_is_that_of_the_closed_form(self):
+        tip, = kb.stress_intensity(CASES / "stress_intensity" / "edge_crack_05")
+        self.assertAlmostEqual(tip.k1, 3.5327, delta=0.001)  # as keyblock sif prints it
+        self.assertEqual(tip.asdict()["k1"], tip.k1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,158 @@
+"""Jobs in child processes, and sweeps of them.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import math
+import os
+import signal
+import statistics
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).parent))
+import keyblock as kb  # noqa: E402
+from support import FRICTION, Folder, endless, press_ctrl_c, slide  # noqa: E402
+
+
+def way(friction):
+    run = kb.Run(slide().with_value(FRICTION, friction))
+    run.go_on()
+    return float(np.hypot(*run.frame().displacement[1]))
+
+
+def troubled(item):
+    if item == "crash":
+        os.kill(os.getpid(), signal.SIGSEGV)
+    if item == "killed":
+        os.kill(os.getpid(), signal.SIGKILL)
+    if item == "slow":
+        time.sleep(60)
+    if item == "error":
+        raise ValueError("no such thing")
+    if item == "large":
+        return bytes(1 << 30)
+    return item
+
+
+class Pools(Folder):
+    def test_results_come_in_order_and_a_job_in_trouble_is_one_result(self):
+        items = [1, "crash", 2, "slow", "error", "killed", 3]
+        with kb.Pool(jobs=3, time_limit=1.5) as pool:
+            found = list(pool.map(troubled, items))
+        self.assertEqual([r for r in found if not isinstance(r, kb.Failed)], [1, 2, 3])
+        self.assertEqual([(f.reason, f.signal) for f in found if isinstance(f, kb.Failed)],
+                         [("signal", signal.SIGSEGV), ("time_limit", signal.SIGKILL), ("error", 0), ("signal", signal.SIGKILL)])
+        self.assertEqual(found[4].message, "ValueError: no such thing")
+        self.assertTrue(math.isnan(float(found[1])))
+
+    def test_a_job_beyond_its_memory_is_one_result(self):
+        with kb.Pool(jobs=1, memory_limit=1500) as pool:
+            self.assertEqual([bool(r) for r in pool.map(troubled, ["large", 1])], [False, True])
+
+    def test_children_compute_what_the_caller_computes_also_behind_its_runs(self):
+        kb.Run(kb.Plan(self.wall(30, 25), settings={"start": "sudden"}), threads=2).go_on()  # threads of loops exist now
+        with kb.Pool(jobs=2) as pool:
+            self.assertEqual(list(pool.map(lambda f: way(f), [10, 20])), [way(10), way(20)])
+
+    def test_ctrl_c_ends_the_children(self):
+        plan = endless()
+        pids = self.folder / "pids"
+
+        def job(i):
+            with open(pids, "a") as file:
+                file.write(f"{os.getpid()}\n")
+            kb.Run(plan).go_on()
+        timer = press_ctrl_c(0.5)
+        began = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            with kb.Pool(jobs=2) as pool:
+                list(pool.map(job, range(4)))
+        timer.join()
+        self.assertLess(time.monotonic() - began, 2.5)
+        for pid in pids.read_text().split():
+            self.assertFalse(os.path.exists(f"/proc/{pid}"))
+
+    def test_children_end_with_a_killed_parent(self):
+        script = ("import keyblock as kb, time, os\n"
+                  "def job(i):\n    print(os.getpid(), flush=True)\n    time.sleep(60)\n"
+                  "list(kb.Pool(jobs=1).map(job, [1]))\n")
+        parent = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+        pid = int(parent.stdout.readline())
+        parent.kill()
+        parent.wait()
+        parent.stdout.close()
+        for _ in range(50):
+            if not os.path.exists(f"/proc/{pid}") or " Z " in Path(f"/proc/{pid}/stat").read_text():
+                return
+            time.sleep(0.05)
+        self.fail("the child goes on")
+
+
+class Sweeps(Folder):
+    def test_a_grid_is_a_table_in_order(self):
+        table = kb.sweep(slide(), {FRICTION: [10, 20], "time_step": [0.001, 0.0005]})
+        self.assertEqual(table.columns, [FRICTION, "time_step", "verdict", "doubt", "displacement", "seconds"])
+        self.assertEqual(list(table[FRICTION]), [10, 10, 20, 20])
+        self.assertEqual(table[0]["displacement"], way(10))
+        self.assertEqual(set(table["verdict"]), {"finished"})
+        table.write("table.csv")
+        self.assertEqual((self.folder / "table.csv").read_text().count("\n"), 5)
+
+    def test_trouble_of_one_row_stays_there(self):
+        def out(run):
+            return {"x": troubled("crash") if run.plan.case.get(FRICTION) == 15 else 1.0}
+        table = kb.sweep(slide(), {FRICTION: [10, 15, "steep", 20]}, out=out)
+        self.assertEqual([r["verdict"] for r in table], ["finished", "signal", "error", "finished"])
+        self.assertEqual(table[1]["doubt"], "SIGSEGV")
+        self.assertIn("InputError", table[2]["doubt"])
+        self.assertEqual([r["x"] for r in table[::3]], [1.0, 1.0])
+
+    def test_factors_of_safety_and_points_are_outputs(self):
+        table = kb.sweep(slide(), {FRICTION: [20]}, out=["fos", "speed", "steps", "blocks"])
+        self.assertAlmostEqual(table[0]["fos"], math.tan(math.radians(20)) / math.tan(math.radians(30)), delta=0.01)
+        self.assertEqual((table[0]["steps"], table[0]["blocks"]), (1000, 2))
+        with self.assertRaises(ValueError):
+            kb.sweep(slide(), {FRICTION: [20]}, out="colour")
+
+    def test_a_function_makes_the_cases(self):
+        table = kb.sweep(lambda angle: slide().with_value(FRICTION, angle), {"angle": [10, 20]})
+        self.assertEqual(list(table["displacement"]), [way(10), way(20)])
+
+    def test_a_second_call_computes_missing_rows_alone(self):
+        def counted(run):
+            with open(self.folder / "count", "a") as file:
+                file.write("x")
+            return run.frame().displacement[1, 0]
+        over = {FRICTION: [10, 15, 20]}
+        first = kb.sweep(slide(), over, out=counted, resume="journal")
+        lines = (self.folder / "journal").read_text().splitlines(True)
+        self.write("journal", "".join(lines[:-1]) + lines[-1][:5])  # a kill cut the last row
+        second = kb.sweep(slide(), over, out=counted, resume="journal")
+        third = kb.sweep(slide(), over, out=counted, resume="journal")
+        self.assertEqual((self.folder / "count").read_text(), "xxxx")
+        self.assertEqual([list(t["out"]) for t in (second, third)], [list(first["out"])] * 2)
+        with self.assertRaises(kb.Error):
+            kb.sweep(slide(), {FRICTION: [1]}, resume="journal")
+
+    def test_random_rows_are_stratified_and_depend_on_the_seed_alone(self):
+        over = {"a": kb.uniform(2, 4), "b": kb.normal(30, 2), "c": kb.lognormal(5, 1), "d": kb.choice("x", "y"),
+                "e": kb.normal(0, 1, low=0)}
+        rows = kb.random(over, 200, seed=7)
+        self.assertEqual(rows, kb.random(over, 200, seed=7))
+        self.assertNotEqual(rows, kb.random(over, 200, seed=8))
+        self.assertEqual(sorted(int((r["a"] - 2) * 100) for r in rows), list(range(200)))  # one in each part
+        self.assertAlmostEqual(statistics.mean(r["b"] for r in rows), 30, delta=0.02)
+        self.assertAlmostEqual(statistics.stdev(r["b"] for r in rows), 2, delta=0.1)
+        self.assertAlmostEqual(statistics.mean(r["c"] for r in rows), 5, delta=0.02)
+        self.assertAlmostEqual(statistics.stdev(r["c"] for r in rows), 1, delta=0.1)
+        self.assertEqual(sum(r["d"] == "x" for r in rows), 100)
+        self.assertGreaterEqual(min(r["e"] for r in rows), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
