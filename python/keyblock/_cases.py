@@ -33,13 +33,16 @@ class Context(_keyblock.Context):
 
     def _watch(self, time_limit, progress):
         end = None if time_limit is None else time.monotonic() + time_limit
+        printed = ""
         while not self._ended.wait(min(1.0, 3600 if end is None else max(0.0, end - time.monotonic()))):
             if end is not None and time.monotonic() >= end:
                 self.stop()
                 return
             what, share = self.headway
-            if progress and what:
-                print(f"{what}: {share:.0%}" if share else what, file=sys.stderr, flush=True)
+            line = f"{what}: {share:.0%}" if share else what
+            if progress and what and line != printed:
+                print(line, file=sys.stderr, flush=True)
+                printed = line
 
     def __enter__(self):
         return self

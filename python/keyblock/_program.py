@@ -108,9 +108,9 @@ def convert(*files, output, to=None, strict=False, force=False, layers=None, uni
                             *_options(to=to, strict=strict, force=force, layers=layers, unit=unit, join=join)]))
 
 
-def new(kind, path):
+def new(kind, path, force=False):
     """Writes a commented example case with `keyblock new`: slope, arch, beam, tunnel or block. Returns its path."""
-    _run(["new", kind, "-o", path])
+    _run(["new", kind, "-o", path, *_options(force=force)])
     return Path(path)
 
 

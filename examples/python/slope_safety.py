@@ -1,0 +1,31 @@
+"""Factor of safety of a drawn slope (DXF), and probability of failure over random joint sets.
+
+    python3 examples/python/slope_safety.py [NUMBER_OF_JOINT_SETS]
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import sys
+import tempfile
+
+import keyblock as kb
+
+slope = kb.read("docs/quarry.dxf", "docs/bench.json", layers="docs/quarry_layers.csv")
+with kb.Context(threads=2, time_limit=300, progress=True) as c:
+    s = kb.factor_of_safety(slope, "joints", context=c)
+print("quarry: stable at", s.stands, "unstable at", s.falls, *s.notes, sep="\n  ")
+
+spec = {"slope": {"height": 10, "angle": 60, "toe": 5, "crest": 10, "base": 3}, "fixed": [[-5, -2.9, 20, -2.9]],
+        "sets": [{"dip": 35, "spacing": 2, "trace": 100, "scatter": 0.2, "dip_scatter_deg": 3, "joint": 1},
+                 {"dip": 118, "spacing": 3, "trace": 100, "scatter": 0.2, "dip_scatter_deg": 3, "joint": 2}]}
+
+
+def drawn(seed):
+    with tempfile.TemporaryDirectory() as folder:
+        case = kb.read(kb.joints(spec, folder + "/drawing.geo", seed=seed), "docs/bench.json")
+    return case.with_value("/analysis/joint_materials/*/friction_angle_deg", 36)
+
+
+table = kb.sweep(drawn, {"seed": range(int(sys.argv[1]) if len(sys.argv) > 1 else 200)}, out=["fos"], time_limit=300)
+table.write("slope_safety.csv")
+known = table["fos"][table["verdict"] == "bracketed"]
+print(table, f"probability of failure: {(known < 1).mean():.2f} of {len(known)} joint sets", sep="\n")
