@@ -32,7 +32,7 @@ set(inner_app . run_words input templates,shell strength commands,batch,rock)
 # Shi's rules are fenced off: the standard step does not see them, and they see of it the stepper that both are, and the size of a step.
 set(legacy_sees_of_step step/stepper.hpp step/time/step_size.hpp)
 set(most_files 25)                      # in a room or sub-room
-set(tests_of_the_whole bench extremes fuzz layers malformed support validate)
+set(tests_of_the_whole bench extremes fuzz layers malformed support validate python)
 
 foreach(floor RANGE 1 10)
   foreach(room IN LISTS floor_${floor})
