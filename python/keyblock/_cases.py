@@ -2,6 +2,8 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+from __future__ import annotations
+
 import atexit
 import json
 import os
@@ -9,9 +11,11 @@ import sys
 import threading
 import time
 from pathlib import Path
+from typing import Any, Iterable, Mapping, Union
 
 from . import _keyblock
 
+StrPath = Union[str, "os.PathLike[str]"]
 _threads = 0  # of a context that does not say; children of a pool set 1
 
 
@@ -25,13 +29,13 @@ class Context(_keyblock.Context):
     A context that was stopped stays stopped. `with Context(...) as c:` ends the clock and the progress lines.
     """
 
-    def __init__(self, threads=None, time_limit=None, progress=False):
+    def __init__(self, threads: int | None = None, time_limit: float | None = None, progress: bool = False) -> None:
         super().__init__(_threads if threads is None else threads)
         self._ended = threading.Event()
         if time_limit is not None or progress:
             threading.Thread(target=self._watch, args=(time_limit, progress), daemon=True).start()
 
-    def _watch(self, time_limit, progress):
+    def _watch(self, time_limit: float | None, progress: bool) -> None:
         end = None if time_limit is None else time.monotonic() + time_limit
         printed = ""
         while not self._ended.wait(min(1.0, 3600 if end is None else max(0.0, end - time.monotonic()))):
@@ -44,40 +48,40 @@ class Context(_keyblock.Context):
                 print(line, file=sys.stderr, flush=True)
                 printed = line
 
-    def __enter__(self):
+    def __enter__(self) -> Context:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self._ended.set()
 
 
 class Case:
     """Content of case files. Nothing changes it; `with_value` returns another case."""
 
-    def __init__(self, case, files=()):
+    def __init__(self, case: _keyblock.Case, files: Iterable[str] = ()) -> None:
         self._case = case
         self._files = tuple(files)  # empty if no file holds this content
 
     @property
-    def warnings(self):
+    def warnings(self) -> list[_keyblock.Warning]:
         """Warnings of reading: list of `Warning`."""
         return list(self._case.warnings)
 
     @property
-    def units(self):
+    def units(self) -> tuple[str, ...]:
         """Names of the units of length, mass and time; each empty if the case does not declare it."""
         return tuple(self._case.units)
 
     @property
-    def files(self):
+    def files(self) -> tuple[str, ...]:
         """Files of the case; empty if its content was changed."""
         return self._files
 
-    def json(self):
+    def json(self) -> str:
         """Returns the text of the case as a case file of Keyblock."""
         return self._case.json()
 
-    def get(self, pointer=""):
+    def get(self, pointer: str = "") -> Any:
         """Returns a value of the case file by its JSON pointer, such as /analysis/joint_materials/0/friction_angle_deg.
 
         A name may stand for the index of a list item: /analysis/joint_materials/bedding/friction_angle_deg. `*` stands for
@@ -86,7 +90,7 @@ class Case:
         found = [json.loads(self._case.get(p)) for p in self.pointers(pointer)]
         return found if "*" in pointer.split("/") else found[0]
 
-    def with_value(self, pointer, value):
+    def with_value(self, pointer: str, value: Any) -> Case:
         """Returns the same case with another value at this pointer, or at all pointers that `*` stands for.
 
         A value is a number, a bool, a list, a dict, or a text with a unit ("50 kN") where the case file permits units.
@@ -97,14 +101,14 @@ class Case:
             case = case.with_json(each, json.dumps(_plain(value)))
         return Case(case)
 
-    def with_values(self, values):
+    def with_values(self, values: Mapping[str, Any]) -> Case:
         """Returns the same case with several values: a dict of pointers and values."""
         case = self
         for pointer, value in values.items():
             case = case.with_value(pointer, value)
         return case
 
-    def pointers(self, pointer):
+    def pointers(self, pointer: str) -> list[str]:
         """Returns the JSON pointers that a pointer with names and `*` stands for. Raises SettingError if there are none."""
         parts = pointer.split("/")
         if not pointer or "*" not in parts and _has(self._case, pointer):
@@ -116,19 +120,19 @@ class Case:
             raise _keyblock.SettingError(f"expected a pointer to a value of the case, found {pointer}")
         return [at for at, _ in found]
 
-    def write(self, path, format="keyblock-case"):
+    def write(self, path: StrPath, format: str = "keyblock-case") -> list[str]:
         """Writes the case in a format of `keyblock convert --to`; an existing file is an error.
 
         Returns sentences: content that the format cannot hold, content that is added, other rules of a run.
         """
         return self._case.write(os.fspath(path), format)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         names = ", ".join(Path(f).name for f in self._files)
         return f"<Case {names or 'with changed values'}>"
 
 
-def read(*paths, layers=None, unit=None, join=None):
+def read(*paths: StrPath, layers: StrPath | None = None, unit: str | None = None, join: float | None = None) -> Case:
     """Reads the files of a case in any order, or its folder.
 
     layers: table of the layers of a DXF drawing. unit: unit of length of the drawing. join: distance of `keyblock check
@@ -150,54 +154,55 @@ class Plan:
     Raises InputError, SettingError, Stopped.
     """
 
-    def __init__(self, case, profile=None, settings=None, context=None):
+    def __init__(self, case: Case | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
+                 context: _keyblock.Context | None = None) -> None:
         self._case = case if isinstance(case, Case) else read(case)
         self._choices = (profile or "", setting_pairs(settings))
         self._plan = _keyblock.Plan(self._case._case, *self._choices, context or Context())
 
     @property
-    def case(self):
+    def case(self) -> Case:
         return self._case
 
     @property
-    def profile(self):
+    def profile(self) -> str:
         return self._plan.profile
 
     @property
-    def why_profile(self):
+    def why_profile(self) -> str:
         """Reason for the profile."""
         return self._plan.why_profile
 
     @property
-    def settings(self):
+    def settings(self) -> dict[str, str]:
         """All settings: dict of names and values, both text."""
         return dict(self._plan.settings)
 
     @property
-    def warnings(self):
+    def warnings(self) -> list[_keyblock.Warning]:
         """Warnings of reading, cutting and preparing."""
         return list(self._plan.warnings)
 
     @property
-    def unknowns(self):
+    def unknowns(self) -> int:
         return self._plan.unknowns
 
     @property
-    def blocks(self):
+    def blocks(self) -> int:
         """Number of blocks; elements of NMM bodies count each."""
         return self._plan.blocks
 
     @property
-    def steps(self):
+    def steps(self) -> int:
         return self._plan.steps
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<Plan {self.blocks} blocks, {self.unknowns} unknowns, {self.steps} steps, profile {self.profile}>"
 
 
-def setting_pairs(settings):
+def setting_pairs(settings: Mapping[str, Any] | None) -> list[tuple[str, str]]:
     """Settings as pairs of text."""
-    def text(value):
+    def text(value: Any) -> str:
         value = _plain(value)
         if isinstance(value, bool):
             return "on" if value else "off"
@@ -205,12 +210,12 @@ def setting_pairs(settings):
     return [(str(name), text(value)) for name, value in (settings or {}).items()]
 
 
-def _plain(value):
+def _plain(value: Any) -> Any:
     """Numbers and arrays of NumPy as those of Python."""
     return value.tolist() if hasattr(value, "tolist") else value
 
 
-def _has(case, pointer):
+def _has(case: _keyblock.Case, pointer: str) -> bool:
     try:
         case.get(pointer)
         return True
@@ -218,7 +223,7 @@ def _has(case, pointer):
         return False
 
 
-def _children(value, part):
+def _children(value: Any, part: str) -> list[tuple[str, Any]]:
     """(key, value) of the items of a list or dict that a part of a pointer stands for."""
     if isinstance(value, dict):
         name = part.replace("~1", "/").replace("~0", "~")
@@ -232,7 +237,7 @@ def _children(value, part):
 
 
 @atexit.register
-def _leave():
+def _leave() -> None:
     """Ends the process if an interrupted computation still runs: its thread must not outlive the interpreter."""
     if _keyblock.left_behind():
         sys.stdout.flush()

@@ -2,7 +2,15 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+from __future__ import annotations
+
+from typing import Any, Sequence
+
 import numpy as np
+
+from . import _keyblock
+
+Array = np.ndarray[Any, Any]
 
 XY = ("x", "y")
 TENSOR = ("xx", "yy", "xy", "zz")
@@ -20,7 +28,7 @@ _COLUMNS = {
 }
 
 
-def _about(part, name):
+def _about(part: str, name: str) -> tuple[tuple[str, ...], Any]:
     if (part, name) == ("cracks", "displacement"):
         return ENDS, _LENGTH
     if (part, name) == ("bolts", "force"):
@@ -28,8 +36,8 @@ def _about(part, name):
     return _COLUMNS.get(name, ((), None))
 
 
-def _column(part, name, doc):
-    def get(self):
+def _column(part: str, name: str, doc: str) -> property:
+    def get(self: Frame) -> Array:
         return self.column(part, name)
     return property(get, doc=doc)
 
@@ -39,7 +47,7 @@ class Frame:
 
     __slots__ = ("_frame", "units")
 
-    def __init__(self, frame, units=("", "", "")):
+    def __init__(self, frame: _keyblock.Frame, units: Sequence[str] = ("", "", "")) -> None:
         self._frame = frame
         self.units = tuple(units)
 
@@ -71,27 +79,26 @@ class Frame:
     contact_gap = _column("contacts", "gap", "Positive if the faces are apart, c.")
 
     @staticmethod
-    def parts():
+    def parts() -> list[str]:
         """Returns the names of the parts: blocks, loops, corners, contacts, bolts, cracks, points, tips."""
-        from . import _keyblock
         return _keyblock.Frame.parts()
 
-    def names(self, part):
+    def names(self, part: str) -> list[str]:
         """Returns the names of the columns of a part; none if it has no rows."""
         return self._frame.names(part)
 
-    def column(self, part, name):
+    def column(self, part: str, name: str) -> Array:
         """Returns a column of a part as a view. Raises SettingError if there is none."""
         return self._frame.column(part, name, len(_about(part, name)[0]) or 1)
 
-    def index_of(self, number):
+    def index_of(self, number: int) -> int:
         """Returns the row of the block with this number. Raises KeyError if there is none."""
         found = np.flatnonzero(self.number == number)
         if not len(found):
             raise KeyError(f"no block has the number {number}")
         return int(found[0])
 
-    def part(self, part):
+    def part(self, part: str) -> Any:
         """Returns a part as a pandas data frame; without pandas as a dict of arrays.
 
         Columns of several numbers become several columns, such as displacement_x. `attrs` holds step, time, and under
@@ -113,26 +120,44 @@ class Frame:
         table.attrs.update(step=self.step, time=self.time, units=units)
         return table
 
-    def polygons(self):
+    def polygons(self) -> list[list[Array]]:
         """Returns the loops of each block: a list of lists of arrays of corners."""
         loops = np.split(self.vertices, np.cumsum(self.loop_corners)[:-1]) if len(self.loop_corners) else []
-        blocks = [[] for _ in range(len(self.number))]
+        blocks: list[list[Array]] = [[] for _ in range(len(self.number))]
         for row, loop in zip(self.loop_block, loops):
             blocks[row].append(loop)
         return blocks
 
-    def svg(self, colour=None, width=640):
+    def to_meshio(self) -> Any:
+        """Returns a meshio.Mesh of the blocks as polygons, with their numbers, displacement and stress; needs meshio.
+
+        Holes are left out. Corners are not shared by blocks.
+        """
+        import meshio
+        corners, first = self.vertices, np.concatenate(([0], np.cumsum(self.loop_corners)))
+        _, outer = np.unique(self.loop_block, return_index=True)  # the outline comes first
+        counts = self.loop_corners[outer]
+        cells, rows = [], []
+        for count in np.unique(counts):
+            of_count = np.flatnonzero(counts == count)
+            kind = {3: "triangle", 4: "quad"}.get(int(count), "polygon")
+            cells.append((kind, first[outer[of_count]][:, None] + np.arange(count)))
+            rows.append(of_count)
+        data = {name: [self.column("blocks", name)[r] for r in rows] for name in ("block", "material", "displacement", "stress")}
+        return meshio.Mesh(np.column_stack((corners, np.zeros(len(corners)))), cells, cell_data=data)
+
+    def svg(self, colour: Any = None, width: int = 640) -> str:
         """Returns a picture as SVG text: blocks coloured by a number of each, by default their displacement."""
         return _svg(self, colour, width)
 
-    def _repr_svg_(self):
+    def _repr_svg_(self) -> str:
         return self.svg()
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<Frame of step {self.step}, time {self.time:g}: {len(self.number)} blocks>"
 
 
-def unit_text(dimension, units, per_time=False):
+def unit_text(dimension: Any, units: Sequence[str], per_time: bool = False) -> str:
     """Returns a unit made of those of length, mass and time; empty if it has none or they are not declared."""
     length, mass, time = units
     if dimension == "rad":
@@ -148,11 +173,12 @@ def unit_text(dimension, units, per_time=False):
     return above + "".join("/" + _power(n, -p) for n, p in parts if p < 0)
 
 
-def _power(name, power):
-    return name + {1: "", 2: "²", 3: "³"}.get(power, f"^{power:g}")
+def _power(name: str, power: float) -> str:
+    powers: dict[float, str] = {1: "", 2: "²", 3: "³"}
+    return name + powers.get(power, f"^{power:g}")
 
 
-def _values(frame, colour):
+def _values(frame: Frame, colour: Any) -> tuple[Array, str]:
     """A number per block, and its name."""
     if colour is None:
         return np.hypot(*frame.displacement.T), "displacement"
@@ -166,7 +192,7 @@ def _values(frame, colour):
 _SCALE = np.array([[255, 247, 217], [247, 184, 96], [205, 83, 52], [103, 22, 60]], float)
 
 
-def _svg(frame, colour, width):
+def _svg(frame: Frame, colour: Any, width: int) -> str:
     values, name = _values(frame, colour)
     corners = frame.vertices
     if not len(corners):
@@ -194,7 +220,7 @@ def _svg(frame, colour, width):
     return "\n".join(lines)
 
 
-def plot(frame, colour=None, ax=None, label=None, **options):
+def plot(frame: Frame, colour: Any = None, ax: Any = None, label: str | None = None, **options: Any) -> Any:
     """Draws the blocks of a frame with Matplotlib and returns the axes.
 
     colour: a number per block, or the name of a column of blocks; by default the displacement. ax: axes to draw on.

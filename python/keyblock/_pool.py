@@ -2,6 +2,8 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+from __future__ import annotations
+
 import ctypes
 import os
 import pickle
@@ -12,6 +14,7 @@ import sys
 import time
 import traceback
 from dataclasses import dataclass
+from typing import Any, Callable, Iterable, Iterator, NoReturn
 
 from . import _cases
 
@@ -27,21 +30,22 @@ class Failed:
     signal: int = 0
     message: str = ""
 
-    def __float__(self):
+    def __float__(self) -> float:
         return float("nan")
 
-    def __bool__(self):
+    def __bool__(self) -> bool:
         return False
 
 
 class _Job:
-    def __init__(self, index, pid, pipe, limit):
+    def __init__(self, index: int, pid: int, pipe: int, limit: float | None) -> None:
         self.index, self.pid, self.pipe = index, pid, pipe
-        self.data = []
+        self.data: list[bytes] = []
+        self.code = 0
         self.end = None if limit is None else time.monotonic() + limit
         self.is_late = False
 
-    def kill(self):
+    def kill(self) -> None:
         try:
             os.kill(self.pid, signal.SIGKILL)
         except ProcessLookupError:
@@ -55,40 +59,43 @@ class Pool:
     memory_limit: MiB of address space of each job. Steps in a child have one thread unless the job asks for more.
     """
 
-    def __init__(self, jobs=None, time_limit=None, memory_limit=None):
+    def __init__(self, jobs: int | None = None, time_limit: float | None = None, memory_limit: int | None = None) -> None:
         self.jobs = jobs or os.cpu_count() or 1
         self.time_limit, self.memory_limit = time_limit, memory_limit
-        self._running = {}
+        self._running: dict[int, _Job] = {}
         self._selector = selectors.DefaultSelector()
 
-    def __enter__(self):
+    def __enter__(self) -> Pool:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.close()
 
-    def close(self):
+    def close(self) -> None:
         """Kills the jobs that still run."""
         for job in list(self._running.values()):
             job.kill()
             self._end(job)
 
-    def map(self, function, items):
+    def map(self, function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[Any]:
         """Yields `function(item)` for each item, in their order; `Failed` stands for a job without a result.
 
         The function may be any function of the caller, also a lambda or one of a notebook; its results are pickled.
         """
-        ready, wanted = {}, 0
+        ready: dict[int, Any] = {}
+        wanted = 0
         for index, result in self.unordered(function, items):
             ready[index] = result
             while wanted in ready:
                 yield ready.pop(wanted)
                 wanted += 1
 
-    def unordered(self, function, items):
+    def unordered(self, function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[tuple[int, Any]]:
         """Yields (index, result) as jobs end."""
+        if self._running:
+            raise RuntimeError("the pool still has jobs of another call")
         waiting = iter(enumerate(items))
-        mine = set()
+        mine: set[int] = set()
         is_more = True
         try:
             while is_more or mine:
@@ -108,7 +115,7 @@ class Pool:
                 job.kill()
                 self._end(job)
 
-    def _start(self, index, function, item):
+    def _start(self, index: int, function: Callable[[Any], Any], item: Any) -> int:
         read_end, write_end = os.pipe()
         sys.stdout.flush()
         sys.stderr.flush()
@@ -122,7 +129,7 @@ class Pool:
         self._selector.register(read_end, selectors.EVENT_READ, job)
         return pid
 
-    def _work(self, pipe, function, item):
+    def _work(self, pipe: int, function: Callable[[Any], Any], item: Any) -> NoReturn:
         """The child: never returns."""
         try:
             _end_with_parent()
@@ -143,7 +150,7 @@ class Pool:
         finally:
             os._exit(0)
 
-    def _ended(self):
+    def _ended(self) -> list[_Job]:
         """Waits until at least one job has ended or a little time has passed."""
         limits = [j.end for j in self._running.values() if j.end is not None and not j.is_late]
         wait = max(0.0, min(limits) - time.monotonic()) if limits else None
@@ -162,14 +169,14 @@ class Pool:
                 job.kill()
         return ended
 
-    def _end(self, job):
+    def _end(self, job: _Job) -> None:
         self._selector.unregister(job.pipe)
         os.close(job.pipe)
         _, status = os.waitpid(job.pid, 0)
         job.code = os.waitstatus_to_exitcode(status)
         del self._running[job.pid]
 
-    def _result(self, job):
+    def _result(self, job: _Job) -> Any:
         if job.is_late and job.code < 0:
             return Failed("time_limit", -job.code, f"longer than {self.time_limit:g} s")
         if job.code < 0:
@@ -181,7 +188,7 @@ class Pool:
         return value if kind == "result" else Failed("error", 0, value)
 
 
-def _end_with_parent():
+def _end_with_parent() -> None:
     """The child is killed if its parent dies."""
     try:
         ctypes.CDLL(None).prctl(1, signal.SIGKILL)

@@ -2,6 +2,8 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+from __future__ import annotations
+
 import csv
 import json
 import os
@@ -10,20 +12,21 @@ import signal
 import subprocess
 import tempfile
 from pathlib import Path
+from typing import Any, Iterable, Mapping
 
 from . import _keyblock
-from ._cases import Case, Plan, setting_pairs
+from ._cases import Case, Plan, StrPath, setting_pairs
 
 
 class ProgramError(_keyblock.Error):
     """The program ended with an exit code that is no answer. `code`: the exit code; the text is its message."""
 
-    def __init__(self, message, code):
+    def __init__(self, message: str, code: int) -> None:
         super().__init__(message)
         self.code = code
 
 
-def program():
+def program() -> str:
     """Returns the path of the program: that of the environment variable KEYBLOCK_PROGRAM, else of the search path."""
     found = os.environ.get("KEYBLOCK_PROGRAM") or shutil.which("keyblock")
     if not found:
@@ -31,7 +34,7 @@ def program():
     return found
 
 
-def _run(arguments, accepted=(0,)):
+def _run(arguments: Iterable[Any], accepted: tuple[int, ...] = (0,)) -> str:
     """Output of the program. Ctrl-C stops it within a second; it keeps its checkpoint."""
     child = subprocess.Popen([program(), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
@@ -51,9 +54,9 @@ def _run(arguments, accepted=(0,)):
     raise ProgramError("\n".join(lines), child.returncode)
 
 
-def _options(**given):
+def _options(**given: Any) -> list[str]:
     """Options of the command line; None and False are left out."""
-    all = []
+    all: list[str] = []
     for name, value in given.items():
         option = "--" + name.replace("_", "-")
         if value is True:
@@ -68,33 +71,32 @@ def _options(**given):
 class _Files:
     """The files of a case; a changed case is written into a folder that lives as long as this."""
 
-    def __init__(self, case, profile=None, settings=None):
-        self.case = case if isinstance(case, Case) else None
-        self._folder = None
+    def __init__(self, case: Case | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None) -> None:
+        self._folder: tempfile.TemporaryDirectory[str] | None = None
         self.options = [text for pair in setting_pairs(settings) for text in ("--set", "=".join(pair))]
-        if self.case is None:
+        if not isinstance(case, Case):
             self.paths = [os.fspath(case)]
-        elif self.case.files:
-            self.paths = list(self.case.files)
+        elif case.files:
+            self.paths = list(case.files)
         else:
             self._folder = tempfile.TemporaryDirectory(prefix="keyblock_")
             self.paths = [os.path.join(self._folder.name, "case.json")]
-            self.case.write(self.paths[0])
-            plan = Plan(self.case, profile, settings)  # the choices of the files that the content came from
+            case.write(self.paths[0])
+            plan = Plan(case, profile, settings)  # the choices of the files that the content came from
             profile = plan.profile
             self.options = [text for pair in plan.settings.items() if pair[1] for text in ("--set", "=".join(pair))]
         if profile:
             self.options += ["--profile", profile]
 
-    def __enter__(self):
+    def __enter__(self) -> _Files:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         if self._folder:
             self._folder.cleanup()
 
 
-def read_converted(files, **options):
+def read_converted(files: list[str], **options: Any) -> Case:
     """Reads what the program converts into a case file."""
     with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
         path = os.path.join(folder, "case.json")
@@ -102,19 +104,20 @@ def read_converted(files, **options):
         return Case(_keyblock.Case.read([path]))
 
 
-def convert(*files, output, to=None, strict=False, force=False, layers=None, unit=None, join=None):
+def convert(*files: StrPath, output: StrPath, to: str | None = None, strict: bool = False, force: bool = False,
+            layers: StrPath | None = None, unit: str | None = None, join: float | None = None) -> Any:
     """Converts files with `keyblock convert`. Returns its report: outputs, losses and warnings."""
-    return json.loads(_run(["convert", *map(os.fspath, files), "-o", output, "--json",
+    return json.loads(_run(["convert", *map(str, files), "-o", output, "--json",
                             *_options(to=to, strict=strict, force=force, layers=layers, unit=unit, join=join)]))
 
 
-def new(kind, path, force=False):
+def new(kind: str, path: StrPath, force: bool = False) -> Path:
     """Writes a commented example case with `keyblock new`: slope, arch, beam, tunnel or block. Returns its path."""
     _run(["new", kind, "-o", path, *_options(force=force)])
     return Path(path)
 
 
-def joints(spec, path, seed=None):
+def joints(spec: dict[str, Any] | StrPath, path: StrPath, seed: int | None = None) -> Path:
     """Draws joint sets with `keyblock joints` into a drawing. Returns its path.
 
     spec: a dict as docs/slope.json, or the path of one. path: ends in .dxf, .json, .xml or .geo. seed: rules that of spec.
@@ -131,25 +134,25 @@ def joints(spec, path, seed=None):
 class Results:
     """A folder that `keyblock run` wrote. `run`: content of run.json; `end` is its end; `table(name)` reads a table."""
 
-    def __init__(self, folder):
+    def __init__(self, folder: StrPath) -> None:
         self.folder = Path(folder)
         self.run = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
 
     @property
-    def end(self):
+    def end(self) -> str:
         """finished, stopped or failed."""
-        return self.run["outcome"]["end"]
+        return str(self.run["outcome"]["end"])
 
     @property
-    def doubts(self):
+    def doubts(self) -> list[Any]:
         """Reasons not to trust the results."""
-        return self.run["outcome"].get("doubts", [])
+        return list(self.run["outcome"].get("doubts", []))
 
-    def tables(self):
+    def tables(self) -> list[str]:
         """Returns the names of the tables, such as history and contacts."""
         return sorted(p.stem for p in self.folder.glob("*.csv"))
 
-    def table(self, name):
+    def table(self, name: str) -> Any:
         """Returns a table as a data frame with plain column names; its units are in `attrs["units"]`.
 
         Without pandas: a dict of lists.
@@ -170,14 +173,14 @@ class Results:
         table.attrs["units"] = units
         return table
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<Results {self.folder}: {self.end}>"
 
 
-def _number(text):
+def _number(text: str) -> int | float | str:
     for kind in (int, float):
         try:
-            return kind(text)
+            return kind(text)  # type: ignore[no-any-return]
         except ValueError:
             pass
     return text
@@ -186,8 +189,9 @@ def _number(text):
 _ANSWERS = (0, 1, 4)  # done; done with doubts; a run that failed, which its results say
 
 
-def record(case, folder, profile=None, settings=None, every=None, history=(), force=False, threads=None, trace=False,
-           pictures=True):
+def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
+           every: int | None = None, history: Iterable[str] = (), force: bool = False, threads: int | None = None,
+           trace: bool = False, pictures: bool = True) -> Results:
     """Runs a case with `keyblock run` into a folder and returns its `Results`.
 
     every: steps between frames. history: quantities to follow, such as "crest=point:12,20" or "block:4". trace: write
@@ -200,19 +204,21 @@ def record(case, folder, profile=None, settings=None, every=None, history=(), fo
     return Results(folder)
 
 
-def resume(folder, threads=None):
+def resume(folder: StrPath, threads: int | None = None) -> Results:
     """Goes on with an interrupted `record` or `keyblock run` from its checkpoint, with `keyblock run --resume`."""
     _run(["run", "--resume", folder, *_options(threads=threads)], _ANSWERS)
     return Results(folder)
 
 
-def compare(*cases, profile=None, all=False, threads=None):
+def compare(*cases: StrPath, profile: str | None = None, all: bool = False, threads: int | None = None) -> Any:
     """Reruns case folders against their expected values with `keyblock compare`. Returns its report."""
-    return json.loads(_run(["compare", *map(os.fspath, cases), "--json", *_options(profile=profile, all=all, threads=threads)],
+    return json.loads(_run(["compare", *map(str, cases), "--json", *_options(profile=profile, all=all, threads=threads)],
                            (0, 1)))
 
 
-def element(case, path, to=(), material=None, confining=None, cycles=None, steps=None, size=None):
+def element(case: Case | StrPath, path: str, to: Iterable[float] = (), material: int | None = None,
+            confining: float | None = None, cycles: int | None = None, steps: int | None = None,
+            size: float | None = None) -> tuple[Any, list[dict[str, Any]]]:
     """Drives one element of a material along a path with `keyblock element`. Returns (report, curve).
 
     path: uniaxial, triaxial, biaxial, oedometer, shear, cyclic, or a table. to: strains, one after another. curve: a
@@ -220,20 +226,22 @@ def element(case, path, to=(), material=None, confining=None, cycles=None, steps
     """
     with _Files(case) as files, tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
         curve = os.path.join(folder, "curve.csv")
-        targets = _options(to=",".join(map(repr, map(float, to)))) if len(to) else []
+        strains = ",".join(map(repr, map(float, to)))
+        targets = _options(to=strains) if strains else []
         report = _run(["element", files.paths[-1], "--path", path, "-o", curve, "--json", *targets,
                        *_options(material=material, confining=confining, cycles=cycles, steps=steps, size=size)], (0, 1))
         with open(curve, newline="", encoding="utf-8") as file:
             return json.loads(report), [{k: _number(v) for k, v in row.items()} for row in csv.DictReader(file)]
 
 
-def fit(curve, triaxial=False, toughness=None, compression=None, strain_factor=None, friction=None):
+def fit(curve: StrPath, triaxial: bool = False, toughness: str | None = None, compression: str | None = None,
+        strain_factor: float | None = None, friction: float | None = None) -> Any:
     """Finds parameters of rock from measured curves with `keyblock fit`. Returns its report."""
     return json.loads(_run(["fit", curve, "--json", *_options(triaxial=triaxial, toughness=toughness, compression=compression,
                                                               strain_factor=strain_factor, friction=friction)], (0, 1)))
 
 
-def cases(name, root=None):
+def cases(name: str, root: StrPath | None = None) -> list[Path]:
     """Returns the folders of the cases of a verification problem, such as "stress_intensity", sorted.
 
     root: folder of the problems; by default KEYBLOCK_CASES, else legacy_cases below the current folder.

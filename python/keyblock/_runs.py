@@ -2,10 +2,13 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+from __future__ import annotations
+
 import time
+from typing import Any, Callable, Mapping
 
 from . import _keyblock
-from ._cases import Case, Context, Plan, read, setting_pairs
+from ._cases import Case, Context, Plan, StrPath, read, setting_pairs
 from ._frames import Frame
 
 
@@ -21,7 +24,9 @@ class Run:
     threads are independent. Raises InputError, SettingError, Stopped.
     """
 
-    def __init__(self, case, profile=None, settings=None, threads=None, context=None, load=None):
+    def __init__(self, case: Case | Plan | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
+                 threads: int | None = None, context: _keyblock.Context | None = None,
+                 load: Callable[[float], tuple[float, float]] | None = None) -> None:
         self.context = context or Context(threads)
         self.load_seconds = 0.0
         if load is not None:
@@ -34,7 +39,8 @@ class Run:
             self.plan = Plan(case, profile, settings, self.context)
         self._run = _keyblock.Run(self.plan._plan, self.context)
 
-    def _table_of(self, load, case, profile, settings):
+    def _table_of(self, load: Callable[[float], tuple[float, float]], case: Any, profile: str | None,
+                  settings: Any) -> dict[str, str]:
         import tempfile
         plan = case if isinstance(case, Plan) else Plan(case, profile, settings, self.context)
         dt = float(plan.settings["time_step"])
@@ -46,19 +52,19 @@ class Run:
         self._file.flush()
         return {"body_acceleration_file": self._file.name}
 
-    def __iter__(self):
+    def __iter__(self) -> Run:
         return self
 
-    def __next__(self):
+    def __next__(self) -> _keyblock.Step:
         if not self.advance():
             raise StopIteration
         return self.last
 
-    def advance(self):
+    def advance(self) -> bool:
         """Makes one step. Returns False if the run is at its end, stopped or failed; `outcome` gives the reason."""
         return self._run.advance()
 
-    def go_on(self, until=None):
+    def go_on(self, until: Callable[[Run], Any] | None = None) -> _keyblock.Outcome:
         """Makes steps to the end, or until `until(run)` is true after a step; the run may then go on.
 
         Returns the outcome, whose `end` is "running" before the end.
@@ -70,27 +76,27 @@ class Run:
                 break
         return self.outcome
 
-    def stop(self):
+    def stop(self) -> None:
         """Stops the run, also from another thread. It does not go on."""
         self.context.stop()
 
-    def frame(self, detail="blocks"):
+    def frame(self, detail: str = "blocks") -> Frame:
         """Returns the state of now. detail="corners" adds displacement and stress of corners, and faces of cracks."""
         if detail not in ("blocks", "corners"):
             raise ValueError(f"detail: expected blocks or corners, found {detail}")
         return Frame(self._run.frame(detail == "corners"), self.plan.case.units)
 
     @property
-    def last(self):
+    def last(self) -> _keyblock.Step:
         """The last accepted step."""
         return self._run.last
 
     @property
-    def outcome(self):
+    def outcome(self) -> _keyblock.Outcome:
         """End, reason, sentences, warnings and doubts; its `end` is "running" before the end."""
         return self._run.outcome
 
-    def record(self, folder, **options):
+    def record(self, folder: StrPath, **options: Any) -> Any:
         """Runs the same case with the program `keyblock` into a folder, from start to end: see `record`.
 
         The steps of this run are not used: the library writes no result folders.
@@ -99,11 +105,12 @@ class Run:
         profile, settings = self.plan._choices
         return _program.record(self.plan.case, folder, profile=profile or None, settings=dict(settings), **options)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<Run {self.outcome.end}, step {self.last.number} of {self.plan.steps}>"
 
 
-def factor_of_safety(case, what="", within=0.0, profile=None, settings=None, context=None):
+def factor_of_safety(case: Case | StrPath, what: str = "", within: float = 0.0, profile: str | None = None,
+                     settings: Mapping[str, Any] | None = None, context: _keyblock.Context | None = None) -> _keyblock.Strength:
     """Divides the strength of "joints", "rock" or "both" until the case is unstable, as `keyblock fos`.
 
     what, within: empty and 0 take what the `case.json` of a folder requests, else "joints" and 0.01. The result has the
@@ -115,7 +122,8 @@ def factor_of_safety(case, what="", within=0.0, profile=None, settings=None, con
                                       context or Context())
 
 
-def stress_intensity(case, profile=None, settings=None, context=None):
+def stress_intensity(case: Case | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
+                     context: _keyblock.Context | None = None) -> list[_keyblock.Tip]:
     """Returns the stress intensity factors of all crack tips at the end of the loads, as `keyblock sif`: list of Tip.
 
     `Tip` has x, y, k1, k2, j, kink_deg, k_equivalent, spread and doubt. Raises InputError for a case without cracks.

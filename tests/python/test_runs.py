@@ -223,6 +223,17 @@ class Frames(Folder):
         axes = kb.plot(frame, colour="rotation", cmap="viridis")
         self.assertEqual(len(axes.collections[0].get_paths()), 7)
 
+    def test_a_mesh_has_every_block(self):
+        try:
+            import meshio  # noqa: F401
+        except ImportError:
+            self.skipTest("meshio is not installed")
+        run = kb.Run(kb.new("block", "block.json"))
+        mesh = run.frame().to_meshio()
+        self.assertEqual([(c.type, len(c.data)) for c in mesh.cells], [("triangle", 1), ("quad", 1)])
+        self.assertEqual([list(n) for n in mesh.cell_data["block"]], [[1], [2]])
+        mesh.write("block.vtu")
+
     def test_a_frame_of_4901_blocks_is_cheap(self):
         run = kb.Run(kb.Plan(self.wall(70, 70), settings={"start": "sudden"}))
         run.frame()
