@@ -1,7 +1,7 @@
 """Builds the Python package: the module, with the library of Keyblock beside it.
 
-CMake builds both, with instructions that any machine of this architecture has (KEYBLOCK_NATIVE=OFF). If KEYBLOCK_LIBRARY
-names a ready libkeyblock.so, only the module is compiled, and that library is copied.
+CMake builds both, for processors since about 2013 (KEYBLOCK_ARCH). If KEYBLOCK_LIBRARY names a ready libkeyblock.so, only
+the module is compiled, and that library is copied.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
@@ -28,10 +28,9 @@ class Build(build_ext):
             super().build_extension(ext)
             library = Path(LIBRARY)
         else:
-            folder = Path(self.build_temp).resolve()
+            folder = ROOT / "build-wheel"  # kept: a second wheel takes a minute
             subprocess.check_call(["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                                   "-DKEYBLOCK_NATIVE=OFF", "-DKEYBLOCK_PYTHON=ON",
-                                   f"-DKEYBLOCK_PYTHON_PROGRAM={sys.executable}"])
+                                   "-DKEYBLOCK_PYTHON=ON", f"-DKEYBLOCK_PYTHON_PROGRAM={sys.executable}"])
             jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL") or str(os.cpu_count() or 1)
             subprocess.check_call(["cmake", "--build", str(folder), "--target", "keyblock_python", "--parallel", jobs])
             module, = (folder / "python" / "keyblock").glob("_keyblock*.so")

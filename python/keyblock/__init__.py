@@ -10,9 +10,9 @@
 Numbers of blocks, materials and cracks count from 1, as in case files and tables. Rows of columns count from 0.
 Quantities have the units of the case (`Case.units`).
 
-This module wraps the C++ library (`include/keyblock/keyblock.hpp`). Five functions start the program `keyblock`
-instead, because the library cannot do their work yet: `record`, `resume`, `compare`, `element`, `fit`. So do `joints`,
-`convert` and `read` with `layers`, `unit` or `join`.
+This module wraps the C++ library (`include/keyblock/keyblock.hpp`). Some functions start the program `keyblock`
+instead, because the library cannot do their work yet: `compare`, `element`, `fit`, `joints`, `convert`, `new`, and `read`
+with `layers`, `unit` or `join`.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from ._keyblock import Error, InputError, Outcome, SettingError, Step, Stopped, Strength, Tip, Trial, Warning
@@ -20,8 +20,8 @@ from ._keyblock import version as _version
 from ._cases import Case, Context, Plan, read
 from ._frames import Frame, plot
 from ._pool import Failed, Pool
-from ._program import (ProgramError, Results, cases, compare, convert, element, fit, joints, new, program, record,
-                      resume)
+from ._program import ProgramError, cases, compare, convert, element, fit, joints, new, program
+from ._records import Results, record, resume
 from ._runs import Run, factor_of_safety, stress_intensity
 from ._sweeps import (Table, choice, grid, lognormal, normal, random, sweep, uniform)
 

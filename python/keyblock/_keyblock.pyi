@@ -1,5 +1,5 @@
 # The C++ module; the package wraps it. A test compares the names with those of the module.
-from typing import Any
+from typing import Any, Callable
 
 import numpy as np
 
@@ -164,6 +164,10 @@ class Tip:
     def doubt(self) -> str: ...
     def asdict(self) -> dict[str, float | str]: ...
 
+def record(case: Case, folder: str, every: int, overwrite: bool, pictures: bool, checkpoint_every: float,
+           histories: list[str], contacts: str, frames: str, on_step: Callable[[Step], Any] | None, profile: str,
+           settings: list[tuple[str, str]], context: Context) -> Outcome: ...
+def resume(folder: str, on_step: Callable[[Step], Any] | None, context: Context) -> Outcome: ...
 def factor_of_safety(case: Case, what: str, within: float, profile: str, settings: list[tuple[str, str]],
                      context: Context) -> Strength: ...
 def stress_intensity(case: Case, profile: str, settings: list[tuple[str, str]],

@@ -12,10 +12,10 @@ import signal
 import subprocess
 import tempfile
 from pathlib import Path
-from typing import Any, Iterable, Mapping
+from typing import Any, Iterable
 
 from . import _keyblock
-from ._cases import Case, Plan, StrPath, setting_pairs
+from ._cases import Case, StrPath
 
 
 class ProgramError(_keyblock.Error):
@@ -68,34 +68,6 @@ def _options(**given: Any) -> list[str]:
     return all
 
 
-class _Files:
-    """The files of a case; a changed case is written into a folder that lives as long as this."""
-
-    def __init__(self, case: Case | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None) -> None:
-        self._folder: tempfile.TemporaryDirectory[str] | None = None
-        self.options = [text for pair in setting_pairs(settings) for text in ("--set", "=".join(pair))]
-        if not isinstance(case, Case):
-            self.paths = [os.fspath(case)]
-        elif case.files:
-            self.paths = list(case.files)
-        else:
-            self._folder = tempfile.TemporaryDirectory(prefix="keyblock_")
-            self.paths = [os.path.join(self._folder.name, "case.json")]
-            case.write(self.paths[0])
-            plan = Plan(case, profile, settings)  # the choices of the files that the content came from
-            profile = plan.profile
-            self.options = [text for pair in plan.settings.items() if pair[1] for text in ("--set", "=".join(pair))]
-        if profile:
-            self.options += ["--profile", profile]
-
-    def __enter__(self) -> _Files:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._folder:
-            self._folder.cleanup()
-
-
 def read_converted(files: list[str], **options: Any) -> Case:
     """Reads what the program converts into a case file."""
     with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
@@ -131,83 +103,13 @@ def joints(spec: dict[str, Any] | StrPath, path: StrPath, seed: int | None = Non
     return Path(path)
 
 
-class Results:
-    """A folder that `keyblock run` wrote. `run`: content of run.json; `end` is its end; `table(name)` reads a table."""
-
-    def __init__(self, folder: StrPath) -> None:
-        self.folder = Path(folder)
-        self.run = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
-
-    @property
-    def end(self) -> str:
-        """finished, stopped or failed."""
-        return str(self.run["outcome"]["end"])
-
-    @property
-    def doubts(self) -> list[Any]:
-        """Reasons not to trust the results."""
-        return list(self.run["outcome"].get("doubts", []))
-
-    def tables(self) -> list[str]:
-        """Returns the names of the tables, such as history and contacts."""
-        return sorted(p.stem for p in self.folder.glob("*.csv"))
-
-    def table(self, name: str) -> Any:
-        """Returns a table as a data frame with plain column names; its units are in `attrs["units"]`.
-
-        Without pandas: a dict of lists.
-        """
-        with open(self.folder / f"{name}.csv", newline="", encoding="utf-8") as file:
-            heading, *rows = csv.reader(file)
-        names, units = [], {}
-        for text in heading:
-            plain, _, unit = text.partition(" [")
-            names.append(plain)
-            units[plain] = unit.rstrip("]")
-        columns = {n: [_number(row[i]) for row in rows] for i, n in enumerate(names)}
-        try:
-            import pandas
-        except ImportError:
-            return columns
-        table = pandas.DataFrame(columns)
-        table.attrs["units"] = units
-        return table
-
-    def __repr__(self) -> str:
-        return f"<Results {self.folder}: {self.end}>"
-
-
-def _number(text: str) -> int | float | str:
+def number_of(text: str) -> int | float | str:
     for kind in (int, float):
         try:
             return kind(text)  # type: ignore[no-any-return]
         except ValueError:
             pass
     return text
-
-
-_ANSWERS = (0, 1, 4)  # done; done with doubts; a run that failed, which its results say
-
-
-def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
-           every: int | None = None, history: Iterable[str] = (), force: bool = False, threads: int | None = None,
-           trace: bool = False, pictures: bool = True) -> Results:
-    """Runs a case with `keyblock run` into a folder and returns its `Results`.
-
-    every: steps between frames. history: quantities to follow, such as "crest=point:12,20" or "block:4". trace: write
-    every step. A case with changed values is written beside the results' inputs first, and all its settings are set.
-    """
-    with _Files(case, profile, settings) as files:
-        _run(["run", *files.paths, "-o", folder, *files.options,
-              *_options(record_every=every, history=list(history), force=force, threads=threads, trace=trace,
-                        no_pictures=not pictures)], _ANSWERS)
-    return Results(folder)
-
-
-def resume(folder: StrPath, threads: int | None = None) -> Results:
-    """Goes on with an interrupted `record` or `keyblock run` from its checkpoint, with `keyblock run --resume`."""
-    _run(["run", "--resume", folder, *_options(threads=threads)], _ANSWERS)
-    return Results(folder)
 
 
 def compare(*cases: StrPath, profile: str | None = None, all: bool = False, threads: int | None = None) -> Any:
@@ -224,14 +126,19 @@ def element(case: Case | StrPath, path: str, to: Iterable[float] = (), material:
     path: uniaxial, triaxial, biaxial, oedometer, shear, cyclic, or a table. to: strains, one after another. curve: a
     list of dicts, one per increment.
     """
-    with _Files(case) as files, tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
+    with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
+        file = case.files[-1] if isinstance(case, Case) and case.files else os.path.join(folder, "case.json")
+        if not isinstance(case, Case):
+            file = os.fspath(case)
+        elif not case.files:
+            case.write(file)
         curve = os.path.join(folder, "curve.csv")
         strains = ",".join(map(repr, map(float, to)))
         targets = _options(to=strains) if strains else []
-        report = _run(["element", files.paths[-1], "--path", path, "-o", curve, "--json", *targets,
+        report = _run(["element", file, "--path", path, "-o", curve, "--json", *targets,
                        *_options(material=material, confining=confining, cycles=cycles, steps=steps, size=size)], (0, 1))
-        with open(curve, newline="", encoding="utf-8") as file:
-            return json.loads(report), [{k: _number(v) for k, v in row.items()} for row in csv.DictReader(file)]
+        with open(curve, newline="", encoding="utf-8") as rows:
+            return json.loads(report), [{k: number_of(v) for k, v in row.items()} for row in csv.DictReader(rows)]
 
 
 def fit(curve: StrPath, triaxial: bool = False, toughness: str | None = None, compression: str | None = None,

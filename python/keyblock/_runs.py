@@ -10,6 +10,7 @@ from typing import Any, Callable, Mapping
 from . import _keyblock
 from ._cases import Case, Context, Plan, StrPath, read, setting_pairs
 from ._frames import Frame
+from ._records import Results, record
 
 
 class Run:
@@ -96,14 +97,10 @@ class Run:
         """End, reason, sentences, warnings and doubts; its `end` is "running" before the end."""
         return self._run.outcome
 
-    def record(self, folder: StrPath, **options: Any) -> Any:
-        """Runs the same case with the program `keyblock` into a folder, from start to end: see `record`.
-
-        The steps of this run are not used: the library writes no result folders.
-        """
-        from . import _program
+    def record(self, folder: StrPath, **options: Any) -> Results:
+        """Runs the same case from start to end into a folder: see `record`. The steps of this run are not used."""
         profile, settings = self.plan._choices
-        return _program.record(self.plan.case, folder, profile=profile or None, settings=dict(settings), **options)
+        return record(self.plan.case, folder, profile=profile or None, settings=dict(settings), **options)
 
     def __repr__(self) -> str:
         return f"<Run {self.outcome.end}, step {self.last.number} of {self.plan.steps}>"

@@ -16,6 +16,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <functional>
 #include <keyblock/keyblock.hpp>
 #include <memory>
 #include <mutex>
@@ -340,6 +341,86 @@ void bind_studies(py::module_& m) {
       py::arg("case"), py::arg("profile"), py::arg("settings"), py::arg("context"));
 }
 
+/// A function of Python that any thread may call and drop. What it throws stops the computation and is kept.
+class StepCallback {
+ public:
+  StepCallback(py::object function, kb::Context context)
+      : held_(std::make_shared<Held>(std::move(function))), context_(std::move(context)) {}
+
+  void operator()(const kb::Step& step) const {
+    const py::gil_scoped_acquire acquire;
+    if (held_->error) return;
+    try {
+      held_->function(step);
+    } catch (py::error_already_set&) {
+      held_->error = std::current_exception();
+      context_.stop();
+    }
+  }
+
+  void rethrow() const {
+    if (held_->error) std::rethrow_exception(std::exchange(held_->error, nullptr));
+  }
+
+ private:
+  struct Held {
+    explicit Held(py::object f) : function(std::move(f)) {}
+    Held(const Held&) = delete;
+    ~Held() {
+      const py::gil_scoped_acquire acquire;
+      function = {};
+      error = nullptr;
+    }
+    py::object function;
+    std::exception_ptr error;
+  };
+
+  std::shared_ptr<Held> held_;
+  kb::Context context_;
+};
+
+/// Does `work` with a function to be called per step, or none.
+template <class Work>
+kb::Outcome recorded(const py::object& on_step, const kb::Context& context, Work work) {
+  if (on_step.is_none()) return computed(context, false, [=] { return work({}); });
+  const StepCallback callback(on_step, context);
+  try {
+    kb::Outcome outcome = computed(context, false, [=] { return work(callback); });
+    callback.rethrow();
+    return outcome;
+  } catch (const kb::Error&) {
+    callback.rethrow();  // it comes first
+    throw;
+  }
+}
+
+void bind_records(py::module_& m) {
+  m.def(
+      "record",
+      [](const kb::Case& of, const std::string& folder, int every, bool overwrite, bool pictures,
+         double checkpoint_every, const std::vector<std::string>& histories, const std::string& contacts,
+         const std::string& frames, const py::object& on_step, const std::string& profile, const Pairs& settings,
+         const kb::Context& context) {
+        const kb::Recording how{every, overwrite, pictures, checkpoint_every, histories, contacts, frames, {}};
+        return recorded(on_step, context, [=](const std::function<void(const kb::Step&)>& call) {
+          kb::Recording with_call = how;
+          with_call.on_step = call;
+          return kb::record(of, folder, with_call, {profile, settings}, context);
+        });
+      },
+      py::arg("case"), py::arg("folder"), py::arg("every"), py::arg("overwrite"), py::arg("pictures"),
+      py::arg("checkpoint_every"), py::arg("histories"), py::arg("contacts"), py::arg("frames"), py::arg("on_step"),
+      py::arg("profile"), py::arg("settings"), py::arg("context"));
+  m.def(
+      "resume",
+      [](const std::string& folder, const py::object& on_step, const kb::Context& context) {
+        return recorded(on_step, context, [=](const std::function<void(const kb::Step&)>& call) {
+          return kb::resume(folder, call, context);
+        });
+      },
+      py::arg("folder"), py::arg("on_step"), py::arg("context"));
+}
+
 void bind_case(py::module_& m) {
   py::class_<kb::Case>(m, "Case")
       .def_static(
@@ -403,6 +484,7 @@ PYBIND11_MODULE(_keyblock, m) {
       .def_property_readonly("headway", &kb::Context::headway);
   bind_case(m);
   bind_run(m);
+  bind_records(m);
   bind_studies(m);
   m.def("version", &kb::version);
   m.def(

@@ -56,6 +56,19 @@ class Interrupts(Folder):
         case = self.wall(30, 30)
         self.heard("factor of safety", lambda: kb.factor_of_safety(case))
 
+    def test_a_recorded_run_which_is_resumed(self):
+        kb.new("slope", "slope.json")
+        self.heard("record", lambda: kb.record("slope.json", "out", settings={"steps": 20000}))
+        steps = []
+
+        def some(step):
+            steps.append(step.number)
+            if len(steps) == 3:
+                raise ZeroDivisionError
+        with self.assertRaises(ZeroDivisionError):
+            kb.resume("out", on_step=some)
+        self.assertGreater(steps[0], 1)
+
     def test_cutting(self):
         spec = {"slope": {"height": 40, "angle": 60, "toe": 20, "crest": 40, "base": 10}, "seed": 2,
                 "sets": [{"dip": 35, "spacing": 0.3, "trace": 500, "scatter": 0.1},

@@ -1,0 +1,88 @@
+"""Result folders: runs that leave what `keyblock run` leaves.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import csv
+import json
+import os
+from pathlib import Path
+from typing import Any, Callable, Iterable, Mapping
+
+from . import _keyblock
+from ._cases import Case, Context, StrPath, read, setting_pairs
+from ._program import number_of
+
+
+class Results:
+    """Folder of a recorded run, also of `keyblock run`. `run`: content of run.json; `end` is its end; `table(name)` reads a table."""
+
+    def __init__(self, folder: StrPath) -> None:
+        self.folder = Path(folder)
+        self.run = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
+
+    @property
+    def end(self) -> str:
+        """finished, stopped or failed."""
+        return str(self.run["outcome"]["end"])
+
+    @property
+    def doubts(self) -> list[Any]:
+        """Reasons not to trust the results."""
+        return list(self.run["outcome"].get("doubts", []))
+
+    def tables(self) -> list[str]:
+        """Returns the names of the tables, such as history and contacts."""
+        return sorted(p.stem for p in self.folder.glob("*.csv"))
+
+    def table(self, name: str) -> Any:
+        """Returns a table as a data frame with plain column names; its units are in `attrs["units"]`.
+
+        Without pandas: a dict of lists.
+        """
+        with open(self.folder / f"{name}.csv", newline="", encoding="utf-8") as file:
+            heading, *rows = csv.reader(file)
+        names, units = [], {}
+        for text in heading:
+            plain, _, unit = text.partition(" [")
+            names.append(plain)
+            units[plain] = unit.rstrip("]")
+        columns = {n: [number_of(row[i]) for row in rows] for i, n in enumerate(names)}
+        try:
+            import pandas
+        except ImportError:
+            return columns
+        table = pandas.DataFrame(columns)
+        table.attrs["units"] = units
+        return table
+
+    def __repr__(self) -> str:
+        return f"<Results {self.folder}: {self.end}>"
+
+
+def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
+           every: int = 0, history: Iterable[str] = (), force: bool = False, pictures: bool = True, contacts: str = "",
+           frames: str = "raw", checkpoint_every: float = 30, on_step: Callable[[_keyblock.Step], Any] | None = None,
+           context: _keyblock.Context | None = None) -> Results:
+    """Runs a case to its end, with all files in a folder that `keyblock run` leaves there; returns its Results.
+
+    every: steps per frame; 0 means as the case says, at most 100 frames. history: quantities to follow, such as
+    "crest=point:12,20" or "block:4". force: overwrite results of an earlier run. contacts, frames: as `--contacts` and
+    `--frames`. checkpoint_every: seconds. on_step: a function that is called with each step; an exception of it stops the
+    run. A run that was stopped, also by Ctrl-C, can be resumed. Raises InputError, SettingError, Error.
+    """
+    case = case if isinstance(case, Case) else read(case)
+    _keyblock.record(case._case, os.fspath(folder), every, force, pictures, checkpoint_every, list(history), contacts, frames,
+                     on_step, profile or "", setting_pairs(settings), context or Context())
+    return Results(folder)
+
+
+def resume(folder: StrPath, on_step: Callable[[_keyblock.Step], Any] | None = None,
+           context: _keyblock.Context | None = None) -> Results:
+    """Continues an interrupted `record`, or `keyblock run` of the same build, from its checkpoint; returns its Results.
+
+    Raises InputError, and SettingError if there is nothing to resume.
+    """
+    _keyblock.resume(os.fspath(folder), on_step, context or Context())
+    return Results(folder)
