@@ -63,7 +63,8 @@ void on_own_thread(const kb::Context& context, Work work) {
   std::thread([task, work = std::move(work)]() mutable {
     std::exception_ptr error;
     try {
-      work();
+      Work own = std::move(work);  // gone before the caller goes on
+      own();
     } catch (...) {
       error = std::current_exception();
     }
@@ -383,7 +384,7 @@ class StepCallback {
 template <class Work>
 kb::Outcome recorded(const py::object& on_step, const kb::Context& context, Work work) {
   if (on_step.is_none()) return computed(context, false, [=] { return work({}); });
-  const StepCallback callback(on_step, context);
+  StepCallback callback(on_step, context);  // not const: the copy for the other thread is moved
   try {
     kb::Outcome outcome = computed(context, false, [=] { return work(callback); });
     callback.rethrow();
