@@ -13,7 +13,7 @@ import os
 import random as _random
 import statistics
 import time
-from typing import Any, Callable, Iterable, Mapping
+from typing import Any, Callable, Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -185,7 +185,8 @@ def _plain_dict(values: Mapping[str, Any]) -> dict[str, Any]:
 def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterable[Any]] | Iterable[Mapping[str, Any]],
           out: str | Iterable[str] | Callable[[Run], Any] = ("displacement",), jobs: int = 2,
           time_limit: float | None = None, memory_limit: int | None = None, profile: str | None = None,
-          settings: Mapping[str, Any] | None = None, resume: StrPath | None = None) -> Table:
+          settings: Mapping[str, Any] | None = None, resume: StrPath | Sequence[StrPath] | None = None,
+          shard: str | None = None) -> Table:
     """Runs a case under many values and returns a Table, one row per run in the order of `over`.
 
     case: a Case, a path, or a function that takes values by name and returns a Case, such as one that draws joints from a
@@ -196,7 +197,9 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
 
     Each run is a child process with one thread. One that crashes, is killed, or exceeds its time or memory is one row with
     its verdict: signal, time_limit or error; the doubt gives the reason. resume: a file to which each row is added as it
-    ends; a second call with the same arguments computes the missing rows alone.
+    ends; a second call with the same arguments computes the missing rows alone. Several files are read, and rows are added
+    to the first. shard: "k/n" computes every n-th row from the k-th, k from 1 to n, and returns these rows alone; each
+    shard needs a resume file of its own, and a call with all files and no shard returns the whole table.
     """
     if not callable(case) and not isinstance(case, Case):
         case = read(case)
@@ -206,7 +209,8 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
         _outputs(out)
     journal = _Journal(resume, [case.json() if isinstance(case, Case) else "", rows, "" if callable(out) else out,
                                 profile, setting_pairs(settings)])
-    missing = [i for i in range(len(rows)) if i not in journal.done]
+    wanted = _of_shard(len(rows), shard)
+    missing = [i for i in wanted if i not in journal.done]
 
     def work(i: int) -> dict[str, Any]:
         began = time.perf_counter()
@@ -223,23 +227,34 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     for done in journal.done.values():
         columns.update(dict.fromkeys(done))
     columns.pop("seconds", None)
-    return Table({**row, **{c: journal.done[i].get(c, float("nan")) for c in columns},
-                  "seconds": journal.done[i].get("seconds", float("nan"))} for i, row in enumerate(rows))
+    return Table({**rows[i], **{c: journal.done[i].get(c, float("nan")) for c in columns},
+                  "seconds": journal.done[i].get("seconds", float("nan"))} for i in wanted)
+
+
+def _of_shard(count: int, shard: str | None) -> range:
+    if shard is None:
+        return range(count)
+    k, _, n = shard.partition("/")
+    if not (k.isdigit() and n.isdigit() and 1 <= int(k) <= int(n)):
+        raise ValueError(f"shard: expected k/n with k from 1 to n, found {shard}")
+    return range(int(k) - 1, count, int(n))
 
 
 class _Journal:
-    """Rows that are done, also in a file: its first line identifies the sweep, each further line is a row."""
+    """Rows that are done, also in files: their first line identifies the sweep, each further line is a row."""
 
-    def __init__(self, path: StrPath | None, sweep: Any) -> None:
-        self.path = None if path is None else os.fspath(path)
+    def __init__(self, paths: StrPath | Sequence[StrPath] | None, sweep: Any) -> None:
         self.done: dict[int, Any] = {}
         self.name = hashlib.sha256(json.dumps(sweep, default=str).encode()).hexdigest()
-        if self.path is None:
-            return
-        if os.path.exists(self.path):
-            self._read(self.path)
-        else:
-            self._append(self.path, {"sweep": self.name})
+        names = [] if paths is None else [paths] if isinstance(paths, (str, os.PathLike)) else paths
+        self.paths = [os.fspath(n) for n in names]
+        for path in self.paths:
+            if os.path.exists(path):
+                self._read(path)
+            elif path == self.paths[0]:
+                self._append({"sweep": self.name})
+            else:
+                raise _keyblock.Error(f"{path}: error: no such file")
 
     def _read(self, path: str) -> None:
         with open(path, encoding="utf-8") as file:
@@ -249,16 +264,15 @@ class _Journal:
         for line in lines[1:-1]:  # the last one is empty, or was cut by a kill
             index, row = json.loads(line)
             self.done[index] = row
-        if lines[-1]:
+        if lines[-1] and path == self.paths[0]:
             with open(path, "r+", encoding="utf-8") as file:
                 file.truncate(len("\n".join(lines[:-1]).encode()) + 1)
 
     def add(self, index: int, row: Any) -> None:
         self.done[index] = row
-        if self.path is not None:
-            self._append(self.path, [index, row])
+        if self.paths:
+            self._append([index, row])
 
-    @staticmethod
-    def _append(path: str, entry: Any) -> None:
-        with open(path, "a", encoding="utf-8") as file:
+    def _append(self, entry: Any) -> None:
+        with open(self.paths[0], "a", encoding="utf-8") as file:
             file.write(json.dumps(entry) + "\n")

@@ -139,6 +139,20 @@ class Sweeps(Folder):
         with self.assertRaises(kb.Error):
             kb.sweep(slide(), {FRICTION: [1]}, resume="journal")
 
+    def test_shards_together_are_the_whole_table(self):
+        over = {FRICTION: [10, 15, 20, 25, 5]}
+        shards = [kb.sweep(slide(), over, resume=f"rows{k}", shard=f"{k}/2") for k in (1, 2)]
+        self.assertEqual([list(t[FRICTION]) for t in shards], [[10, 20, 5], [15, 25]])
+        lines = (self.folder / "rows2").read_text().splitlines(True)
+        self.write("rows2", "".join(lines[:-1]))  # one row is missing
+        merged = kb.sweep(slide(), over, resume=["rows1", "rows2"])
+        whole = kb.sweep(slide(), over)
+        self.assertEqual(list(merged["displacement"]), list(whole["displacement"]))
+        with self.assertRaises(ValueError):
+            kb.sweep(slide(), over, shard="3/2")
+        with self.assertRaises(kb.Error):
+            kb.sweep(slide(), over, resume=["rows1", "nothing"])
+
     def test_random_rows_are_stratified_and_depend_on_the_seed_alone(self):
         over = {"a": kb.uniform(2, 4), "b": kb.normal(30, 2), "c": kb.lognormal(5, 1), "d": kb.choice("x", "y"),
                 "e": kb.normal(0, 1, low=0)}
