@@ -1,4 +1,4 @@
-// Sets of closed cracks tried in turn; see crack_closure.hpp.
+// Tries sets of closed cracks in turn; see crack_closure.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/crack_closure.hpp"
 
@@ -15,7 +15,7 @@
 namespace keyblock {
 namespace {
 
-/// By how much a stress contradicts the cracks that are taken for closed.
+/// Returns by how much a stress contradicts the assumed set of closed cracks.
 double contradiction(const CrackedElasticity& rock, const OfAxes& stress, const std::array<bool, 3>& closed) {
   double most = -std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < stress.size(); ++i) {

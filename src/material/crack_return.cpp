@@ -1,4 +1,4 @@
-// Rounds on the crack strain; see crack_return.hpp.
+// Iterates on the crack strain; see crack_return.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/crack_return.hpp"
 
@@ -17,16 +17,16 @@ namespace {
 
 constexpr int kMostRounds = 60;
 constexpr int kMostHalvings = 8;
-// Of crack strain and closing strain: what the strain of a crack may miss that of its stress by.
+// Error of the crack strain, per crack strain and closing strain, at which iterations end.
 constexpr double kSettled = 4e-16;
-// Of the trial strain: what rounding of stress may leave.
+// Error, per trial strain, left by rounding of stress.
 constexpr double kGood = 1e-13;
-// What it may leave of an answer that is used.
+// Largest error of a response that is used.
 constexpr double kUsable = 1e-9;
-// Of the slope at the start of a direction, where a place along it is good enough.
+// Slope along a direction, per slope at its start, at which a place is accepted.
 constexpr double kFlatEnough = 0.1;
 
-/// The crack strain sought, along the first two axes and, in plane strain, zz.
+/// Finds the crack strain along the first two axes and, in plane strain, zz.
 struct CrackSearch {
   const YieldLaw& intact;  ///< without the closure
   const CrackedElasticity& rock;
@@ -37,9 +37,9 @@ struct CrackSearch {
 
   struct Point {
     Eigen::Vector3d cracks;  ///< w
-    Response answer;         ///< of intact rock to the strain less w, in principal axes
+    Response answer;         ///< of intact rock to the strain minus w, in principal axes
     Eigen::Vector3d missing;
-    double error = 0;  ///< of the greatest missing strain to that of a closed crack and w
+    double error = 0;  ///< greatest missing strain, relative to that of a closed crack and w
   };
 
   Eigen::Vector3d stress(const Response& answer) const {
@@ -61,7 +61,7 @@ struct CrackSearch {
     return p;
   }
 
-  /// ∂(principal stress)/∂(principal strain) of intact rock.
+  /// Returns ∂(principal stress)/∂(principal strain) of intact rock.
   static Eigen::Matrix3d tangent(const Response& answer) {
     constexpr std::array<int, 3> place{0, 1, 3};
     Eigen::Matrix3d t;
@@ -71,7 +71,7 @@ struct CrackSearch {
     return t;
   }
 
-  /// ∂w/∂σ of each axis.
+  /// Returns ∂w/∂σ of each axis.
   Eigen::Vector3d opening(const Point& p) const {
     const Eigen::Vector3d s = stress(p.answer);
     Eigen::Vector3d by = Eigen::Vector3d::Zero();
@@ -80,13 +80,13 @@ struct CrackSearch {
     return by;
   }
 
-  /// Newton's change of w: ∂(missing)/∂w = 1 + ∂w/∂σ ∂σ/∂ε.
+  /// Returns Newton's change of w: ∂(missing)/∂w = 1 + ∂w/∂σ ∂σ/∂ε.
   static Eigen::Vector3d change(const Point& p, const Eigen::Vector3d& opening, const Eigen::Vector3d& missing) {
     const Eigen::Matrix3d slope = Eigen::Matrix3d::Identity() + opening.asDiagonal() * tangent(p.answer);
     return -slope.partialPivLu().solve(missing);
   }
 
-  /// Rounds from w, halved where they overshoot; the best point met.
+  /// Iterates from w and halves steps that overshoot; returns the best point found.
   Point settled(const Eigen::Vector3d& start) const {
     Point best = at(start);
     for (int round = 0; round < kMostRounds && best.error > kSettled; ++round) {
@@ -102,15 +102,15 @@ struct CrackSearch {
     return best;
   }
 
-  /// k w - σ, the gradient of ½ k w · w and of what intact rock takes of ε - w: where flow is normal to the surface
-  /// the w sought is where the two together are least, w_i no less than that of closed cracks.
+  /// Returns k w - σ, the gradient of ½ k w · w plus the energy of intact rock at ε - w. If flow is normal to the
+  /// surface, w minimises that sum, with w_i no less than that of closed cracks.
   Eigen::Vector3d gradient(const Point& p) const {
     Eigen::Vector3d g = p.cracks / rock.compliance() - stress(p.answer);
     for (int i = axes(); i < 3; ++i) g(i) = 0;
     return g;
   }
 
-  /// Newton's direction among cracks that are not closed, or about to open.
+  /// Returns Newton's direction among cracks that are not closed, or about to open.
   Eigen::Vector3d descent(const Point& p, const Eigen::Vector3d& gradient) const {
     Eigen::Vector3d step = Eigen::Vector3d::Zero();
     std::array<bool, 3> is_kept{};
@@ -137,8 +137,8 @@ struct CrackSearch {
 
   bool is_shut(const Point& p, int i) const { return p.cracks(i) <= closed_strain() * (1 - kSettled); }
 
-  /// Descent with the place along each direction bracketed by the sign of the slope there, where rounds by the error
-  /// alternate between sides of an edge.
+  /// Descends with the place along each direction bracketed by the sign of the slope there. It is used if iterations by
+  /// the error alternate between sides of an edge.
   Point descended(const Eigen::Vector3d& start) const {
     const auto within = [&](const Eigen::Vector3d& w) { return Eigen::Vector3d(w.cwiseMax(closed_strain())); };
     Point now = at(within(start)), best = now;
@@ -172,7 +172,7 @@ struct CrackSearch {
     return second.error < first.error ? second : first;
   }
 
-  /// Of the trial strain, or of that of a closed crack.
+  /// Returns the missing strain relative to the trial strain, or to that of a closed crack if larger.
   double misses_by(const Point& p) const {
     return p.missing.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() /
            std::max(strain.cwiseAbs().maxCoeff(), -closed_strain());

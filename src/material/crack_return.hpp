@@ -1,4 +1,5 @@
-// Rock whose cracks close and that may yield: the crack strain that goes with the stress on the yield surface.
+// Combines crack closure with yielding: finds the crack strain that belongs to the stress on the yield surface.
+// Theory: docs/theory/09-plasticity.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,11 +9,13 @@
 
 namespace keyblock {
 
-/// As `respond`, or `respond_plane_stress`, of a law with a closure. Elastic strain is that of intact rock and of
-/// cracks, w; stress is the answer of intact rock with its strength to ε - w, so that it lies on the surface whatever w
-/// is, and w that of the stress, found along the principal axes by Newton's method on w = w(σ(ε - w)): for planes a
-/// piecewise linear equation. Where rounds alternate between sides of an edge, by descent with bracketed steps.
-/// `is_found` is false where both end further than 1e-9 of the strain from a crack strain of its stress.
+/// Returns the response of a law with a closure, as `respond` or `respond_plane_stress` do without one.
+///
+/// Elastic strain is that of intact rock plus that of cracks, w. Stress is the response of intact rock with its
+/// strength to ε - w, so it lies on the surface for every w. w is found along the principal axes by Newton's method on
+/// w = w(σ(ε - w)), a piecewise linear equation for planes. If iterations alternate between sides of an edge, descent
+/// with bracketed steps takes over. `is_found` is false if both end with a crack strain farther than 1e-9 of the strain
+/// from that of its stress.
 Response respond_with_cracks(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before,
                              double size, bool is_plane_stress);
 

@@ -1,4 +1,4 @@
-// The two elastic moduli of the plane.
+// Computes the two elastic moduli of the plane.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/elastic.hpp"
 

@@ -1,4 +1,4 @@
-// Logarithms of a plane tensor by divided differences in its principal axes.
+// Computes logarithms of a plane tensor by divided differences in its principal axes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/elastic_law.hpp"
 
@@ -7,17 +7,17 @@
 namespace keyblock {
 namespace {
 
-// Principal stretches nearer to each other than this share of their mean are one but for the first terms of a series.
+// Difference of principal stretches, per mean, below which a series replaces the divided differences.
 constexpr double kNearlyEqual = 1e-4;
-// Of ΔE · ΔE, below which a step has no direction to correct along (plasticity notes, section 6): the correction is of
-// second order in ΔE and there less than round-off of the stress, but round-off of it is taken over ΔE · ΔE.
+// Value of ΔE · ΔE below which a step has no direction to correct along (plasticity notes, section 6). The correction
+// is of second order in ΔE and there below the round-off of the stress, but its own round-off is divided by ΔE · ΔE.
 constexpr double kNoStep = 1e-16;
 
 /// Principal values c1 = m + r ≥ c2 = m - r of C, and f = ½ ln of them by divided differences.
 struct Principal {
   double mean = 1;    // m
   double radius = 0;  // r
-  double cosine = 1;  // of the angle of the first axis to x
+  double cosine = 1;  // of the angle from x to the first axis
   double sine = 0;
   double first = 0;    // f(c1)
   double second = 0;   // f(c2)
@@ -39,7 +39,7 @@ struct Principal {
   double greater() const { return mean + radius; }
   double lesser() const { return mean - radius; }
 
-  /// f[c1, c1, c2] and f[c1, c2, c2].
+  /// Returns f[c1, c1, c2] and f[c1, c2, c2].
   Eigen::Vector2d curvatures() const {
     const double share = radius / mean;
     if (share < kNearlyEqual) {
@@ -50,7 +50,7 @@ struct Principal {
     return {(1 / (2 * greater()) - slope) / (2 * radius), (slope - 1 / (2 * lesser())) / (2 * radius)};
   }
 
-  /// Turns strains (11, 22, 2·12) into the principal axes.
+  /// Returns the matrix that rotates strains (11, 22, 2·12) into the principal axes.
   Eigen::Matrix3d turn() const {
     const double cc = cosine * cosine, ss = sine * sine, cs = cosine * sine;
     Eigen::Matrix3d t;
@@ -72,7 +72,7 @@ Eigen::Matrix3d log_strain_rate(const Eigen::Vector3d& green) {
   const Principal p(green);
   const Eigen::Matrix3d turn = p.turn();
   const Eigen::Vector3d rate(1 / p.greater(), 1 / p.lesser(), 2 * p.slope);
-  // A turn of strains and that of stresses are each other's inverse transposed.
+  // Rotations of strains and of stresses are each other's inverse transpose.
   Principal back = p;
   back.sine = -p.sine;
   return back.turn() * rate.asDiagonal() * turn;
@@ -135,7 +135,7 @@ Eigen::Matrix3d ElasticPoint::stiffness(const Eigen::Vector3d& green) const {
   return rate.transpose() * modulus * rate + log_strain_curvature(green, stress_of_measure(green));
 }
 
-// P is taken at the mean strain, which moves by half of what the end does.
+// P is taken at the mean strain, which moves by half of the change of the end.
 Eigen::Matrix3d ElasticPoint::log_stiffness_of_step(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                                     double theta) const {
   const Eigen::Vector3d mean = (from + to) / 2;

@@ -1,4 +1,4 @@
-// Modulus by plane, stress by height.
+// Chooses the modulus by plane and the stress by height.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/material_stress.hpp"
 

@@ -1,11 +1,11 @@
-// Sums of strains, and weights of regions; see mean_memory.hpp.
+// Sums strains, and the weights of regions; see mean_memory.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/mean_memory.hpp"
 
 namespace keyblock {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of the whole weight
+constexpr double kRounding = 1e-9;  // per total weight
 
 }  // namespace
 
@@ -17,7 +17,7 @@ void MeanMemory::add(double weight, const YieldState& memory) {
   weight_ += weight;
 }
 
-// Regions whose weights differ by rounding alone are equal, and the first of them is taken.
+// Regions whose weights differ by rounding alone count as equal, and the first of them is taken.
 YieldState MeanMemory::over(double whole) const {
   YieldState mean = sum_;
   mean.elastic /= whole;

@@ -1,4 +1,5 @@
-// The mean of what several points of rock remember, by weight: what an element shows, and what a new mesh takes over.
+// Averages the memories of several points of rock by weight, for the values of an element and the transfer to a new
+// mesh.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,19 +10,19 @@
 
 namespace keyblock {
 
-/// Σ weight · memory. Its region is elastic where memories of more than half of the weight are, else that of most of
-/// the weight of the others.
+/// Σ weight · memory. The region is elastic if elastic memories have more than half of the weight. Otherwise it is the
+/// region with most of the weight among the others.
 class MeanMemory {
  public:
   void add(double weight, const YieldState& memory);
 
   double weight() const { return weight_; }
-  /// The sum over `whole`, the weight of all.
+  /// Returns the sum over `whole`, the weight of all.
   YieldState over(double whole) const;
 
  private:
   YieldState sum_;
-  std::array<double, static_cast<std::size_t>(YieldRegion::tension) + 1> regions_{};  // weight of each
+  std::array<double, static_cast<std::size_t>(YieldRegion::tension) + 1> regions_{};  // weight per region
   double weight_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Axes in the plane along which a symmetric tensor has no shear, and what is turned into them and back.
+// Finds the axes in the plane along which a symmetric tensor has no shear, and rotates tensors into them and back.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,8 @@
 
 namespace keyblock {
 
-/// Of a tensor (xx, yy, xy, zz), xy its shear and not twice it: the greater value in the plane, the lesser, zz.
+/// Axes of a tensor (xx, yy, xy, zz) whose xy is the shear, not twice it. Values: the greater in the plane, the lesser,
+/// zz.
 struct PlaneAxes {
   double cosine = 1, sine = 0;
   Eigen::Vector3d values;
@@ -22,13 +23,13 @@ struct PlaneAxes {
     values = {centre + radius, centre - radius, tensor(3)};
   }
 
-  /// The tensor with these values along the axes.
+  /// Returns the tensor with these values along the axes.
   Eigen::Vector4d tensor(const Eigen::Vector3d& v) const {
     const double cc = cosine * cosine, ss = sine * sine, cs = cosine * sine;
     return {cc * v(0) + ss * v(1), ss * v(0) + cc * v(1), cs * (v(0) - v(1)), v(2)};
   }
 
-  /// Turns strains (xx, yy, 2xy, zz) into the axes.
+  /// Returns the matrix that rotates strains (xx, yy, 2xy, zz) into the axes.
   Eigen::Matrix4d turn() const {
     const double cc = cosine * cosine, ss = sine * sine, cs = cosine * sine;
     Eigen::Matrix4d t = Eigen::Matrix4d::Identity();
@@ -37,12 +38,12 @@ struct PlaneAxes {
   }
 };
 
-/// ∂stress/∂strain of an isotropic answer: `normal`, ∂/∂(principal strains) of principal stresses in the order of
-/// PlaneAxes, and the turn of the axes in the plane, (σ1 - σ2)/(2 (ε1 - ε2)) (de Souza Neto, Perić & Owen 2008, app.
-/// A); by its limit where strains are as good as equal. `strain` are the values of `axes`.
+/// Returns ∂stress/∂strain of an isotropic response. `normal` is the derivative of principal stresses by principal
+/// strains, in the order of PlaneAxes; `strain` holds the values of `axes`. The rotation of the axes in the plane gives
+/// (σ1 - σ2)/(2 (ε1 - ε2)) (de Souza Neto, Perić & Owen 2008, app. A), or its limit for nearly equal strains.
 inline Eigen::Matrix4d isotropic_tangent(const PlaneAxes& axes, const Eigen::Vector3d& stress,
                                          const Eigen::Matrix3d& normal) {
-  constexpr double kEqual = 1e-7;  // of the greatest strain: nearer than this they turn as equal ones do
+  constexpr double kEqual = 1e-7;  // per greatest strain: nearer values count as equal
   const double gap = axes.values(0) - axes.values(1);
   Eigen::Matrix4d local = Eigen::Matrix4d::Zero();
   local.topLeftCorner<2, 2>() = normal.topLeftCorner<2, 2>();

@@ -1,4 +1,4 @@
-// Sides of the surfaces, which of them hold a trial stress, and the stress there.
+// Finds the sides of the surface that limit a trial stress, and the stress there.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/principal_return.hpp"
 
@@ -16,12 +16,12 @@
 namespace keyblock {
 namespace {
 
-/// A number with its derivatives by the three trial stresses and κ.
+/// Number with its derivatives by the three trial stresses and κ.
 using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
 template <class T>
 using PrincipalValues = std::array<T, 3>;
 
-// Of the stress at hand: what multipliers, order and limits may miss by rounding when sides are chosen.
+// Rounding error of multipliers, order and limits, per stress, allowed in the choice of sides.
 constexpr double kRoundOff = 1e-13;
 
 double value_of(double x) {
@@ -31,7 +31,7 @@ double value_of(const Dual& x) {
   return x.value();
 }
 
-/// κ over the strain of the change, at most 1, as a number of the kind asked for.
+/// Returns κ over the strain of the change, at most 1, as a T.
 template <class T>
 T share_of_change(const SurfaceOfKappa& surface, double kappa) {
   T share(kappa >= surface.strain ? 1.0 : kappa / surface.strain);
@@ -60,7 +60,7 @@ struct ValuesAt {
   }
 };
 
-// ---- planes in principal stresses: Tresca, Mohr-Coulomb, limits of tension
+// ---- planes in principal stresses: Tresca, Mohr–Coulomb, limits of tension
 
 template <class T>
 T passive_ratio(const T& angle) {
@@ -69,7 +69,7 @@ T passive_ratio(const T& angle) {
   return T((1.0 + sine) / (1.0 - sine));
 }
 
-/// k σi - σj ≤ f_c, flow m e_i - e_j; σi ≤ T, T at most the apex.
+/// Planes k σi - σj ≤ f_c with flow m e_i - e_j, and σi ≤ T with T at most the apex.
 template <class T>
 struct Planes {
   T ratio, flow, strength, tension;
@@ -88,13 +88,13 @@ struct Planes {
   T apex() const { return T(strength / (ratio - 1.0)); }
 };
 
-/// The shear side between two principal stresses, or the limit of one (`lesser` < 0).
+/// Shear side between two principal stresses, or the tension limit of one (`lesser` < 0).
 struct Side {
   int greater = 0;
   int lesser = -1;
 };
 
-/// Sides that hold a stress together, and what it then is.
+/// Sides that limit a stress together, and the region they form.
 struct Corner {
   std::array<Side, 3> sides;
   int count;
@@ -116,7 +116,7 @@ constexpr std::array<Corner, 8> kTensionCorners = {{
     {{{{0, 2}, {1, 2}, {0}}}, 3, YieldRegion::tension},
 }};
 
-/// Of a side: normal, D times its flow, and the limit.
+/// Normal of a side, D times its flow, and its limit.
 template <class T>
 struct SideAt {
   PrincipalValues<T> normal, relaxed;
@@ -149,7 +149,7 @@ T dot(const PrincipalValues<T>& a, const PrincipalValues<T>& b) {
   return T(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
-/// What the sides of a corner give way by, x.
+/// Returns the plastic multipliers x of the sides of a corner.
 Eigen::Vector3d multipliers(const Corner& corner, const PrincipalValues<double>& trial, const Planes<double>& p,
                             const Eigen::Matrix3d& d) {
   Eigen::Matrix3d system = Eigen::Matrix3d::Identity();
@@ -163,7 +163,7 @@ Eigen::Vector3d multipliers(const Corner& corner, const PrincipalValues<double>&
   return system.partialPivLu().solve(beyond);
 }
 
-/// The stress on one side or on two of them, before rounding is taken out of what they fix.
+/// Returns the stress on one or two sides, before rounding is removed from the values that they fix.
 template <class T>
 PrincipalValues<T> relaxed_onto(const Corner& corner, const PrincipalValues<T>& trial, const Planes<T>& p,
                                 const Eigen::Matrix3d& d) {
@@ -186,7 +186,8 @@ PrincipalValues<T> relaxed_onto(const Corner& corner, const PrincipalValues<T>& 
   return stress;
 }
 
-/// The stress in a corner: what its sides fix is set, not subtracted, so that it lies on them to the last digit.
+/// Returns the stress in a corner. The values fixed by its sides are set, not subtracted, so that it lies on them to
+/// the last digit.
 template <class T>
 PrincipalValues<T> land(const Corner& corner, const PrincipalValues<T>& trial, const Planes<T>& p,
                         const Eigen::Matrix3d& d) {
@@ -213,7 +214,7 @@ PrincipalValues<T> land(const Corner& corner, const PrincipalValues<T>& trial, c
 
 Corner shear_corner(const PrincipalValues<double>& trial, const Planes<double>& p, const Eigen::Matrix3d& d) {
   const PrincipalValues<double> plane = land(kPlane, trial, p, d);
-  // Two that are equal stay so: where the plane is hardly reached, rounding would choose which of them alone gives way.
+  // Equal stresses stay equal: near the plane, rounding would decide which of them alone is limited.
   const double equal = kRoundOff * std::max({std::abs(trial[0]), std::abs(trial[2]), p.strength});
   const bool upper = plane[0] < plane[1] || trial[0] - trial[1] <= equal;
   const bool lower = plane[1] < plane[2] || trial[1] - trial[2] <= equal;
@@ -230,7 +231,7 @@ Corner shear_corner(const PrincipalValues<double>& trial, const Planes<double>& 
   return kApex;
 }
 
-/// By how much a corner's stress breaks what makes it the one sought.
+/// Returns by how much a corner's stress violates the conditions of the solution.
 double fault_of(const Corner& corner, const PrincipalValues<double>& trial, const Planes<double>& p,
                 const Eigen::Matrix3d& d) {
   const PrincipalValues<double> s = land(corner, trial, p, d);
@@ -258,7 +259,7 @@ Corner corner_of(const PrincipalValues<double>& trial, const Planes<double>& p, 
   return *least;
 }
 
-// ---- cones: von Mises, Drucker-Prager, a limit of the mean stress
+// ---- cones: von Mises, Drucker–Prager, a limit of the mean stress
 
 template <class T>
 struct ConeAt {
@@ -305,7 +306,7 @@ T mean_of(const PrincipalValues<T>& s) {
   return T((s[0] + s[1] + s[2]) / 3.0);
 }
 
-/// √J2.
+/// Returns √J2.
 template <class T>
 T shear_of(const PrincipalValues<T>& s) {
   using std::sqrt;
@@ -315,7 +316,7 @@ T shear_of(const PrincipalValues<T>& s) {
 
 enum class ConePart { cone, apex, limit, rim };
 
-/// The deviator, without what rounding of a great mean leaves in its own.
+/// Returns the deviator, without the mean that rounding of a great mean leaves in it.
 template <class T>
 PrincipalValues<T> deviator_of(const PrincipalValues<T>& s) {
   const T mean = mean_of(s);
@@ -324,7 +325,7 @@ PrincipalValues<T> deviator_of(const PrincipalValues<T>& s) {
   return {T(d[0] - rest), T(d[1] - rest), T(d[2] - rest)};
 }
 
-/// The stress of this deviator's direction with √J2 and the mean given.
+/// Returns the stress of this deviator's direction with the given √J2 and mean.
 template <class T>
 PrincipalValues<T> with_shear(const PrincipalValues<T>& trial, const T& shear, const T& mean) {
   const T ratio = T(shear / shear_of(trial));
@@ -373,7 +374,7 @@ ConePart part_of(const PrincipalValues<double>& trial, const ConeAt<double>& con
   return shear > cone.strength - 3 * cone.slope * cone.tension ? ConePart::rim : ConePart::limit;
 }
 
-// ---- both
+// ---- planes and cones
 
 bool has_planes(const SurfaceOfKappa& surface) {
   return surface.strength.surface == YieldSurface::tresca || surface.strength.surface == YieldSurface::mohr_coulomb;

@@ -1,4 +1,4 @@
-// Angles by their tangents; see reduced_strength.hpp.
+// Scales angles by their tangents; see reduced_strength.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/reduced_strength.hpp"
 

@@ -1,4 +1,4 @@
-// Elastic strain from plastic strain, and back.
+// Converts between plastic and elastic strain.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/rock_point.hpp"
 
@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-// Of the energies at both ends: what their difference may be off by, and no more is to be made up for.
+// Rounding error of the difference of the energies at both ends, per energy; smaller differences are not corrected.
 constexpr double kRoundingOfState = 16 * std::numeric_limits<double>::epsilon();
 
 bool is_uniform(const CrackedResponse& r) {

@@ -1,4 +1,4 @@
-// Checks of strengths, and the plastic strain over which they change.
+// Checks strengths, and computes the plastic strain over which they change.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/strength.hpp"
 
@@ -24,7 +24,7 @@ bool has_friction(const Strength& strength) {
   return strength.surface == YieldSurface::mohr_coulomb || strength.surface == YieldSurface::drucker_prager;
 }
 
-/// The mean stress that the surface ends at, c cot φ of both; infinity without friction.
+/// Returns the mean stress at the apex, c cot φ for both surfaces; infinity without friction.
 double apex_of(const Strength& strength, const StrengthValues& values) {
   if (!has_friction(strength) || values.friction_deg == 0) return kInfinite;
   return values.cohesion / std::tan(values.friction_deg * std::numbers::pi / 180);
@@ -107,7 +107,7 @@ std::string why_unusable(const Strength& strength) {
   if (std::string why = why_not(strength, strength.values, "strength"); !why.empty()) return why;
   if (!strength.change) return {};
   const StrengthChange& change = *strength.change;
-  // Strength may fall to nothing.
+  // Strength may fall to zero.
   StrengthValues last = change.values;
   last.cohesion = last.cohesion == 0 ? strength.values.cohesion : last.cohesion;
   last.yield_stress = last.yield_stress == 0 ? strength.values.yield_stress : last.yield_stress;

@@ -1,4 +1,4 @@
-// The deviator and its determinant; see stress_invariants.hpp.
+// Computes the deviator and its determinant; see stress_invariants.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/stress_invariants.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace keyblock {
 
-// The quotient is made of the deviator over √J2, whose powers neither overflow nor vanish.
+// The quotient uses the deviator over √J2, whose powers neither overflow nor vanish.
 StressInvariants invariants_of(const Stress& stress) {
   StressInvariants found;
   found.mean = (stress.xx + stress.yy + stress.zz) / 3;

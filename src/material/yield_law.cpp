@@ -1,4 +1,4 @@
-// Axes of the trial stress, the plastic strain that a return asks for, and the tangent in the plane.
+// Finds the axes of the trial stress, the plastic strain of a return, and the tangent in the plane.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/yield_law.hpp"
 
@@ -15,11 +15,11 @@
 namespace keyblock {
 namespace {
 
-// Principal trial stresses nearer than this share of the greatest turn as equal ones do.
+// Difference of principal trial stresses, per greatest, below which they count as equal.
 constexpr double kEqualStresses = 1e-7;
-// Rounds of the bracketed searches; each halves the bracket at worst.
+// Bound on iterations of the bracketed searches; each at least halves the bracket.
 constexpr int kMostRounds = 200;
-// Of the stress at hand, what counts as no stress across the plane.
+// Stress across the plane, per stress, that counts as zero.
 constexpr double kNoStress = 1e-14;
 
 /// In-plane axes of a stress (xx, yy, xy, zz) and its principal values in falling order.
@@ -27,14 +27,14 @@ struct Axes : PlaneAxes {
   std::array<int, 3> sorted;  // indices of the values, greatest first
 
   explicit Axes(const Eigen::Vector4d& stress) : PlaneAxes(stress) {
-    // Equal ones in a fixed order: the first axis of the plane, zz, the second.
+    // Equal values keep a fixed order: the first axis of the plane, zz, the second.
     sorted = {0, 2, 1};
     std::stable_sort(sorted.begin(), sorted.end(), [&](int a, int b) { return values(a) > values(b); });
   }
 
   Eigen::Vector3d in_order() const { return {values(sorted[0]), values(sorted[1]), values(sorted[2])}; }
 
-  /// From sorted values to those of the first and second axis and zz.
+  /// Converts sorted values to those of the first and second axis and zz.
   Eigen::Vector3d back(const Eigen::Vector3d& principal) const {
     Eigen::Vector3d v;
     for (int i = 0; i < 3; ++i) v(sorted[static_cast<std::size_t>(i)]) = principal(i);
@@ -42,12 +42,12 @@ struct Axes : PlaneAxes {
   }
 };
 
-/// √(2/3) ‖dev ε‖ of a strain in principal axes (Hill 1950).
+/// Returns √(2/3) ‖dev ε‖ of a strain in principal axes (Hill 1950).
 double equivalent(const Eigen::Vector3d& strain) {
   return std::sqrt(2.0 / 3) * (strain.array() - strain.mean()).matrix().norm();
 }
 
-/// A return whose κ is that of its own plastic strain.
+/// Return whose κ equals that of its own plastic strain.
 struct Flow {
   const SurfaceOfKappa& surface;
   const Eigen::Matrix3d& modulus;     // in principal axes
@@ -60,10 +60,10 @@ struct Flow {
     return kappa - before - equivalent(compliance * (trial - stress));
   }
 
-  /// κ of the surface at the end: between nothing and what taking away the whole deviator would give, or beyond if
-  /// dilation does. Where strength does not change, that of the start.
+  /// Returns κ of the surface at the end. It lies between no flow and the loss of the whole deviator, or beyond under
+  /// dilation. If strength does not change, it is the initial κ.
   double kappa() const {
-    if (!surface.strength.change) return before;  // the surface does not ask
+    if (!surface.strength.change) return before;  // the surface does not depend on κ
     if (before >= surface.strain) return before - missing(before);
     double upper = before + std::max(-missing(before), equivalent(compliance * trial));
     for (int i = 0; i < kMostRounds && missing(upper) < 0; ++i) upper = before + 2 * (upper - before);
@@ -76,7 +76,7 @@ struct Flow {
     return std::abs(missing(bracket.first)) <= std::abs(missing(bracket.second)) ? bracket.first : bracket.second;
   }
 
-  /// ∂κ/∂trial, of g(κ, trial) = κ - κ0 - Δκ(C (trial - σ)) = 0.
+  /// Returns ∂κ/∂trial, of g(κ, trial) = κ - κ0 - Δκ(C (trial - σ)) = 0.
   Eigen::RowVector3d kappa_by_trial(const PrincipalReturn& back) const {
     const Eigen::Vector3d plastic = compliance * (trial - back.stress);
     const double size = equivalent(plastic);
@@ -101,7 +101,7 @@ Eigen::Matrix3d principal_compliance(const YieldLaw& law) {
   return c;
 }
 
-/// ∂stress/∂strain from that of sorted principal stresses by sorted trial stresses.
+/// Returns ∂stress/∂strain from the derivative of sorted principal stresses by sorted trial stresses.
 Eigen::Matrix4d tangent_of(const Axes& axes, const Eigen::Matrix3d& sorted_by_trial, const Eigen::Vector3d& landed,
                            const Eigen::Matrix3d& modulus, double shear) {
   Eigen::Matrix3d by_trial;
@@ -215,7 +215,7 @@ Response respond_plane_stress(const YieldLaw& law, const Eigen::Vector3d& increm
   const SurfaceOfKappa surface{law.strength, strain_of_change(law.strength, size)};
   const double strength = is_reachable(law.strength) ? surface_scale(surface, before.kappa) : 0;
   const double scale = std::max(elastic.cwiseAbs().maxCoeff(), strength);
-  // Stress across rises with the strain across: expand to a bracket, then Newton's steps inside it.
+  // Stress across rises with the strain across: expand to a bracket, then take Newton steps inside it.
   double low = across, high = across;
   double reach = std::max(std::abs(r.stress(3)), kNoStress * scale) / modulus(3, 3);
   const bool rising = r.stress(3) < 0;
