@@ -1,4 +1,4 @@
-// Point by point, the points of an element stacked into one product of matrices; see cover_elasticity.hpp.
+// Integrates point by point, with the points of an element stacked into one matrix product; see cover_elasticity.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/cover_elasticity.hpp"
 
@@ -13,9 +13,9 @@
 namespace keyblock {
 namespace {
 
-/// Points exact for the energy: E is of degree 2 (degree - 1). First-order functions need one, at the centroid, where a
-/// stress that changes with y has its mean; where a piece is small its centroid is lost in the round-off of moments
-/// about the middle of the triangle, and a sum over points has that mean, too.
+/// Returns points exact for the energy: E is of degree 2 (degree - 1). First-order functions need one, at the centroid,
+/// where a stress linear in y has its mean. The centroid of a small piece is lost in the round-off of moments about the
+/// middle of the triangle; there a sum over points has the same mean.
 std::vector<AreaPoint> points_of(const Manifold& manifold, int element, const ElementShape& shape) {
   const auto loops = manifold.polygon(manifold.elements[static_cast<std::size_t>(element)]);
   if (shape.degree > 1) return polygon_rule(loops, 4 * (shape.degree - 1));
@@ -25,7 +25,7 @@ std::vector<AreaPoint> points_of(const Manifold& manifold, int element, const El
   return {{shape.frame.origin + Point{size * moments(1), size * moments(2)}, moments(0)}};
 }
 
-/// Row a: (dx, dy) of function a of the element.
+/// Returns (dx, dy) of function a of the element in row a.
 Eigen::MatrixX2d unknowns_of(const ElementShape& shape, const Eigen::VectorXd& d) {
   Eigen::MatrixX2d own(shape.function_count(), 2);
   for (int a = 0; a < shape.function_count(); ++a)
@@ -33,8 +33,7 @@ Eigen::MatrixX2d unknowns_of(const ElementShape& shape, const Eigen::VectorXd& d
   return own;
 }
 
-/// `h` = H of each point, one below the other and transposed: Σ ∇N_a d_a. Sums as they stand: these matrices are too
-/// small
+/// Sets `h` to H = Σ ∇N_a d_a of each point, transposed, one below the other. Plain sums: the matrices are too small
 /// for blocked products, and `h` keeps its memory from one element to the next.
 void displacement_gradients(const Eigen::MatrixXd& gradients, std::span<const int> functions, const Eigen::VectorXd& d,
                             Eigen::MatrixX2d& h) {
@@ -48,7 +47,7 @@ void displacement_gradients(const Eigen::MatrixXd& gradients, std::span<const in
   }
 }
 
-/// `force` += ∇Nᵀ `flux`, by functions.
+/// Adds ∇Nᵀ `flux` to `force`, by functions.
 void add_flux(const Eigen::MatrixXd& gradients, std::span<const int> functions, const Eigen::MatrixX2d& flux,
               Eigen::VectorXd& force) {
   for (Eigen::Index a = 0; a < gradients.cols(); ++a) {
@@ -58,7 +57,7 @@ void add_flux(const Eigen::MatrixXd& gradients, std::span<const int> functions, 
   }
 }
 
-/// The 2 × 2 of a point in what displacement_gradients stacks.
+/// Returns the 2 × 2 matrix of a point stacked by displacement_gradients.
 Eigen::Matrix2d at_point(const Eigen::MatrixX2d& stacked, Eigen::Index point) {
   return stacked.middleRows<2>(2 * point).transpose();
 }
@@ -80,7 +79,7 @@ CoverElasticity::CoverElasticity(const Continuum& continuum, CoverBasis basis)
     gradient_.back().zz = start_stress(material, material.stress_gradient, 1, continuum.plane).zz - initial_.back().zz;
     share_across_.push_back(share_across(material, continuum.plane));
     const ElementShape shape = basis_.shape(e);
-    const bool yields = material.is_nonlinear();  // CoverYield's
+    const bool yields = material.is_nonlinear();  // left to CoverYield
     const std::vector<AreaPoint> points = yields ? std::vector<AreaPoint>() : points_of(continuum.manifold, e, shape);
     const auto count = static_cast<Eigen::Index>(points.size());
     Element& element = elements_.emplace_back();
@@ -174,7 +173,7 @@ void CoverElasticity::add_static_tangent(const Eigen::VectorXd& d, double scale,
   }
 }
 
-// Bᵀ D B with three columns of Bᵀ a point, ∇N S ∇N with two.
+// Bᵀ D B with three columns of Bᵀ per point, ∇N S ∇N with two.
 void CoverElasticity::add_element_tangent(int e, const Eigen::MatrixX2d& mean, double material, double geometric,
                                           Linearised& points, SparseSystem& system) const {
   const Element& element = elements_[static_cast<std::size_t>(e)];
@@ -199,7 +198,7 @@ void CoverElasticity::add_element_tangent(int e, const Eigen::MatrixX2d& mean, d
       stressed.block<2, 1>(2 * i, a) = geometry * ga;
     }
   }
-  // Blocked products cost more than they save where few points are summed.
+  // Blocked products cost more than they save for few points.
   constexpr Eigen::Index kFewPoints = 3;
   if (count <= kFewPoints) {
     tangent = b.lazyProduct(weighted);
@@ -244,7 +243,7 @@ Stress CoverElasticity::stress_of(const Eigen::Matrix2d& f, int element, Point a
   const Eigen::Vector3d initial = in_plane(start);
   const ElasticPoint point{own.law, own.modulus, Eigen::Map<const Eigen::Vector3d>(initial.data())};
   const Eigen::Matrix2d cauchy = f * stress_tensor(point.stress(green)) * f.transpose() / f.determinant();
-  // Across the plane nothing stretches under plane strain, and there is no stress under plane stress.
+  // There is no strain across the plane under plane strain, and no stress under plane stress.
   const Stress measured =
       with_across(point.stress_of_measure(green), start, share_across_[static_cast<std::size_t>(element)]);
   return {cauchy(0, 0), cauchy(1, 1), cauchy(0, 1), measured.zz / f.determinant()};

@@ -1,4 +1,4 @@
-// Products of functions, integrated monomial by monomial; see cover_inertia.hpp.
+// Integrates products of functions, monomial by monomial; see cover_inertia.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/cover_inertia.hpp"
 
@@ -7,7 +7,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double kSmallPiece = 0.01;  // of its triangle
+constexpr double kSmallPiece = 0.01;  // per area of its triangle
 
 Eigen::MatrixXd mass_by_points(const Continuum& continuum, int element, const ElementShape& shape) {
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(shape.function_count(), shape.function_count());
@@ -51,8 +51,8 @@ Eigen::MatrixXd cover_mass(const ElementShape& shape, const Eigen::VectorXd& mom
 }
 
 void add_cover_mass(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system) {
-  // Those of linear and quadratic covers are not: where a piece is too thin for them the mass says so, and the scene is
-  // refused. They would move by forces that no mass answers.
+  // Functions of linear and quadratic covers are dependent. If a piece is too thin for them, the mass shows it and the
+  // scene is refused: it would move by forces without mass.
   const bool are_independent =
       continuum.functions == CoverFunctions::constant || continuum.functions == CoverFunctions::derived;
   Eigen::MatrixXd both;

@@ -1,4 +1,4 @@
-// Quadrature of forces; see cover_loads.hpp.
+// Integrates forces by quadrature; see cover_loads.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/cover_loads.hpp"
 
@@ -16,7 +16,7 @@ bool has_body_force(const Continuum& continuum, int element) {
   return continuum.body_force || material.unit_weight != 0 || material.horizontal_force != 0;
 }
 
-/// Calls `visit(x, force)` with the shares of the body force on an element of this shape.
+/// Calls `visit(x, force)` with the contributions of the body force on an element of this shape.
 template <class Visit>
 void visit_area(const Continuum& continuum, int element, const ElementShape& shape, Visit visit) {
   if (!has_body_force(continuum, element)) return;
@@ -24,14 +24,14 @@ void visit_area(const Continuum& continuum, int element, const ElementShape& sha
     visit(p.at, p.weight * continuum.force_at(element, p.at));
 }
 
-/// The same of a traction on a side.
+/// Calls `visit(x, force)` with the contributions of a traction on a side.
 template <class Visit>
 void visit_side(const Traction& traction, const ElementSide& side, const ElementShape& shape, Visit visit) {
   for (const EdgePoint& p : edge_rule(side, shape, (shape.degree + 4) / 2))
     visit(p.at, p.weight * traction.force(p.at, side.normal()));
 }
 
-/// The shape of an element that is only integrated over.
+/// Returns a shape of this degree for integration only.
 ElementShape plain_shape(int degree) {
   return {degree, {}, {nullptr, 0, 0}, {}};
 }

@@ -1,4 +1,4 @@
-// Products with the mass matrix, summed body by body; see cover_rigid_motion.hpp.
+// Sums products with the mass matrix body by body; see cover_rigid_motion.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/cover_rigid_motion.hpp"
 

@@ -1,5 +1,4 @@
-// What bodies on covers are as a whole: mass, centre, rotary inertia, momenta, and the velocities of their rigid
-// motions.
+// Computes mass, centre, rotary inertia and momenta of NMM bodies, and the velocities of their rigid motions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,38 +11,38 @@
 
 namespace keyblock {
 
-/// Of one body.
+/// Rigid motion of one body.
 struct RigidMotion {
   double mass = 0;
-  Point centre;               ///< of mass, where it lies now
-  double rotary_inertia = 0;  ///< about it
+  Point centre;               ///< centre of mass, present position
+  double rotary_inertia = 0;  ///< about the centre
   Point momentum;
   double angular_momentum = 0;  ///< about the centre of mass
-  double kinetic_energy = 0;    ///< of all motion, not only of the rigid part
+  double kinetic_energy = 0;    ///< of all motion, including deformation
 };
 
-/// Positions are functions of the covers themselves, x = Σ N_a x_a with x_a = X_a + d_a: X_a is the node of a cover for
-/// its constant function, 0 for the others, in each kind of cover functions.
+/// Positions are functions of the covers, x = Σ N_a x_a with x_a = X_a + d_a. For each kind of cover functions, X_a is
+/// the node of a cover for its constant function and 0 for the others.
 class CoverRigidMotion {
  public:
-  /// `mass` as add_cover_mass makes it; kept as a copy.
+  /// `mass` as from add_cover_mass; stored as a copy.
   CoverRigidMotion(const Manifold& manifold, const CoverBasis& basis, SparseSystem mass);
 
   int body_count() const { return static_cast<int>(functions_.size()); }
-  /// Functions of each body, ascending: every function belongs to one body.
+  /// Returns the functions of each body, ascending; every function belongs to one body.
   const std::vector<std::vector<int>>& functions() const { return functions_; }
 
-  /// x_a of all functions at the start.
+  /// Returns x_a of all functions at the start.
   const Eigen::VectorXd& start() const { return start_; }
 
-  /// Of all bodies at positions d under velocities v.
+  /// Returns the motions of all bodies at positions d with velocities v.
   std::vector<RigidMotion> motions(const Eigen::VectorXd& d, const Eigen::VectorXd& v) const;
 
-  /// Velocities of the body's functions (rows as `functions`) in columns: 1 in x, 1 in y, 1 rad/time about `centre`, at
-  /// positions d.
+  /// Returns velocities of the body's functions (rows as `functions`) in columns: 1 in x, 1 in y, 1 rad/time about
+  /// `centre`, at positions d.
   Eigen::MatrixX3d modes(int body, const Eigen::VectorXd& d, Point centre) const;
 
-  /// Unknowns at which each body is turned by `angle` about the point, then moved.
+  /// Returns the unknowns after each body was rotated by `angle` about the point, then moved.
   Eigen::VectorXd turned(double angle, Point about, Point moved) const;
 
  private:

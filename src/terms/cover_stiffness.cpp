@@ -1,4 +1,4 @@
-// Products of gradients, integrated monomial by monomial; see cover_stiffness.hpp.
+// Integrates products of gradients, monomial by monomial; see cover_stiffness.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/cover_stiffness.hpp"
 
@@ -32,7 +32,7 @@ GradientProducts gradient_products(int degree, const LocalFrame& frame, const Ei
   return g;
 }
 
-/// ∫ Bᵀ D B of the products of the functions' gradients.
+/// Returns ∫ Bᵀ D B from the products of the functions' gradients.
 Eigen::MatrixXd stiffness_of(const GradientProducts& products, const Eigen::Matrix3d& modulus) {
   const auto& [xx, xy, yy] = products;
   const double d11 = modulus(0, 0);
@@ -52,7 +52,7 @@ Eigen::MatrixXd stiffness_of(const GradientProducts& products, const Eigen::Matr
   return stiffness;
 }
 
-/// By points: of functions that are no polynomials, and of pieces too small for moments.
+/// Returns the products summed over points, for near-tip functions and for pieces too small for moments.
 GradientProducts products_at_points(const Manifold& manifold, int element, const ElementShape& shape) {
   const Eigen::Index n = shape.function_count();
   GradientProducts sum{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};

@@ -1,4 +1,4 @@
-// Two products and two sums a body; see ghost_force.hpp.
+// Computes two products and two sums per body; see ghost_force.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/ghost_force.hpp"
 
@@ -22,7 +22,7 @@ Eigen::VectorXd ghost_force(const SparseSystem& ghost, const std::vector<std::ve
     }
     if (!(square > 0)) continue;
     const double turn =
-        std::clamp(moment / square, -1.0, 1.0);  // beyond: round-off over round-off, in a body that is affine
+        std::clamp(moment / square, -1.0, 1.0);  // beyond: quotient of round-off, in a body that is affine
     for (const int f : functions)
       force.segment<2>(2 * f) -= (theta - 0.5) * turn * Eigen::Vector2d(-of_mean(2 * f + 1), of_mean(2 * f));
   }

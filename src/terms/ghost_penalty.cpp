@@ -1,4 +1,4 @@
-// Differences of extended polynomials; see ghost_penalty.hpp.
+// Integrates differences of extended polynomials; see ghost_penalty.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/ghost_penalty.hpp"
 
@@ -12,7 +12,7 @@
 namespace keyblock {
 namespace {
 
-// An element that lacks less than this share of its triangle is as good as whole.
+// Share of its triangle below which a missing part of an element is ignored.
 constexpr double kWhole = 1e-10;
 
 bool is_cut(const Manifold& manifold, const ManifoldElement& element) {
@@ -36,8 +36,8 @@ std::vector<int> neighbours_of(const Manifold& manifold, const ManifoldElement& 
   return found;
 }
 
-/// Whether the element has near-tip functions and its triangle holds a tip, or has one on its edge: no polynomial goes
-/// on from there.
+/// Returns true if the element has near-tip functions and its triangle holds a tip, inside or on its edge. No
+/// polynomial extends from there.
 bool is_at_tip(const Manifold& manifold, const CoverBasis& basis, int element) {
   if (basis.shape(element).tip == nullptr) return false;
   const std::array<Point, 3> triangle = manifold.triangle(manifold.elements[static_cast<std::size_t>(element)]);

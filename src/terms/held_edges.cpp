@@ -1,4 +1,4 @@
-// Point by point along the edges; see held_edges.hpp.
+// Visits points along the edges; see held_edges.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/held_edges.hpp"
 
@@ -13,12 +13,12 @@
 namespace keyblock {
 namespace {
 
-constexpr double kSamePlace = 1e-9;  // of the extent: edges of two scenes are cut from the same lines
+constexpr double kSamePlace = 1e-9;  // per extent: edges of two scenes are cut from the same lines
 
-// Of the size of a triangle, the length of edges that a mean is taken over at least.
+// Least length of edges in a mean, per size of a triangle.
 constexpr double kStretch = 0.6;
 
-/// Whether a boundary edge runs through its triangle, not along a side of it.
+/// Returns true if a boundary edge runs through its triangle, not along a side of it.
 bool cuts_triangle(const Manifold& manifold, const ElementSide& side, double near) {
   const auto corners = manifold.triangle(manifold.elements[static_cast<std::size_t>(side.element)]);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -28,7 +28,7 @@ bool cuts_triangle(const Manifold& manifold, const ElementSide& side, double nea
   return true;
 }
 
-/// Takes edges of one body out of these that lie one after another on a straight line, in their order.
+/// Removes edges of one body that follow one another on a straight line from `sides`, and returns them in their order.
 std::vector<ElementSide> take_straight(const Manifold& manifold, std::vector<ElementSide>& sides, double near) {
   std::vector<ElementSide> straight{sides.back()};
   sides.pop_back();
@@ -123,13 +123,13 @@ void HeldEdges::add_points(const Sides& sides, const ElementSide& side) {
   }
 }
 
-// Springs of a mean are those of all that goes into it: ∫ k ψ.
+// The spring of a mean is the sum over its parts: ∫ k ψ.
 void HeldEdges::add_means(const Sides& sides, std::span<const ElementSide> straight) {
   const Point start = straight.front().edge.start, n = straight.front().normal();
   const Point along = straight.back().edge.end - start;
   const double all = length(along);
   std::vector<double> ends{0};  // of stretches
-  double held = 0;              // of the stretch at hand
+  double held = 0;              // of the present stretch
   for (const ElementSide& side : straight) {
     const double to = dot(side.edge.end - start, along) / all;
     held += length(side.edge.end - side.edge.start);

@@ -1,4 +1,5 @@
-// Edges of bodies on covers that are held or moved by stiff springs: for rock whose stress no formula knows.
+// Supports or moves edges of NMM bodies by stiff springs, for rock whose stress has no formula.
+// Theory: docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,47 +12,50 @@
 
 namespace keyblock {
 
-/// P of the held component at a boundary with this outward normal.
+/// Returns P of the fixed component at a boundary with this outward normal.
 Eigen::Matrix2d held_projector(Held held, Point normal);
 
-/// Springs along the boundary, k P (u - g) per length with k = c M/h: M the modulus against strain in one direction, h
-/// the size of the element's triangle, c that of `stabilisation` (penalty method; Babuška 1973). A support gives way by
-/// traction/k, 1e-4 of what the element does. g goes from `from` to `to` in the scene.
+/// Springs along the boundary, k P (u - g) per length with k = c M/h (penalty method; Babuška 1973). M is the modulus
+/// against strain in one direction, h the size of the element's triangle, c that of `stabilisation`. A support yields
+/// by traction/k, 1e-4 of the displacement of the element. g runs from `from` to `to` in the scene.
 ///
-/// Where an edge cuts triangles of constant functions, u there has a kink at every side that it crosses, and held
-/// point by point it would leave the covers of those triangles no flow: what is held are means of u, weighted by hats
-/// over stretches of at least 0.6 of a triangle's size each, or the whole edge where it is shorter (as multipliers on
-/// cut meshes are coarsened: Béchet, Moës & Wohlmuth 2009). Their force acts at the centroid of the hat.
+/// If an edge cuts triangles of constant functions, u has a kink at every side that it crosses. Fixed point by point,
+/// it would leave the covers of those triangles no plastic flow. The springs therefore act on means of u, weighted by
+/// hats. Each hat covers at least 0.6 of a triangle's size, or the whole edge if that is shorter. (Multipliers on cut
+/// meshes are coarsened in this way: Béchet, Moës & Wohlmuth 2009.) The force of a mean acts at the centroid of its
+/// hat.
 class HeldEdges {
  public:
   HeldEdges(const Continuum& continuum, const CoverBasis& basis);
 
-  /// The functions of each mean couple.
+  /// Adds the functions that each mean couples.
   void add_groups(FunctionGroups& groups) const;
 
-  /// Every edge begins where `before`, of the scene before, ended at the same place, and what was free where d has it.
+  /// Makes every edge begin where `before`, of the scene before, ended at the same place. Edges that were free begin at
+  /// d.
   void begin_after(const HeldEdges& before, const Eigen::VectorXd& d);
 
-  /// Where every edge began, (x, y) of one point after another.
+  /// Returns the start of every edge, (x, y) of one point after another.
   Eigen::VectorXd start() const;
   void set_start(const Eigen::VectorXd& start);
 
   void add_stiffness(SparseSystem& system) const;
-  /// ∫ k Tᵀ P g at this share of the way.
+  /// Returns ∫ k Tᵀ P g at this fraction of the motion.
   Eigen::VectorXd pull(double share, Eigen::Index size) const;
-  /// The mean of |P g| over the springs of each prescribed displacement, by their stiffness: length.
+  /// Returns the mean of |P g| over the springs of each prescribed displacement, weighted by stiffness [length].
   std::vector<double> driven(double share) const;
-  /// What each prescribed displacement exerts on the bodies, moments about the origin at undeformed places.
+  /// Returns the force of each prescribed displacement on the bodies, with moments about the origin at undeformed
+  /// places.
   std::vector<Resultant> reactions(const Eigen::VectorXd& d, double share) const;
 
  private:
-  /// A point, or a mean about one.
+  /// Point, or mean around one.
   struct HeldPoint {
-    std::size_t part = 0;  ///< in Continuum::prescribed
+    std::size_t part = 0;  ///< index into Continuum::prescribed
     Point at;
     std::vector<int> functions;
     Eigen::RowVectorXd values;
-    double stiffness = 0;  ///< k times the length it stands for
+    double stiffness = 0;  ///< k times the length of its part
     Eigen::Matrix2d projector;
     Eigen::Vector2d from = Eigen::Vector2d::Zero();
     Eigen::Vector2d to;
@@ -65,7 +69,7 @@ class HeldEdges {
   void add_means(const Sides& sides, std::span<const ElementSide> straight);
 
   std::size_t parts_ = 0;
-  double near_ = 0;  // of two scenes, points nearer than this are one
+  double near_ = 0;  // points of two scenes nearer than this are the same
   std::vector<HeldPoint> points_;
 };
 

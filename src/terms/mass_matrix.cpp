@@ -1,4 +1,4 @@
-// The displacement operator is linear in the place, so that area moments are all there is to integrate.
+// Integrates by area moments, because the displacement operator is linear in position.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/mass_matrix.hpp"
 

@@ -1,4 +1,4 @@
-// Edge by edge; see nitsche.hpp.
+// Integrates edge by edge; see nitsche.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/nitsche.hpp"
 
@@ -9,14 +9,14 @@
 namespace keyblock {
 namespace {
 
-/// σn = S σ.
+/// Returns the matrix S with σn = S σ.
 Eigen::Matrix<double, 2, 3> on_plane(Point n) {
   Eigen::Matrix<double, 2, 3> s;
   s << n.x, 0, n.y, 0, n.y, n.x;
   return s;
 }
 
-/// A support at one point of quadrature.
+/// Support at one quadrature point.
 struct HeldPoint {
   Point at;
   double weight = 0;
@@ -27,7 +27,7 @@ struct HeldPoint {
   Eigen::Vector2d initial;    ///< traction of the initial stress
 };
 
-// Near-tip functions go on in no neighbour where they are cut small: no penalty is enough against their stress there.
+// Near-tip functions of small pieces extend into no neighbour, so no penalty is large enough for their stress there.
 bool knows_its_stress(const Continuum& continuum, const ElementShape& shape, int element) {
   return !continuum.material(element).is_nonlinear() && shape.tip == nullptr;
 }

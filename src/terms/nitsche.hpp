@@ -1,4 +1,5 @@
-// Prescribed displacement of a boundary that no mesh follows, by Nitsche's method.
+// Prescribes displacements of a boundary that no mesh follows, by Nitsche's method.
+// Theory: docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,16 +8,17 @@
 
 namespace keyblock {
 
-/// a(u, v) - ∫ σ(u)n·Pv - ∫ σ(v)n·P(u - g) + β ∫ P(u - g)·v with β = c (degree)² M/h (Nitsche 1971): P leaves the held
-/// component, σ includes the initial stress, M is the modulus against strain in one direction, h the size of the
-/// element's triangle, c that of `stabilisation`. Consistent and symmetric; no unknown is added. Of rock that may yield
-/// or has cracks, whose stress no formula knows, and of elements with near-tip functions the terms of σ(u) are left out
-/// and β is that of HeldEdges.
+/// Adds a(u, v) - ∫ σ(u)n·Pv - ∫ σ(v)n·P(u - g) + β ∫ P(u - g)·v with β = c (degree)² M/h (Nitsche 1971).
+///
+/// P selects the fixed component, σ includes the initial stress, M is the modulus against strain in one direction. h is
+/// the size of the element's triangle, c that of `stabilisation`. The method is consistent and symmetric, and adds no
+/// unknown. For elastoplastic or cracked rock, whose stress has no formula, and for elements with near-tip functions
+/// the terms of σ(u) are left out; β is then that of HeldEdges.
 void add_prescribed(const Continuum& continuum, const CoverBasis& basis, const PrescribedDisplacement& prescribed,
                     SparseSystem& system);
 
-/// What the support exerts on the body, ∫ Pσn - βP(u - g), from the solution `unknowns`: with it the forces on each
-/// body and their moments balance to round-off.
+/// Returns the force of the support on the body, ∫ Pσn - βP(u - g), from the solution `unknowns`. With it, forces on
+/// each body and their moments balance to round-off.
 Resultant reaction_of(const Continuum& continuum, const CoverBasis& basis, const PrescribedDisplacement& prescribed,
                       const Eigen::VectorXd& unknowns);
 

@@ -1,4 +1,4 @@
-// The two constants that make cut elements and held boundaries harmless, for each kind of cover functions.
+// Defines the constants that stabilise cut elements and fixed boundaries, for each kind of cover functions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,10 +11,12 @@ struct Stabilisation {
   double nitsche = 0;  ///< c in c (degree)² M / h
 };
 
-/// Too little makes the matrix indefinite, more costs accuracy: 5 to 20 % of the error for c 50 instead of 20. What
-/// binds is a corner held on both sides and cut small along one or both: with these constants none of 240 such meshes
-/// (cuts from 0.5 to 1e-8 of a side) and none of 100 turned at random was indefinite; with (0.15, 50), (0.05, 40) and
-/// (0.07, 50) for constant, linear and quadratic functions 108 of the 240 were.
+/// Returns the constants for a kind of functions. Lower values make the matrix indefinite, higher ones cost accuracy: c
+/// 50 instead of 20 adds 5 to 20 % to the error.
+///
+/// The worst case is a corner fixed on both sides and cut small along one or both. With these constants none of 240
+/// such meshes (cuts from 0.5 to 1e-8 of a side) and of 100 rotated at random was indefinite. With (0.15, 50), (0.05,
+/// 40) and (0.07, 50) for constant, linear and quadratic functions 108 of the 240 were.
 constexpr Stabilisation stabilisation(CoverFunctions functions) {
   switch (functions) {
     case CoverFunctions::constant:
@@ -29,7 +31,7 @@ constexpr Stabilisation stabilisation(CoverFunctions functions) {
   return {};
 }
 
-/// c of the springs along held edges of rock that may yield (held_edges): over the stiffness of the elements.
+/// c of the springs along fixed edges of elastoplastic rock (held_edges), relative to the stiffness of the elements.
 inline constexpr double kHeldSprings = 1e4;
 
 }  // namespace keyblock

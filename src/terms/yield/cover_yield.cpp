@@ -1,4 +1,4 @@
-// Point by point; see cover_yield.hpp.
+// Integrates point by point; see cover_yield.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/yield/cover_yield.hpp"
 
@@ -98,7 +98,7 @@ double CoverYield::weight_of(const YieldPoint& point, const Way& way) const {
   return way.theta + (way.more.empty() ? 0 : way.more[static_cast<std::size_t>(point.element)]);
 }
 
-// A stress of damping follows the strain, whatever of it is plastic.
+// A stress of damping follows the total strain, plastic or not.
 Eigen::Vector3d CoverYield::mean_stress(const YieldPoint& point, const Way& way, const Eigen::Vector3d& log0,
                                         const Eigen::Vector3d& log1, const YieldState& before,
                                         const Response& end) const {
@@ -129,7 +129,7 @@ Eigen::VectorXd CoverYield::force_of_step(const Way& way) const {
   return force;
 }
 
-// Made symmetric: P is taken at the mean strain, which moves by half of what the end does, and F1 is F_half.
+// Made symmetric: P is taken at the mean strain, which moves by half of the change of the end, and F1 is F_half.
 void CoverYield::add_tangent_of_step(const Way& way, SparseSystem& system, WholeSystem* whole) const {
   const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
   for (std::size_t i = 0; i < points_.size(); ++i) {

@@ -1,4 +1,5 @@
-// Rock on covers that may yield or has cracks: forces, tangents and energy of its points.
+// Computes forces, tangents and energy of elastoplastic or cracked rock on covers at its points.
+// Theory: docs/theory/09-plasticity.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,29 +13,29 @@ namespace keyblock {
 
 /// Forces, tangents, energy and stress of the rock of these points.
 ///
-/// Strain is ½ ln C in the axes of the undeformed body, additive there (Miehe, Apel & Lambrecht 2002); S = Pᵀ T with
-/// P = ∂(½ ln C)/∂E.
+/// Strain is ½ ln C in the axes of the undeformed body, where it is additive (Miehe, Apel & Lambrecht 2002). S = Pᵀ T
+/// with P = ∂(½ ln C)/∂E.
 class CoverYield : public YieldPoints {
  public:
   using YieldPoints::YieldPoints;
 
-  /// Bodies at rest at d, when all points had the memories `before`.
+  /// Static forces of bodies at d, for points with the memories `before`.
   struct Answer {
     Eigen::VectorXd force;  ///< ∫ ∇N · F S
     YieldStates after;
-    /// False where a point's area is none or less, for ½ ln C does not tell it from its mirror image, or where its law
-    /// found no stress: force and memories are then of no use.
+    /// False if a point's area is not positive, because ½ ln C does not distinguish it from its mirror image, or if its
+    /// law found no stress. Force and memories are then invalid.
     bool exists = true;
   };
   Answer answer(const Eigen::VectorXd& d, const YieldStates& before) const;
 
-  /// A += ∂force/∂d; not symmetric where flow is not normal to the surface. `elastic_share`: of the elastic stiffness
-  /// in place of as much of the law's tangent, for stress in a corner of the surface, which no strain changes.
+  /// Adds ∂force/∂d to A; not symmetric if flow is not normal to the surface. `elastic_share` replaces that share of
+  /// the law's tangent by the elastic stiffness, for stress in a corner of the surface, which no strain changes.
   void add_tangent(const Eigen::VectorXd& d, const YieldStates& before, double elastic_share,
                    WholeSystem& system) const;
 
-  /// A step from d0, where points have the memories `before`, to d1. `theta` as CoverElasticity has it, and `more` of
-  /// every element.
+  /// Step from d0, where points have the memories `before`, to d1. `theta` and `more` per element as in
+  /// CoverElasticity.
   struct Way {
     const Eigen::VectorXd& d0;
     const YieldStates& before;
@@ -42,26 +43,27 @@ class CoverYield : public YieldPoints {
     double theta = 1;
     std::span<const double> more = {};
   };
-  /// The force of a step, ∫ ∇N · S F_halfᵀ, whose work is (1 - θ) T0 · Δε + θ T1 · Δε, T0 the stress at d0, T1 that of
-  /// the law at d1 (`log_step_stress`), with what cracks that close in between lack (`RockPoint::missing_stress`): the
-  /// change of the energy stored, the plastic work, and a rest that vanishes with the step. Not finite where there is
-  /// none (`Answer::exists`).
+  /// Returns the force of a step, ∫ ∇N · S F_halfᵀ, whose work is (1 - θ) T0 · Δε + θ T1 · Δε. T0 is the stress at d0,
+  /// T1 that of the law at d1 (`log_step_stress`); `RockPoint::missing_stress` is added for cracks that close in
+  /// between. The work is the change of stored energy, plus the plastic work, plus a rest that vanishes with the step.
+  /// Not finite if there is no stress (`Answer::exists`).
   Eigen::VectorXd force_of_step(const Way& way) const;
-  /// A += ∂force_of_step/∂d1, made symmetric, as CoverElasticity::add_tangent; `whole`, if there is one, takes the
-  /// exact derivative of points whose law has a tangent that is not symmetric in place of that.
+  /// Adds ∂force_of_step/∂d1 to A, made symmetric, as CoverElasticity::add_tangent does. If `whole` is given, points
+  /// whose law has an unsymmetric tangent add their exact derivative to it instead.
   void add_tangent_of_step(const Way& way, SparseSystem& system, WholeSystem* whole = nullptr) const;
 
-  /// Of the stress of damping, `more` D Δε, over a step.
+  /// Returns the work of the stress of damping, `more` D Δε, over a step.
   double damping_work(const Eigen::VectorXd& d0, const Eigen::VectorXd& d1, std::span<const double> more) const;
 
-  /// Memories at d, of points that had those of `before`; these where there is no answer at d.
+  /// Returns the memories at d of points that had those of `before`; returns `before` if there is no response at d.
   YieldStates after(const Eigen::VectorXd& d, const YieldStates& before) const;
-  /// ∫ ½ εᵉ · D εᵉ, or W of cracks, less that of the initial stress.
+  /// Returns ∫ ½ εᵉ · D εᵉ, or W of cracks, minus that of the initial stress.
   double stored(const Eigen::VectorXd& d, const YieldStates& states) const;
-  /// ∫ T1 · Δεᵖ, by the stress at the end, which for associated flow is never negative.
+  /// Returns ∫ T1 · Δεᵖ, with the stress at the end; never negative for associated flow.
   double plastic_work(const Eigen::VectorXd& d, const YieldStates& before, const YieldStates& after) const;
 
-  /// Cauchy stress of an element at X: the mean of the covers' points, weighted by λ; else of the element's points.
+  /// Returns the Cauchy stress of an element at X: the mean of the covers' points, weighted by λ, or else that of the
+  /// element's points.
   Stress stress(const Eigen::VectorXd& d, const YieldStates& states, int element, Point at_start) const;
 
  private:
@@ -71,8 +73,8 @@ class CoverYield : public YieldPoints {
   double weight_of(const YieldPoint& point, const Way& way) const;
   void add_force(const YieldPoint& point, const Eigen::Matrix2d& f, const Eigen::Vector3d& second,
                  Eigen::VectorXd& force) const;
-  /// Of a force with F and S that moves with the stiffness ∂S/∂E, where E does so as at F `of_strain`; the change of F
-  /// is `share` of that of the deformation.
+  /// Returns the tangent of a force with F and S whose stiffness is ∂S/∂E, with E taken at F `of_strain`. The change of
+  /// F is `share` of that of the deformation.
   static Eigen::MatrixXd tangent_at(const YieldPoint& point, const Eigen::Matrix2d& f, const Eigen::Matrix2d& of_strain,
                                     const Eigen::Matrix3d& stiffness, const Eigen::Vector3d& second, double share = 1);
 };

@@ -1,4 +1,4 @@
-// Covers gather the gradients of their elements; see yield_points.hpp.
+// Gathers gradients of elements at covers; see yield_points.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/yield/yield_points.hpp"
 
@@ -21,18 +21,19 @@ Eigen::Vector4d vector_of(const Stress& s) {
   return {s.xx, s.yy, s.xy, s.zz};
 }
 
-/// What the star of a cover adds up to.
+/// Sums over the star of a cover.
 struct Gathered {
-  std::map<int, Eigen::Vector2d> gradients;           // ∫ λ ∇N of each function
+  std::map<int, Eigen::Vector2d> gradients;           // ∫ λ ∇N per function
   double area = 0;                                    // ∫ λ
   Eigen::Vector4d initial = Eigen::Vector4d::Zero();  // stress
   std::size_t law = 0;
   int element = 0;
 };
 
-constexpr double kRounding = 1e-9;  // of weights, which sum to 1
-// Of a triangle: a smaller piece of it has a point of its own. Averages over covers see only the square of its area, so
-// that forces on it would move it far: the corner of Cook's membrane went 8 to 22 % too far on turned meshes.
+constexpr double kRounding = 1e-9;  // per weight; weights sum to 1
+// Share of its triangle below which a piece has a point of its own. Averages over covers see only the square of its
+// area, so that forces on it would move it too far. The corner of Cook's membrane went 8 to 22 % too far on rotated
+// meshes.
 constexpr double kSmallPiece = 0.2;
 
 bool averages_miss(const Manifold& manifold, int e) {

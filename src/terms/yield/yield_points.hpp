@@ -1,4 +1,5 @@
-// Points of integration of rock on covers that may yield or has cracks: where they are, and what they remember.
+// Holds the integration points of elastoplastic or cracked rock on covers, and their memories.
+// Theory: docs/theory/09-plasticity.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,49 +16,50 @@
 
 namespace keyblock {
 
-/// The memories of all points of YieldPoints.
+/// Memories of all points of YieldPoints.
 using YieldStates = std::vector<YieldState>;
 
-/// Of elements whose material has a strength or cracks that close. With constant functions a point is a physical cover,
-/// its gradient of deformation the mean over the cover's star weighted by λ_i, ∇N̄_a = ∫ λ_i ∇N_a / ∫ λ_i (Dohrmann et
-/// al. 2000; Liu et al. 2009): elements with gradients of their own lock when they flow at constant volume. Small
-/// pieces of triangles at the rim of a body are no part of that and have points of their own. With other functions
-/// points are those of integration of the elements.
+/// Points of elements whose material has a strength or cracks that close.
+///
+/// With constant functions a point is a physical cover. Its deformation gradient is the mean over the cover's star
+/// weighted by λ_i, ∇N̄_a = ∫ λ_i ∇N_a / ∫ λ_i (Dohrmann et al. 2000; Liu et al. 2009). Elements with gradients of
+/// their own lock in flow at constant volume. Small pieces of triangles at the edge of a body take no part in that and
+/// have points of their own. With other functions points are the integration points of the elements.
 class YieldPoints {
  public:
   YieldPoints(const Continuum& continuum, const CoverBasis& basis);
 
   bool is_empty() const { return points_.empty(); }
   int point_count() const { return static_cast<int>(points_.size()); }
-  /// Functions of points whose law has a tangent that is not symmetric.
+  /// Returns the functions of points whose law has an unsymmetric tangent.
   std::set<int> functions_of_whole_tangents() const;
-  /// The functions of each point couple.
+  /// Adds the functions that each point couples.
   void add_groups(FunctionGroups& groups) const;
 
-  /// Memories before any displacement: the elastic strain of the initial stress.
+  /// Returns the memories before any displacement: the elastic strain of the initial stress.
   YieldStates start() const;
 
-  /// Puts into `states` the memories that an element had as the element `was` of `before`, of the same triangle.
+  /// Copies to `states` the memories that an element had as the element `was` of `before`, which has the same triangle.
   void carry(int element, const YieldPoints& before, int was, const YieldStates& from, YieldStates& states) const;
 
-  /// What rock remembered at a point of an element, of which there is `area`.
+  /// Memory of rock at a point of an element, with its `area`.
   struct Remembered {
     Point at;
     double area = 0;
     YieldState memory;
   };
-  /// The means of plastic strain and κ over points of every element, as a point's function weighs them, and the region
-  /// of most of them (`MeanMemory`): of the mesh before, whatever it was.
+  /// Returns, for every point, the means of plastic strain and κ over remembered points, weighted by the point's
+  /// function, and the region of most of them (`MeanMemory`). The memories may come from any earlier mesh.
   YieldStates gathered(std::span<const std::vector<Remembered>> of_elements) const;
-  /// The mean at X, as `stress` has it (`MeanMemory`); nothing of an element that cannot yield.
+  /// Returns the mean at X, weighted as `stress` is (`MeanMemory`); an empty memory if the element cannot yield.
   YieldState memory(const YieldStates& states, int element, Point at_start) const;
 
-  /// The same in the axes of the plane, for an element turned by `angle` (rad).
+  /// Returns the memory in the axes of the plane, for an element rotated by `angle` [rad].
   PlasticState plastic_state(const YieldStates& states, int element, Point at_start, double angle) const;
-  /// The areas of all points that may yield.
+  /// Adds the areas of all points that may yield.
   void add_totals(const YieldStates& states, PlasticTotals& totals) const;
 
-  /// Of every point of a material √area, and an element it belongs to.
+  /// √area of a point of a material, and an element of the point.
   struct Extent {
     double size = 0;
     int element = 0;
@@ -70,9 +72,9 @@ class YieldPoints {
     Eigen::Matrix2Xd gradients;  // of the functions
     RockPoint rock;
     std::size_t law = 0;  // number of the material
-    int element = 0;      // one of its body
+    int element = 0;      // an element of its body
   };
-  /// A point of an element, and what of it goes into its mean at X.
+  /// Point of an element, with its weight in the average at X.
   struct Share {
     std::size_t point = 0;
     double weight = 0;
@@ -83,11 +85,11 @@ class YieldPoints {
   CoverBasis basis_;
   Plane plane_;
   bool averages_ = false;
-  std::vector<std::shared_ptr<const YieldLaw>> laws_;  // one a material
+  std::vector<std::shared_ptr<const YieldLaw>> laws_;  // one per material
   std::vector<Eigen::Matrix3d> elastic_;               // its modulus in the plane
   std::vector<YieldPoint> points_;
-  std::vector<bool> has_own_;                         // of elements where averaged: points that no cover shares
-  std::vector<std::vector<std::size_t>> of_element_;  // its points, in the order of its functions where averaged
+  std::vector<bool> has_own_;                         // per element if averaged: it has points that no cover shares
+  std::vector<std::vector<std::size_t>> of_element_;  // its points, in the order of its functions if averaged
 
  private:
   void add_averaged(const Continuum& continuum, const CoverBasis& basis);
