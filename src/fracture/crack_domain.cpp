@@ -1,4 +1,4 @@
-// Circles by distance, levels by shared covers; see crack_domain.hpp.
+// Builds circles by distance and levels by shared covers; see crack_domain.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/crack_domain.hpp"
 
@@ -16,11 +16,11 @@
 namespace keyblock {
 namespace {
 
-// Of the room about a tip: a domain that comes nearer to what is in the way is no longer one of a straight crack alone.
+// Share of the room around a tip up to which a domain holds a straight crack and nothing else.
 constexpr double kShareOfRoom = 0.95;
 
-// Of the size of an element: how far ahead of the tip the element is sought that the crack would go on in, and how near
-// a point on a side is to both elements.
+// Distances per size of an element. The first is how far ahead of the tip the next element of the crack is looked for.
+// The second is how near to a side a point belongs to both elements.
 constexpr double kAheadOfTip = 1e-6;
 constexpr double kOnSide = 1e-9;
 
@@ -38,7 +38,7 @@ double farthest_distance(const std::vector<Point>& loop, Point p) {
   return most;
 }
 
-/// Gradients of the three functions that are 1 at one corner and 0 at the others.
+/// Returns the gradients of the three functions that are 1 at one corner and 0 at the others.
 std::array<Point, 3> gradients_of(const std::array<Point, 3>& t) {
   const double twice = cross(t[1] - t[0], t[2] - t[0]);
   std::array<Point, 3> gradients;
@@ -72,7 +72,7 @@ void CrackDomain::take_circle() {
       elements_.push_back(static_cast<int>(e));
 }
 
-// A node may lie on the tip: all elements about it hold the tip then, and one of them the way ahead.
+// A node may lie on the tip: all elements around it then hold the tip, and one of them lies ahead.
 std::vector<char> CrackDomain::elements_at_tip() const {
   std::vector<char> has_tip(manifold_.elements.size(), 0);
   for (std::size_t e = 0; e < has_tip.size(); ++e) {
@@ -100,7 +100,7 @@ std::vector<char> CrackDomain::elements_at_nearest_cover() const {
   return has_tip;
 }
 
-// Of level 0, elements with the tip, all covers have 1; of each further level likewise, but for the last.
+// All covers of level 0, elements with the tip, have q = 1; so have those of further levels except the last.
 void CrackDomain::take_levels(std::vector<char> has_tip) {
   is_one_.assign(manifold_.covers.size(), 0);
   std::vector<char> is_in = std::move(has_tip);

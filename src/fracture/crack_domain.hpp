@@ -1,4 +1,5 @@
-// The parts of a body about a crack tip that integrals of its stress intensity are taken over.
+// Chooses the parts of a body around a crack tip over which integrals of stress intensity are taken.
+// Theory: docs/theory/10-fracture.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,34 +12,35 @@
 namespace keyblock {
 
 enum class DomainKind {
-  circle,          ///< between two radii about the tip
-  element_levels,  ///< levels of elements around the one that the crack would go on in, two where it runs along a side
+  circle,          ///< between two radii around the tip
+  element_levels,  ///< levels of elements around the one ahead of the crack, two if it runs along a side
   node_levels,     ///< levels of elements around the cover nearest to the tip
 };
 
 struct DomainChoice {
   DomainKind kind = DomainKind::circle;
-  double inner = 0;  ///< radii of a circle, length; 0 ≤ inner < outer
+  double inner = 0;  ///< radii of a circle [length]; 0 ≤ inner < outer
   double outer = 0;
   int levels = 0;  ///< at least 1
 };
 
-/// In words, for tables: "circle 0.1 to 0.3", "2 levels about the tip element".
+/// Returns the choice in words, for tables: "circle 0.1 to 0.3", "2 levels about the tip element".
 std::string name_of(const DomainChoice& choice);
 
-/// A weight q that is 1 at the tip and 0 at the rim: of a circle 1 - t³ (10 - 15 t + 6 t²), t = (r - inner) / (outer -
-/// inner); of levels linear in each element between values of covers, 1 but for the last level. Views the manifold.
+/// Weight q that is 1 at the tip and 0 at the edge of the domain. In a circle it is 1 - t³ (10 - 15 t + 6 t²), t = (r -
+/// inner) / (outer - inner). In levels it is linear in each element between values of covers, and 1 except in the last
+/// level. Keeps a reference to the manifold.
 class CrackDomain {
  public:
   CrackDomain(const Manifold& manifold, const CrackTip& tip, const DomainChoice& choice);
 
-  /// Where it is not of one piece of rock with a straight crack in it: what is in the way; else nothing.
+  /// Returns the obstacle in a domain that is not one piece of rock with a straight crack in it; otherwise nothing.
   std::optional<std::string> obstacle() const;
-  /// Elements in which q is not 0, ascending.
+  /// Returns the elements in which q is not 0, ascending.
   const std::vector<int>& elements() const { return elements_; }
   double weight(int element, Point x) const;
   Point gradient(int element, Point x) const;
-  /// The farthest point from the tip at which q may differ from 0.
+  /// Returns the greatest distance from the tip at which q may differ from 0.
   double reach() const { return reach_; }
 
  private:
@@ -51,7 +53,7 @@ class CrackDomain {
   CrackTip tip_;
   DomainChoice choice_;
   std::vector<int> elements_;
-  std::vector<char> is_one_;  // q of each cover, of levels
+  std::vector<char> is_one_;  // per cover: q is 1, in levels
   double reach_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Edge by edge, where its box meets that of a piece; see crack_faces.hpp.
+// Compares each edge with the pieces whose boxes it meets; see crack_faces.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/crack_faces.hpp"
 
@@ -12,10 +12,10 @@
 namespace keyblock {
 namespace {
 
-// Of the length of a piece: how far beside it an end may lie, by the round-off of cutting.
+// Distance of an end from a piece, per length of the piece, that counts as round-off of cutting.
 constexpr double kBeside = 1e-9;
 
-/// Whether the edge runs forward along the piece; none where it does not lie on it.
+/// Returns true if the edge runs forward along the piece, false if backward, nothing if it does not lie on the piece.
 std::optional<bool> runs_along(Point from, Point to, Point start, Point end) {
   const Point way = to - from;
   const double size = length(way);
@@ -64,7 +64,7 @@ std::vector<CrackFrame> with_faces(std::span<const CrackPlan> cracks, const std:
         edges.push_back({&loop[i], &loop[(i + 1) % loop.size()]});
         boxes.push_back(box_of(loop[i].position, edges.back()[1]->position));
       }
-  std::vector<std::vector<std::pair<std::size_t, bool>>> along(cracks.size());  // edges, and whether they run forward
+  std::vector<std::vector<std::pair<std::size_t, bool>>> along(cracks.size());  // edges, each true if it runs forward
   visit_touching(boxes, reach, [&](int i, int j) {
     const auto piece = static_cast<std::size_t>(i), other = static_cast<std::size_t>(j);
     if (piece >= pieces.size()) return false;

@@ -1,4 +1,4 @@
-// The faces of cracks among the edges of elements.
+// Finds the faces of cracks among the edges of elements.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// The cracks with the edges of elements that lie along each, in the order of the elements.
+/// Returns the cracks with the edges of elements along each, in the order of the elements.
 std::vector<CrackFrame> with_faces(std::span<const CrackPlan> cracks, const std::vector<FieldElement>& elements);
 
 }  // namespace keyblock

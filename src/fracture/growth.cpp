@@ -1,4 +1,4 @@
-// Ratios to toughness, directions, and the nearest line ahead; see growth.hpp.
+// Compares ratios to toughness, and finds directions and the nearest line ahead; see growth.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/growth.hpp"
 
@@ -13,10 +13,10 @@
 namespace keyblock {
 namespace {
 
-// Of the greatest K_eq over toughness: tips that go on together.
+// Difference of K_eq over toughness, per greatest, within which tips propagate together.
 constexpr double kTies = 0.01;
-// Of an increment: what would be left before a line is cut through (fracture recipes, several authors: a tip so near to
-// a boundary has no field of its own).
+// Distance to a line, per increment, below which the line is cut through. A tip so near to a boundary has no field of
+// its own (fracture recipes, several authors).
 constexpr double kLeftBefore = 0.25;
 
 double length_of(const std::vector<Point>& chain) {
@@ -25,7 +25,7 @@ double length_of(const std::vector<Point>& chain) {
   return sum;
 }
 
-/// Where a ray from `from` meets a segment, as a distance along it; infinity: nowhere.
+/// Returns where a ray from `from` meets a segment, as a distance along the ray; infinity if nowhere.
 double station_on(Point from, Point direction, const Segment& line) {
   const Point along = line.end - line.start;
   const double parallel = cross(direction, along);
@@ -38,10 +38,10 @@ double station_on(Point from, Point direction, const Segment& line) {
 
 // Cosine of the widest angle at which another tip lies ahead.
 constexpr double kAhead = 0.7;
-// Of the distance to a point: how far behind the tip it may lie, where the crack itself does.
+// Distance behind the tip, per distance to a point, up to which the point is not behind; the crack itself lies there.
 constexpr double kBehind = 0.5;
 
-/// The boundary edges of bodies, cracks and joints.
+/// Calls `visit` with the boundary edges of bodies, cracks and joints.
 template <class Visit>
 void visit_boundary(const Manifold& manifold, const Visit& visit) {
   for (const BoundaryEdge& edge : manifold.boundary_edges) {
@@ -92,7 +92,7 @@ void put_factors(TipState& state, const CoverSolution& solution, GrowthCriterion
       solution.continuum.material(std::max(0, element_of(solution.continuum.manifold, tip)));
   if (material.toughness) state.toughness = material.toughness->mode_1;
   std::optional<TipFactors> factors;
-  if (!material.is_nonlinear()) factors = tip_factors(solution, tip);  // the integrals are those of elastic rock
+  if (!material.is_nonlinear()) factors = tip_factors(solution, tip);  // the integrals hold for elastic rock only
   state.has_room = factors.has_value();
   if (!factors) return;
   state.mode_1 = factors->k.mode_1;

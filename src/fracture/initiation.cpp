@@ -1,4 +1,4 @@
-// Discs of elements about each element; see initiation.hpp.
+// Averages stress over discs of elements around each element; see initiation.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/initiation.hpp"
 
@@ -18,9 +18,9 @@
 namespace keyblock {
 namespace {
 
-constexpr double kStartsTogether = 0.01;  // of the greatest nearness: those that start together
+constexpr double kStartsTogether = 0.01;  // per greatest nearness: range of starts that happen together
 constexpr double kApart = 4;              // discs: starts nearer to each other are one
-constexpr double kFreeOfTips = 2;         // discs about a start without a tip
+constexpr double kFreeOfTips = 2;         // discs around a start without a tip
 constexpr int kDegree = 2;                // of the stress in an element
 
 class Starts {
@@ -82,13 +82,13 @@ class Starts {
     return other && (!start || other->nearness() > start->nearness()) ? other : start;
   }
 
-  /// A start without its stress, and the radius that this is averaged over.
+  /// Start without its stress, and the radius of the disc for the average.
   struct Site {
     CrackStart start;
     double radius = 0;
   };
 
-  /// None where a tip goes on instead.
+  /// Returns nothing if a tip propagates instead.
   std::optional<Site> site_of(int e, double toughness, double strength) {
     const double own = std::pow(toughness / strength, 2) / std::numbers::pi;
     const double side = side_of(e);
@@ -112,7 +112,8 @@ class Starts {
     return site;
   }
 
-  /// Order of the stress at the sharpest corner within `near` of an element, through the rock within `reach` of it.
+  /// Returns the order of the stress at the sharpest corner within `near` of an element, through the rock within
+  /// `reach`.
   double order_at(int e, double near, double reach) {
     double order = 0;
     bool is_reached = false;
@@ -158,7 +159,7 @@ class Starts {
     return start;
   }
 
-  /// |τ| + σ tan φ on a plane, by the element of the last disc whose middle is nearest to a place.
+  /// Returns |τ| + σ tan φ on a plane, from the element of the last disc whose middle is nearest to a place.
   double left_by_friction(int disc, Point place, Point along, double friction) const {
     std::size_t nearest = static_cast<std::size_t>(disc);
     for (const int e : reached_)
@@ -169,7 +170,7 @@ class Starts {
     return std::abs(t.dot(s * n)) + n.dot(s * n) * std::tan(friction);
   }
 
-  /// Of the elements within reach that hang together with `first` there.
+  /// Returns the average over the elements within reach that are connected with `first` there.
   Eigen::Matrix2d mean_stress(int first, double radius) {
     Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
     double weights = 0;
@@ -210,8 +211,8 @@ class Starts {
   const Manifold& manifold_;
   std::vector<RockCorner> corners_;
   std::vector<Point> middles_;
-  std::vector<std::vector<StressPoint>> points_;  // of each element
-  std::vector<int> seen_;                         // by which disc, from 1
+  std::vector<std::vector<StressPoint>> points_;  // per element
+  std::vector<int> seen_;                         // number of the disc, from 1
   int discs_ = 0;
   std::vector<int> reached_;  // by the last disc
 };

@@ -1,4 +1,4 @@
-// Closed forms and searches for extremes; see kink.hpp.
+// Evaluates closed forms and searches for extremes; see kink.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/kink.hpp"
 
@@ -16,7 +16,7 @@ namespace keyblock {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kWidest = 80 * kPi / 180;  // of the expansion of Amestoy and Leblond
+constexpr double kWidest = 80 * kPi / 180;  // limit of the expansion of Amestoy and Leblond
 constexpr int kTried = 360;                 // angles between which an extreme is sought
 constexpr int kDigits = 40;                 // of a minimum, binary: half of them are significant
 
@@ -32,7 +32,7 @@ Kink by_hoop_stress(const StressIntensity& k) {
   return {angle, hoop(k, angle)};
 }
 
-/// The angle of the least value of `f` of all local minima that `counts` lets count, by `rank` the greatest.
+/// Returns the angle of the local minimum of `f` with the greatest `rank`, among those for which `counts` is true.
 std::optional<double> best_minimum(const std::function<double(double)>& f, double widest,
                                    const std::function<bool(double)>& counts,
                                    const std::function<double(double)>& rank) {
@@ -47,7 +47,7 @@ std::optional<double> best_minimum(const std::function<double(double)>& f, doubl
   return best;
 }
 
-/// 16 π μ times the density of strain energy r w (Sih 1974).
+/// Returns 16 π μ times the density of strain energy r w (Sih 1974).
 double energy_density(double kappa, const StressIntensity& k, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return (1 + c) * (kappa - c) * k.mode_1 * k.mode_1 + 2 * s * (2 * c - kappa + 1) * k.mode_1 * k.mode_2 +
@@ -139,7 +139,7 @@ Kink kink(GrowthCriterion criterion, const PlaneElasticity& rock, const StressIn
   const StressIntensity open{std::max(k.mode_1, 0.0), k.mode_2};
   const double size = std::hypot(open.mode_1, open.mode_2);
   if (!(size > 0) || !std::isfinite(size)) return {};
-  if (size <= kNoiseOfFactors * -k.mode_1) return {};  // faces pressed together; the rest is noise
+  if (size <= kNoiseOfFactors * -k.mode_1) return {};  // faces are pressed together; the rest is noise
   const StressIntensity unit{open.mode_1 / size, open.mode_2 / size};
   Kink found;
   switch (criterion) {

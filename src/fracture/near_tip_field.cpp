@@ -1,4 +1,4 @@
-// Closed forms; see near_tip_field.hpp.
+// Evaluates closed forms; see near_tip_field.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/near_tip_field.hpp"
 

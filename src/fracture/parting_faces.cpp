@@ -1,4 +1,4 @@
-// Points at the middles of parts, pulls that fall with their work; see parting_faces.hpp.
+// Places points at the middles of parts, and lowers the pulls with their work; see parting_faces.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/parting_faces.hpp"
 
@@ -14,21 +14,21 @@
 namespace keyblock {
 namespace {
 
-constexpr int kPoints = 12;  // of a piece: tip_side is a sixteenth of an increment unless the case says otherwise
-// What of the square of the pull goes at once: a force of 1 % less than under just the toughness.
+constexpr int kPoints = 12;  // per piece: tip_side is a sixteenth of an increment unless the case sets another
+// Fraction of the squared pull that is released at once: a force 1 % below that just under the toughness.
 constexpr double kGoesAtOnce = 0.02;
-// Share of the pull that counts as none: the faces have parted and have taken all but a thousandth of Γ.
+// Fraction of the pull that counts as zero: the faces have parted and have dissipated all but a thousandth of Γ.
 constexpr double kParted = 0.03;
-// Over the opening that a tip at its toughness has behind it as far as the piece is long, 8 K/E' √(l/2π), by which
-// faces that pulled each other have taken their energy.
+// Opening at which faces have parted, per opening behind a tip at its toughness at the distance of the length of the
+// piece, 8 K/E' √(l/2π). Faces that pulled each other have dissipated their energy by then.
 constexpr double kWide = 4;
-// Of the length of a piece: how far beside it an element is looked for.
+// Distance from the piece, per length, at which an element is looked for.
 constexpr double kBesideFace = 1e-6;
-// Share of Γ by which the work of a step may differ from that of the law. Later steps make up for the difference.
+// Share of Γ by which the work of a step may differ from that of the law; later steps compensate for the difference.
 constexpr double kWorkGoal = 1e-3;
-constexpr double kRoundOff = 1e-9;       // of Γ
+constexpr double kRoundOff = 1e-9;       // per Γ
 constexpr std::size_t kMostRounds = 12;  // of the search for the pulls of a step
-constexpr Eigen::Index kRemembered = 5;  // of its rounds: what the faces of more pieces do is not told apart by them
+constexpr Eigen::Index kRemembered = 5;  // of its iterations: they cannot separate the motion of more pieces
 
 bool is_in(const Manifold& manifold, std::size_t e, Point p) {
   Box box;
@@ -58,12 +58,12 @@ bool lies_wide_open(const PartingFaces& faces) {
                              [&](const PartingPoint& p) { return p.left < 0 || length(p.opening) > faces.wide; });
 }
 
-/// x of the header.
+/// Returns x of the header.
 Point shifted(const PartingFaces& faces, const PartingPoint& point, Point opening) {
   return opening - (faces.wide / kWide / length(point.pull)) * point.pull;
 }
 
-/// The pulls over a step from the present openings to others.
+/// Returns the pulls over a step from the present openings to others.
 std::vector<Point> pulls_between(const PartingFaces& faces, double share, const std::vector<Point>& openings) {
   std::vector<Point> pulls;
   for (std::size_t i = 0; i < faces.points.size(); ++i) {
@@ -140,7 +140,7 @@ PartingFaces parting_faces(Point from, Point to, double energy, double modulus, 
   PartingFaces faces{from, to, energy, wide};
   const double part = distance(from, to) / kPoints;
   const Point direction = (1 / length(along)) * along;
-  const Point out{direction.y, -direction.x};  // of the left face
+  const Point out{direction.y, -direction.x};  // outward normal of the left face
   for (int i = 0; i < kPoints; ++i) {
     const Point at = from + ((i + 0.5) / kPoints) * (to - from);
     Point pull = part * traction(at);
@@ -208,8 +208,8 @@ PullsOfStep::Trial PullsOfStep::looked_at(const std::vector<std::vector<Point>>&
   return trial;
 }
 
-// Looks for the fixed point of asked(shares) by the mixing of Anderson (J. ACM 12, 1965), over as many trials as there
-// are pieces: for one piece it is the secant through the last two.
+// Seeks the fixed point of asked(shares) by Anderson mixing (J. ACM 12, 1965), over as many trials as there are pieces:
+// for one piece it is the secant through the last two.
 Eigen::VectorXd PullsOfStep::next_shares() const {
   const Trial& last = tried_.back();
   const Eigen::Index n = last.shares.size();

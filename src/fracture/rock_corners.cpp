@@ -1,4 +1,4 @@
-// One root, and the turns of boundary loops; see rock_corners.hpp.
+// Finds one root, and the angles of boundary loops; see rock_corners.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/rock_corners.hpp"
 
@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int kHalvings = 50;         // of a range of 1/2
+constexpr int kHalvings = 50;         // bisections of a range of 1/2
 constexpr double kLeastOrder = 1e-3;  // at a tenth of a degree: the rounding of straight lines
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Corners that open into the rock: there stress has no limit, and how fast it grows towards them.
+// Finds corners that open into the rock, and how fast stress grows towards them without limit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,18 +8,18 @@
 
 namespace keyblock {
 
-/// A corner of the boundary at which rock lies on more than a half plane.
+/// Corner of the boundary where rock occupies more than a half plane.
 struct RockCorner {
   Point at;
-  int element = 0;   ///< of the manifold, one that has the corner
+  int element = 0;   ///< of the manifold; it has the corner
   double order = 0;  ///< stress grows as r^-order towards it
 };
 
-/// Order of the stress at a corner with free faces and this angle of rock (rad), 1 - λ with the least root of
-/// sin λω + λ sin ω = 0, that of opening (Williams 1952): 0 up to π, 0.4555 at 3π/2, 0.5 at 2π.
+/// Returns the order of the stress at a corner with free faces and this angle of rock [rad]. It is 1 - λ with the least
+/// root of sin λω + λ sin ω = 0, the opening mode (Williams 1952): 0 up to π, 0.4555 at 3π/2, 0.5 at 2π.
 double stress_order(double angle);
 
-/// Corners of outlines, holes and joints with an order above 0. Ends of cracks do not count.
+/// Returns corners of outlines, holes and joints with an order above 0. Ends of cracks do not count.
 std::vector<RockCorner> rock_corners(const Manifold& manifold);
 
 }  // namespace keyblock

@@ -14,22 +14,23 @@
 namespace keyblock {
 namespace {
 
-// Of elements and of edges in a domain: near-tip fields are no polynomials. Six points a side; eight move K by 1e-5.
+// Quadrature of elements and edges in a domain: near-tip fields are no polynomials. Six points per side; eight change K
+// by 1e-5.
 constexpr int kAreaDegree = 10;
 constexpr int kFacePoints = 8;
-// Of the size of an element: for the divergence of an initial stress that is given by a formula.
+// Step of the difference quotient for the divergence of an initial stress given by a formula, per size of an element.
 constexpr double kDifference = 1e-4;
 
-// Sides from a tip within which contact says that its faces are closed, and within which its forces have a direction.
+// Sides from a tip within which contact closes its faces, and within which contact forces define a direction.
 constexpr double kSidesOfTip = 2;
 constexpr double kSidesOfFaces = 6;
 constexpr double kOnFace = 0.1;   // sine of the angle from the face of a crack within which a force acts on it
 constexpr double kExplained = 3;  // K_I over pressure times the root of the side: up to 0.9 in fra-19
 
-/// What the integrals know of one point: in the axes of the tip.
+/// Field of the integrals at one point, in the axes of the tip.
 struct LocalField {
   Eigen::Matrix2d gradient;  // ∂u_i/∂x_j
-  Eigen::Vector3d stress;    // σxx, σyy, σxy: its change since the start
+  Eigen::Vector3d stress;    // σxx, σyy, σxy: change since the start
 };
 
 Eigen::Vector3d strain_of(const Eigen::Matrix2d& g) {
@@ -74,7 +75,7 @@ class TipSums {
     return g;
   }
 
-  /// Rotation of the polar decomposition of the deformation of the tip element.
+  /// Removes the rotation of the polar decomposition of the deformation of the tip element.
   void take_out_turning() {
     const Point middle =
         centroid(manifold().polygon(manifold().elements[static_cast<std::size_t>(tip_element_)]).front());
@@ -95,7 +96,7 @@ class TipSums {
     return local;
   }
 
-  /// That of one mode with the factor 1; behind the tip θ is that of the face's side.
+  /// Returns the field of one mode with the factor 1; behind the tip θ is that of the face's side.
   LocalField near_tip(std::size_t mode, Point x, double side_of_face) const {
     const Eigen::Vector2d local = in_axes(x - tip_.at);
     const double theta = side_of_face == 0 ? std::atan2(local.y(), local.x()) : side_of_face * std::numbers::pi;
@@ -125,10 +126,10 @@ class TipSums {
     }
   }
 
-  /// What contact of the faces of this crack does to the left one near the tip.
+  /// Contact force on the left face of this crack near the tip.
   struct FacePressure {
     Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< in the axes of the tip
-    double reach = 0;                                 ///< of the forces, from the tip
+    double reach = 0;                                 ///< greatest distance of the forces from the tip
     bool is_at_tip = false;
   };
 
@@ -147,7 +148,7 @@ class TipSums {
     return pressure;
   }
 
-  /// See the header.
+  /// Applies the rule for closed faces given in the header.
   TipFactors closed_if_pressed(TipFactors found) const {
     if (tip_element_ < 0 || solution_.face_forces.empty()) return found;
     const double side = solution_.basis.shape(tip_element_).frame.size;
@@ -167,7 +168,7 @@ class TipSums {
     return axes_ * (turn_back_ * Eigen::Vector2d(force.x, force.y));
   }
 
-  /// With the divergence of the initial stress.
+  /// Returns the body force, including the divergence of the initial stress.
   Point body_force(int e, Point x) const {
     const Continuum& continuum = solution_.continuum;
     Point b = continuum.force_at(e, x);
@@ -181,7 +182,7 @@ class TipSums {
     return b + (1 / (2 * h)) * Point{right.xx - left.xx + up.xy - down.xy, right.xy - left.xy + up.yy - down.yy};
   }
 
-  /// ρ ü.
+  /// Returns ρ ü.
   Point inertia(int e, Point x) const {
     if (solution_.acceleration == nullptr) return {};
     const ElementShape shape = solution_.basis.shape(e);
@@ -212,7 +213,7 @@ class TipSums {
       interaction_[mode] -= q * t.dot(near_tip(mode, at, side_of(e)).gradient.col(0));
   }
 
-  /// Points along an edge of a face, closer near the tip: by the root of the distance, as near-tip gradients go.
+  /// Adds points along an edge of a face, closer near the tip: by the root of the distance, as near-tip gradients vary.
   template <class Force>
   void add_edge(const ElementSide& edge, const Force& force) {
     const double from = std::sqrt(distance(edge.edge.start, tip_.at)), to = std::sqrt(distance(edge.edge.end, tip_.at));

@@ -1,4 +1,4 @@
-// Every domain in turn; see tip_report.hpp.
+// Tries every domain in turn; see tip_report.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/tip_report.hpp"
 
@@ -14,24 +14,24 @@
 namespace keyblock {
 namespace {
 
-// Of the room about a tip: how far circles reach, the largest first.
+// Radii of circles per room around a tip, the largest first.
 constexpr std::array<double, 4> kCircles{0.9, 0.675, 0.45, 0.225};
-constexpr double kInner = 0.4;  // of the outer radius: where q begins to fall
+constexpr double kInner = 0.4;  // per outer radius: where q begins to fall
 constexpr std::array<int, 5> kLevels{1, 2, 3, 4, 6};
-// Beyond these K is doubted: of K, of the room about the tip. Benchmarks fra-01 to 12 stay below a hundredth of K; K is
-// 3 % low at a fortieth.
+// Limits beyond which K is doubted: spread per K, and sides per room around the tip. Benchmarks fra-01 to 12 stay below
+// a hundredth of K; K is 3 % low at a fortieth.
 constexpr double kMostSpread = 0.03;
 constexpr double kMostDifferenceOfJ =
-    0.1;  // of J, from (K_I² + K_II²)/E'; closed faces with friction aside they are within 0.02
+    0.1;  // per J, from (K_I² + K_II²)/E'; except for closed faces with friction they are within 0.02
 constexpr double kLargestSide = 1.0 / 40;
 constexpr double kLargestSideOfFunctions = 1.0 / 3;  // with near-tip functions K is within 0.1 % at a quarter
-constexpr double kLeastSides = 1;                    // of the tip's triangle in the inner radius of a circle
+constexpr double kLeastSides = 1;                    // sides of the tip's triangle in the inner radius of a circle
 
 DomainChoice circle(const CrackTip& tip, double share) {
   return {DomainKind::circle, kInner * share * tip.room, share * tip.room, 0};
 }
 
-/// The room about a tip as its continuum leaves it: what acts at points and on held edges has no place in a domain.
+/// Returns the tip with the room that its continuum leaves: point loads and fixed edges must lie outside a domain.
 CrackTip with_loads_in_the_way(const Continuum& continuum, CrackTip tip) {
   const auto look = [&](double d, const char* what) {
     if (d >= tip.room) return;
@@ -80,7 +80,7 @@ double spread(const std::vector<DomainResult>& domains, double StressIntensity::
   return greatest < least ? 0 : greatest - least;
 }
 
-// Empty, or why sides at a tip are too long for its factors.
+// Returns an empty string, or the reason why sides at a tip are too long for its factors.
 std::string coarse(double side, double room, bool has_functions) {
   if (has_functions && side > kLargestSideOfFunctions * room)
     return fmt::format("sides of {:.3g} at the tip are more than a third of the {:.3g} about it (tip_side refines)",

@@ -1,4 +1,5 @@
-// The stress intensity of a tip by every choice of domain, how far these are apart, and which stands for it.
+// Reports the stress intensity of a tip by every choice of domain, the spread of these, and the value that represents
+// them. Theory: docs/theory/10-fracture.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +11,7 @@
 
 namespace keyblock {
 
-/// What one domain says, or why it is refused.
+/// Factors from one domain, or the reason for its refusal.
 struct DomainResult {
   DomainChoice choice;
   std::optional<TipFactors> factors;
@@ -20,28 +21,28 @@ struct DomainResult {
 struct TipReport {
   CrackTip tip;
   PlaneElasticity rock;
-  double side = 0;             ///< of the triangle that holds the tip: the longest
+  double side = 0;             ///< longest side of the triangle that holds the tip
   bool has_functions = false;  ///< near-tip functions on its covers
   std::vector<DomainResult> domains;
-  /// Of the largest circle that is not refused; none where all are.
+  /// Factors from the largest circle that is not refused; none if all are refused.
   std::optional<TipFactors> factors = {};
-  /// Greatest less least of the circles, over |K| of `factors`.
+  /// Greatest minus least value of the circles, over |K| of `factors`.
   double spread_1 = 0;
   double spread_2 = 0;
 };
 
-/// The choices about a tip: circles out to shares of the room that it has, and 1, 2, 3, 4 and 6 levels.
+/// Returns the choices at a tip: circles out to shares of its room, and 1, 2, 3, 4 and 6 levels.
 std::vector<DomainChoice> domain_choices(const CrackTip& tip);
 
 TipReport tip_report(const CoverSolution& solution, const CrackTip& tip);
 
-/// Why the factors of a tip cannot be trusted, in words; empty where nothing speaks against them.
+/// Returns the reason why the factors of a tip cannot be trusted, in words; empty without one.
 std::string doubt_of(const TipReport& report);
 
-/// Why the mesh at a tip is too coarse for its factors, in words; empty where it is not.
+/// Returns the reason why the mesh at a tip is too coarse for its factors, in words; empty if it is fine enough.
 std::string coarse_mesh_at(const Continuum& continuum, const CrackTip& tip);
 
-/// By the largest circle alone; none where not even that has room.
+/// Returns the factors from the largest circle alone; none if even that has no room.
 std::optional<TipFactors> tip_factors(const CoverSolution& solution, const CrackTip& tip);
 
 }  // namespace keyblock
