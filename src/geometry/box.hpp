@@ -1,4 +1,4 @@
-// The upright rectangle about some points.
+// Computes the upright rectangle around points.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

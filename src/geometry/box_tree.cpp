@@ -1,4 +1,4 @@
-// The only file that sees Boost's trees.
+// Finds pairs by Boost's trees, which no other file includes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/box_tree.hpp"
 

@@ -1,5 +1,5 @@
-// Both bodies are sums of triangles from one point, with sign. What they share is the sum over pairs of triangles, and
-// two triangles cut each other without special cases (Sutherland & Hodgman 1974).
+// Computes common areas from both bodies as sums of signed triangles from one point. The common area is the sum over
+// pairs of triangles, which clip each other without special cases (Sutherland & Hodgman 1974).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/common_area.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 using Triangle = std::array<Point, 3>;
 
-/// Counter-clockwise, with the sign that it had.
+/// Counter-clockwise triangle with the sign of its original order.
 struct Signed {
   Triangle corners;
   double sign = 0;
@@ -40,7 +40,7 @@ double common_area(const Triangle& a, const Triangle& b) {
   return rest.size() > 2 ? area(rest) : 0;
 }
 
-/// An edge of `a` that has all of `b` on its right or on it: b lies outside a.
+/// Returns true if an edge of `a` has all of `b` on its right or on it; b then lies outside a.
 bool has_beyond(const std::vector<Point>& a, const std::vector<Point>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Point start = a[i];

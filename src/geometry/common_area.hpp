@@ -1,4 +1,4 @@
-// How much of the plane two bodies have in common.
+// Computes the area of the intersection of two bodies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,8 +12,8 @@ namespace keyblock {
 /// Closed chains: the outer ones counter-clockwise, holes clockwise.
 using Loops = std::vector<std::vector<Point>>;
 
-/// The area within both, ≥ 0 but for a few ulps of the areas of the bodies; 0 where an edge of the outer loop of one
-/// has all of the other beyond it. It takes time as the product of their numbers of corners.
+/// Returns the area within both, ≥ 0 up to a few ulps of the areas of the bodies. It is 0 if an edge of the outer loop
+/// of one body has all of the other beyond it. The time grows as the product of the numbers of corners.
 double common_area(const Loops& a, const Loops& b);
 
 }  // namespace keyblock

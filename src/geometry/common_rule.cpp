@@ -1,4 +1,4 @@
-// Triangle by triangle of two fans.
+// Clips the triangles of two fans pair by pair.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/common_rule.hpp"
 

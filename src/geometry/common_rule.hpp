@@ -1,4 +1,4 @@
-// Integrals over what two regions have in common.
+// Generates quadrature points for the intersection of two regions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace keyblock {
 
-/// Points and weights exact to `degree` over the common part of two regions, each to the left of its closed loops
-/// (holes clockwise); none where they have none. Each region is a fan of triangles with signs, and a triangle is
-/// clipped by another (Sutherland & Hodgman 1974): nothing has to be decided about where boundaries cross, so that
-/// common edges and corners are nothing special. Weights may be negative, and points may lie outside the common part,
-/// but not outside the convex hulls.
+/// Returns points and weights exact to `degree` over the intersection of two regions, or none if they have none. Each
+/// region lies to the left of its closed loops (holes clockwise). It is a fan of signed triangles, and triangles clip
+/// each other (Sutherland & Hodgman 1974). No decision depends on where boundaries cross, so common edges and corners
+/// need no special case. Weights may be negative. Points may lie outside the intersection, but not outside the convex
+/// hulls.
 std::vector<AreaPoint> common_rule(std::span<const std::vector<Point>> a, std::span<const std::vector<Point>> b,
                                    int degree);
 

@@ -1,4 +1,4 @@
-// Point of the plane and the few operations every other room needs.
+// Defines a point of the plane and the few operations that every other module needs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-/// A point or a vector of the plane; x to the right, y up, in the length unit of the input.
+/// Point or vector of the plane; x to the right, y up, in the length unit of the input.
 struct Point {
   double x = 0;
   double y = 0;
@@ -26,7 +26,7 @@ constexpr Point operator*(double s, Point a) {
 constexpr double dot(Point a, Point b) {
   return a.x * b.x + a.y * b.y;
 }
-/// z component of a × b: positive if b lies to the left of a.
+/// Returns the z component of a × b: positive if b lies to the left of a.
 constexpr double cross(Point a, Point b) {
   return a.x * b.y - a.y * b.x;
 }
@@ -37,7 +37,7 @@ inline double distance(Point a, Point b) {
   return length(b - a);
 }
 
-/// A straight piece from `start` to `end`; where both are equal it stands for a point.
+/// Straight piece from `start` to `end`; equal ends mean a point.
 struct Segment {
   Point start;
   Point end;

@@ -1,4 +1,4 @@
-// Measures of polygons; see polygon.hpp.
+// Computes measures of polygons; see polygon.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/polygon.hpp"
 
@@ -16,7 +16,7 @@ bool is_between(double a, double b, double value) {
   return std::min(a, b) <= value && value <= std::max(a, b);
 }
 
-/// An edge with its neighbours in the chain, edges without length left out.
+/// Edge with its neighbours in the chain; edges of zero length are left out.
 struct ChainEdge {
   LoopEdge name;
   Segment line;
@@ -40,7 +40,7 @@ std::vector<ChainEdge> chain_edges(std::span<const std::vector<Point>> loops) {
   return edges;
 }
 
-/// On which side of a chain p → at → n a point lies: 1 to the left, -1 to the right, 0 on it.
+/// Returns the side of a point relative to a chain p → at → n: 1 left, -1 right, 0 on it.
 int side_of_chain(Point p, Point at, Point n, Point q) {
   const int first = orientation(p, at, q);
   const int second = orientation(at, n, q);
@@ -56,7 +56,7 @@ bool runs_along(const Segment& a, const Segment& b) {
          agreement(a.start, a.end, a.start, b.end) > 0;
 }
 
-/// A point that two edges have in common, no more than a point of each.
+/// Returns a common point of two edges, if they share no more than one point.
 std::optional<Point> meeting_point(const Segment& a, const Segment& b) {
   if (meeting(a, b) != Meeting::crossing) return std::nullopt;
   for (const Point p : {a.start, a.end})
@@ -72,7 +72,7 @@ double mean_width(std::span<const Point> loop) {
   return around > 0 ? 2 * std::fabs(area(loop)) / around : 0;
 }
 
-/// Chains with the crossings that are more than the rounding of coordinates.
+/// Chains with the crossings that exceed the rounding of coordinates.
 class Chains {
  public:
   Chains(std::span<const std::vector<Point>> loops, double least) : edges_(chain_edges(loops)), least_(least) {}
@@ -118,7 +118,7 @@ class Chains {
     return side_of_chain(*before, at, *after, *from) * side_of_chain(*before, at, *after, *to) < 0;
   }
 
-  /// Mean width of the part of a loop from the crossing along `from` and back along `to`.
+  /// Returns the mean width of the part of a loop from the crossing along `from` and back along `to`.
   double width_between(std::size_t from, std::size_t to, Point at) const {
     std::vector<Point> loop{at};
     for (std::size_t k = from; k != to; k = edges_[k].next) loop.push_back(edges_[k].line.end);

@@ -1,4 +1,4 @@
-// Monomials in the order of Pascal's triangle; see polynomial.hpp.
+// Orders monomials as Pascal's triangle does; see polynomial.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/polynomial.hpp"
 
@@ -66,7 +66,7 @@ Eigen::VectorXd product(const Eigen::VectorXd& a, int degree_a, const Eigen::Vec
 }
 
 // For a homogeneous f of degree n, ∫ f over the triangle (0, a, b) = a × b / (n + 2) ∫₀¹ f(a + t (b - a)) dt (Euler's
-// relation and Green's theorem); the line integral is that of a polynomial of degree n, by Gauss.
+// relation and Green's theorem). The line integral is that of a polynomial of degree n, by Gauss.
 Eigen::VectorXd polygon_moments(std::span<const std::vector<Point>> loops, const LocalFrame& frame, int degree) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(monomial_count(degree));
   const GaussRule& rule = gauss_rule(degree / 2 + 1);

@@ -1,6 +1,6 @@
-// Exact signs of small polynomials in the coordinates; see predicates.hpp. Error bounds after Shewchuk,
-// "Adaptive precision floating-point arithmetic and fast robust geometric predicates" (1997), bound A of
-// orient2d, which holds for every 2 × 2 determinant of coordinate differences.
+// Computes exact signs of small polynomials in the coordinates; see predicates.hpp. Error bounds follow Shewchuk,
+// "Adaptive precision floating-point arithmetic and fast robust geometric predicates" (1997). Bound A of orient2d holds
+// for every 2 × 2 determinant of coordinate differences.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/predicates.hpp"
 
@@ -22,7 +22,7 @@ constexpr double kDeterminantBound = (3 + 16 * kUnit) * kUnit;        // relativ
 
 constexpr int kMantissaBits = 53;
 
-/// Exponent of the lowest bit that a double can carry; 0 constrains nothing.
+/// Returns the exponent of the lowest bit that a double can carry; 0 sets no limit.
 int low_exponent(double value) {
   return value == 0 ? std::numeric_limits<int>::max() : std::ilogb(value) - (kMantissaBits - 1);
 }
@@ -49,7 +49,7 @@ Integer scaled(double value, int exponent) {
   return Integer(mantissa) << (low - exponent);
 }
 
-/// The points as integers in one common power of two.
+/// Returns the points as integers in one common power of two.
 template <std::size_t N>
 std::array<ExactPoint, N> exact(const std::array<Point, N>& points) {
   int exponent = std::numeric_limits<int>::max();
@@ -63,7 +63,7 @@ int sign(double value) {
   return (value > 0) - (value < 0);
 }
 
-/// A difference of two products with the bound of its error.
+/// Difference of two products with the bound of its error.
 struct Estimate {
   double value;
   double error;
@@ -143,7 +143,7 @@ Station exact_station(const Segment& base, const Segment& mark) {
 }
 
 bool is_order_certain(Station a, Station b) {
-  // Twice the sum: pays for the rounding of the sum and of the difference.
+  // Twice the sum covers the rounding of the sum and of the difference.
   return std::fabs(a.value - b.value) > 2 * (a.error + b.error);
 }
 

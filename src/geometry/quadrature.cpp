@@ -1,4 +1,4 @@
-// Gauss-Legendre points by Newton's method, products of them over triangles; see quadrature.hpp.
+// Finds Gauss–Legendre points by Newton's method, and their products over triangles; see quadrature.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/quadrature.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostPoints = 16;
 
-// The roots x of the Legendre polynomial P_n and 2 / ((1 - x²) P_n'(x)²), brought from -1..1 to 0..1.
+// Roots x of the Legendre polynomial P_n with weights 2 / ((1 - x²) P_n'(x)²), mapped from -1..1 to 0..1.
 GaussRule legendre_rule(int n) {
   GaussRule rule;
   for (int k = n; k >= 1; --k) {

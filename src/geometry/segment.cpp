@@ -1,4 +1,4 @@
-// Relations of segments; see segment.hpp.
+// Computes relations of segments; see segment.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/segment.hpp"
 
@@ -20,20 +20,20 @@ bool boxes_meet(const Segment& a, const Segment& b) {
   return ax0 <= bx1 && bx0 <= ax1 && ay0 <= by1 && by0 <= ay1;
 }
 
-// Share of the largest coordinate: points nearer than this cannot be told apart.
+// Share of the largest coordinate below which points are not distinguished.
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 double rounding_of(const Segment& s) {
   return kRounding * std::max({std::fabs(s.start.x), std::fabs(s.start.y), std::fabs(s.end.x), std::fabs(s.end.y)});
 }
 
-/// A part of a segment, as distances from its start.
+/// Part of a segment, as distances from its start.
 struct Stretch {
   double from = 0;
   double to = 0;
 };
 
-/// The part of the segment (of this length, in this direction) that `other` runs along.
+/// Returns the part of the segment (of this length, in this direction) along which `other` runs.
 std::optional<Stretch> stretch_along(const Segment& segment, Point direction, double size, const Segment& other,
                                      double near) {
   const Point a = other.start - segment.start, b = other.end - segment.start;
@@ -77,7 +77,7 @@ Meeting meeting(const Segment& a, const Segment& b) {
   const int b_start = orientation(a.start, a.end, b.start);
   const int b_end = orientation(a.start, a.end, b.end);
   if (b_start * b_end > 0) return Meeting::none;
-  // On one straight line the boxes meet exactly where the segments do.
+  // On one straight line the boxes meet exactly if the segments do.
   if (b_start == 0 && b_end == 0) return Meeting::overlapping;
   const int a_start = orientation(b.start, b.end, a.start);
   const int a_end = orientation(b.start, b.end, a.end);

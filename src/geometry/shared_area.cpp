@@ -1,4 +1,4 @@
-// Pairs by their boxes, then by the area they share.
+// Finds pairs by their boxes, then computes their common area.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/shared_area.hpp"
 
@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-// Products of corners after which the rest is not looked at: walls and slopes take some 30 a corner.
+// Products of corners after which the rest is not tested: walls and slopes need some 30 per corner.
 constexpr double kWorkOfCorner = 300;
 constexpr double kWorkAtLeast = 1e6;
 

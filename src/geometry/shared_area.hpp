@@ -1,4 +1,4 @@
-// Bodies that lie in one another.
+// Finds bodies that overlap.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,18 +8,18 @@
 
 namespace keyblock {
 
-inline constexpr int kMostSharedPairs = 1000;  ///< counted: enough to be told
+inline constexpr int kMostSharedPairs = 1000;  ///< limit of the count
 
 struct SharedArea {
   int first = 0;  ///< the first pair by their numbers
   int second = 0;
-  double share = 0;         ///< the area that pair has in common over that of the smaller of the two
-  int pairs = 0;            ///< how many there are; none: 0, and so is all else
-  bool is_complete = true;  ///< false: corners crowd, and not every pair was looked at
+  double share = 0;         ///< common area of that pair over the area of the smaller body
+  int pairs = 0;            ///< number of pairs; 0 without overlap, as all other members
+  bool is_complete = true;  ///< false: corners crowd, and not every pair was tested
 };
 
-/// Pairs of bodies that have more than `least` of the smaller one in common. At most kMostSharedPairs are counted, and
-/// where corners crowd the search ends after some 300 products of corners for each corner: walls and slopes take 30.
+/// Returns pairs of bodies that share more than `least` of the smaller one. At most kMostSharedPairs are counted. If
+/// corners crowd, the search ends after some 300 products of corners per corner; walls and slopes need 30.
 SharedArea shared_area(const std::vector<Loops>& bodies, double least);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Exact integrals of 1, x, y, x², y², xy over polygons (Shi's simplex integration; Green's theorem on straight
+// Computes exact integrals of 1, x, y, x², y², xy over polygons (Shi's simplex integration; Green's theorem on straight
 // edges).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -21,8 +21,8 @@ struct Moments {
   Moments& operator+=(const Moments& other);
 };
 
-/// Moments about `origin` of the region to the left of the closed `loop`; clockwise loops (holes) count
-/// negative. Choose an origin near the loop: the result is then exact to round-off of the loop's own size.
+/// Returns moments about `origin` of the region to the left of the closed `loop`; clockwise loops (holes) count
+/// negative. An origin near the loop makes the result exact to round-off of the loop's own size.
 Moments moments(std::span<const Point> loop, Point origin);
 
 }  // namespace keyblock

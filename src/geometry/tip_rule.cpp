@@ -1,4 +1,4 @@
-// Polar points without polar coordinates; see tip_rule.hpp.
+// Places points by the transformations of the header; see tip_rule.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/tip_rule.hpp"
 
@@ -15,11 +15,11 @@ namespace {
 constexpr int kRadial = 6;      // exact to ρ^11: products of gradients need ρ^6, loads that grow as r² ρ^10
 constexpr int kAlong = 12;      // on either side of the foot: 1e-6 for a tip 1e-2 sides from an edge
 constexpr int kEdge = 10;       // along an edge
-constexpr double kNear = 0.35;  // of the size: nearer tips are the apex of fans
+constexpr double kNear = 0.35;  // per size: nearer tips are the apex of fans
 constexpr double kOnLine = 1e-14;
-// Triangles from a tip outside of a polygon cancel in part, and products of functions by such points need not be
-// positive. From this distance on, in sizes, the polygon's own triangles do to a degree of 28 (1e-6 for the inverse
-// distance at 0.2); nearer where only this share of the triangles is left, beside a sliver.
+// Triangles from a tip outside a polygon cancel in part, and products of functions by such points need not be positive.
+// From this distance on, in sizes, the polygon's own triangles suffice to a degree of 28 (1e-6 for the inverse distance
+// at 0.2). They are used nearer too if only this share of the triangles is left, beside a sliver.
 constexpr double kOwnTriangles = 0.1;
 constexpr int kOwnDegree = 28;
 constexpr double kLeastLeft = 0.01;
@@ -34,14 +34,14 @@ double distance_from(std::span<const std::vector<Point>> loops, Point p) {
   return least;
 }
 
-/// Where a tip is this far away, in sizes: measured for products of gradients of near-tip fields, 1e-6.
+/// Returns the degree for a tip this far away, in sizes; measured for products of gradients of near-tip fields, 1e-6.
 int degree_at(double distance) {
   if (distance >= 2) return 8;
   if (distance >= 1) return 12;
   return distance >= 0.5 ? 16 : 22;
 }
 
-/// Of the strip of the edge from v0 to v1 > v0, both on one side of the foot.
+/// Adds points of the strip of the edge from v0 to v1 > v0, both on one side of the foot.
 void add_strip(Point tip, Point foot, Point along, double d, double v0, double v1, double sign,
                std::vector<AreaPoint>& points) {
   const double u0 = std::asinh(v0 / d), u1 = std::asinh(v1 / d);
