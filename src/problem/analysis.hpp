@@ -1,4 +1,4 @@
-// What an analysis file says: controls of the run, materials of blocks and joints, loads in time.
+// Holds the contents of an analysis file: controls of the run, materials of blocks and joints, loads in time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,17 +16,17 @@
 
 namespace keyblock {
 
-/// Components in the plane and across it, tension positive.
+/// Stress components in the plane and across it, tension positive.
 struct Stress {
   double xx = 0;
   double yy = 0;
   double xy = 0;
-  double zz = 0;  ///< follows from the law where a material's own is not given; see start_stress
+  double zz = 0;  ///< follows from the law unless a material gives it; see start_stress
 
   bool operator==(const Stress&) const = default;
 };
 
-/// Velocity of a block: of its centroid, and its rotation rate (rad / time).
+/// Velocity of the centroid of a block, and its rotation rate [rad / time].
 struct Velocity {
   double x = 0;
   double y = 0;
@@ -35,29 +35,29 @@ struct Velocity {
   bool operator==(const Velocity&) const = default;
 };
 
-/// A block material, unit thickness.
+/// Block material, for unit thickness.
 struct BlockMaterial {
   double density = 0;                      ///< mass / area, > 0
   double unit_weight = 0;                  ///< force / area, positive downward
   double youngs_modulus = 0;               ///< stress, > 0
   double poissons_ratio = 0;               ///< 0 … < 0.5 (0.5 allowed in plane stress)
   double damping = 0;                      ///< DDAML `Damping`
-  Stress initial_stress;                   ///< at y = 0; its zz where `gives_zz`
+  Stress initial_stress;                   ///< at y = 0; its zz if `gives_zz`
   Stress stress_gradient;                  ///< change of the initial stress per unit of y (native tokens 8-10)
   Velocity initial_velocity;               ///< native tokens 11-13; DDAML `Ivelocity`
   std::array<double, 3> initial_strain{};  ///< DDAML `Istrain`
   double horizontal_force = 0;             ///< force / area in x; manifold files only
   Place place;
-  bool gives_zz = false;  ///< else the law says what goes with the stress in the plane; case files only
-  std::shared_ptr<const Strength> strength = {};  ///< none: the material stays elastic; case files only
-  Rare<CrackClosure> crack_closure = {};          ///< none: it has no cracks; case files only
-  Rare<Toughness> toughness = {};                 ///< none: cracks in it do not grow; case files only
+  bool gives_zz = false;  ///< else the law computes zz from the stress in the plane; case files only
+  std::shared_ptr<const Strength> strength = {};  ///< null: the material stays elastic; case files only
+  Rare<CrackClosure> crack_closure = {};          ///< empty: no cracks; case files only
+  Rare<Toughness> toughness = {};                 ///< empty: cracks in it do not grow; case files only
 
-  /// Whether its stress is not a linear function of strain alone: it may yield, or has cracks that close.
+  /// Returns true if its stress is not a linear function of strain alone: it may yield, or has cracks that close.
   bool is_nonlinear() const { return strength || crack_closure; }
 };
 
-/// A joint material (Coulomb friction, cohesion, tension cut-off).
+/// Joint material (Coulomb friction, cohesion, tension cut-off).
 struct JointMaterial {
   double friction_angle_deg = 0;
   double cohesion = 0;          ///< stress
@@ -74,12 +74,12 @@ struct BoltProperties {
   double pretension = 0;
 };
 
-/// Constants of the open-close iteration that DDAML lets a file set; defaults are the old programs'
+/// Constants of the open–close iteration that a DDAML file can set; defaults are those of Shi's programs
 /// (legacy-formats 3.4).
 struct OpenCloseConstants {
   double closing_ratio = 2e-4;             ///< s0: penetration over w0 at which an open contact closes
   double opening_ratio = 2e-7;             ///< f0: separation over w0 at which a closed contact opens
-  double allowed_penetration = 4e-4;       ///< g3: penetration over w0 aimed at by the automatic penalty
+  double allowed_penetration = 4e-4;       ///< g3: target penetration over w0 of the automatic penalty
   double angle_overlap_deg = 3;            ///< h1: angle within which two edges count as parallel
   double normal_to_shear_stiffness = 2.5;  ///< h2
 };
@@ -87,7 +87,7 @@ struct OpenCloseConstants {
 enum class AnalysisDialect { berkeley, shi, ddaml, manifold };
 enum class Rotation { first_order, exact };
 
-/// An analysis file. Quantities in the file's own consistent unit set, indices from 0.
+/// Contents of an analysis file. Quantities in the file's own consistent unit set, indices from 0.
 struct Analysis {
   AnalysisDialect dialect = AnalysisDialect::berkeley;
   double velocity_carry_over = 0;         ///< k01: 0 static (velocity zeroed each step), 1 dynamic
@@ -101,7 +101,7 @@ struct Analysis {
   bool plane_strain = false;
   Rotation rotation = Rotation::first_order;
   std::optional<double> gravity;  ///< DDAML `Gravaccel`, length / time²; absent: from the unit weights
-  int open_close_limit = 8;       ///< passes of the open-close iteration
+  int open_close_limit = 8;       ///< open–close iterations
   OpenCloseConstants open_close;
   double contact_damping = 0;             ///< DDAML `ContactDamping`
   std::optional<double> over_relaxation;  ///< SOR factor of Shi's files
@@ -109,11 +109,11 @@ struct Analysis {
   std::vector<BlockMaterial> block_materials;
   std::vector<JointMaterial> joint_materials;
   std::vector<BoltProperties> bolt_properties;
-  std::vector<TimeCurve> fixed_point_motions;  ///< Shi's dialect: one a fixed point, may be empty
-  std::vector<TimeCurve> point_loads;  ///< one a loading point, in order; fewer than points: the rest carry none
+  std::vector<TimeCurve> fixed_point_motions;  ///< Shi's dialect: one per fixed point, may be empty
+  std::vector<TimeCurve> point_loads;  ///< one per loading point, in order; fewer than points: the rest carry no load
   TimeCurve body_acceleration;         ///< of a side file, acts on all blocks; empty: none
-  Place place;                         ///< the file
-  Place time_step_place = {};          ///< where it says its time step
+  Place place;                         ///< file
+  Place time_step_place = {};          ///< place of the time step in the file
 };
 
 }  // namespace keyblock

@@ -1,5 +1,4 @@
-// What a block file says, and what cutting makes of a drawing: polygons with joint edges, and points that sit in
-// blocks.
+// Holds the blocks of a block file or of a cut drawing: polygons with joint edges, and points in blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,8 +11,7 @@
 
 namespace keyblock {
 
-/// A corner of a block. `joint_material` belongs to the edge that arrives here (from the previous vertex),
-/// index from 0.
+/// Corner of a block. `joint_material` belongs to the edge that arrives here from the previous vertex, index from 0.
 struct BlockVertex {
   Point position;
   int joint_material = 0;
@@ -21,10 +19,10 @@ struct BlockVertex {
   bool operator==(const BlockVertex&) const = default;
 };
 
-/// A closed chain of vertices, the first not repeated; the block lies to the left of every edge.
+/// Closed chain of vertices, the first not repeated; the block lies to the left of every edge.
 using BlockLoop = std::vector<BlockVertex>;
 
-/// Where the vertices of a loop lie.
+/// Returns the positions of the vertices of a loop.
 inline std::vector<Point> points_of(const BlockLoop& loop) {
   std::vector<Point> points;
   points.reserve(loop.size());
@@ -32,34 +30,34 @@ inline std::vector<Point> points_of(const BlockLoop& loop) {
   return points;
 }
 
-/// One block: an outer loop (counter-clockwise) and any holes in it (clockwise).
+/// Block: an outer loop (counter-clockwise) and any holes in it (clockwise).
 struct BlockPolygon {
   int material = 0;  ///< block material, index from 0
   BlockLoop outer;
   std::vector<BlockLoop> holes;
-  Place place = {};  ///< where a file says so
+  Place place = {};  ///< set if it comes from a file
 
-  /// The same block, wherever it is written.
+  /// Returns true for the same block, ignoring its place in a file.
   bool operator==(const BlockPolygon& other) const {
     return material == other.material && outer == other.outer && holes == other.holes;
   }
 };
 
-/// What becomes of blocks so small or so narrow that they are slivers.
+/// Treatment of slivers: blocks that are too small or too narrow.
 enum class Slivers {
   kept,
-  glued,     ///< each to the neighbour that it shares the longest length of side with
-  left_out,  ///< they are not there
+  glued,     ///< each to the neighbour that shares the longest length of side
+  left_out,  ///< deleted
 };
 
-/// A point carried by a block.
+/// Point carried by a block.
 struct BlockPoint {
   Point position;
   int block = 0;  ///< index from 0
   Place place;
 };
 
-/// A bolt between two blocks; ends, then the blocks that carry them (index from 0).
+/// Bolt between two blocks: its ends, then the blocks that carry them (index from 0).
 struct BlockBolt {
   Segment segment;
   int first_block = 0;
@@ -67,18 +65,18 @@ struct BlockBolt {
   double stiffness = 0;         ///< force / length
   double strength = 0;          ///< force
   double pretension = 0;        ///< force
-  Place place = {};             ///< where a file says so
-  Rare<std::string> name = {};  ///< of a case file; never empty
+  Place place = {};             ///< set if it comes from a file
+  Rare<std::string> name = {};  ///< from a case file; never empty
 };
 
-/// The blocks of a scene and their points. Lengths in the file's unit.
+/// Blocks of a scene and their points. Lengths in the file's unit.
 struct Blocks {
   std::vector<BlockPolygon> blocks;
   std::vector<BlockBolt> bolts;
   std::vector<BlockPoint> fixed_points;
   std::vector<BlockPoint> loading_points;
   std::vector<BlockPoint> measured_points;
-  Place place;  ///< the file they come from
+  Place place;  ///< source file
 };
 
 }  // namespace keyblock

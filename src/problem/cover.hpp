@@ -1,4 +1,4 @@
-// What a cover file says: elements cut from a mathematical mesh, the physical covers they hang on, and contact loops.
+// Holds the contents of a cover file: elements cut from a mathematical mesh, their physical covers, and contact loops.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// A closed chain in a list of slots: `size` corners from `first` on (index from 0), and the first again behind them.
+/// Closed chain in a list of slots: `size` corners from `first` on (index from 0), then the first again.
 struct SlotRange {
   int first = 0;
   int size = 0;
@@ -20,22 +20,21 @@ struct SlotRange {
   bool operator==(const SlotRange&) const = default;
 };
 
-/// One element: its polygon (counter-clockwise) among the vertex slots, its material, its three covers
+/// Element: its polygon (counter-clockwise) among the vertex slots, its material, and its three covers
 /// (counter-clockwise).
 struct CoverElement {
   SlotRange vertices;
   int material = -1;          ///< block material, index from 0; -1: not assigned
   std::array<int, 3> covers;  ///< physical covers, index from 0
-  Place place = {};           ///< where a file says so
+  Place place = {};           ///< set if it comes from a file
 
-  /// The same element, wherever it is written.
+  /// Returns true for the same element, ignoring its place in a file.
   bool operator==(const CoverElement& other) const {
     return vertices == other.vertices && material == other.material && covers == other.covers;
   }
 };
 
-/// A corner of a contact loop. `joint_material` belongs to the edge that leaves here (to the next corner), index from
-/// 0.
+/// Corner of a contact loop. `joint_material` belongs to the edge that leaves here to the next corner, index from 0.
 struct LoopVertex {
   int slot = 0;  ///< vertex slot, index from 0
   int joint_material = 0;
@@ -43,33 +42,33 @@ struct LoopVertex {
   bool operator==(const LoopVertex&) const = default;
 };
 
-/// A point carried by an element.
+/// Point carried by an element.
 struct CoverPoint {
   Point position;
   int element = 0;  ///< index from 0
   Place place;
 };
 
-/// The cover of a manifold problem. Lengths in the file's unit. Elements share no vertices: neighbours repeat
-/// positions, and each chain repeats its first slot at its end.
+/// Cover of a manifold problem. Lengths in the file's unit. Elements share no vertices: neighbours repeat positions,
+/// and each chain repeats its first slot at its end.
 struct Cover {
   std::vector<CoverElement> elements;
   std::vector<Point> vertices;   ///< vertex slots
-  std::vector<Point> nodes;      ///< of every physical cover, the mathematical node it belongs to
+  std::vector<Point> nodes;      ///< mathematical node of every physical cover
   std::vector<SlotRange> loops;  ///< in `loop_vertices`: outer loops counter-clockwise, holes clockwise
   std::vector<LoopVertex> loop_vertices;
   std::vector<CoverPoint> fixed_points;
   std::vector<CoverPoint> loading_points;
   std::vector<CoverPoint> measured_points;
-  Place place;  ///< the file
+  Place place;  ///< source file
 
-  /// The polygon of an element, the first vertex not repeated.
+  /// Returns the polygon of an element, the first vertex not repeated.
   std::span<const Point> polygon(const CoverElement& element) const {
     return std::span(vertices).subspan(static_cast<std::size_t>(element.vertices.first),
                                        static_cast<std::size_t>(element.vertices.size));
   }
 
-  /// The corners of a loop, the first not repeated.
+  /// Returns the corners of a loop, the first not repeated.
   std::vector<Point> corners(const SlotRange& loop) const {
     std::vector<Point> points;
     for (int i = loop.first; i < loop.first + loop.size; ++i)

@@ -1,5 +1,5 @@
-// What a case file says of its bodies on covers: the mesh, the functions, what holds and loads the bodies, what is dug
-// out.
+// Holds the NMM bodies of a case file: mesh, functions, supports, loads and excavations.
+// Theory: docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,44 +13,44 @@
 
 namespace keyblock {
 
-/// What a physical cover i says of the displacement about it, P_i(x); the weights of the triangle λ_i join the three
-/// covers of an element, u = Σ λ_i P_i.
+/// Functions P_i(x) of a physical cover i for the displacement around it. The weights λ_i of the triangle join the
+/// three covers of an element, u = Σ λ_i P_i.
 enum class CoverFunctions {
-  constant,   ///< P_i = d_i: the old programs' first order, 2 unknowns a cover
-  derived,    ///< P_i = d_i + ½ g_i · (x - x_i), g_i from the covers about (derived_gradients): quadratic, 2 unknowns
-  linear,     ///< with 1, x, y: quadratic, 6 unknowns a cover of which some depend on the others
-  quadratic,  ///< with 1 to y²: cubic, 12 unknowns, likewise
+  constant,  ///< P_i = d_i: first order as in Shi's programs, 2 unknowns per cover
+  derived,   ///< P_i = d_i + ½ g_i · (x - x_i), g_i from the covers around (derived_gradients): quadratic, 2 unknowns
+  linear,    ///< with 1, x, y: quadratic, 6 unknowns per cover, some of them dependent
+  quadratic,  ///< with 1 to y²: cubic, 12 unknowns, some of them dependent
 };
 
-/// Which component of the displacement is prescribed; `normal` with the value 0 is a line of symmetry.
+/// Prescribed component of the displacement; `normal` with the value 0 is a line of symmetry.
 enum class Held { both, normal, x, y };
 
 enum class MeshKind { regular, unstructured };
 
 enum class MeshShape {
   equilateral,  ///< dx = 2/√3 dy
-  old,          ///< dx = 1.3 dy, as the old manifold cutter (legacy-formats 2.4; one of its samples is otherwise)
+  old,          ///< dx = 1.3 dy, as in Shi's manifold cutter (legacy-formats 2.4; one of its samples differs)
 };
 
 enum class MeshPlacement {
-  free,     ///< wherever the mesh comes to stand
+  free,     ///< no alignment
   aligned,  ///< rows on the lower and the upper edge; unstructured: sides along all lines
 };
 
-/// Sides at this point are to be no longer than `side`.
+/// Point at which sides of triangles may be no longer than `side`.
 struct RefinedPoint {
   Point at;
   double side = 0;
 };
 
-/// What covers about the tips of cracks say beside the functions of all.
+/// Functions that covers near the tips of cracks have besides those of all covers.
 enum class TipFunctions {
   none,
-  williams,  ///< the leading fields of a crack tip (Williams 1957): eight unknowns a cover; those around get gradients
-             ///< of their own
+  williams,  ///< leading fields of a crack tip (Williams 1957): eight unknowns per cover; covers around them get
+             ///< gradients of their own
 };
 
-/// On covers whose nodes are nearer to a tip than `radius`; 0: three sides of the triangles at the tip.
+/// Applies to covers whose nodes are nearer to a tip than `radius`; 0: three sides of the triangles at the tip.
 struct TipFunctionPlan {
   TipFunctions kind = TipFunctions::none;
   double radius = 0;
@@ -63,11 +63,11 @@ struct MeshedMaterial {
   int material = 0;  ///< block material, index from 0
 };
 
-/// felt: bodies, and the two sides of a joint, touch as blocks do, and each step is found with their forces; ignored:
-/// each load step is one linear solution in which they pass through each other.
+/// felt: bodies, and the two sides of a joint, have contact as blocks do, and each step includes its forces. ignored:
+/// they pass through each other, and each load step is one linear solve.
 enum class CoverContact { felt, ignored };
 
-// What keys of a file and settings of a command may say of a mesh by error.
+// Ranges of file keys and command settings for mesh refinement by error.
 constexpr bool is_mesh_error(double v) {
   return v >= 0 && v < 1;
 }
@@ -77,26 +77,27 @@ constexpr bool is_mesh_limit(double v) {
 }
 inline constexpr const char* kMeshLimitExpected = "a whole number from 1 to 1000000";
 
-/// A regular mesh has `half_rows` or `side`, an unstructured one `side`; with neither there is none.
+/// Plan of the mesh: a regular mesh has `half_rows` or `side`, an unstructured one `side`. Without either there is no
+/// mesh.
 struct MeshPlan {
   MeshKind kind = MeshKind::regular;
-  int half_rows = 0;  ///< n rows of the old density rule to either side of the middle
-  double side = 0;    ///< of the triangles; of an unstructured mesh the longest
+  int half_rows = 0;  ///< n rows of Shi's density rule to either side of the middle
+  double side = 0;    ///< of the triangles; in an unstructured mesh the longest
   MeshShape shape = MeshShape::equilateral;
   double angle_deg = 0;  ///< of the rows to the x axis
   MeshPlacement placement = MeshPlacement::free;
-  std::optional<double> through_x;  ///< where a node of a regular mesh stands; else the placement decides
+  std::optional<double> through_x;  ///< place of a node of a regular mesh; else the placement decides
   std::optional<double> through_y;
   std::vector<RefinedPoint> refined;
-  double error = 0;  ///< the share of the energy norm that stresses may be off by; 0: the mesh is as it is said
-  int most_unknowns = 50000;  ///< of meshes that are refined until they reach it
+  double error = 0;           ///< allowed error of stresses, as a share of the energy norm; 0: no refinement
+  int most_unknowns = 50000;  ///< limit at which refinement by error stops
   double tip_side = 0;        ///< at the tips of cracks; 0: as elsewhere
   TipFunctionPlan tip_functions = {};
   bool has_nodes_at_tips =
-      false;              ///< whether or not tips have a side or functions: no key of a file, of meshes by error
-  double snap_ratio = 0;  ///< nodes nearer to lines than this share of the mesh's scale are moved onto them
+      false;              ///< independent of sides or functions at tips; no file sets it, only refinement by error
+  double snap_ratio = 0;  ///< nodes nearer to lines than this share of the mesh's scale move onto them
   std::vector<MeshedMaterial>
-      materials;  ///< of the blocks that are given covers, the others stay blocks; none: all are
+      materials;  ///< of the blocks that are given covers, the others stay blocks; empty: all are
   Place place;
 };
 
@@ -111,7 +112,7 @@ struct DisplacementPlan {
   std::vector<Point> along;
   Held held = Held::both;
   Formula x, y;
-  Formula normal;  ///< outward; where `held` is normal
+  Formula normal;  ///< outward; if `held` is normal
   Place place;
 };
 
@@ -132,13 +133,13 @@ struct BodyForcePlan {
   Formula x, y;
 };
 
-/// Tension positive. Across the plane, under plane strain: ν (xx + yy) where nothing is given.
+/// Stress, tension positive. Without `zz` the stress across the plane, under plane strain, is ν (xx + yy).
 struct StressPlan {
   Formula xx, yy, xy;
   std::optional<Formula> zz = {};
 };
 
-/// From load step `step` (the first is 1) on, what lies within the outline is gone.
+/// Excavation: rock within the outline is removed from load step `step` (the first is 1) on.
 struct ExcavationPlan {
   int step = 1;
   std::vector<Point> outline;
@@ -146,30 +147,30 @@ struct ExcavationPlan {
   int joint_material = 0;  ///< of the edges that it makes, index from 0
 };
 
-/// A crack, drawn in the undeformed bodies: both of its faces are of this joint material, index from 0. An end on a
-/// boundary, a joint or another crack is no tip.
+/// Crack, drawn in the undeformed bodies; both faces have this joint material, index from 0. An end on a boundary, a
+/// joint or another crack is no tip.
 struct CrackPlan {
   std::vector<Point> along;
   Place place;
   int joint_material = 0;
-  bool is_shear = false;  ///< it started in shear as cracks grew
+  bool is_shear = false;  ///< it started in shear during the run
 };
 
-/// In which direction a tip goes on.
+/// Criterion for the direction in which a tip propagates.
 enum class GrowthCriterion {
-  hoop_stress,     ///< of the greatest hoop stress (Erdogan & Sih 1963)
-  strain_energy,   ///< of the least strain energy density (Sih 1974)
-  energy_release,  ///< of the greatest energy release rate (Amestoy & Leblond 1992)
+  hoop_stress,     ///< greatest hoop stress (Erdogan & Sih 1963)
+  strain_energy,   ///< least strain energy density (Sih 1974)
+  energy_release,  ///< greatest energy release rate (Amestoy & Leblond 1992)
 };
 
-/// Under which loads tips go on.
+/// Loads under which tips propagate.
 enum class GrowthLoads {
-  automatic,  ///< scaled at rest where all bodies are on covers, else given
-  scaled,     ///< in each load step those under which one tip reaches its toughness: all loads by one factor
-  given,      ///< those of the file, in time or at rest: tips go on that have reached their toughness
+  automatic,  ///< scaled in statics with NMM bodies only, else given
+  scaled,     ///< all loads times one factor per load step, at which one tip reaches its toughness
+  given,      ///< those of the file, dynamic or static: tips propagate that have reached their toughness
 };
 
-/// Tips go on by `increment`.
+/// Plan of crack growth; tips propagate by `increment`.
 struct GrowthPlan {
   GrowthCriterion criterion = GrowthCriterion::hoop_stress;
   GrowthLoads loads = GrowthLoads::automatic;
@@ -180,23 +181,23 @@ struct GrowthPlan {
 };
 
 struct CoverPlan {
-  std::optional<CoverFunctions> functions;  ///< none: `functions_of`
+  std::optional<CoverFunctions> functions;  ///< empty: chosen by `functions_of`
   CoverContact contact = CoverContact::felt;
   MeshPlan mesh;
   std::vector<TractionPlan> tractions;
   std::vector<DisplacementPlan> displacements;
   std::vector<ForcePlan> forces;
   std::vector<SpringPlan> springs;
-  BodyForcePlan body_force;   ///< beside the weight of the materials
-  StressPlan initial_stress;  ///< beside that of the materials
+  BodyForcePlan body_force;   ///< added to the weight of the materials
+  StressPlan initial_stress;  ///< added to that of the materials
   std::vector<ExcavationPlan> excavations;
   std::vector<CrackPlan> cracks = {};
   std::optional<GrowthPlan> growth = {};
   Place place;
 };
 
-/// Those of the plan; where it names none, constant ones where rock may yield, for the others lock when it flows at
-/// constant volume, else derived ones.
+/// Returns the functions of the plan. Without any it returns constant ones if rock may yield, because others lock in
+/// flow at constant volume; otherwise derived ones.
 inline CoverFunctions functions_of(const CoverPlan& plan, const std::vector<BlockMaterial>& materials) {
   if (plan.functions) return *plan.functions;
   for (const BlockMaterial& material : materials)

@@ -1,4 +1,4 @@
-// Expressions by muParser, which stays behind this file.
+// Evaluates expressions by muParser, which no other file uses.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/formula.hpp"
 
@@ -25,21 +25,21 @@ std::optional<double> number_in(const std::string& text) {
   return value;
 }
 
-// A message says which expression it is by this much of it.
+// Length of the beginning of an expression that identifies it in a message.
 constexpr std::size_t kMostSaid = 60;
 
 std::string beginning_of(const std::string& text) {
   return text.size() > kMostSaid ? text.substr(0, kMostSaid) + "…" : text;
 }
 
-// The opening quote stands before the first character; escapes are not counted, an expression needs none.
+// The opening quote is before the first character; escapes are not counted, because an expression needs none.
 Place place_in(const Formula& formula, std::size_t character) {
   Place place = formula.place;
   if (place.column > 0) place.column += 1 + static_cast<int>(character);
   return place;
 }
 
-/// A single "=" would give a variable a value.
+/// Returns the place of a single "=", which would assign a value to a variable.
 std::size_t assignment_in(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '=') continue;

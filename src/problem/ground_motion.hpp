@@ -1,4 +1,4 @@
-// A recorded ground motion made an acceleration of all blocks.
+// Converts a recorded ground motion into an acceleration of all blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,11 +6,12 @@
 
 namespace keyblock {
 
-/// The analysis with the motion, in multiples of gravity, as its body acceleration (legacy-formats 2.8: the force on a
-/// block is the motion times its weight). Gravity is that of the analysis (DDAML), else unit weight over density of the
-/// first block material, as weights are taken too (legacy-formats 3.2). Says so in a warning: the old program read
-/// motions and never applied them. Throws InputError where there is no gravity, or where the analysis has a body
-/// acceleration already.
+/// Sets the motion, in multiples of gravity, as the body acceleration of the analysis. The force on a block is the
+/// motion times its weight (legacy-formats 2.8).
+///
+/// Gravity is that of the analysis (DDAML), or else unit weight over density of the first block material, as for
+/// weights (legacy-formats 3.2). Returns a warning, because the Berkeley program read motions but never applied them.
+/// Throws InputError if there is no gravity, or if the analysis has a body acceleration already.
 Warnings apply_motion(Analysis& analysis, const TimeCurve& motion);
 
 }  // namespace keyblock

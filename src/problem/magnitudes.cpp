@@ -1,4 +1,4 @@
-// One pass over all numbers that a calculation takes from a problem.
+// Tests, in one pass, all numbers that a calculation uses from a problem.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/magnitudes.hpp"
 
@@ -89,7 +89,7 @@ class Limits {
     return place.file.text().empty() ? analysis.place : place;
   }
 
-  /// True where it is refused.
+  /// Returns true if the value is refused.
   bool refuse_beyond(double limit, const Place& place, const std::string& what, double value) {
     if (std::abs(value) <= limit) return false;
     errors_.emplace_back(place, fmt::format("expected {} from {:g} to {:g}, found {:g}", what, -limit, limit, value));
@@ -101,7 +101,7 @@ class Limits {
       if (refuse_beyond(kGreatestQuantity, place, fmt::format("the {} {}", name, whose), value)) return;
   }
 
-  /// 0 is the reader's to refuse.
+  /// A value of 0 is refused by the reader.
   void not_zero(const Place& place, const char* what, double value) {
     if (value == 0 || (value <= kGreatestQuantity && value >= 1 / kGreatestQuantity)) return;
     errors_.emplace_back(place, fmt::format("expected {} from {:g} to {:g}, found {:g}", what, 1 / kGreatestQuantity,
@@ -117,7 +117,7 @@ class Limits {
     return length(place, what, s.start) || length(place, what, s.end);
   }
 
-  /// False where it is refused.
+  /// Returns false if the block is refused.
   bool block(const BlockPolygon& block, const std::string& name, const Place& place) {
     const auto is_fine = [&](const BlockLoop& loop) {
       for (const BlockVertex& vertex : loop) {

@@ -1,5 +1,4 @@
-// Quantities so great or so small that their products and squares are no numbers any more, refused before anything is
-// made of them.
+// Refuses quantities so great or so small that their products and squares overflow or vanish.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,14 +8,14 @@
 
 namespace keyblock {
 
-/// Materials, loads, steps and velocities enter as products of two and as squares. 1e99, the infinity of some old
-/// files, is below.
+/// Limit of materials, loads, steps and velocities, which enter as products of two and as squares. 1e99, the infinity
+/// of some old files, is below.
 inline constexpr double kGreatestQuantity = 1e100;
-/// Coordinates enter with their fourth power, in second moments of area times a density.
+/// Limit of coordinates, which enter with their fourth power, in second moments of area times a density.
 inline constexpr double kGreatestLength = 1e50;
 
-/// What of a problem is beyond these limits, in either direction where 0 is no value, each list of numbers at its
-/// first; and a geometry whose extent is below 1 / kGreatestLength.
+/// Returns an error for each quantity beyond these limits, also for values too near 0 where 0 is not allowed. Lists of
+/// numbers are reported once, at the first. A geometry with an extent below 1 / kGreatestLength is an error too.
 std::vector<InputError> immeasurable(const Problem& problem);
 
 }  // namespace keyblock

@@ -1,5 +1,5 @@
-// Bodies on a mathematical cover: a triangular mesh, the elements that bodies and joints cut it into, and the physical
-// covers that these hang on.
+// Holds bodies on a mathematical cover: a triangular mesh, the elements cut from it by bodies and joints, and their
+// physical covers. Theory: docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,28 +13,28 @@
 
 namespace keyblock {
 
-/// A conforming mesh; each triangle names its nodes counter-clockwise.
+/// Conforming mesh; each triangle names its nodes counter-clockwise.
 struct TriangleMesh {
   std::vector<Point> nodes;
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// A corner of an element, and the edge that leaves it (to the next corner of its loop). The edge is part of a side of
-/// the element's triangle, and leads to `neighbour`, with which the element shares two covers; or it is boundary:
-/// `neighbour` is -1.
+/// Corner of an element, and the edge that leaves it to the next corner of its loop. The edge is part of a side of the
+/// element's triangle and leads to `neighbour`, with which the element shares two covers. On the boundary `neighbour`
+/// is -1.
 struct ElementCorner {
   Point position;
   int neighbour = -1;
   int joint_material = -1;  ///< of a boundary edge, index from 0
 };
 
-/// A connected part of one body in one triangle of the mesh. Loops have the element on their left.
+/// Connected part of one body in one triangle of the mesh. Loops have the element on their left.
 struct ManifoldElement {
   int triangle = 0;
   int body = 0;
   std::array<int, 3> covers{};  ///< `covers[k]` belongs to node k of the triangle
   SlotRange outer;              ///< corners, counter-clockwise
-  SlotRange holes;              ///< in `Manifold::holes`; most elements have none
+  SlotRange holes;              ///< in `Manifold::holes`; usually empty
 };
 
 /// One of the pieces into which joints cut the star of a mathematical node.
@@ -43,7 +43,7 @@ struct PhysicalCover {
   SlotRange elements;  ///< in `Manifold::cover_elements`
 };
 
-/// An edge of the boundary of bodies or of a joint: it leaves `corner`, which is a corner of `element`.
+/// Edge of the boundary of bodies or of a joint: it leaves `corner`, which is a corner of `element`.
 struct BoundaryEdge {
   int element = 0;
   int corner = 0;
@@ -56,19 +56,19 @@ struct ElementPoints {
   std::vector<CoverPoint> measured;
 };
 
-/// The end of a crack, or of a joint, inside a body.
+/// End of a crack, or of a joint, inside a body.
 struct CrackTip {
   Point at;
   Point ahead;               ///< of length 1: along the crack, into the rock
-  double room = 0;           ///< distance to whatever is nearest but the straight end of the crack itself
-  const char* nearest = "";  ///< what that is, in words
+  double room = 0;           ///< distance to the nearest line other than the straight end of the crack itself
+  const char* nearest = "";  ///< name of that line, in words
 };
 
 /// Elements and covers. All indices from 0. Elements share no corners; neighbours and the two sides of a joint repeat
 /// positions to the bit.
 struct Manifold {
   TriangleMesh mesh;
-  std::vector<int> body_materials;  ///< block material of each body
+  std::vector<int> body_materials;  ///< block material per body
   std::vector<ManifoldElement> elements;
   std::vector<ElementCorner> corners;
   std::vector<SlotRange> holes;  ///< of elements, in `corners`, clockwise
@@ -85,7 +85,7 @@ struct Manifold {
     return std::span(holes).subspan(static_cast<std::size_t>(element.holes.first),
                                     static_cast<std::size_t>(element.holes.size));
   }
-  /// The corners of the element's loops: the outer one, then its holes.
+  /// Returns the corners of the element's loops: the outer one, then its holes.
   std::vector<std::vector<Point>> polygon(const ManifoldElement& element) const {
     std::vector<std::vector<Point>> loops;
     const auto add = [&](const SlotRange& range) {
@@ -100,7 +100,7 @@ struct Manifold {
     return std::span(cover_elements)
         .subspan(static_cast<std::size_t>(cover.elements.first), static_cast<std::size_t>(cover.elements.size));
   }
-  /// The corners of the element's triangle, in the order of its covers.
+  /// Returns the corners of the element's triangle, in the order of its covers.
   std::array<Point, 3> triangle(const ManifoldElement& element) const {
     const std::array<int, 3>& t = mesh.triangles[static_cast<std::size_t>(element.triangle)];
     return {mesh.nodes[static_cast<std::size_t>(t[0])], mesh.nodes[static_cast<std::size_t>(t[1])],

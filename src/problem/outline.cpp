@@ -1,4 +1,4 @@
-// The corners of outlines; shapes in the header.
+// Computes the corners of outlines; the header describes the shapes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/outline.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Points of an ellipse from angle `first` to `last`, both included.
+/// Appends points of an ellipse from angle `first` to `last`, both included.
 void add_arc(Outline& outline, Point centre, Point radii, double first, double last, int chords) {
   for (int i = 0; i <= chords; ++i) {
     const double angle = first + (last - first) * i / chords;

@@ -1,4 +1,4 @@
-// Outlines of scenes: a rectangle, a slope, and the sections of tunnels in them.
+// Generates outlines of scenes: a rectangle, a slope, and sections of tunnels in them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace keyblock {
 
-/// A closed chain of corners, counter-clockwise, the first not repeated.
+/// Closed chain of corners, counter-clockwise, the first not repeated.
 using Outline = std::vector<Point>;
 
-/// (x, y) is the lower left corner.
+/// Rectangle; (x, y) is the lower left corner.
 struct RectangleShape {
   double x = 0;
   double y = 0;
@@ -35,12 +35,12 @@ struct SlopeShape {
 };
 
 enum class TunnelShape {
-  circle,     ///< an ellipse where width and height differ
+  circle,     ///< an ellipse if width and height differ
   d,          ///< half a circle on upright walls
   horseshoe,  ///< half a circle on walls that are arcs of the radius `width` about the opposite springing; level floor
 };
 
-/// A tunnel of this width and height; (x, y) is the middle of both.
+/// Tunnel of this width and height; (x, y) is the middle of both.
 struct TunnelSection {
   TunnelShape shape = TunnelShape::circle;
   double x = 0;
@@ -50,14 +50,14 @@ struct TunnelSection {
   Place place;
 };
 
-/// Arcs of tunnels are drawn with so many chords a full circle.
+/// Chords per full circle in the arcs of tunnels.
 inline constexpr int kChordsOfCircle = 32;
 
 Outline outline_of(const RectangleShape& shape);
 Outline outline_of(const SlopeShape& shape);
 
-/// Throws InputError where a D is lower than half its width, or a horseshoe lower than that or so high that its walls
-/// would meet (√3/2 of the width below the springing).
+/// Returns the outline. Throws InputError if a D is lower than half its width. Throws it if a horseshoe is lower than
+/// that, or so high that its walls would meet (√3/2 of the width below the springing).
 Outline outline_of(const TunnelSection& tunnel);
 
 }  // namespace keyblock

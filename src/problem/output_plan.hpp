@@ -1,5 +1,4 @@
-// What a case asks to be written beside the tables that every run leaves: histories of its choice, and how much of the
-// contacts.
+// Holds the additional output that a case requests: histories, and the extent of the contact tables.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,15 +19,15 @@ struct BlockPair {
   bool operator==(const BlockPair&) const = default;
 };
 
-/// One thing that is followed in time: one of its members is given. Numbers of blocks, joints and bolts from 0; of
-/// bodies on covers a block is one element.
+/// Item to record in time: one of its members is given. Numbers of blocks, joints and bolts from 0; in NMM bodies a
+/// block is one element.
 struct HistoryPlan {
-  std::string name;  ///< empty: made of what it is
+  std::string name;  ///< empty: named after the item
   std::optional<Point> point;
   std::optional<int> block;
   std::optional<BlockPair> contact;  ///< all contacts between two blocks
   std::optional<int> joint;          ///< of the drawing
-  std::optional<Segment> line;       ///< the resultant of all that crosses it
+  std::optional<Segment> line;       ///< resultant of all forces across it
   Place place = {};
   std::optional<int> bolt = {};  ///< by its number, as `StageBolt`
 
@@ -38,14 +37,14 @@ struct HistoryPlan {
   }
 };
 
-/// Which contacts go into tables and the part of contacts for viewers. automatic: all, in tables that would grow too
-/// long those of every n-th frame; chosen: those of histories.
+/// Contacts to write to tables and viewer files. automatic: all, but only every n-th frame if tables would grow too
+/// long; chosen: those of histories.
 enum class ContactTables { automatic, all, chosen, none };
 
 struct OutputPlan {
   std::vector<HistoryPlan> histories;
   ContactTables contacts = ContactTables::automatic;
-  int contacts_every = 1;  ///< frames from one to the next
+  int contacts_every = 1;  ///< frames between two tables
   Place place = {};
 
   bool operator==(const OutputPlan& other) const {

@@ -1,4 +1,4 @@
-// The checks of a problem: each looks at one thing and returns its complaints.
+// Checks a problem: each function tests one aspect and returns its errors and warnings.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/problem.hpp"
 
@@ -19,11 +19,11 @@
 namespace keyblock {
 namespace {
 
-constexpr double kUsualEdgeNodeRatio = 0.1;  // files hold 0.001 … 0.02; from here on the cutter eats whole blocks
+constexpr double kUsualEdgeNodeRatio = 0.1;  // files have 0.001 … 0.02; from here on the cutter removes whole blocks
 
-/// Counts the material numbers that were out of range and remembers where each was met first. Files of old programs and
-/// drawings are run with the nearest number, as the old programs ran them; in a case file that holds both geometry and
-/// materials such a number is a fault.
+/// Counts material numbers out of range, and remembers the place of the first. Old files and drawings run with the
+/// nearest number, as in the old programs. In a case file that holds both geometry and materials such a number is an
+/// error.
 class Clamp {
  public:
   Clamp(std::string noun, std::size_t materials) : noun_(std::move(noun)), last_(static_cast<int>(materials) - 1) {}
@@ -124,7 +124,7 @@ std::vector<InputError> bolts_that_push(const std::vector<B>& bolts, auto place_
   return errors;
 }
 
-/// One warning of all bolts that can carry no force, whatever moves.
+/// Returns one warning for all bolts that can never carry a force.
 template <class B>
 Warnings idle_bolts(const std::vector<B>& bolts, auto place_of) {
   const auto is_idle = [](const B& bolt) { return bolt.stiffness == 0 && bolt.pretension == 0; };
@@ -158,7 +158,7 @@ std::vector<InputError> impossible_elements(const Cover& cover) {
   return errors;
 }
 
-/// Holds the problem while it is looked at and mended.
+/// Holds the problem while it is checked and corrected.
 class Checker {
  public:
   explicit Checker(Problem problem) : checked_{std::move(problem), {}, {}} {}
@@ -280,7 +280,7 @@ class Checker {
     tell(material, "block_material_clamped", "elements");
   }
 
-  /// By the type of the bolt. One whose drawing states its properties (native files) keeps them.
+  /// Gives bolts their properties by type. A bolt whose drawing states its properties (native files) keeps them.
   void give_bolts_their_properties(Drawing& drawing, const Analysis& analysis) {
     const auto& properties = analysis.bolt_properties;
     if (properties.empty() || std::ranges::all_of(drawing.bolts, has_properties)) return;

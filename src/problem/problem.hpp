@@ -1,4 +1,4 @@
-// A whole problem, geometry and analysis together, and every complaint about it at once.
+// Joins geometry and analysis to a whole problem, and collects all its errors at once.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,32 +18,31 @@
 
 namespace keyblock {
 
-/// What the files of a case say together. A geometry or an analysis alone is a problem too, though none to
-/// run.
+/// Contents of all files of a case. A geometry or an analysis alone is a problem too, but cannot run.
 struct Problem {
   std::variant<std::monostate, Drawing, Blocks, Cover> geometry;
   std::optional<Analysis> analysis;
-  Units units = {};                                ///< as a case file names them
-  std::optional<CoverPlan> covers = std::nullopt;  ///< of a case file: its bodies are to stand on covers
-  RunChoices choices = {};                         ///< of a case file
-  OutputPlan outputs = {};                         ///< of a case file
-  std::vector<Stage> stages = {};                  ///< of a case file; none: one scene from start to end
+  Units units = {};                                ///< as named in a case file
+  std::optional<CoverPlan> covers = std::nullopt;  ///< from a case file: its bodies are NMM bodies
+  RunChoices choices = {};                         ///< from a case file
+  OutputPlan outputs = {};                         ///< from a case file
+  std::vector<Stage> stages = {};                  ///< from a case file; empty: one scene from start to end
   std::optional<TimeCurve> motion =
-      std::nullopt;           ///< of the ground, a multiple of gravity; once checked, in the analysis
-  bool has_own_case = false;  ///< a case file of Keyblock is among its files: it is no old program's
-  Place place = {};           ///< the first of its files, for complaints about what is missing
+      std::nullopt;           ///< of the ground, a multiple of gravity; after the check it is in the analysis
+  bool has_own_case = false;  ///< a case file of Keyblock is among its files, so it is no old program's
+  Place place = {};           ///< the first of its files, for errors about missing parts
 };
 
-/// A problem made sound, and what was said about it: warnings for what was mended, errors for what cannot be.
+/// Validated problem: warnings name inputs that were corrected, errors inputs that could not be.
 struct Checked {
   Problem problem;
   Warnings warnings;
   std::vector<InputError> errors;
 };
 
-/// Brings material numbers into their range (as the old analysis programs do, but not silently), gives bolts
-/// their properties, accelerates blocks by a motion of the ground, and complains about what is odd or cannot be. One
-/// warning a kind and number, at its first place.
+/// Validates a problem. It brings material numbers into their range (as Shi's analysis programs do, but with a
+/// warning), gives bolts their properties, and accelerates blocks by a ground motion. It reports likely mistakes and
+/// errors: one warning per kind and number, at its first place.
 Checked check(Problem problem);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// A value that few of many have: room for a pointer where an optional would take that of the value.
+// Stores a value that is rarely set in the room of a pointer, where an optional would need that of the value.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace keyblock {
 
-/// As std::optional; copies copy the value.
+/// Works like std::optional; copies copy the value.
 template <class T>
 class Rare {
  public:

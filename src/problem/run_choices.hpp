@@ -1,4 +1,4 @@
-// What a case file says about its run beside the scene: the units of its numbers, a profile, and settings on top of it.
+// Holds the run options of a case file: the units of its numbers, a profile, and settings added to it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace keyblock {
 
-/// The names of the base units; one consistent set, to which only drawings (DXF) are brought. Empty: the old file did
-/// not say.
+/// Names of the base units; one consistent set, to which only drawings (DXF) are converted. Empty: not stated by the
+/// old file.
 struct Units {
   std::string length;
   std::string mass;
@@ -21,12 +21,12 @@ struct Units {
 };
 
 struct RunChoices {
-  std::string profile;                                        ///< empty: whatever the command takes
-  std::vector<std::pair<std::string, std::string>> settings;  ///< name and value as `keyblock run --set` takes them
+  std::string profile;                                        ///< empty: that of the command
+  std::vector<std::pair<std::string, std::string>> settings;  ///< name and value as for `keyblock run --set`
 
   Place place = {};
   Place profile_place = {};
-  std::vector<Place> setting_places = {};  ///< one a setting; none where no file says them
+  std::vector<Place> setting_places = {};  ///< one per setting; empty if no file sets them
 
   friend bool operator==(const RunChoices& a, const RunChoices& b) {
     return a.profile == b.profile && a.settings == b.settings;

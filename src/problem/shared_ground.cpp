@@ -1,4 +1,4 @@
-// The first pair names the warning.
+// Names the first pair in each warning.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/shared_ground.hpp"
 
@@ -17,9 +17,9 @@
 namespace keyblock {
 namespace {
 
-constexpr double kShared = 1e-2;   // of the smaller block
-constexpr double kRounded = 1e-4;  // of the extent of an outline
-constexpr double kFolded = 1e-9;   // of the extent: an edge this near the one before that comes back along it
+constexpr double kShared = 1e-2;   // per area of the smaller block
+constexpr double kRounded = 1e-4;  // per extent of an outline
+constexpr double kFolded = 1e-9;   // per extent: an edge this near to the one before comes back along it
 
 Loops loops_of(const BlockPolygon& block) {
   Loops loops = {points_of(block.outer)};
@@ -35,7 +35,7 @@ std::string edge_words(const Loops& loops, const LoopEdge& edge) {
                      edge.loop == 0 ? "" : fmt::format(" of hole {}", edge.loop), from.x, from.y, to.x, to.y);
 }
 
-/// The first two edges of which the second comes back along the first: a spike without width.
+/// Returns the first two edges of which the second comes back along the first: a spike without width.
 std::optional<std::pair<LoopEdge, LoopEdge>> first_fold(const Loops& loops, double extent) {
   for (std::size_t l = 0; l < loops.size(); ++l) {
     std::vector<std::size_t> corners;  // each point once
@@ -54,8 +54,8 @@ std::optional<std::pair<LoopEdge, LoopEdge>> first_fold(const Loops& loops, doub
   return std::nullopt;
 }
 
-/// The number, from 1, of a hole that holds a point of hole `h`, or all of it, earlier ones if they are the same; 0 for
-/// none.
+/// Returns the number, from 1, of a hole that holds a point of hole `h`, or all of it; of equal holes only earlier ones
+/// count. Returns 0 without one.
 std::size_t hole_around(const BlockPolygon& block, std::size_t h) {
   const std::vector<Point> hole = points_of(block.holes[h]);
   for (std::size_t k = 0; k < block.holes.size(); ++k) {

@@ -1,4 +1,4 @@
-// Linear interpolation of a time curve.
+// Interpolates a time curve linearly.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/time_curve.hpp"
 

@@ -1,4 +1,4 @@
-// A vector that changes with time, linear between given rows: loads of points, motions of fixed points, accelerations.
+// Interpolates a vector linearly in time between given rows: loads of points, motions of fixed points, accelerations.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,14 +9,14 @@
 
 namespace keyblock {
 
-/// Rows (t, value), times strictly increasing. An empty curve is zero for ever.
+/// Rows (t, value), times strictly increasing. An empty curve is always zero.
 struct TimeCurve {
   std::vector<double> times;
   std::vector<Point> values;  ///< force (loading point), displacement (fixed point) or acceleration
   Place place;
 
-  /// Linear between rows (legacy-rules 7.3); before the first and after the last row the nearest row's value
-  /// is held.
+  /// Returns the value, linear between rows (legacy-rules 7.3); before the first and after the last row it is that of
+  /// the nearest row.
   Point at(double time) const;
 };
 

@@ -1,4 +1,4 @@
-// Clips traces to an outline and puts the drawing together.
+// Clips traces to an outline and composes the drawing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/joints/joint_drawing.hpp"
 
@@ -11,16 +11,16 @@
 namespace keyblock {
 namespace {
 
-// A trace through a corner must not slip between the two sides that meet there.
+// Tolerance per side, so that a trace through a corner does not slip between the two sides that meet there.
 constexpr double kCornerShare = 1e-12;
-// Over its length; shorter pieces of a trace are rounding at corners.
+// Length per trace below which a piece is rounding at a corner.
 constexpr double kShortestPiece = 1e-9;
 
 Segment side_of(const Outline& loop, std::size_t i) {
   return {loop[i], loop[i + 1 == loop.size() ? 0 : i + 1]};
 }
 
-/// Shares of the segment at which it meets the loop.
+/// Appends the places on the segment, 0 to 1, at which it meets the loop.
 void add_crossings(std::vector<double>& shares, const Segment& segment, const Outline& loop) {
   const Point d = segment.end - segment.start;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -47,7 +47,7 @@ bool meet(const Outline& a, const Outline& b) {
   return false;
 }
 
-/// The outline, then the tunnels.
+/// Returns the outline, then the tunnels.
 std::vector<Outline> outlines_of(const JointScene& scene) {
   std::vector<Outline> loops{std::visit([](const auto& shape) { return outline_of(shape); }, scene.outline)};
   for (const TunnelSection& tunnel : scene.tunnels) {
@@ -63,7 +63,7 @@ std::vector<Outline> outlines_of(const JointScene& scene) {
   return loops;
 }
 
-/// The middle of the box around a loop and half its diagonal.
+/// Returns the middle of the box around a loop and half its diagonal.
 std::pair<Point, double> circle_around(const Outline& loop) {
   const auto [left, right] = std::ranges::minmax(loop, {}, &Point::x);
   const auto [low, high] = std::ranges::minmax(loop, {}, &Point::y);

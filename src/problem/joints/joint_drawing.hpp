@@ -1,4 +1,4 @@
-// A drawing from an outline, tunnels and joint sets.
+// Generates a drawing from an outline, tunnels and joint sets.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace keyblock {
 
-/// What a drawing is made from; indices from 0.
+/// Source of a drawing; indices from 0.
 struct JointScene {
   std::variant<RectangleShape, SlopeShape> outline;
   std::vector<TunnelSection> tunnels;
@@ -23,11 +23,11 @@ struct JointScene {
   Place place;
 };
 
-/// The parts of a segment inside the outer loop and outside every other loop, in order.
+/// Returns the parts of a segment inside the outer loop and outside every other loop, in order.
 std::vector<Segment> clipped(const Segment& segment, const std::vector<Outline>& loops);
 
-/// Boundary lines around outline and tunnels, the traces of every set between them, a hole point in every tunnel.
-/// Throws InputError where a tunnel leaves the outline or meets another.
+/// Returns boundary lines around outline and tunnels, the traces of every set between them, and a hole point in every
+/// tunnel. Throws InputError if a tunnel leaves the outline or meets another.
 Drawing drawing_of(const JointScene& scene);
 
 }  // namespace keyblock

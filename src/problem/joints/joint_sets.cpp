@@ -1,4 +1,4 @@
-// Draws the traces of a joint set, row by row.
+// Generates the traces of a joint set, row by row.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/joints/joint_sets.hpp"
 
@@ -24,7 +24,7 @@ class TraceMaker {
       if (set_.trace_length)
         add_row(offset);
       else
-        add(offset, 0, 3 * radius_);  // long enough to pass the whole circle however it is turned
+        add(offset, 0, 3 * radius_);  // long enough to pass the whole circle at every rotation
     }
     return std::move(traces_);
   }
@@ -52,7 +52,7 @@ class TraceMaker {
     }
   }
 
-  /// A trace whose middle lies `offset` across and `along` the rows.
+  /// Adds a trace whose middle lies `offset` across and `along` the rows.
   void add(double offset, double along, double length) {
     const Point middle = centre_ + along * direction(set_.dip_deg) + offset * direction(set_.dip_deg + 90);
     const double turn = set_.dip_scatter == 0 ? 0 : gsl_ran_gaussian(random_.get(), 90 * set_.dip_scatter);
@@ -60,7 +60,7 @@ class TraceMaker {
     traces_.push_back({middle - arm, middle + arm});
   }
 
-  /// Exact along the axes, so that level and upright sets stay so.
+  /// Returns an exact direction along the axes, so that level and upright sets stay so.
   static Point direction(double angle_deg) {
     const double turn = std::remainder(angle_deg, 360);
     if (turn == 0) return {1, 0};

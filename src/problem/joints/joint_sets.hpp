@@ -1,4 +1,4 @@
-// Joint sets from statistics: traces of given dip, spacing, length and gap, scattered by chance.
+// Generates joint sets from statistics: traces of given dip, spacing, length and gap, with random scatter.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,25 +12,25 @@
 
 namespace keyblock {
 
-/// One set: parallel rows, on each row traces and the gaps of rock between them.
+/// Joint set: parallel rows, on each row traces and gaps of rock between them.
 struct JointSet {
   double dip_deg = 0;                        ///< from the x axis, counter-clockwise
   double dip_scatter = 0;                    ///< standard deviation of the dip over a quarter turn; normal law
   RandomLength spacing;                      ///< between rows, across them
-  std::optional<RandomLength> trace_length;  ///< none: traces go through
+  std::optional<RandomLength> trace_length;  ///< empty: traces have no ends
   RandomLength gap;                          ///< between traces of a row (the bridge)
   int joint_material = 0;                    ///< index from 0
   std::uint64_t seed = 0;
-  std::uint64_t stream = 0;  ///< sets of one seed differ in this, so that one more set changes none of the others
+  std::uint64_t stream = 0;  ///< sets with one seed differ in this, so that a further set does not change the others
   Place place;
 };
 
-/// More traces than these no run could cut.
+/// Limit on traces; no run could cut more.
 inline constexpr std::size_t kMostTraces = 1000000;
 
-/// The traces of a set around `centre`, drawn over a circle of twice the radius `reach`, so that turned traces enter
-/// from outside as well. Rows and traces begin at random before the circle. Throws InputError for more than
-/// kMostTraces.
+/// Returns the traces of a set around `centre`. They are drawn over a circle of twice the radius `reach`, so that
+/// rotated traces also enter from outside. Rows and traces begin at random before the circle. Throws InputError for
+/// more than kMostTraces.
 std::vector<Segment> traces(const JointSet& set, Point centre, double reach);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Draws lengths through the distributions of GSL.
+// Draws lengths from the distributions of GSL.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/joints/random_value.hpp"
 
@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-/// Neighbouring numbers far apart: the finaliser of SplitMix64 (Steele, Lea and Flood 2014).
+/// Maps neighbouring numbers far apart: the finaliser of SplitMix64 (Steele, Lea and Flood 2014).
 std::uint64_t spread(std::uint64_t number) {
   std::uint64_t z = number + 0x9e3779b97f4a7c15U;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;

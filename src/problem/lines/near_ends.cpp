@@ -1,4 +1,4 @@
-// A grid over the lines answers which of them an end may reach; see near_ends.hpp.
+// Looks up lines near an end in a grid over the lines; see near_ends.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/lines/near_ends.hpp"
 
@@ -15,17 +15,17 @@
 namespace keyblock {
 namespace {
 
-constexpr double kRoundOff = 1e-10;  // over the extent: a tenth of what cutting takes as one
+constexpr double kRoundOff = 1e-10;  // per extent: a tenth of the distance that cutting treats as one
 constexpr double kUlpsOfGreatest = 64;
 constexpr double kSameWay = 1e-9;  // sine of the angle between lines that lie along each other
-constexpr double kOwnWay = 2;      // distances that an end may go along its own line
-constexpr int kMostPasses = 4;     // a line that was moved may bring another end near; no drawing tried took 3
+constexpr double kOwnWay = 2;      // distances by which an end may move along its own line
+constexpr int kMostPasses = 4;     // a moved line may bring another end near; no drawing tried needed 3
 
 Point nearest_point(const Segment& segment, Point p) {
   return point_at(segment, std::clamp(foot(segment, p), 0.0, 1.0));
 }
 
-/// Returns the crossing of the carriers of two lines; nothing if they are parallel.
+/// Returns the crossing of the straight lines of two segments; nothing if they are parallel.
 std::optional<Point> crossing_of_carriers(const Segment& a, const Segment& b) {
   const Point d = a.end - a.start;
   const Point e = b.end - b.start;
@@ -71,7 +71,7 @@ class Joiner {
     const bool leads_there =
         crossing && distance(*crossing, near.from) <= kOwnWay * distance_ && distance(other, *crossing) <= distance_;
     if (!leads_there) return near.to;
-    for (const Point end : {other.start, other.end})  // a corner that is there already
+    for (const Point end : {other.start, other.end})  // a corner that exists already
       if (distance(end, *crossing) <= kSameWay * distance_) return end;
     return *crossing;
   }

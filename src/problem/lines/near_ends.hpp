@@ -1,4 +1,4 @@
-// Ends of lines that stop just short of another line, or pass it a little: how near they come, and how to join them.
+// Finds ends of lines that stop just short of another line or pass it a little, with their distance, and joins them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace keyblock {
 
-/// An end of a line beside another line.
+/// End of a line near another line.
 struct NearEnd {
   std::size_t line = 0;
   bool is_start = false;
@@ -23,22 +23,22 @@ struct NearEnd {
   double gap() const { return distance(from, to); }
 };
 
-/// Round-off of the coordinates: ends nearer than this to a line meet it [length].
+/// Returns the round-off of the coordinates: ends nearer than this to a line meet it [length].
 double meeting_distance(std::span<const Segment> lines);
 
-/// Looks for the line that an end nearly meets. Views the lines, which may move by `within` after it is made.
+/// Finds the line that an end nearly meets. Keeps a reference to the lines, which may move by `within` afterwards.
 class NearEndSearch {
  public:
-  /// `boundary_count`: how many of the lines are an outline. Its ends meet the outline itself before any joint.
+  /// `boundary_count`: number of lines of the outline. Its ends meet the outline itself before any joint.
   NearEndSearch(std::span<const Segment> lines, std::size_t boundary_count, double within);
 
-  /// The nearest line within the distance that the line of this end does not meet elsewhere. Nothing if the end meets a
-  /// line, or if it passes one by no more than `overshoot`. Ends that pass a line farther than that, but within the
+  /// Returns the nearest line within the distance that the line of this end does not meet elsewhere. Returns nothing if
+  /// the end meets a line, or passes one by no more than `overshoot`. Ends that pass a line farther, but within the
   /// distance and with no other line nearer, are `is_beyond`.
   std::optional<NearEnd> look(std::size_t line, bool is_start, double overshoot);
 
  private:
-  /// The target of an end among the first lines.
+  /// Target of an end among the first lines.
   struct Found {
     bool is_met = false;
     std::optional<NearEnd> near = std::nullopt;
@@ -53,9 +53,9 @@ class NearEndSearch {
   SegmentGrid grid_;
 };
 
-/// Joins ends to lines nearer than `distance`: along their own line if that leads to the other within twice the
-/// distance, else to its nearest point; ends that pass a line by less are trimmed to it. Tells how many, and
-/// the one moved farthest with its place.
+/// Joins ends to lines nearer than `distance`. An end moves along its own line if that leads to the other within twice
+/// the distance, else to its nearest point. Ends that pass a line by less are trimmed to it. Warns with the count, and
+/// the place of the end moved farthest.
 Warnings join_ends(Drawing& drawing, double distance);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Nodes by cells, pieces by a grid over nodes, loops by walking; see outline_graph.hpp.
+// Finds nodes by cells, pieces by a grid over nodes, and loops by walking; see outline_graph.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/lines/outline_graph.hpp"
 
@@ -16,11 +16,11 @@
 namespace keyblock {
 namespace {
 
-constexpr double kSameEnd = 1e-9;              // over the extent
-constexpr std::size_t kMostTries = 5'000'000;  // points beside lines that are looked at
-constexpr double kUlps = 64;  // of the greatest coordinate: a drawing far from the origin has fewer digits
+constexpr double kSameEnd = 1e-9;              // per extent
+constexpr std::size_t kMostTries = 5'000'000;  // points beside lines that are tested
+constexpr double kUlps = 64;  // per greatest coordinate: a drawing far from the origin has fewer digits
 
-/// Points nearer than a distance get one number.
+/// Gives one number to points nearer than a distance.
 class PointNumbers {
  public:
   explicit PointNumbers(double same) : same_(same), cell_(std::max(2 * same, 1e-300)) {}

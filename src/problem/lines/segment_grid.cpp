@@ -1,4 +1,4 @@
-// Uniform grid over segments; see segment_grid.hpp.
+// Fills a uniform grid with segments; see segment_grid.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/lines/segment_grid.hpp"
 
@@ -9,10 +9,10 @@
 namespace keyblock {
 namespace {
 
-/// A quarter of the mean length: smaller cells cost entries without sparing many tests (measured on two joint
-/// sets and on random lines).
+/// Cell size of a quarter of the mean length: smaller cells add entries but save few tests (measured on two joint sets
+/// and on random lines).
 constexpr double kCellsPerMeanLength = 4;
-/// Cells per segment at most: pieces of an arrangement fill the plane, and more cells only cost memory.
+/// Limit on cells per segment: pieces of an arrangement fill the plane, and more cells only need memory.
 constexpr double kCellsPerSegment = 2;
 
 }  // namespace

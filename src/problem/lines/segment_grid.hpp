@@ -1,4 +1,4 @@
-// A uniform grid over many segments that answers "which of them may come near this one".
+// Finds segments that may come near a given one, by a uniform grid.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,13 +10,13 @@
 
 namespace keyblock {
 
-/// Each segment is entered in every cell that it, fattened by `margin`, touches.
+/// Enters each segment in every cell that it, widened by `margin`, touches.
 class SegmentGrid {
  public:
   SegmentGrid(std::span<const Segment> segments, double margin);
 
-  /// Indices below `limit`, ascending and each once, of the segments sharing a cell with `segment`. Valid
-  /// until the next call.
+  /// Returns indices below `limit`, ascending and each once, of the segments sharing a cell with `segment`. Valid until
+  /// the next call.
   const std::vector<int>& near(const Segment& segment, int limit);
 
  private:
@@ -30,9 +30,9 @@ class SegmentGrid {
   double margin_ = 0;
   int columns_ = 1;
   int rows_ = 1;
-  std::vector<std::size_t> start_;  // of each cell's part of entries_
+  std::vector<std::size_t> start_;  // per cell: begin of its part of entries_
   std::vector<int> entries_;
-  std::vector<int> seen_;  // number of the last call that met a segment
+  std::vector<int> seen_;  // number of the last call that met the segment
   int call_ = 0;
   std::vector<int> found_;
 };

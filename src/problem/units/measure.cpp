@@ -1,4 +1,4 @@
-// Names of units made of those that a case declares.
+// Composes names of units from those that a case declares.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/units/measure.hpp"
 
@@ -14,17 +14,17 @@
 namespace keyblock {
 namespace {
 
-/// What stands for the base units, and between them.
+/// Names of the base units, and the sign between them.
 struct Words {
   std::string mass;
   std::string length;
   std::string time;
-  std::string force;   ///< empty: spelt out
+  std::string force;   ///< empty: composed from base units
   std::string stress;  ///< empty: force over length²
   std::string_view times;
 };
 
-// That which is as large as the unit that the base units make.
+// Returns the name that is as large as the unit made of the base units.
 template <std::size_t N>
 std::string named(const Units& units, const Dimension& dimension, const std::array<std::string_view, N>& names) {
   const std::optional<double> factor = si_factor(units, dimension);
@@ -43,7 +43,7 @@ std::string power_of(const std::string& name, double power) {
   return fmt::format("{}^{:g}", name, power);
 }
 
-/// A product of powers, those below 0 behind a stroke.
+/// Product of powers; negative ones follow a stroke.
 class Product {
  public:
   explicit Product(std::string_view times) : times_(times) {}
@@ -69,7 +69,7 @@ void take_bases(Product& product, const Words& words, const Dimension& left) {
   product.take(words.time, left.time);
 }
 
-// Force is taken out where there is mass that is accelerated, or moved: N, N·m, N·s.
+// Force replaces mass that is accelerated or moved: N, N·m, N·s.
 std::string spelt(const Dimension& dimension, const Words& words) {
   Product product(words.times);
   if (dimension == kStress && !words.stress.empty()) return words.stress;
@@ -88,7 +88,7 @@ bool is_said(const Dimension& dimension, const Units& units) {
 }
 
 Words words_of(const Units& units) {
-  // A product stands for no name: what has mass is then spelt by force, or by stress where force has no name either.
+  // A product is not a name: mass is then written by force, or by stress if force has no name either.
   const bool has_name = units.mass.find("·") == std::string::npos;
   Words words{
       has_name ? units.mass : std::string(), units.length, units.time, named(units, kForceDimension, kForceUnits),

@@ -1,4 +1,4 @@
-// What numbers of files and results measure, and what their unit is called where a case declares its units.
+// Describes the quantity that a number in files and results measures, and names its unit in the units of a case.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace keyblock {
 
-/// What a number measures. Masses, forces and energies of a scene are those of a slice one unit of length thick: kN/m
-/// where force is in kN.
+/// Quantity of a number. Masses, forces and energies of a scene are those of a slice one unit of length thick: kN/m if
+/// force is in kN.
 struct Measure {
   Dimension dimension;          ///< of the whole, without the thickness
   bool of_slice = false;        ///< per unit thickness
-  std::string_view angle = {};  ///< "deg" or "rad" of an angle
+  std::string_view angle = {};  ///< "deg" or "rad" for an angle
 
   bool operator==(const Measure&) const = default;
 };
@@ -46,28 +46,28 @@ inline constexpr Measure kMomentum{{1, 1, -1}, true};
 inline constexpr Measure kAngularMomentum{{1, 2, -1}, true};
 }  // namespace measures
 
-/// Of the number itself: that of the whole over a length where it is of a slice.
+/// Returns the dimension of the number itself: that of the whole over a length, if it is of a slice.
 Dimension dimension_of(const Measure& measure);
 
-/// "kN/m", "MPa", "t·m²/m", "rad/s": in the units of the case, as `unit_named` reads them. Where the case does not
-/// declare what that takes, by letters per unit thickness: "F", "F/L²", "M L²". Empty for a plain number.
+/// Returns "kN/m", "MPa", "t·m²/m", "rad/s": in the units of the case, as `unit_named` reads them. If the case does not
+/// declare the units needed, it returns letters per unit thickness: "F", "F/L²", "M L²". Empty for a plain number.
 std::string unit_of(const Measure& measure, const Units& units);
 
-/// Whether `unit_of` has a name other than letters.
+/// Returns true if `unit_of` has a name other than letters.
 bool is_declared(const Measure& measure, const Units& units);
 
-/// "gap [mm]"; of a plain number the name alone.
+/// Returns "gap [mm]"; for a plain number only the name.
 std::string with_unit(std::string_view name, const Measure& measure, const Units& units);
 
-/// The same, but without letters where the case does not declare what it takes.
+/// Returns the same, but without letters if the case does not declare the units needed.
 std::string with_declared(std::string_view name, const Measure& measure, const Units& units);
 
-/// "20 GPa", and "a stress, such as "20 GPa"": how such a value may be written.
+/// Returns "20 GPa", and "a stress, such as "20 GPa"": the form in which such a value may be written.
 std::string_view example_value(const Measure& measure);
 std::string example_of(const Measure& measure);
 
-/// In the units of the case, "20 GPa" that should be of this kind; nothing where it is another, or no value with a
-/// unit. Throws nothing; where the case declares too little, `lacks_units` says so.
+/// Value of "20 GPa" in the units of the case, if it is of this kind. Empty if it is of another kind, or no value with
+/// a unit. Throws nothing; if the case declares too few units, `lacks_units` is true.
 struct Converted {
   std::optional<double> number;
   bool lacks_units = false;

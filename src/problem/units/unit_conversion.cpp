@@ -1,4 +1,4 @@
-// The table of units, and products and powers of them.
+// Holds the table of units, and computes products and powers of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/units/unit_conversion.hpp"
 
@@ -83,7 +83,7 @@ std::optional<Unit> simple_unit(std::string_view name) {
   return std::nullopt;
 }
 
-// The power behind a name: "m3", "m^3", "m³", "s^-1", "m^1.5" have one.
+// Removes the power from a name and returns it: "m3", "m^3", "m³", "s^-1", "m^1.5" have one.
 std::optional<double> take_power(std::string_view& name) {
   if (const std::size_t hat = name.find('^'); hat != std::string_view::npos) {
     const std::string_view power = name.substr(hat + 1);
@@ -102,14 +102,14 @@ std::optional<double> take_power(std::string_view& name) {
   return 1;
 }
 
-/// One factor of a product.
+/// Factor of a product.
 struct Part {
   std::string_view name;
-  bool is_over = false;  ///< behind a stroke
+  bool is_over = false;  ///< follows a stroke
   bool is_root = false;
 };
 
-// "kN·m/s" as kN, m and s; "MPa√m" as MPa and the root of m.
+// Splits "kN·m/s" into kN, m and s; "MPa√m" into MPa and the root of m.
 std::vector<Part> parts_of(std::string_view name) {
   constexpr std::array<std::string_view, 4> kSigns{"/", "*", "·", "√"};
   std::vector<Part> parts{{}};
@@ -122,7 +122,7 @@ std::vector<Part> parts_of(std::string_view name) {
       continue;
     }
     const bool is_root = *sign == kSigns[3];
-    // A root may open the name, or stand right behind another sign.
+    // A root may open the name, or follow another sign directly.
     if (is_root && at == begin) {
       parts.back().is_root = true;
     } else {
@@ -136,7 +136,7 @@ std::vector<Part> parts_of(std::string_view name) {
   return parts;
 }
 
-// False where it is no unit, or none that may stand there.
+// Returns false if the part is no unit, or none allowed there.
 bool multiply(Unit& product, Part part, bool is_first) {
   if (part.name == "1" && is_first && !part.is_root) return true;
   const std::optional<double> written = take_power(part.name);
@@ -151,7 +151,7 @@ bool multiply(Unit& product, Part part, bool is_first) {
   return true;
 }
 
-// The name of a unit of mass that is as large, or what was made.
+// Returns the name of a unit of mass of equal size, or the composed name.
 std::string known_mass(const std::string& made) {
   const std::optional<Unit> unit = unit_named(made);
   if (!unit || unit->dimension != kMass) return {};
