@@ -1,4 +1,4 @@
-// What steps hand on to each other, as members to save and restore.
+// Declares how the data passed from step to step are saved and restored, member by member.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,10 +7,11 @@
 
 namespace keyblock {
 
-/// What a point of rock that may yield remembers.
+/// Saves or restores the memory of a point of elastoplastic rock.
 void describe(Archive& archive, YieldState& point);
 
-/// Of a motion of the same scene, as `start_motion` makes it; contacts and bonds lie between `vertices`.
+/// Saves or restores a motion of the same scene, shaped as `start_motion` makes it. Contacts and bonds lie between
+/// `vertices`.
 void describe(Archive& archive, Motion& motion, VertexIndex vertices);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// A scene is solved in its first step; the steps after it find the same.
+// Solves a scene in its first step; later steps of the scene keep that solution.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/linear_stepper.hpp"
 
@@ -10,7 +10,8 @@
 namespace keyblock {
 namespace {
 
-// Of the largest shear force by friction; forces are settled to less than this.
+// Tolerance of sticking, as a fraction of the largest shear force that friction allows. Forces settle to less than
+// this.
 constexpr double kOfSliding = 1e-6;
 
 ContactCondition condition_of(const FaceContact& contact, const JointMaterial& joint) {
@@ -90,7 +91,7 @@ ContactFrames LinearStepper::contacts() const {
   return frames;
 }
 
-// The state is that of the solution, but for its step and times.
+// Only the step number and times need saving: all else in the state follows from the solution.
 void LinearStepper::describe(Archive& archive) {
   bool is_solved = solution_.has_value();
   archive.value("is_solved", is_solved);

@@ -1,5 +1,5 @@
-// Load steps of bodies on covers that nothing touches but faces of cracks each other: each is one static solution of
-// the unloaded bodies.
+// Makes load steps of linear elastic NMM bodies without contact, except between the faces of one crack. Each scene is
+// one static solution of the unloaded bodies. Theory: docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,18 +13,17 @@ namespace keyblock {
 
 class LinearStepper : public StaticStepper {
  public:
-  /// Of a scene that is linear, undisplaced. Throws InputError where its initial stress has no finite value.
+  /// Takes a linear, undisplaced scene. Throws InputError if its initial stress is not finite.
   explicit LinearStepper(Scene scene);
-  /// As it was saved, of the same scene. Throws InputError.
+  /// Restores the stepper from a checkpoint of the same scene. Throws InputError.
   LinearStepper(Scene scene, Archive& saved);
 
   Stress stress_at(ElementIndex e, Point start) const override;
-  /// Solves where the scene has not been solved yet: its loads stay the same. Fails where a body can still move, with
-  /// the motion, and where the forces between faces of cracks do not settle. Throws InputError where a load has no
-  /// finite value.
+  /// Solves the scene if it is not solved yet; its loads stay the same. Fails with the free motion if a body can still
+  /// move, and if the forces between crack faces do not settle. Throws InputError if a load is not finite.
   std::variant<StepReport, StepFailure> advance() override;
   std::optional<ForceBalance> forces() const override;
-  /// Of faces of cracks.
+  /// Returns the contacts between crack faces.
   ContactFrames contacts() const override;
   std::optional<CoverDisplacement> on_covers() const override {
     if (!solution_) return std::nullopt;
@@ -40,7 +39,7 @@ class LinearStepper : public StaticStepper {
   void describe_solution(Archive& archive);
   void describe_faces(Archive& archive);
 
-  std::optional<ContinuumSolution> solution_;  ///< none before the first step
+  std::optional<ContinuumSolution> solution_;  ///< empty before the first step
 };
 
 }  // namespace keyblock

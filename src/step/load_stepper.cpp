@@ -1,4 +1,4 @@
-// Parts of a step, the scene's share of loads, what is carried to the next scene; see load_stepper.hpp.
+// Divides load steps, follows the load fraction and transfers the state to the next scene; see load_stepper.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/load_stepper.hpp"
 
@@ -14,19 +14,19 @@
 namespace keyblock {
 namespace {
 
-// Share by which displacements are larger than at the last equilibrium in the test for a limit load.
+// Relative growth of the displacements beyond the last equilibrium in the test for a limit load.
 constexpr double kFurtherOn = 0.05;
 
-/// The last equilibrium of a search by load that found none beyond.
+/// Last equilibrium of a load-controlled search that found none beyond it.
 struct LastEquilibrium {
   const LoadedState& at;
-  double share;                  ///< of the loads, there
-  double tried;                  ///< the least share at which none was found
-  const Eigen::VectorXd& speed;  ///< displacement per share
+  double share;                  ///< load fraction there
+  double tried;                  ///< smallest load fraction that found no equilibrium
+  const Eigen::VectorXd& speed;  ///< displacement per load fraction
 };
 
-// The loads at which displacements are a little larger, along the path of equilibria: a search by load that finds none
-// has met a limit only if these are no larger.
+// Returns the load fraction at slightly larger displacements on the path of equilibria. A load-controlled search
+// without a solution has reached a limit load only if that fraction is no larger.
 std::optional<double> share_further_on(const LoadedBodies& bodies, const LastEquilibrium& last) {
   if (last.at.d.norm() == 0) return std::nullopt;
   ArcLength path(bodies);
@@ -36,8 +36,9 @@ std::optional<double> share_further_on(const LoadedBodies& bodies, const LastEqu
   return found ? std::optional(found->share) : std::nullopt;
 }
 
-// Why: a limit load is said only if the path of equilibria leads on to no larger loads. Where edges are driven, rock
-// that bears less is pushed on, and the end of the search need not be a limit. `search`: what it took.
+// Explains why no equilibrium was found. A limit load is claimed only if the path of equilibria leads to no larger
+// loads. If edges are driven, weakening rock is still pushed on, so that the end need not be a limit load. `search`:
+// effort spent.
 std::string no_equilibrium_beyond(const LoadedBodies& bodies, const LastEquilibrium& last, const std::string& search) {
   const bool is_driven = std::ranges::any_of(bodies.driven(1), [](double way) { return way != 0; });
   const std::string where = fmt::format("no equilibrium beyond {:.4g} of the {} of this scene was found ({})",
@@ -75,7 +76,8 @@ LoadStepper::LoadStepper(Scene scene, Archive& saved) : LoadStepper(std::move(sc
   describe(saved);
 }
 
-// Covers of the same mesh node, of elements that are a part of each other, are one.
+// Maps cover functions through the elements: covers at one mesh node are the same if one element is a part of the
+// other.
 LoadedState LoadStepper::carried(const LoadedBodies& next, const SceneChange& change) const {
   LoadedState state = next.at_start();
   const CoverBasis& before = bodies_->basis();
@@ -120,7 +122,7 @@ std::optional<PlasticTotals> LoadStepper::plastic_totals() const {
   return totals;
 }
 
-// Places are put of the unknowns at hand.
+// put_places reads `now_.d`, so that the tried unknowns replace it for a moment.
 void LoadStepper::keep_attempt(const Eigen::VectorXd& d) {
   if (!d.allFinite() || d.size() != now_.d.size()) return;
   const State before = state_;
@@ -130,7 +132,7 @@ void LoadStepper::keep_attempt(const Eigen::VectorXd& d) {
   now_.d = kept;
 }
 
-// Angle of the polar decomposition.
+// Returns the angle of the polar decomposition.
 double LoadStepper::rotation_of(ElementIndex e, Point start) const {
   const Eigen::Matrix2d f = bodies_->elasticity().deformation(now_.d, e.value, start);
   return std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));
@@ -144,11 +146,11 @@ int LoadStepper::steps_of_scene() const {
   return std::max(1, scene_.end.steps > 0 ? scene_.end.steps : scene_.settings.step_count - first_step_);
 }
 
-// In halves of the way that is left where the whole of it finds no equilibrium, twice as far again after each that
-// does. Nothing of a step that fails is kept.
+// Halves the remaining way if the whole of it finds no equilibrium, and doubles the part after each success. A failed
+// step leaves no trace in the state.
 std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
   const double whole = share - share_;
-  const double least = std::ldexp(whole, -scene_.load_cuts);  // what a limit load is known to
+  const double least = std::ldexp(whole, -scene_.load_cuts);  // resolution of a limit load
   LoadedState at = now_;
   double reached = share_;
   double part = whole;
@@ -184,8 +186,8 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
   return std::nullopt;
 }
 
-// In as long a step as the last, twice as far again after one that was cut. Where the full loads are passed the step
-// goes to them instead.
+// Tries the length of the last step, or twice that after a cut. If a step passes the full loads, it ends at them
+// instead.
 std::optional<std::string> LoadStepper::advance_along(Work& work) {
   const PathPoint from{now_, share_, way_, share_change_};
   if (length_ == 0) {

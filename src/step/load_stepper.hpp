@@ -1,4 +1,5 @@
-// Load steps of bodies on covers that nothing touches and whose rock may yield: each goes on from the one before.
+// Makes load steps of elastoplastic NMM bodies without contact. Each step continues from the equilibrium of the last.
+// Theory: docs/theory/07-initial-state-and-statics.md and docs/theory/09-plasticity.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,15 +13,15 @@
 
 namespace keyblock {
 
-/// Loads of a scene grow in equal parts to their full size in its last step. A step whose part finds no equilibrium is
-/// made in halves, quarters, …; where the least part finds none, the run ends: at a limit load, where larger
-/// displacements carry no more, else before one is known. Under `load_control = arc_length` a step goes along the path
-/// of equilibria instead, `path_step` times as far as an equal share would move elastic rock, and loads may fall; the
-/// scene ends at its full loads, wherever steps lead before.
+/// Raises the loads of a scene in equal increments, up to their full size in its last step. If an increment finds no
+/// equilibrium, it is halved, down to a smallest part. If that part finds none either, the run ends. The end is a limit
+/// load if larger displacements carry no more load, and unknown otherwise. Under `load_control = arc_length` a step
+/// follows the path of equilibria, and loads may fall. Its length is `path_step` times the displacement of elastic rock
+/// under an equal increment. The scene ends at its full loads, even if steps remain.
 class LoadStepper : public StaticStepper {
  public:
   explicit LoadStepper(Scene scene);
-  /// As it was saved, of the same scene. Throws InputError.
+  /// Restores the stepper from a checkpoint of the same scene. Throws InputError.
   LoadStepper(Scene scene, Archive& saved);
 
   Stress stress_at(ElementIndex e, Point start) const override;
@@ -37,23 +38,23 @@ class LoadStepper : public StaticStepper {
   bool is_at_rest(double) const override { return share_ >= 1; }
 
  private:
-  /// What the parts of a step took.
+  /// Effort and results of the parts of one step.
   struct Work {
     int rounds = 0;
     int cuts = 0;
-    RoundsEnd cut_by = RoundsEnd::open;  ///< the last
-    int parts = 0;                       ///< of those that found an equilibrium
-    std::vector<double> residuals = {};  ///< of the rounds of the last of them
+    RoundsEnd cut_by = RoundsEnd::open;  ///< reason of the last cut
+    int parts = 0;                       ///< parts that found an equilibrium
+    std::vector<double> residuals = {};  ///< residuals of the iterations of the last such part
     double plastic = 0;
   };
 
-  /// The state of the bodies in the next scene, which stand on the same mesh.
+  /// Transfers the state of the bodies to the next scene, which uses the same mesh.
   LoadedState carried(const LoadedBodies& next, const SceneChange& change) const;
   int steps_of_scene() const;
   std::optional<std::string> advance_to(double share, Work& work);
   std::optional<std::string> advance_along(Work& work);
   void accept(PathPoint found, Work& work);
-  /// Puts where the last search for an equilibrium ended, without finding one.
+  /// Stores the end point of the last search, which found no equilibrium, in `attempted_`.
   void keep_attempt(const Eigen::VectorXd& d);
   Point place_of(ElementIndex e, Point start) const override;
   double rotation_of(ElementIndex e, Point start) const override;
@@ -61,19 +62,19 @@ class LoadStepper : public StaticStepper {
 
   std::unique_ptr<LoadedBodies> bodies_;
   ShareControl by_share_;
-  std::optional<ArcLength> path_;  ///< under control by arc length
+  std::optional<ArcLength> path_;  ///< only under arc-length control
   LoadedState now_;
   Eigen::VectorXd
-      speed_;         ///< displacement per share of the loads in the last part of a step: the next is guessed by it
-  double share_ = 0;  ///< of the scene's loads
-  // Along the path of equilibria:
+      speed_;         ///< displacement per load fraction in the last part of a step; serves as guess for the next part
+  double share_ = 0;  ///< load fraction of the scene
+  // State of arc-length control:
   Eigen::VectorXd way_;             ///< change of `now_.d` in the last step; zero before the first
-  double share_change_ = 0;         ///< in it
-  double length_ = 0;               ///< of a step that is not cut; 0: none was made
-  double part_ = 0;                 ///< of the step to come
+  double share_change_ = 0;         ///< change of the load fraction in the last step
+  double length_ = 0;               ///< arc length of an uncut step; 0: not chosen yet
+  double part_ = 0;                 ///< arc length of the next step
   double plastic_work_ = 0;         ///< since the start, by the stress at the end of each part of a step
-  int first_step_ = 0;              ///< after which the scene began
-  std::optional<State> attempted_;  ///< of a step that failed
+  int first_step_ = 0;              ///< last step before the scene
+  std::optional<State> attempted_;  ///< end of a failed step
 };
 
 }  // namespace keyblock

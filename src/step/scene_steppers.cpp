@@ -1,4 +1,4 @@
-// Scenes that nothing touches have steppers of their own.
+// Chooses the stepper of a scene: scenes without contact have steppers of their own.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene_steppers.hpp"
 

@@ -1,4 +1,4 @@
-// Which stepper steps a scene of dynamics `standard`.
+// Declares the choice of stepper for a scene of dynamics `standard`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,13 +8,13 @@
 
 namespace keyblock {
 
-/// Throws std::invalid_argument for a scene that cannot be stepped.
+/// Returns the stepper of the scene. Throws std::invalid_argument if no stepper supports the scene.
 std::unique_ptr<SceneStepper> scene_stepper(Scene scene);
 
-/// As it was saved, of the same scene. Throws InputError.
+/// Restores the stepper from a checkpoint of the same scene. Throws InputError.
 std::unique_ptr<SceneStepper> restored_scene_stepper(Scene scene, Archive& saved);
 
-/// What the books of a run hold that begins with this scene.
+/// Returns the quantities that the energy balance of a run covers, if the run begins with this scene.
 LedgerScope ledger_scope_of(const Scene& scene);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Start by the chosen rule, then steps of the given size.
+// Computes the initial state by the chosen rule, then makes steps of the given size.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/standard_stepper.hpp"
 
@@ -31,25 +31,26 @@
 namespace keyblock {
 namespace {
 
-// A start with stress of its own is the file's statement of equilibrium; it is not replaced.
+// An initial stress is the file's own statement of equilibrium, so that it is not replaced.
 bool has_initial_stress(const StandardScene& scene) {
   return std::ranges::any_of(scene.bodies(), [](const Body& body) { return (body.initial_stress.array() != 0).any(); });
 }
 
-// Forces whose gaps no shift can make are not those of elastic blocks: the start is settled instead.
+// Largest misfit of a compatible start. Forces whose gaps no shift can produce are not those of elastic blocks; a
+// settled start replaces them.
 constexpr double kMisfit = 1e-6;
-// Jointed masses of more touching pairs than this are settled at once: multipliers between rigid blocks seldom settle
-// there.
+// Largest number of touching pairs for a compatible start. Larger jointed masses settle at once, because multipliers
+// between rigid blocks rarely converge there.
 constexpr std::size_t kMostExact = 40;
 
 struct First {
   Motion motion;
   std::string failure;
   StartReport report;
-  std::optional<ElementIndex> turned = {};  ///< inside out by its start
+  std::optional<ElementIndex> turned = {};  ///< turned inside out by its initial state
 };
 
-// "the weight and 2 point loads"
+// Returns a list such as "the weight and 2 point loads".
 std::string loads_in_words(const StandardScene& scene) {
   std::size_t points = 0;
   for (const CarriedPoint& point : scene.model.loading_points) points += length(point.curve.at(0)) > 0 ? 1 : 0;
@@ -116,7 +117,8 @@ First asked_motion(const StandardScene& scene) {
   if (as_drawn || !slides_in_balance || has_initial_stress(scene)) return {std::move(motion), {}, {}};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);
-  // Where friction may bear in more ways than one, statics begins as motion in time does, and both stand or fall alike.
+  // In a jointed mass, friction can carry the load in several ways. Statics therefore begins from the same forces as
+  // dynamics, so that both find the same scenes stable.
   if (!is_in_time) return {is_jointed ? settled(scene, motion).motion : motion, {}, {}};
   if (is_jointed && touching.size() > kMostExact)
     return settled_first(scene, std::move(motion),
@@ -133,7 +135,7 @@ First asked_motion(const StandardScene& scene) {
       std::move(start.motion), std::move(start.failure), {"compatible", balanced_by(scene, what), {}, start.misfit, 0}};
 }
 
-// Loads that press a block through itself have no start: such a run ends with the scene as drawn.
+// Loads that press a block through itself have no initial state; such a run ends with the scene as drawn.
 First first_motion(const StandardScene& scene) {
   First first = asked_motion(scene);
   const std::optional<ElementIndex> bad = impossible(state_of(scene, first.motion));
@@ -167,7 +169,8 @@ ElementState element_state(const StandardScene& scene, const Motion& motion, con
   return scene.groups.of(e).state_of(scene.parts(), e, motion, place(scene.model, vertices, e, scene.settings));
 }
 
-// Those of state_of, without stresses and velocities of elements that share a basis, which lie where their vertices do.
+// Returns the places of state_of without stresses and velocities. NMM elements share a basis: their vertices place
+// them.
 StartPlaces places_at(const StandardScene& scene, const Motion& motion) {
   StartPlaces places{vertices_at(scene.model, scene.reference, motion.q), {}};
   places.elements.reserve(scene.model.elements.size());
@@ -192,7 +195,7 @@ std::optional<CoverDisplacement> displacement_of(const StandardScene& scene, con
   return std::nullopt;
 }
 
-// What is wrong with an element that is impossible at the end of a step.
+// Describes an element that is impossible at the end of a step.
 std::string in_words(const StandardScene& scene, ElementIndex e, const State& before, const State& end) {
   const bool is_in_time = scene.settings.standard.motion == MotionRule::dynamic;
   return fmt::format(
@@ -277,7 +280,7 @@ StandardStepper::StandardStepper(Scene scene, Archive& saved)
   describe(saved);
 }
 
-// The state is that of the motion, but for its step and times.
+// Besides the motion, only the step number and times need saving: the rest of the state follows from the motion.
 void StandardStepper::describe(Archive& archive) {
   archive.group("installed", [&] { describe_installed(archive); });
   archive.value("begins_scene", begins_scene_);
@@ -301,7 +304,7 @@ void StandardStepper::describe(Archive& archive) {
   archive.value("plastic_work", plastic_work_);
 }
 
-// What only the motion of the scene before knew.
+// Saves data that only the motion of an earlier scene provided.
 void StandardStepper::describe_installed(Archive& archive) {
   for (CarriedPoint& point : scene_.model.fixed_points) {
     if (!point.holds_in_place) continue;
@@ -315,7 +318,7 @@ void StandardStepper::describe_installed(Archive& archive) {
   if (archive.is_restoring()) scene_.held = held_points(scene_.model);
 }
 
-// What is stored and what momentum there is jump with the scene; the flows go on.
+// Stored energy and momentum jump with the change of scene; flows continue from `before`.
 void StandardStepper::book_change(const LedgerRow& before) {
   ledger_ = ledger_row(scene_, motion_);
   ledger_.step = before.step;

@@ -1,4 +1,5 @@
-// Dynamics::standard as a stepper: start, step after step, and the state that observers see.
+// Steps a scene of Dynamics::standard: computes the initial state, makes each step and keeps the state for observers.
+// Theory: docs/theory/03-time-integration.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,12 +13,12 @@ namespace keyblock {
 
 class StandardStepper : public SceneStepper {
  public:
-  /// Throws std::invalid_argument for a scene that is `unsupported`.
+  /// Computes the initial state. Throws std::invalid_argument if the scene is `unsupported`.
   explicit StandardStepper(Scene scene);
-  /// Goes on in the scene that follows, from the motion and the time of the one before; its faces have these pulls.
-  /// Throws as the first.
+  /// Continues in the next scene, from the motion and time of `before`; `pulls` act on its faces. Throws
+  /// std::invalid_argument if the scene is `unsupported`.
   StandardStepper(const StandardStepper& before, const SceneChange& change, std::vector<FacePull> pulls = {});
-  /// As it was saved, of the same scene.
+  /// Restores the stepper from a checkpoint of the same scene.
   StandardStepper(Scene scene, Archive& saved);
 
   const Model& model() const override { return scene_.model; }
@@ -29,8 +30,8 @@ class StandardStepper : public SceneStepper {
   std::optional<PlasticState> plastic_at(ElementIndex e, Point start) const override;
   std::optional<PlasticTotals> plastic_totals() const override;
   std::variant<StepReport, StepFailure> advance() override { return advance({}); }
-  /// A step in time whose pulls depend on where it ends: is asked after each trial, and puts other pulls and returns
-  /// true where it wants another.
+  /// Revises the pulls on faces that depend on the end of a dynamic step. Called after each trial. If it changes
+  /// `pulls` and returns true, the step is tried again.
   using BetterPulls = std::function<bool(const CoverDisplacement& end, std::vector<FacePull>& pulls)>;
   std::variant<StepReport, StepFailure> advance(const BetterPulls& better);
   LedgerRow ledger() const override { return ledger_; }
@@ -43,7 +44,7 @@ class StandardStepper : public SceneStepper {
   std::unique_ptr<SceneStepper> in_next(const SceneChange& change) const override;
   bool is_at_rest(double share) const override;
 
-  /// Of the coming steps.
+  /// Sets the pulls of all later steps.
   void put_pulls(std::vector<FacePull> pulls) { scene_.pulls = std::move(pulls); }
   const StandardScene& scene() const { return scene_; }
   const Motion& motion() const { return motion_; }
@@ -58,20 +59,20 @@ class StandardStepper : public SceneStepper {
 
   StandardScene scene_;
   Motion motion_;
-  double next_part_ = 0;       ///< size of the first part of the coming step, under step control; 0: not chosen yet
-  bool begins_scene_ = false;  ///< no step was made on it yet, and it is not the first
+  double next_part_ = 0;       ///< size of the first part of the next step, under step control; 0: not chosen yet
+  bool begins_scene_ = false;  ///< true in a later scene before its first step
   StartReport start_report_;
-  std::string start_failure_;  ///< said by the first step; empty for a start that was found
+  std::string start_failure_;  ///< reported by the first step; empty if an initial state was found
   std::optional<ElementIndex> turned_at_start_;
   StartPlaces unloaded_;
   State state_;
-  Table<VertexIndex, Point> vertices_before_;  ///< at the start of the last step; none before one, or once restored
+  Table<VertexIndex, Point> vertices_before_;  ///< at the start of the last step; empty before one and after restart
   LedgerRow ledger_;
-  double plastic_work_ = 0;         ///< at rest, where there is no ledger of flows
-  std::optional<State> attempted_;  ///< of a step that failed
+  double plastic_work_ = 0;         ///< statics only, which has no energy balance
+  std::optional<State> attempted_;  ///< end of a failed step
 };
 
-/// The scene's state at a motion: vertices, carried points, stress turned into the plane, velocities.
+/// Returns the state of the scene at a motion: vertices, carried points, stress rotated into the plane, velocities.
 State state_of(const StandardScene& scene, const Motion& motion);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Corners, centroids and measured points of a static solution, and its steps.
+// Computes corners, centroids and measured points of a static solution, and counts its steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/static_stepper.hpp"
 

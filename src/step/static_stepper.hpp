@@ -1,4 +1,5 @@
-// What steppers of bodies on covers at rest, which nothing touches, have in common: places, steps, what moves freely.
+// Holds the common part of static steppers of NMM bodies without contact: positions, step counter, bodies without
+// support.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,23 +22,24 @@ class StaticStepper : public SceneStepper {
  protected:
   explicit StaticStepper(Scene scene) : scene_(std::move(scene)) {}
 
-  /// Where the point of an element lies that lay at `start` before any load.
+  /// Returns the position of the point that lay at `start` in the unloaded element.
   virtual Point place_of(ElementIndex e, Point start) const = 0;
-  /// Rotation of the element at that point, rad.
+  /// Returns the rotation of the element at that point [rad].
   virtual double rotation_of(ElementIndex e, Point start) const = 0;
   virtual void describe(Archive& archive) = 0;
 
   const Continuum& continuum() const { return *scene_.model.continuum; }
-  /// Puts places, stresses and measured points of the solution into the state; at the start they are the unloaded ones.
+  /// Writes positions, stresses and measured points of the solution into the state; begin_unloaded does so before any
+  /// load.
   void put_places();
   void begin_unloaded();
-  /// At the step and time of the scene before.
+  /// Takes over the step number and time of the last scene.
   void continue_from(const StaticStepper& before);
   void describe_time(Archive& archive);
-  /// Pieces that nothing holds, as the failure of the next step.
+  /// Returns the failure of the next step if pieces have no support.
   std::optional<StepFailure> unheld_pieces() const;
   StepFailure failure(const std::string& why) const;
-  /// The next step is made.
+  /// Counts the next step as made and returns its report.
   StepReport end_step(int passes, int redos, double residual);
 
   Scene scene_;

@@ -1,4 +1,4 @@
-// Sentences of failed steps, counts of accepted ones; see step_outcome.hpp.
+// Writes the reason of a failed step and the counts of an accepted one; see step_outcome.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/step_outcome.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostNamed = 10;  // contacts in a message; the record lists them all
 
-// A step that failed may know nothing of them.
+// A failed step may have no such points.
 bool has_points_of(const BodiesMotion& motion, const BodiesMotion& other) {
   return motion.points.blocks.size() == other.points.blocks.size() &&
          motion.points.covers.size() == other.points.covers.size();
@@ -78,7 +78,7 @@ StepFailure failure_of(const StandardScene& scene, const Motion& motion, const S
   std::string names;
   std::size_t named = 0;
   for (std::size_t i : step.undecided) {
-    if (i >= step.touches.size() || ++named > kMostNamed) continue;  // behind the touches: bolts and held points
+    if (i >= step.touches.size() || ++named > kMostNamed) continue;  // beyond the contacts: bolts and fixed points
     const Touch& touch = step.touches[i];
     names += fmt::format("{}{} ({} on {})", names.empty() ? "" : ", ", i + 1,
                          part_name(scene, scene.model.vertices[touch.vertex].element),

@@ -1,4 +1,4 @@
-// What a step of `standard` came to, in words and numbers.
+// Reports the outcome of a step of `standard` in numbers, and the reason of a failed one in words.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,17 +9,16 @@
 
 namespace keyblock {
 
-/// Of an accepted step, at its end.
+/// Returns the report of an accepted step at its end.
 StepReport report_of(const StandardScene& scene, const Motion& motion, const State& state, const ControlledStep& made);
 
-/// Of one that failed, from this state.
+/// Returns the failure of a step that began from `state`.
 StepFailure failure_of(const StandardScene& scene, const Motion& motion, const State& state, const StandardStep& step);
 
-/// Why an element on covers was crushed to nothing; empty where none was. `drawn`: the areas of the start.
+/// Explains why an NMM element was crushed to zero area; empty if none was. `drawn`: state with the areas as drawn.
 std::string crushed_before(const StandardScene& scene, const State& drawn, const State& before, const State& end);
 
-/// Which blocks lie deeper in one another than the limit allows, beyond what their springs are pressed; empty where
-/// none do.
+/// Names the blocks that overlap deeper than the limit, beyond the compression of their springs; empty if none do.
 std::string too_deep(const StandardScene& scene, const Motion& motion, const State& end);
 
 }  // namespace keyblock

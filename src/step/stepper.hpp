@@ -1,4 +1,4 @@
-// What the run loop sees of a dynamics: a state, and a way to make the next step.
+// Declares the interface between the run loop and a kind of dynamics: the state, and a way to make the next step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -23,110 +23,112 @@
 
 namespace keyblock {
 
-/// Whether a step that could not be made says something of the scene: that rock finds no equilibrium under its loads,
-/// or that something accelerates. Otherwise the calculation did not come to an end; `cracks`: for a tip that has no
-/// room or cannot be judged, so that other rules of motion do not help; `inside_out`: an element turned inside out.
+/// Cause of a failed step. `no_equilibrium` and `accelerates` are results about the scene: rock finds no equilibrium
+/// under its loads, or a body accelerates. The other kinds mean that the calculation did not finish. `cracks`: a tip
+/// has no room or cannot be judged, so that other rules of motion do not help. `inside_out`: an element turned inside
+/// out.
 enum class FailureKind { undecided, no_equilibrium, accelerates, cracks, inside_out };
 constexpr bool is_of_the_scene(FailureKind kind) {
   return kind == FailureKind::no_equilibrium || kind == FailureKind::accelerates;
 }
 
-/// A step that could not be made: the state is that of the last accepted step.
+/// A step that could not be made. The state stays that of the last accepted step.
 struct StepFailure {
   std::string reason;                 ///< one sentence
-  std::vector<std::size_t> contacts;  ///< numbers (from 0) of the contacts that would not settle
+  std::vector<std::size_t> contacts;  ///< numbers (from 0) of the contacts that did not settle
   FailureKind kind = FailureKind::undecided;
   int passes = 0;  ///< as in StepReport
-  /// Rock that may yield was on its surface at the last equilibrium, or where the search for the next one ended; told
-  /// by statics.
+  /// True if elastoplastic rock was on its yield surface at the last equilibrium or at the end of the next search. Set
+  /// by statics only.
   bool rock_yields = false;
-  std::vector<ElementIndex> elements = {};  ///< that move away, too far for a step, or turned inside out
+  std::vector<ElementIndex> elements = {};  ///< that move away, move too far for a step, or turned inside out
 };
 
-/// One scene of several: which steps were made on it.
+/// Steps made in one of several scenes.
 struct SceneReport {
   std::string name;
-  int first_step = 0;  ///< after which it began
+  int first_step = 0;  ///< last step before the scene
   int last_step = 0;
   double end_time = 0;
   bool asks_equilibrium = false;
-  bool is_balanced = false;                 ///< it ended because its forces were balanced
-  std::optional<ForceBalance> forces = {};  ///< at its end, where its steps sum them
+  bool is_balanced = false;                 ///< the scene ended because its forces were in balance
+  std::optional<ForceBalance> forces = {};  ///< at its end, if its steps compute them
 };
 
-/// Where bodies on covers have moved: x = X + Σ N_a(X) d_a.
+/// Displacement field of NMM bodies: x = X + Σ N_a(X) d_a.
 struct CoverDisplacement {
   const CoverBasis& basis;
   const Eigen::VectorXd& d;
-  bool is_large = true;                           ///< false: the solution of linear elasticity
-  const Eigen::VectorXd* acceleration = nullptr;  ///< of the functions, in time; none at rest
+  bool is_large = true;                           ///< false: solution of linear elasticity
+  const Eigen::VectorXd* acceleration = nullptr;  ///< second time derivative of d; null in statics
 };
 
 class Stepper {
  public:
   virtual ~Stepper() = default;
 
-  /// Whether one scene ends and another begins, or the run does, at the last accepted step; and whether the run does,
-  /// however many steps were asked for.
+  /// Returns true if a scene, or the run, ended with the last accepted step. `is_done`: true only at the end of the
+  /// run, even if more steps were requested.
   virtual bool ends_scene() const { return false; }
   virtual bool is_done() const { return false; }
-  /// Why it is, in words, where the user has not asked for an end there; else empty.
+  /// Returns the reason why the run is done, if the user did not request this end; otherwise empty.
   virtual std::string why_done() const { return {}; }
-  /// The scenes so far, where there is more than one.
+  /// Returns the scenes so far, if there are several.
   virtual std::vector<SceneReport> scenes() const { return {}; }
 
-  /// What the next step will be made on.
+  /// Returns the model of the next step.
   virtual const Model& model() const = 0;
   virtual const Settings& settings() const = 0;
-  /// At the end of the last accepted step.
+  /// Returns the state at the end of the last accepted step.
   virtual const State& state() const = 0;
-  /// Before any load: displacements are counted from here.
+  /// Returns the positions before any load, the origin of all displacements.
   virtual const StartPlaces& unloaded() const = 0;
-  /// At the point of an element that lay at `start` before any load: on covers there, else that of the element.
+  /// Returns the stress at the point that lay at `start` before any load; the stress of a DDA block is uniform.
   virtual Stress stress_at(ElementIndex e, Point) const { return state().elements[e].stress; }
-  /// Likewise; none of rock that cannot yield.
+  /// Returns the plastic state at the same point; empty for rock that cannot yield.
   virtual std::optional<PlasticState> plastic_at(ElementIndex, Point) const { return std::nullopt; }
-  /// Of all rock that may yield; none where none may.
+  /// Returns the totals of all elastoplastic rock; empty without such rock.
   virtual std::optional<PlasticTotals> plastic_totals() const { return std::nullopt; }
-  /// Where the step that failed last had come to, out of balance: what moves. None where nothing is known of it.
+  /// Returns the state out of balance that the last failed step reached, which shows what moves; empty if unknown.
   virtual std::optional<State> attempted() const { return std::nullopt; }
-  /// What touches, and what it bore in the last accepted step; none where the scene has no contact.
+  /// Returns the contacts and their forces in the last accepted step; empty if the scene has no contact.
   virtual ContactFrames contacts() const { return {}; }
   virtual StartReport start_report() const { return {}; }
-  /// On failure the state is unchanged, and where it throws StopRequested in the middle of a step.
+  /// Makes the next step. The state is unchanged if the step fails or throws StopRequested.
   virtual std::variant<StepReport, StepFailure> advance() = 0;
 
-  /// Energy ledger after the last accepted step; all zero if `ledger = off`.
+  /// Returns the energy balance after the last accepted step; all zero if `ledger = off`.
   virtual LedgerRow ledger() const = 0;
   virtual LedgerScope ledger_scope() const = 0;
 
-  /// Loads and supports of bodies on covers after the last accepted step, where the stepper sums them.
+  /// Returns loads and support reactions of NMM bodies after the last accepted step, if the stepper computes them.
   virtual std::optional<ForceBalance> forces() const { return std::nullopt; }
-  /// Of the bodies on covers after the last accepted step; none without them, or before anything was solved.
+  /// Returns the displacements of the NMM bodies after the last accepted step; empty without such bodies or a solution.
   virtual std::optional<CoverDisplacement> on_covers() const { return std::nullopt; }
-  /// Crack tips after the last accepted step, where the run follows them, and the factor of all loads there.
+  /// Returns the crack tips after the last accepted step, if the run follows them. `load_factor`: factor of all loads
+  /// there.
   virtual std::vector<TipState> tips() const { return {}; }
   virtual double load_factor() const { return 1; }
-  /// Notes on cracks so far.
+  /// Returns the notes on cracks so far.
   virtual CrackNotes crack_notes() const { return {}; }
-  /// Of each prescribed displacement: the mean of its length along the edge, where steps follow it.
+  /// Returns the mean displacement along the edge [length] per prescribed displacement, if steps follow it.
   virtual std::vector<double> driven() const { return {}; }
-  /// Of the scene's loads and displacements, after the last accepted step; none where steps do not seek it.
+  /// Returns the load fraction of the scene after the last accepted step; empty if steps do not search for it.
   virtual std::optional<double> load_share() const { return std::nullopt; }
 
-  /// Everything that the coming steps depend on. Saving changes nothing.
+  /// Saves all data on which later steps depend. Changes nothing.
   virtual void save(Archive& archive) = 0;
 };
 
-/// The stepper of one scene, which may give way to that of the next.
+/// Steps one scene; another stepper can continue from it in the next scene.
 class SceneStepper : public Stepper {
  public:
-  /// Goes on in the scene that follows, at the same step and time. Throws std::invalid_argument for a scene that cannot
-  /// be stepped.
+  /// Returns the stepper of the next scene, at the same step and time. Throws std::invalid_argument if no stepper
+  /// supports the scene.
   virtual std::unique_ptr<SceneStepper> in_next(const SceneChange& change) const = 0;
 
-  /// Whether all loads are on, forces are balanced to this share of the largest, and nothing moves faster than this
-  /// share of the speed that the largest acceleration of a load gives over the size of a block.
+  /// Returns true if all loads act, forces balance to the fraction `share` of the largest, and nothing moves faster
+  /// than `share` of a reference speed. The largest acceleration by a load reaches that speed over the size of a block.
   virtual bool is_at_rest(double share) const = 0;
 };
 

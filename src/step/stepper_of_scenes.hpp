@@ -1,4 +1,4 @@
-// A stepper whose steps are made by that of the present scene.
+// Forwards the stepper interface to the stepper of the current scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace keyblock {
 
-/// Shows what the stepper of the present scene shows; scenes come and go in `advance`, which is that of the class
-/// derived, as are the end, the ledger's scope and what is saved.
+/// Shows the results of the current scene's stepper. The derived class changes scenes in `advance`; it also defines the
+/// end of the run, the scope of the energy balance and the saved data.
 class StepperOfScenes : public Stepper {
  public:
   const Model& model() const override { return now().model(); }

@@ -1,4 +1,4 @@
-// Forces of inelastic strain; see block_yield.hpp.
+// Computes the forces and energies of inelastic strain; see block_yield.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/block_yield.hpp"
 
@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-// Under plane stress the modulus is that of the plane, which the strain across does not enter.
+// In plane stress the modulus is that of the plane, which excludes the strain across the plane.
 Unknowns BlockYield::inelastic_force(const Eigen::Vector4d& inelastic) const {
   const Eigen::Vector3d stress = rock.plane == Plane::stress
                                      ? Eigen::Vector3d(modulus * inelastic.head<3>())
@@ -43,7 +43,7 @@ std::optional<BlockYield> block_yield(const Model& model, const Reference& refer
                     modulus_of(material, settings.plane)};
 }
 
-// A rule whose strain follows the velocity at the end sees the elastic strain of the end in a flow that is steady.
+// A rule whose strain follows the end velocity sees the end's elastic strain in steady flow.
 InelasticShare inelastic_share(const Body& body, const StepRule& rule, double dt) {
   const bool follows_rate = rule.strain.velocity != 0;
   const bool is_damped = rule.strain_rate.increment != 0;

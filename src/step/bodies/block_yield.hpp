@@ -1,4 +1,5 @@
-// A block that may yield or has cracks that close: one point of rock in the block's own turning frame.
+// Models an elastoplastic block, or one with closing cracks, as one point of rock in the block's rotating frame.
+// Theory: docs/theory/09-plasticity.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +11,8 @@
 
 namespace keyblock {
 
-/// σ = D (ε0 + B q - εᵖ - w): the elastic force of the block, and V Bᵀ D (εᵖ + w) against it, w the crack strain since
-/// the start. Both are inelastic strain: what intact elastic rock would not have.
+/// Stress σ = D (ε0 + B q - εᵖ - w), w the crack strain since the start. The block has its elastic force, and V Bᵀ D
+/// (εᵖ + w) against it. εᵖ and w are inelastic strain: intact elastic rock has neither.
 struct BlockYield {
   RockPoint rock;
   StrainOperator strain;  ///< B
@@ -22,12 +23,12 @@ struct BlockYield {
   Eigen::Vector4d inelastic(const Unknowns& q, const YieldState& state) const {
     return rock.inelastic(strain_at(q), state);
   }
-  /// V Bᵀ D times an inelastic strain.
+  /// Returns V Bᵀ D times an inelastic strain.
   Unknowns inelastic_force(const Eigen::Vector4d& strain) const;
-  /// Of the energy stored what there is beside that of no inelastic strain.
+  /// Returns the stored energy less that without inelastic strain.
   double inelastic_energy(const Unknowns& q, const YieldState& state) const;
-  /// What the mean elastic force of a step lacks where cracks close on the way (RockPoint::missing_stress), and its
-  /// derivative by the end.
+  /// Returns the part that a step's mean elastic force lacks if cracks close within the step
+  /// (RockPoint::missing_stress). missing_stiffness: its derivative by the end.
   Unknowns missing_force(const Unknowns& q0, const YieldState& before, const Unknowns& q1,
                          const YieldState& after) const {
     return rock.area * (strain.transpose() * rock.missing_stress(strain_at(q0), before, strain_at(q1), after));
@@ -36,20 +37,21 @@ struct BlockYield {
                                  const YieldState& after) const {
     return of_unknowns(rock.missing_stiffness(strain_at(q0), before, strain_at(q1), after));
   }
-  /// V Bᵀ (D - ∂σ/∂ε) B: what flow and cracks take of the stiffness.
+  /// Returns V Bᵀ (D - ∂σ/∂ε) B, the stiffness lost to plastic flow and cracks.
   UnknownBlock lost_stiffness(const Response& response) const;
 
  private:
-  /// V Bᵀ C B, made symmetric where the law's tangent is.
+  /// Returns V Bᵀ C B, symmetrised if the tangent of the law is symmetric.
   UnknownBlock of_unknowns(const Eigen::Matrix3d& stiffness) const;
 };
 
-/// None of a linear elastic material, or of a block without strains.
+/// Returns the inelastic model of a block; empty for a linear elastic material or a block without strains.
 std::optional<BlockYield> block_yield(const Model& model, const Reference& reference, const Settings& settings,
                                       ElementIndex e);
 
-/// The share of D times a change of inelastic strain in the stress of a step: what the rule sees of a change of strain,
-/// and of its mean rate by damping, which follows the strain of intact rock alone: a block that flows is not held up.
+/// Fraction of D times a change of inelastic strain that enters the stress of a step. `strain`: part of the rule's
+/// strain. `damping`: part of the mean strain rate; only the strain of intact rock is damped, so that damping does not
+/// hold up flow.
 struct InelasticShare {
   double strain = 0;
   double damping = 0;

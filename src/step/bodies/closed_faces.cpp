@@ -1,4 +1,5 @@
-// Edges that two elements share in opposite directions, and a contact problem on points of them; see closed_faces.hpp.
+// Finds edges that two elements share in opposite directions and solves the contact problem on them; see
+// closed_faces.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/closed_faces.hpp"
 
@@ -15,21 +16,23 @@
 namespace keyblock {
 namespace {
 
-// At the corners of pieces, of which there are more than the opening has freedoms, pressures oscillate (Ji & Dolbow
-// 2004); at points inside them springs may be stiff.
+// Number of contact points per piece. Pressures at the corners oscillate, because corners outnumber the freedoms of the
+// opening (Ji & Dolbow 2004). Springs at points inside the pieces may be stiff.
 constexpr int kPointsOfPiece = 3;
-// Stiffness per area of faces in E/h, h the side of the triangles. In fra-19 (pressure 0.5, friction 0 to 0.6) faces
-// overlap by 6e-5 to 2e-4 of their slip and pressures are 0 to 1.4. With 200 E/h these are 3e-4 to 1e-3, and 0.3 to
-// 0.8; with 1e4 E/h 6e-6 to 2e-5, and 0 to 7, a third of the points without any. K is the same to 1e-5 of s √(π c).
+// Stiffness of faces per area, in E/h with h the side of the triangles. Measured in fra-19 (pressure 0.5, friction 0 to
+// 0.6): faces overlap by 6e-5 to 2e-4 of their slip; pressures are 0 to 1.4. With 200 E/h the overlap is 3e-4 to 1e-3,
+// the pressure 0.3 to 0.8. With 1e4 E/h they are 6e-6 to 2e-5 and 0 to 7, and a third of the points carry none. K is
+// the same to 1e-5 of s √(π c).
 constexpr double kStiffness = 1e3;
-// Of the largest force that closing a gap alone would take: round-off of the solution, and what is still accepted.
+// Residuals relative to the largest force that would close one gap alone: round-off of the solution, and the largest
+// accepted.
 constexpr double kGoal = 1e-11;
 constexpr double kAcceptable = 1e-8;
 
-/// A side of an element on the boundary.
+/// Side of an element on the boundary.
 struct Face {
   int element = 0;
-  int corner = 0;  ///< at which it ends, counted through the loops of the element
+  int corner = 0;  ///< at its end, counted through the loops of the element
   int joint_material = 0;
   Segment edge;
 };
@@ -59,7 +62,7 @@ std::vector<Face> faces_of(const Manifold& manifold) {
   return faces;
 }
 
-/// Faces by their ends: both sides of a joint repeat positions to the bit.
+/// Key of a face by its ends: both sides of a joint repeat the positions bit for bit.
 using Ends = std::array<double, 4>;
 Ends ends_of(Point start, Point end) {
   return {start.x, start.y, end.x, end.y};
@@ -80,7 +83,7 @@ Eigen::VectorXd motion_along(const ContactRows& rows, const Eigen::VectorXd& d) 
   return motion;
 }
 
-/// The inverse of a stiffness by its factor.
+/// Applies the inverse of a stiffness through its factorisation.
 class FactorAnswer : public SharedFlexibility {
  public:
   FactorAnswer(std::shared_ptr<const SparseFactor> factor, Eigen::Index size)

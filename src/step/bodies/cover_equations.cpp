@@ -1,4 +1,4 @@
-// Sums of a rule, forces, one factor a body; see cover_equations.hpp.
+// Sums the terms of a step rule, evaluates forces and factorises the tangent of each body; see cover_equations.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/cover_equations.hpp"
 
@@ -14,8 +14,8 @@ Eigen::VectorXd known_of_covers(const StepSum& sum, const CoverMotion& start) {
   return sum.velocity * start.v + sum.acceleration * start.a;
 }
 
-/// Whether a body has a tangent that is not symmetric. Where unknowns depend on each other none counts as such, for LU
-/// takes no matrix that is singular.
+/// Marks bodies whose tangent is not symmetric. If unknowns depend on each other, none is marked, because LU fails on a
+/// singular matrix.
 std::vector<bool> whole_tangents(const ElasticBodies& bodies) {
   const auto& functions = bodies.rigid.functions();
   std::vector<bool> is_whole(functions.size());
@@ -81,8 +81,7 @@ void CoverEquations::linearise(const Eigen::VectorXd& increment) {
   factor_weights_ = weights_;
 }
 
-// Inertia is multiplied out after its sum is taken: what a steady motion has of it cancels in the sum, not in the
-// forces.
+// Inertia is multiplied by M after its terms are summed: terms of steady motion cancel in the sum, not between forces.
 void CoverEquations::evaluate(const Eigen::VectorXd& increment) {
   increment_ = increment;
   const Eigen::VectorXd end = start_ + increment;

@@ -1,4 +1,4 @@
-// Columns gathered and scattered by the functions of each body; see cover_flexibility.hpp.
+// Gathers and scatters columns by the functions of each body; see cover_flexibility.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/cover_flexibility.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 using FunctionsOfBodies = std::vector<std::vector<int>>;
 
-// Rows of one body, of the columns in which it has any.
+// Solves for the rows of each body, in the columns with nonzero entries there.
 template <class Solve>
 Eigen::MatrixXd by_body(const FunctionsOfBodies& functions, const Eigen::MatrixXd& forces, Solve solve) {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(forces.rows(), forces.cols());
@@ -53,7 +53,7 @@ class StepAnswer : public SharedFlexibility {
   const FunctionsOfBodies& functions_;
 };
 
-/// The mass of one body in one direction: x and y have the same, and none between them.
+/// Returns the mass of one body in one direction: x and y have equal masses and no coupling.
 Eigen::SparseMatrix<double> mass_in_x(const SparseSystem& mass, const std::vector<int>& functions) {
   const Eigen::SparseMatrix<double>& all = mass.lower();
   std::vector<int> place(static_cast<std::size_t>(all.cols() / 2));
@@ -88,7 +88,7 @@ std::vector<SparseFactor> mass_factors(const ElasticBodies& bodies) {
   };
   try {
     return factors(definiteness_of(bodies.continuum.functions));
-  } catch (const NotPositiveDefinite&) {  // of covers on thin pieces alone, where functions are nearly one
+  } catch (const NotPositiveDefinite&) {  // covers that lie only on thin pieces have nearly equal functions
     return factors(Definiteness::semidefinite);
   }
 }
@@ -103,7 +103,7 @@ class MassAnswer : public SharedFlexibility {
   }
 
  private:
-  // A column of x and y in turns is, read column by column, two rows of them.
+  // A column of alternating x and y, read as two rows, gives two right-hand sides of the one-direction mass.
   Eigen::MatrixXd solved(int body, const Eigen::MatrixXd& part) const {
     const Eigen::Index size = part.rows() / 2;
     Eigen::MatrixXd right(size, 2 * part.cols());

@@ -1,4 +1,4 @@
-// How bodies on covers answer forces on their unknowns: by their mass, and in a step.
+// Declares the response of NMM bodies to forces on their unknowns: by their mass, and within a step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace keyblock {
 
-/// M⁻¹, body by body. Throws NotPositiveDefinite where covers carry no mass. The bodies must outlive it.
+/// Returns M⁻¹, body by body. Throws NotPositiveDefinite if covers have no mass. The bodies must outlive the result.
 std::shared_ptr<const SharedFlexibility> mass_flexibility_of(const ElasticBodies& bodies);
 
-/// A⁻¹ of the last factor of the equations, which must outlive it.
+/// Returns A⁻¹ of the last factorisation of the equations, which must outlive the result.
 std::shared_ptr<const SharedFlexibility> flexibility_of(const CoverEquations& equations);
 
 }  // namespace keyblock

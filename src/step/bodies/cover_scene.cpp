@@ -35,7 +35,7 @@ std::vector<double> carry_over_of(const std::vector<int>& body_materials, const 
   return shares;
 }
 
-/// Of each element on covers, numbered on from `first`.
+/// Marks the NMM elements in supported pieces; `first` is the first of them in the model.
 std::vector<bool> supported_elements(const Model& model, ElementIndex first) {
   const Continuum& continuum = *model.continuum;
   const std::vector<int> pieces = body_numbers(model);
@@ -62,7 +62,7 @@ double rotation_of(const Eigen::Matrix2d& f) {
   return std::atan2(f(1, 0) - f(0, 1), f(0, 0) + f(1, 1));
 }
 
-/// Displacements of all corners of elements by unknowns.
+/// Returns the matrix from unknowns to the displacements of all element corners.
 Eigen::SparseMatrix<double> values_at_corners(const Continuum& continuum, const CoverBasis& basis) {
   std::vector<Eigen::Triplet<double>> values;
   int row = 0;
@@ -128,7 +128,7 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
   }
 }
 
-// A model hands its continuum on unchanged, or makes another.
+// Models that do not change the continuum share one object, so that comparing pointers suffices.
 bool CoverScene::is_of(const Model& model, const Settings& settings) const {
   if (model.continuum != made_of_ || first_on_covers(model) != first_) return false;
   const std::vector<int>& materials = made_of_->manifold.body_materials;
@@ -278,7 +278,7 @@ double CoverScene::rotation(ElementIndex e, const Eigen::VectorXd& d, Point star
   return rotation_of(bodies_.elasticity.deformation(d, e.value - first_.value, start));
 }
 
-// Velocity gradient Ḟ F⁻¹; its skew part turns.
+// The velocity gradient is Ḟ F⁻¹; its skew part is the rotation rate.
 MotionOfPoint motion_of_point(const CoverScene& scene, ElementIndex e, const Eigen::VectorXd& d,
                               const Eigen::VectorXd& v, const YieldStates& points, Point start) {
   const int element = scene.kinematics()->manifold_element(e);

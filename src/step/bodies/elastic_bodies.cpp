@@ -23,7 +23,7 @@ SparseSystem ghost_of(const Continuum& continuum, const CoverBasis& basis, const
   return ghost;
 }
 
-/// Of the same groups.
+/// Returns a zero system with the same groups of functions.
 SparseSystem empty_like(SparseSystem other) {
   other.clear();
   return other;

@@ -1,4 +1,4 @@
-// Each integrator is one function from its parameters to a rule.
+// Turns the parameters of each integrator into a step rule.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/integrator.hpp"
 
@@ -8,8 +8,8 @@
 namespace keyblock {
 namespace {
 
-// Without inertia forces are judged as over a step of 30 over the slowest frequency of a body: nearly elastic, not
-// quite free.
+// (1/30)². Statics judges forces as over a step of 30 over the slowest frequency of a body: nearly elastic, not quite
+// free.
 constexpr double kJudging = 1.0 / 900;
 
 StepSum scaled(const StepSum& sum, double by) {

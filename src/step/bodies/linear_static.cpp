@@ -1,4 +1,4 @@
-// Stiffness, ghost penalty, supports, loads; see linear_static.hpp.
+// Assembles stiffness, ghost penalty, supports and loads, and solves the system; see linear_static.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/linear_static.hpp"
 
@@ -79,7 +79,7 @@ SparseSystem assemble_static(const Continuum& continuum, const CoverBasis& basis
 
 ContinuumSolution solve_static(const Continuum& continuum, const std::vector<JointMaterial>& joints) {
   CoverBasis basis = basis_of(continuum);
-  // Near-tip functions far from the tip are nearly polynomials.
+  // Far from the tip, near-tip functions are nearly polynomials.
   const Definiteness definiteness =
       basis.has_tip_functions() ? Definiteness::semidefinite : definiteness_of(continuum.functions);
   SparseSystem system = assemble_static(continuum, basis);

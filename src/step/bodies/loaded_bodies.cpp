@@ -1,4 +1,4 @@
-// Forces of rock, springs, held edges and loads put together; see loaded_bodies.hpp.
+// Sums the forces of rock, springs, fixed edges and loads; see loaded_bodies.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/loaded_bodies.hpp"
 
@@ -55,7 +55,7 @@ void LoadedBodies::begin(const LoadedState& start, const LoadedBodies* before) {
   unbalanced_.setZero();
   scale_at_start_ = 0;
   if (before != nullptr) held_.begin_after(before->held_, start.d);
-  // With R0 none, what is left at the share 1 but for the held edges, which are as they were.
+  // R0 is zero here, so that the residual at load fraction 1 is R0, once fixed edges count as they are at fraction 0.
   const Balance all = balance(start, start.d, 1);
   unbalanced_ = all.residual + held_.pull(1, start.d.size()) - held_.pull(0, start.d.size());
   const Eigen::VectorXd rock = all.rock.force + elasticity_.force(start.d, start.d, 1);
@@ -103,7 +103,7 @@ ForceBalance LoadedBodies::forces(const Eigen::VectorXd& d, double share) const 
   ForceBalance balance;
   const Eigen::VectorXd loads = loads_.load() + (1 - share) * unbalanced_;
   const int per_cover = functions_per_cover(basis_.functions());
-  // What moves or turns a whole body are the constant functions of its covers (cover_rigid_motion).
+  // The constant functions of the covers alone move and rotate a whole body (cover_rigid_motion).
   for (int f = 0; f < basis_.function_count(); f += per_cover) {
     const PhysicalCover& cover = continuum_.manifold.covers[static_cast<std::size_t>(f / per_cover)];
     balance.loads.add(continuum_.manifold.mesh.nodes[static_cast<std::size_t>(cover.node)],

@@ -1,4 +1,5 @@
-// Bodies on covers that nothing touches under a share of a scene's loads: what is out of balance, and its tangent.
+// Computes the force balance of NMM bodies without contact at a load fraction, and its tangent. Theory:
+// docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,18 +16,17 @@
 
 namespace keyblock {
 
-/// Unknowns, and what the points of yielding rock remember.
+/// Unknowns, and memories of the points of elastoplastic rock.
 struct LoadedState {
   Eigen::VectorXd d;
   YieldStates points;
 };
 
-/// The forces of a scene that were out of balance when it began, R0, are released in proportion: at the share s of the
-/// scene
-///     r(d, s) = f(d) + K d - p(s) - F - (1 - s) R0,
-/// f of the rock, K and p of springs, held edges and the ghost penalty of elastic rock, F of the loads. Loads that are
-/// new in a scene grow with s, what is dug out gives way with s, and rock in balance under its initial stress stays
-/// where it is.
+/// Forces out of balance at the start of a scene, R0, are released in proportion. At the load fraction s of the scene
+///   r(d, s) = f(d) + K d - p(s) - F - (1 - s) R0,
+/// f of the rock, K and p of springs, fixed edges and the ghost penalty of elastic rock, F of the loads. New loads of a
+/// scene grow with s, and the support of excavated rock vanishes with s. Rock in equilibrium under its initial stress
+/// does not move.
 class LoadedBodies {
  public:
   explicit LoadedBodies(const Continuum& continuum);
@@ -36,36 +36,36 @@ class LoadedBodies {
   const CoverYield& yield() const { return yield_; }
   const CoverElasticity& elasticity() const { return elasticity_; }
 
-  /// Undisplaced, with the memories of the initial stress.
+  /// Returns the undisplaced state, with the memories of the initial stress.
   LoadedState at_start() const;
 
-  /// Begins a scene: `before` is that of the scene before, none of the first.
+  /// Begins a scene. `before`: bodies of the last scene; null for the first.
   void begin(const LoadedState& start, const LoadedBodies* before);
 
   struct Balance {
     Eigen::VectorXd residual;
-    double scale = 0;  ///< norm of the largest of the forces that make it up, or that were there when the scene began
+    double scale = 0;  ///< norm of the largest force in the residual, or of those at the start of the scene
     CoverYield::Answer rock;
   };
-  /// At d, where the points have the memories of `from`.
+  /// Returns the balance at d, for points with the memories of `from`.
   Balance balance(const LoadedState& from, const Eigen::VectorXd& d, double share) const;
 
-  /// -∂r/∂s, the same at every d: the loads that the scene brings, and what edges that it moves are pulled by.
+  /// Returns -∂r/∂s, the same at every d: the new loads of the scene, and the pull of edges that it moves.
   Eigen::VectorXd scene_load() const;
 
-  /// A matrix for tangents, and ∂r/∂d put into it.
+  /// Returns a matrix for tangents; put_tangent writes ∂r/∂d into it.
   WholeSystem tangent() const;
   void put_tangent(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share, WholeSystem& tangent) const;
 
-  /// An element whose area is none or less; -1: there is none.
+  /// Returns an element whose area is zero or negative; -1: no such element.
   int turned_over(const Eigen::VectorXd& d) const;
 
-  /// Loads as far as they are on, supports, springs.
+  /// Returns the sums of loads at their load fraction, supports and springs.
   ForceBalance forces(const Eigen::VectorXd& d, double share) const;
 
   std::vector<double> driven(double share) const { return held_.driven(share); }
 
-  /// What a scene that goes on depends on beside its model.
+  /// Saves or restores the data that a later scene needs besides its model.
   void describe(Archive& archive);
 
  private:

@@ -1,4 +1,4 @@
-// Mass, stiffness, damping and loads of a block, from its area moments at the start.
+// Computes mass, stiffness, damping and loads of a block from its initial area moments.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/standard_body.hpp"
 
@@ -16,9 +16,12 @@
 namespace keyblock {
 namespace {
 
-// An undamped block in steady sliding is unstable above φ of about 20 degrees: eigenvalues of q̈ = −M⁻¹K q + M⁻¹H S⁻¹
-// Gₙ M⁻¹K q of a square on two sliding corners, H = Gₙᵀ − μ Gₜᵀ, S = Gₙ M⁻¹ H, grow by up to 0.13 ω₁ at 45 degrees.
-// With β + (θf − ½) dt ≥ 2/ω₁ its slowest strain mode is damped critically, twice what 45 degrees needs.
+// Least stiffness damping times ω₁ of a block, with the damping of the rule. An undamped block in steady sliding is
+// unstable above φ of about 20 degrees. Take a square on two sliding corners, H = Gₙᵀ − μ Gₜᵀ, S = Gₙ M⁻¹ H.
+// Eigenvalues of
+//   q̈ = −M⁻¹ K q + M⁻¹ H S⁻¹ Gₙ M⁻¹ K q
+// grow by up to 0.13 ω₁ at 45 degrees. With β + (θf − ½) dt ≥ 2/ω₁ the slowest strain mode is damped critically, twice
+// the need at 45 degrees.
 constexpr double kDampingOverPeriod = 2;
 
 UnknownBlock rigid_inverse(const UnknownBlock& mass) {
@@ -29,7 +32,7 @@ UnknownBlock rigid_inverse(const UnknownBlock& mass) {
   return inverse;
 }
 
-// ω₁ of the strain modes, rigid part free: K x = ω² (M_εε − M_εr M_rr⁻¹ M_rε) x.
+// Returns ω₁ of the strain modes, rigid part free: K x = ω² (M_εε − M_εr M_rr⁻¹ M_rε) x.
 double slowest_frequency(const Body& body) {
   const Eigen::Index strains = body.strain_count();
   if (strains == 0) return 0;
@@ -43,7 +46,7 @@ double slowest_frequency(const Body& body) {
 
 double least_stiffness_damping(const Body& body, const Settings& settings) {
   if (settings.standard.strain_damping == StrainDamping::none || body.strain_count() == 0) return 0;
-  // Parts of a step may be as small as they like, and are not damped by their rule.
+  // Under step control a part of a step can be arbitrarily short, so that its rule gives no damping to rely on.
   const bool constant = settings.step_control == StepControl::constant;
   const double by_rule = constant ? damping_of_rule(settings.standard, settings.time_step) : 0;
   return std::max(0.0, kDampingOverPeriod / body.slowest_frequency - by_rule);

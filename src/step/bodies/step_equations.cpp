@@ -1,4 +1,4 @@
-// Puts the known parts of a rule on the right side and inverts the rest.
+// Moves the known terms of a rule to the right-hand side and inverts the rest.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/step_equations.hpp"
 

@@ -1,4 +1,4 @@
-// Sums over blocks, one small vector each.
+// Sums over blocks; each has one small vector of unknowns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/groups/block_bodies.hpp"
 

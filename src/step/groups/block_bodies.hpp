@@ -1,4 +1,4 @@
-// The blocks of a scene as masses: each has unknowns of its own, in a frame that turns with it.
+// Holds the DDA blocks of a scene as masses. Each block has unknowns of its own, in a frame that rotates with it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace keyblock {
 
-/// What they are, their loads and momenta, how fast and how differently they move.
+/// Properties, loads, momenta, speeds and step differences of DDA blocks.
 class BlockBodies : public BodyGroup {
  public:
-  /// One body an element; those of other groups have no unknowns and are `of_others`.
+  /// Takes one body per element. Elements of other groups have no unknowns and are marked in `of_others`.
   BlockBodies(Bodies bodies, std::vector<bool> of_others);
 
   const Bodies& bodies() const { return bodies_; }

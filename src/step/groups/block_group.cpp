@@ -1,4 +1,4 @@
-// Elasticity and flow of blocks, one small vector each.
+// Computes elasticity and plastic flow of blocks; each has one small vector of unknowns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/groups/block_group.hpp"
 
@@ -15,7 +15,7 @@
 namespace keyblock {
 namespace {
 
-// ½ A σᵀ D⁻¹ σ, written in unknowns: a force f of the initial stress makes ½ (q − K⁻¹f)ᵀ K (q − K⁻¹f).
+// Returns ½ A σᵀ D⁻¹ σ in terms of unknowns: the force f of the initial stress gives ½ (q − K⁻¹f)ᵀ K (q − K⁻¹f).
 double strain_energy(const Body& body, const Unknowns& q) {
   const Eigen::Index strains = body.strain_count();
   if (strains == 0) return 0;
@@ -25,8 +25,8 @@ double strain_energy(const Body& body, const Unknowns& q) {
   return without_initial - body.initial_stress.dot(q) + force.dot(body.stiffness.llt().solve(force)) / 2;
 }
 
-// pᵀ M Δv/dt + (dt v̄ + p)ᵀ M r of `account_of`, from velocities and accelerations alone: that they fit the increments
-// is what the closure checks.
+// Returns pᵀ M Δv/dt + (dt v̄ + p)ᵀ M r of `account_of`, from velocities and accelerations alone. The closure of the
+// energy balance then checks that these fit the increments.
 double inertia_loss(const Body& body, const BodiesStep& step, ElementIndex e) {
   const StepRule& rule = step.rule;
   const Unknowns dv = step.v[e] - step.start.v[e];
@@ -95,7 +95,7 @@ void BlockGroup::add_flow(const BodiesStep& step, EnergyFlow& flow) const {
     flow.projection -= body.weight.dot(step.end[e] - step.q[e]);
     const Unknowns rate = sum_of(rule.strain_rate, dq, step.start, e);
     const Unknowns beyond =
-        sum_of(rule.strain, dq, step.start, e) - dq / 2;  // what the elastic force sees beside its mean
+        sum_of(rule.strain, dq, step.start, e) - dq / 2;  // strain that the elastic force sees beyond its mean
     flow.damping += body.mass_damping * dq.dot(body.mass * sum_of(rule.damping, dq, step.start, e)) +
                     body.stiffness_damping * dq.dot(body.elastic_force(rate));
     flow.algorithmic += inertia_loss(body, step, e) + dq.dot(body.elastic_force(beyond));
@@ -103,9 +103,9 @@ void BlockGroup::add_flow(const BodiesStep& step, EnergyFlow& flow) const {
   }
 }
 
-// A change of inelastic strain bears k D times it less than elasticity alone would have, of which b/dt is damping that
-// does not come about, and the stored energy is less by its own; the rest of its work is plastic, but for what a step
-// of this size makes of it.
+// A change of inelastic strain reduces the force by k D times itself. The part b/dt of k is damping that does not act,
+// and the stored energy falls by that of the inelastic strain. The rest of the work is plastic, except for the time
+// discretisation error of the step.
 void BlockGroup::add_yield_flow(const BodiesStep& step, ElementIndex e, EnergyFlow& flow) const {
   const BlockYield& yield = *yield_of(e);
   const auto i = static_cast<std::size_t>(e.value);
@@ -164,7 +164,7 @@ std::unique_ptr<EstimatedStep> BlockGroup::begin(const BodiesMotion& start, cons
   return yielding;
 }
 
-// The centroid is an unknown; moments are those of the polygon as it lies.
+// The centroid is an unknown. The moments are those of the polygon in its current position.
 ElementState BlockGroup::state_of(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
                                   const Placement& placed) const {
   const Basis& basis = *scene.model.elements[e].basis;
@@ -209,7 +209,7 @@ double BlockGroup::plastic_work(const BodiesMotion& before, const BodiesMotion& 
   return sum;
 }
 
-// The velocity is that which the mass of the block has, whose points lie where they would without strain.
+// The velocity is that of the block's mass, whose points lie where they would without strain.
 std::vector<FieldPoint> BlockGroup::field_over(const SceneParts& scene, ElementIndex e,
                                                std::span<const std::vector<Point>> region, int degree,
                                                const BodiesMotion& motion) const {

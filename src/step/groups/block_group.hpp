@@ -1,4 +1,5 @@
-// The blocks of a scene: elasticity, flow and fields of each, and what is carried to those of another.
+// Computes elasticity, plastic flow and fields of the DDA blocks of a scene, and transfers their state to a later
+// scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +11,8 @@ namespace keyblock {
 
 class BlockGroup final : public BlockBodies {
  public:
-  /// One body an element; those of other groups have no unknowns and are `of_others`. `yields`: one an element, or
-  /// none of any.
+  /// Takes one body per element. Elements of other groups have no unknowns and are marked in `of_others`. `yields`: one
+  /// per element, or empty if no block is inelastic.
   BlockGroup(Bodies bodies, std::vector<bool> of_others, std::vector<std::optional<BlockYield>> yields)
       : BlockBodies(std::move(bodies), std::move(of_others)), yields_(std::move(yields)), kept_(bodies_.size()) {}
 
@@ -45,17 +46,17 @@ class BlockGroup final : public BlockBodies {
   void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const override;
 
  private:
-  /// None of a block that stays elastic.
+  /// Returns null for a block that stays elastic.
   const BlockYield* yield_of(ElementIndex e) const {
     const auto i = static_cast<std::size_t>(e.value);
     return yields_.empty() || !yields_[i] ? nullptr : &*yields_[i];
   }
-  /// V Bᵀ D times inelastic strain at rest, which acts against the elastic force.
+  /// Returns V Bᵀ D times the current inelastic strain, a force against the elastic force.
   Unknowns inelastic_force(ElementIndex e, const BodiesMotion& motion) const;
   void add_yield_flow(const BodiesStep& step, ElementIndex e, EnergyFlow& flow) const;
 
   std::vector<std::optional<BlockYield>> yields_;
-  mutable std::vector<KeptInverse> kept_;  ///< one a body, for one step at a time
+  mutable std::vector<KeptInverse> kept_;  ///< one per body, for one step at a time
 };
 
 }  // namespace keyblock

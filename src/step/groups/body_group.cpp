@@ -1,4 +1,4 @@
-// Which group an element belongs to.
+// Finds the group of an element.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/groups/body_group.hpp"
 

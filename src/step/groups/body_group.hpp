@@ -1,4 +1,5 @@
-// Bodies of one kind behind one interface: what steps, ledgers and searches ask of them, whatever their unknowns are.
+// Declares the common interface of DDA blocks and NMM bodies. Time stepping, energy balance and equilibrium search use
+// it without knowing which unknowns a body has.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,13 +23,13 @@
 
 namespace keyblock {
 
-/// What points of rock that may yield remember; empty where nothing may.
+/// Memories of the points of elastoplastic rock; empty without such rock.
 struct PointMemories {
-  std::vector<YieldState> blocks;  ///< one an element
+  std::vector<YieldState> blocks;  ///< one per element
   std::vector<YieldState> covers;  ///< in the order of CoverYield
 };
 
-/// Unknowns of all bodies of a scene, their velocities and accelerations, and what their points remember.
+/// Unknowns, velocities, accelerations and point memories of all bodies of a scene.
 struct BodiesMotion {
   UnknownsTable q;
   UnknownsTable v;
@@ -44,7 +45,7 @@ struct Scales {
   double size = 0;  ///< of the largest moving body
 };
 
-/// Masses, and how slowly the slowest mode of a body swings.
+/// Range of masses, and slowest natural frequency of a body.
 struct MassRange {
   double lightest = std::numeric_limits<double>::max();
   double heaviest = 0;
@@ -52,14 +53,14 @@ struct MassRange {
   bool all_strain = true;
 };
 
-/// What a scene is made of besides its bodies' own matrices.
+/// Parts of a scene besides the matrices of its bodies.
 struct SceneParts {
   const Model& model;
   const Reference& reference;
   const Settings& settings;
 };
 
-/// A point of a body, of which there is `area` about it, at the start and now.
+/// Integration point of a body with its share `area`, at the start and now.
 struct FieldPoint {
   Point start;
   double area = 0;
@@ -70,10 +71,10 @@ struct FieldPoint {
 
 class BodyGroups;
 
-/// Of every element whether it is meant: bodies as wholes.
+/// Mark per element. Bodies are chosen as wholes.
 using ChosenElements = std::vector<bool>;
 
-/// Bodies of an earlier scene. `parents`: of every element of the later one, that which it is or was cut from.
+/// Bodies of an earlier scene. `parents`: per later element, the earlier one that it is or was cut from.
 struct BodiesBefore {
   SceneParts scene;
   const BodyGroups& groups;
@@ -81,92 +82,93 @@ struct BodiesBefore {
   const Table<ElementIndex, ElementIndex>& parents;
 };
 
-/// An accepted step as its bodies saw it.
+/// Accepted step from the view of its bodies.
 struct BodiesStep {
   const BodiesMotion& start;
   const UnknownsTable& q;       ///< at the end of the smooth motion
   const UnknownsTable& v;       ///< of the smooth motion
   const UnknownsTable& a;       ///< of the smooth motion
-  const UnknownsTable& end;     ///< unknowns after what overlaps were removed
+  const UnknownsTable& end;     ///< unknowns after removal of overlaps
   const PointMemories& points;  ///< at the end
   const UnknownsTable& loads;   ///< weight included
   const StepRule& rule;
   double dt = 0;
 };
 
-/// A step without contact: Δq = increments + A⁻¹ Gᵀ λ, v = known + rule.end_velocity Δq, a likewise.
+/// Step without contact: Δq = increments + A⁻¹ Gᵀ λ, v = known + rule.end_velocity Δq, and the same form for a.
 struct FreeStep {
   Flexibility flexibility;
-  Flexibility judging;  ///< A⁻¹ with the inertia by which forces are judged; empty where that is the same
+  Flexibility judging;  ///< A⁻¹ with the inertia by which forces are judged; empty if that is the same
   UnknownsTable increments;
   UnknownsTable known_velocity;
   UnknownsTable known_acceleration;
 };
 
-/// Bodies whose step is linearised about an estimate of the increments.
+/// Step of bodies, linearised about an estimate of the increments.
 class EstimatedStep {
  public:
   virtual ~EstimatedStep() = default;
-  /// Puts A⁻¹ about an estimate. False where it has no factor.
+  /// Writes A⁻¹ about an estimate into `step`. Returns false if the factorisation fails.
   virtual bool linearise(const UnknownsTable& estimate, FreeStep& step) = 0;
-  /// Puts the increments about an estimate, with the A⁻¹ of before.
+  /// Writes the increments about an estimate into `step`, with the previous A⁻¹.
   virtual void evaluate(const UnknownsTable& estimate, FreeStep& step) = 0;
-  /// Velocities, accelerations and memories of points of increments that solve the equations.
+  /// Writes velocities, accelerations and point memories for increments that solve the equations.
   virtual void put_end(const UnknownsTable& increments, UnknownsTable& v, UnknownsTable& a,
                        PointMemories& points) const = 0;
 };
 
-/// All bodies of a scene that have unknowns of one kind. A group reads and writes its own part of a table of unknowns;
-/// elements of other groups have none there. What it adds to, others have begun.
+/// All bodies of a scene with one kind of unknowns. A group reads and writes its own part of a table of unknowns, where
+/// elements of other groups have no entries. Functions named add_… expect initialised sums.
 class BodyGroup {
  public:
   virtual ~BodyGroup() = default;
 
-  // What the bodies are.
+  // Properties of the bodies.
 
   virtual bool has(ElementIndex e) const = 0;
-  virtual double size() const = 0;                   ///< of the largest that can move
-  virtual double mass_of(ElementIndex e) const = 0;  ///< of the body of an element
+  virtual double size() const = 0;                   ///< of the largest movable body
+  virtual double mass_of(ElementIndex e) const = 0;  ///< of the body that holds the element
   virtual bool are_one_body(ElementIndex a, ElementIndex b) const = 0;
-  /// Whether something besides fixed points and contact holds bodies, or is held.
+  /// Returns true if bodies have supports or fixed parts besides fixed points and contact.
   virtual bool has_supports() const = 0;
-  /// Whether something besides fixed points holds the body of an element that has unknowns.
+  /// Returns true if the body of an element with unknowns has supports besides fixed points.
   virtual bool is_supported(ElementIndex e) const = 0;
-  /// Whether the equations of a step are linear in the increments.
+  /// Returns true if the equations of a step are linear in the increments.
   virtual bool is_linear() const = 0;
-  /// Whether some of the rock may yield: the equations of a step then have kinks.
+  /// Returns true if some rock is elastoplastic: the equations of a step then have kinks.
   virtual bool may_yield() const = 0;
-  /// Whether a step resolves how an impact goes on: the inertia near the contact takes part in it, and the rebound is
-  /// that of elasticity. Otherwise bodies jump apart as wholes, by a restitution.
+  /// Returns true if a step resolves an impact: the inertia near the contact takes part and elasticity governs the
+  /// rebound. Otherwise bodies jump apart as wholes, by a coefficient of restitution.
   virtual bool resolves_impacts() const = 0;
-  /// Whether elements may have holes.
+  /// Returns true if elements may have holes.
   virtual bool takes_holes() const = 0;
-  /// Whether the first forces and strains can be balanced with accelerations, so that what slides or falls starts in
-  /// balance too; others start suddenly or at rest.
+  /// Returns true if the first forces and strains can balance with accelerations. Sliding and falling bodies then also
+  /// start in balance. Other bodies start suddenly loaded or in static equilibrium.
   virtual bool has_compatible_start() const = 0;
-  /// The law of stress under large strain; none where strain stays small.
+  /// Returns the stress law of large strain; empty if strain stays small.
   virtual std::optional<ElasticLaw> law_of_large_strain(const SceneParts& scene, ElementIndex e) const = 0;
-  /// The functions of displacement that its bodies share; none where each has unknowns of its own.
+  /// Returns the displacement functions that the bodies share; null if each has unknowns of its own.
   virtual const CoverBasis* shared_basis() const { return nullptr; }
-  /// What to add where a body finds no equilibrium.
+  /// Returns text to append to the report of a body without equilibrium.
   virtual std::string_view why_unheld() const = 0;
-  /// `contact_stiffness`: of the springs that may hold bodies; 0 without.
+  /// Adds the masses and frequencies of the bodies. `contact_stiffness`: of springs that may hold bodies; 0 without
+  /// springs.
   virtual void add_to(MassRange& range, double contact_stiffness) const = 0;
 
   // Start and loads.
 
   virtual void put_start(const SceneParts& scene, BodiesMotion& motion) const = 0;
-  /// By the share of velocity that materials carry from step to step.
+  /// Multiplies v by the fraction of velocity that each material keeps from step to step.
   virtual void carry_over(const SceneParts& scene, UnknownsTable& v) const = 0;
-  /// Weight, and what tractions and supports of the problem exert.
+  /// Writes the weight, with tractions and support loads of the problem.
   virtual void put_weight(UnknownsTable& loads) const = 0;
-  /// M times a uniform field.
+  /// Adds M times a uniform field.
   virtual void add_inertia(Point acceleration, UnknownsTable& loads) const = 0;
   virtual void add_to(Scales& scales, const UnknownsTable& loads, const UnknownsTable& q,
                       const UnknownsTable& v) const = 0;
-  /// Takes the loads off these bodies.
+  /// Removes the loads from these bodies.
   virtual void unload(const ChosenElements& bodies, UnknownsTable& loads) const = 0;
-  /// Puts unknowns and memories of points of these bodies as another motion has them.
+  /// Copies unknowns and point memories of these bodies from another motion.
   virtual void put_back(const ChosenElements& bodies, const BodiesMotion& as, BodiesMotion& motion) const = 0;
 
   // Mechanics.
@@ -176,59 +178,60 @@ class BodyGroup {
   virtual double kinetic_energy(const UnknownsTable& v) const = 0;
   virtual void add_stored(const BodiesMotion& motion, StoredEnergy& stored) const = 0;
   virtual void add_flow(const BodiesStep& step, EnergyFlow& flow) const = 0;
-  /// M⁻¹ times loads less elastic and damping forces.
+  /// Adds M⁻¹ times loads less elastic and damping forces.
   virtual void add_acceleration(const UnknownsTable& loads, const BodiesMotion& motion, const Flexibility& mass_inverse,
                                 UnknownsTable& a) const = 0;
-  /// Of a body.
+  /// Returns the largest momentum of a body.
   virtual double largest_momentum(const UnknownsTable& v) const = 0;
-  /// Of a body, initial stress included.
+  /// Returns the largest load on a body, initial stress included.
   virtual double largest_load(const UnknownsTable& loads) const = 0;
-  /// The largest force of a v-like table `forces`, M a, on each body that has one, with an element of it.
+  /// Passes the largest force on each loaded body to `seen`, with one of its elements. The forces are M `a`.
   using SeenForce = std::function<void(ElementIndex, double)>;
   virtual void look_at_forces(const UnknownsTable& a, const SeenForce& seen) const = 0;
-  /// The bodies at q, with the resultants of `forces`.
+  /// Passes each body at q to `seen`, with the resultants of `forces`.
   using SeenBody = std::function<void(const WholeBody&)>;
   virtual void look_at_bodies(const SceneParts& scene, const UnknownsTable& q, const UnknownsTable& forces,
                               const SeenBody& seen) const = 0;
   virtual double fastest_centre(const UnknownsTable& v) const = 0;
-  virtual double fastest_point(const UnknownsTable& v) const = 0;  ///< at most
-  /// Of increments, relative to the size of bodies; rotation and strain are relative as they are.
+  virtual double fastest_point(const UnknownsTable& v) const = 0;  ///< upper bound
+  /// Returns the greatest difference of increments, relative to the size of bodies. Rotation and strain are relative
+  /// already.
   virtual double greatest_change(const UnknownsTable& a, const UnknownsTable& b) const = 0;
-  /// Error of an accepted step by its rule, relative as above.
+  /// Returns the error of an accepted step by its rule, relative as above.
   virtual double step_error(const BodiesMotion& before, const BodiesMotion& after, const StepRule& rule,
                             double dt) const = 0;
 
-  /// Begins a step without contact; what is known of it at once is put into `step`, whose tables have room. Views the
-  /// start. None where it is linear and all is known.
+  /// Begins a step without contact. Writes known data into `step`, whose tables have room; keeps a reference to
+  /// `start`. Returns null if the step is linear, so that all is known.
   virtual std::unique_ptr<EstimatedStep> begin(const BodiesMotion& start, const UnknownsTable& loads,
                                                const StepRule& rule, double dt, FreeStep& step) const = 0;
 
   // Fields.
 
-  /// Of an element that lies as `placed`.
+  /// Returns the state of an element in the position `placed`.
   virtual ElementState state_of(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
                                 const Placement& placed) const = 0;
-  /// At the point that lay at `start`.
+  /// Returns the stress at the point that lay at `start`.
   virtual Stress stress_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion, Point start) const = 0;
-  /// Likewise, in the axes of the plane; none of rock that cannot yield.
+  /// Returns the plastic state there, in the axes of the plane; empty for rock that cannot yield.
   virtual std::optional<PlasticState> plastic_at(const SceneParts& scene, ElementIndex e, const BodiesMotion& motion,
                                                  Point start) const = 0;
-  /// Areas alone.
+  /// Adds the plastic areas only.
   virtual void add_plastic(const BodiesMotion& motion, PlasticTotals& totals) const = 0;
-  /// ∫ σ · Δεᵖ of a step, by the stress at its end.
+  /// Returns ∫ σ · Δεᵖ of a step, with the stress at its end.
   virtual double plastic_work(const BodiesMotion& before, const BodiesMotion& after) const = 0;
-  /// A motion of the body of an element over a region of the start, by points that integrate the products of its fields
-  /// with each other, and with a polynomial of `degree`, to round-off.
+  /// Returns the motion of an element's body over a region of the initial shape, at integration points. The points
+  /// integrate products of its fields with each other, and with a polynomial of `degree`, to round-off.
   virtual std::vector<FieldPoint> field_over(const SceneParts& scene, ElementIndex e,
                                              std::span<const std::vector<Point>> region, int degree,
                                              const BodiesMotion& motion) const = 0;
-  /// What rock remembers at the point that lay at `start`; nothing where it cannot yield.
+  /// Returns the memory of rock at the point that lay at `start`; empty memory if it cannot yield.
   virtual YieldState memory_at(ElementIndex e, const BodiesMotion& motion, Point start) const = 0;
-  /// Puts unknowns, velocities and memories as the bodies before had them.
+  /// Transfers unknowns, velocities and memories from the earlier bodies.
   virtual void carry(const SceneParts& scene, const BodiesBefore& before, BodiesMotion& carried) const = 0;
 };
 
-/// The groups of a scene: every element belongs to one of them.
+/// Groups of a scene; every element belongs to one of them.
 class BodyGroups {
  public:
   using Group = std::shared_ptr<const BodyGroup>;

@@ -1,4 +1,4 @@
-// Fields of points to affine fields; see carry_blocks.hpp.
+// Fits affine fields to point fields; see carry_blocks.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/groups/carry_blocks.hpp"
 

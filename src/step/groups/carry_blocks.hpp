@@ -1,4 +1,4 @@
-// Displacement, velocity and memory of blocks, carried over to what is left of them.
+// Transfers displacement, velocity and memory of blocks to their remaining pieces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,18 +8,19 @@
 
 namespace keyblock {
 
-/// The outline and holes of an element at the start.
+/// Returns the outline and holes of an element in its initial position.
 std::vector<std::vector<Point>> loops_of(const Model& model, ElementIndex e);
 
-/// A block cut from a block: the affine field of that about the centroid of its piece; its velocity as the mass of the
-/// block has it, whose points lie where they would without strain: kinetic energy is kept to round-off.
+/// Transfers the state of a block to a block cut from it: the same affine field about the centroid of the piece. The
+/// velocity is that of the block's mass, whose points lie where they would without strain. This keeps kinetic energy to
+/// round-off.
 void carry_block(const SceneParts& scene, ElementIndex e, const BodiesBefore& before, BodiesMotion& carried);
 
-/// A block cut from another body: the affine field nearest to that of the mass. Its mean, and the least squares of what
-/// differs from it, keep momentum and angular momentum.
+/// Transfers the state of another body to a block cut from it: the affine field nearest to that of the mass. The mean
+/// and a least-squares fit of the remainder keep momentum and angular momentum.
 void carry_field(const SceneParts& scene, ElementIndex e, const std::vector<FieldPoint>& field, BodiesMotion& carried);
 
-/// The mean over the block of what the rock remembered; its elastic strain is what the strain at hand leaves.
+/// Returns the mean memory of the rock over the block; its elastic strain is the remainder of the current strain.
 YieldState carried_memory(ElementIndex old, const std::vector<FieldPoint>& field, const BodiesBefore& before);
 
 }  // namespace keyblock

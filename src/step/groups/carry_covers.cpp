@@ -1,4 +1,4 @@
-// What is the same is copied, the rest is projected; see carry_covers.hpp.
+// Copies unchanged unknowns and projects the rest; see carry_covers.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/groups/carry_covers.hpp"
 
@@ -12,9 +12,9 @@
 namespace keyblock {
 namespace {
 
-// Of elements about those that changed. A turned and bent plate, of another mesh at the tip of its crack, loses 1.4
-// times (constant functions), 1.1 and 0.9 times (derived and linear) the energy that it loses if all may change;
-// without rings 1.6, 1.1 and 0.9 times.
+// Rings of elements around changed ones whose displacements may change. Tested on a rotated and bent plate with a new
+// mesh at the tip of its crack. Its energy loss is 1.4 times (constant functions), 1.1 times (derived) and 0.9 times
+// (linear) the loss if all may change; without rings 1.6, 1.1 and 0.9 times.
 constexpr int kRings = 2;
 
 Box box_of(std::span<const std::vector<Point>> loops) {
@@ -39,7 +39,7 @@ Point value_of(const ElementShape& shape, const Eigen::RowVectorXd& values, cons
   return sum;
 }
 
-/// M v = ∫ ρ Tᵀ (velocity of points - v of `start`), over what changed.
+/// Returns v with M v = ∫ ρ Tᵀ (velocity of points - v of `start`), over the changed elements.
 Eigen::VectorXd lacking_velocity(const Eigen::VectorXd& start, const ChangedPart& part,
                                  std::span<const std::vector<FieldPoint>> fields, const CoverScene& after) {
   Eigen::VectorXd loads = Eigen::VectorXd::Zero(start.size());
@@ -59,11 +59,11 @@ Eigen::VectorXd lacking_velocity(const Eigen::VectorXd& start, const ChangedPart
   return after.mass_inverse()->times(loads).col(0);
 }
 
-/// Displacements nearest to those of points in the energy of elastic rock as it is strained there: of all that the
-/// functions of a part hold beside those that stay, the least of ½ ∫ E : C : E + ½ w ∫ |δ|², δ what they lack,
-/// E = sym(Fᵀ ∇δ) with the gradient F of the points. Where all functions may change strain energy falls by what they
-/// cannot hold and by no more (Galerkin's orthogonality), which a projection by mass does not grant. `w` holds the
-/// rigid motion, which is among the functions, and decides nothing else.
+/// Fits displacements to those of points in the energy of elastic rock as strained there. Among the functions of a part
+/// that may change it minimises ½ ∫ E : C : E + ½ w ∫ |δ|², δ the missing displacement. E = sym(Fᵀ ∇δ) has the gradient
+/// F of the points. If all functions may change, strain energy falls only by the part that they cannot represent
+/// (Galerkin's orthogonality). A projection by mass does not ensure that. `w` fixes the rigid motion, which the
+/// functions contain, and decides nothing else.
 class Displacements {
  public:
   Displacements(const CoverScene& after, const ChangedPart& part, const Eigen::VectorXd& start)
@@ -153,8 +153,8 @@ class Displacements {
   double weight_ = 0;
 };
 
-/// Adds turnings that give every body the angular momentum of before: that of `start`, but for what changed that of its
-/// points. It is linear in the places and in the velocities, so that each part is told by itself.
+/// Adds rotations so that every body keeps its angular momentum: that of `start`, or of the points in changed parts. It
+/// is linear in the places and in the velocities, so that each part counts separately.
 Eigen::VectorXd turned_as(const CarriedCovers& start, const ChangedPart& part,
                           std::span<const std::vector<FieldPoint>> fields, const CoverScene& after,
                           const Eigen::VectorXd& d, Eigen::VectorXd v) {

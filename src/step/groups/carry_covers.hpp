@@ -1,4 +1,4 @@
-// Displacement and velocity of bodies on covers, carried over to what is left of them.
+// Transfers displacement and velocity of NMM bodies to their remaining pieces or a new mesh.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,49 +17,48 @@ struct CarriedCovers {
   Eigen::VectorXd v;
 };
 
-/// Where displacements may differ from those before: the elements that are not kept, and some rings about them.
+/// Part whose displacements may change: elements that are not kept, and some rings around them.
 struct ChangedPart {
-  std::vector<int> elements;  ///< those with functions that may change, ascending
-  std::vector<char> changed;  ///< of each of these, whether it is not kept
-  std::vector<int> place;     ///< of each function of the bodies among those that may change; -1: it stays
-  int function_count = 0;     ///< of those that may change
+  std::vector<int> elements;  ///< with functions that may change, ascending
+  std::vector<char> changed;  ///< per such element: true if it is not kept
+  std::vector<int> place;     ///< index of each function of the bodies among those that may change; -1: unchanged
+  int function_count = 0;     ///< functions that may change
 };
 ChangedPart changed_part(const CoverScene& after, const std::vector<char>& kept);
 
-/// `start` with what it lacks of the fields of the bodies before, which `fields` tell by points over each element of
-/// the part. The velocity is projected by mass, M v = ∫ ρ Tᵀ v: that leaves a field that the functions hold as it is,
-/// and of any field it keeps the momentum, for a uniform field is among them. The angular momentum of every body, about
-/// which the projection of the displacement says nothing, is kept by a turning of the body. Displacements are nearest
-/// in the energy of elastic rock; those of functions outside the part stay as they are to the bit. Over elements that
-/// are kept `start` is the field before, over others it is a guess.
+/// Returns `start` corrected by the fields of the earlier bodies. `fields` holds points over each element of the part;
+/// `start` is the earlier field in kept elements and a guess in others. The velocity is projected by mass, M v = ∫ ρ Tᵀ
+/// v. The projection leaves fields unchanged that the functions contain, and keeps the momentum of any field, because
+/// uniform fields are among the functions. A rotation of each body keeps its angular momentum. Displacements are
+/// nearest in the energy of elastic rock; functions outside the part keep theirs bit for bit.
 CarriedCovers carried_covers(CarriedCovers start, const ChangedPart& part,
                              std::span<const std::vector<FieldPoint>> fields, const CoverScene& after);
 
-/// An element of a body with the box about it.
+/// Element of a body with its bounding box.
 struct BoxedElement {
   Box box;
   int element = 0;
 };
 
-/// The elements of a body, those near a region found quickly.
+/// Elements of a body, with fast search near a region.
 class BoxedElements {
  public:
   BoxedElements() = default;
   explicit BoxedElements(std::vector<BoxedElement> elements);
 
-  /// Those whose boxes overlap this one, by their numbers.
+  /// Returns the numbers of elements whose boxes overlap this one.
   std::vector<int> overlapping(const Box& box) const;
 
  private:
-  std::vector<BoxedElement> from_left_;  ///< by the left sides of their boxes
-  double widest_ = 0;                    ///< of the boxes
+  std::vector<BoxedElement> from_left_;  ///< sorted by the left sides of their boxes
+  double widest_ = 0;                    ///< largest width of a box
 };
 
-/// Of every body.
+/// Returns the boxed elements per body.
 std::vector<BoxedElements> boxed_elements(const CoverScene& bodies);
 
-/// The fields of a body, which has these elements, over a region of the start: exact to the product of the fields with
-/// each other, and with a polynomial of `degree`.
+/// Returns the fields of the body with these elements over a region of the initial shape. The points are exact for
+/// products of the fields with each other, and with a polynomial of `degree`.
 std::vector<FieldPoint> field_over(const CoverScene& bodies, const BoxedElements& elements,
                                    std::span<const std::vector<Point>> region, int degree, const Eigen::VectorXd& d,
                                    const Eigen::VectorXd& v);

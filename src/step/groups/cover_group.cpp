@@ -1,4 +1,4 @@
-// What a table of unknowns says of bodies on covers, handed on to them.
+// Forwards the group interface to the NMM bodies of a scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/groups/cover_group.hpp"
 
@@ -48,7 +48,7 @@ class CoverStep final : public EstimatedStep {
   CoverEquations& equations_;
 };
 
-/// Of every element of bodies on covers that which it is a part of in `same`, -1 where that is in no such body.
+/// Returns, per NMM element, the element of `same` that it is a part of; -1 if that belongs to no NMM body.
 std::vector<int> parents_in(const CoverScene& same, const std::vector<ElementIndex>& own, const BodiesBefore& before) {
   std::vector<int> parents;
   for (const ElementIndex e : own) {
@@ -71,7 +71,7 @@ std::vector<std::vector<FieldPoint>> fields_over(const ChangedPart& part, const 
   return fields;
 }
 
-/// Of elements in new triangles what rock remembers at points; of others what they remembered.
+/// Collects point memories for elements in new triangles and copies the memories of the others.
 YieldStates carried_memories(const CoverScene& bodies, const CoverScene* same, const KeptCovers& kept,
                              const ChangedPart& part, std::span<const std::vector<FieldPoint>> fields,
                              const std::vector<ElementIndex>& own, const BodiesBefore& before) {
@@ -92,7 +92,7 @@ YieldStates carried_memories(const CoverScene& bodies, const CoverScene* same, c
   return states;
 }
 
-/// Of the bodies that an element was chosen of.
+/// Returns the functions of all bodies with a chosen element.
 std::vector<int> functions_of(const CoverScene& scene, const ChosenElements& chosen) {
   std::vector<bool> is_chosen(scene.at_start().size());
   for (std::size_t i = 0; i < chosen.size(); ++i)
@@ -114,7 +114,7 @@ CoverEquations& CoverGroup::equations() const {
 }
 
 std::optional<ElasticLaw> CoverGroup::law_of_large_strain(const SceneParts& scene, ElementIndex e) const {
-  if (scene.model.material_of(scene.model.elements[e]).is_nonlinear()) return ElasticLaw::logarithmic;  // CoverYield's
+  if (scene.model.material_of(scene.model.elements[e]).is_nonlinear()) return ElasticLaw::logarithmic;  // in CoverYield
   return scene.settings.standard.elastic_law.of(scene.model.elements[e].material);
 }
 
@@ -165,7 +165,7 @@ void CoverGroup::add_stored(const BodiesMotion& motion, StoredEnergy& stored) co
   stored.gravity -= bodies_->weight().dot(motion.q.shared);
 }
 
-// As a block, with the elastic force that large rotations have.
+// The sums are those of a block, with the elastic force of large rotations.
 void CoverGroup::add_flow(const BodiesStep& step, EnergyFlow& flow) const {
   const StepRule& rule = step.rule;
   const Eigen::VectorXd dq = step.q.shared - step.start.q.shared;
@@ -281,7 +281,8 @@ std::vector<FieldPoint> CoverGroup::field_over(const SceneParts&, ElementIndex e
                               motion.q.shared, motion.v.shared);
 }
 
-// What is in the same triangles as before is copied; the rest, and a body that was a block, takes it from points.
+// Elements in unchanged triangles copy their state. Other elements, and bodies that were DDA blocks, take it from
+// points.
 void CoverGroup::carry(const SceneParts&, const BodiesBefore& before, BodiesMotion& carried) const {
   const CoverScene* same = nullptr;
   for (const BodyGroups::Group& group : before.groups)

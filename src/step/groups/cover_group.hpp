@@ -1,4 +1,4 @@
-// The bodies of a scene that hang on covers, as a group.
+// Implements the group of NMM bodies of a scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,7 +15,7 @@ class CoverGroup final : public BodyGroup {
       : bodies_(std::move(bodies)), elements_(boxed_elements(*bodies_)) {}
 
   const CoverScene& bodies() const { return *bodies_; }
-  /// Of the step at hand: one step at a time is made of a group. Made with the first.
+  /// Returns the equations of the current step. They are made with the first step; a group makes one step at a time.
   CoverEquations& equations() const;
 
   bool has(ElementIndex e) const override { return bodies_->kinematics()->carries(e); }
@@ -80,7 +80,7 @@ class CoverGroup final : public BodyGroup {
 
  private:
   std::shared_ptr<const CoverScene> bodies_;
-  std::vector<BoxedElements> elements_;  ///< of every body
+  std::vector<BoxedElements> elements_;  ///< per body
   mutable std::unique_ptr<CoverEquations> equations_;
 };
 

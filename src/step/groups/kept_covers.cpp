@@ -1,4 +1,4 @@
-// Triangle by triangle, then function by function; see kept_covers.hpp.
+// Compares triangle by triangle, then function by function; see kept_covers.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/groups/kept_covers.hpp"
 
@@ -15,7 +15,7 @@ const ManifoldElement& element_of(const CoverScene& scene, int e) {
   return scene.continuum().manifold.elements[static_cast<std::size_t>(e)];
 }
 
-/// `functions`: of each function after the one before.
+/// Compares the polynomials of two elements. `functions`: earlier function of each later one.
 bool has_same_polynomials(const ElementShape& was, const ElementShape& is, const std::vector<int>& functions) {
   if (was.function_count() != is.function_count() || was.degree != is.degree) return false;
   if (was.frame.origin != is.frame.origin || was.frame.size != is.frame.size) return false;

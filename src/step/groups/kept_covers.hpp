@@ -1,4 +1,4 @@
-// What bodies on covers have in common with those of an earlier scene, whatever their numbers were there.
+// Finds the elements and functions that NMM bodies share with those of an earlier scene, regardless of numbering.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,20 +11,20 @@
 namespace keyblock {
 
 struct KeptCovers {
-  std::vector<int> in_triangle;  ///< of each element the one before, where it lies in the same triangle; else -1
-  std::vector<int> functions;  ///< of each function the one before, of a cover that it had in such a triangle; else -1
-  std::vector<char> elements;  ///< whether one has the polygon of the one before, and its polynomials
+  std::vector<int> in_triangle;  ///< per element, the earlier one if it lies in the same triangle; else -1
+  std::vector<int> functions;    ///< per function, the earlier one of a cover that it had in such a triangle; else -1
+  std::vector<char> elements;    ///< per element: true if polygon and polynomials equal those of the earlier one
 };
 
-/// `parents`: of every element after, the element before that it is a part of; below 0 where that was on no covers.
-/// Triangles are the same whose three nodes have the same positions to the bit, in the same order. Polynomials are the
-/// same to round-off, for those of derived gradients are sums over stars, in the order of the numbers of covers.
+/// Compares two scenes. `parents`: per later element, the earlier element that it is a part of; negative if that was no
+/// NMM element. Triangles are the same if their three nodes have bitwise equal positions in the same order. Polynomials
+/// are compared to round-off, because derived gradients are sums over stars in the order of cover numbers.
 KeptCovers kept_covers(const CoverScene& before, std::span<const int> parents, const CoverScene& after);
 
-/// Of bodies that were on no covers.
+/// Returns the result for bodies that were no NMM bodies before.
 KeptCovers nothing_kept(const CoverScene& after);
 
-/// The unknowns `field` before of functions that were there, 0 of the others.
+/// Returns the earlier unknowns `field` of functions that existed, 0 for the others.
 Eigen::VectorXd copied(const KeptCovers& kept, const Eigen::VectorXd& field);
 
 }  // namespace keyblock

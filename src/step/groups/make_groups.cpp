@@ -1,4 +1,4 @@
-// Blocks, and bodies on covers where there are any.
+// Creates the groups of DDA blocks and, if the model has any, of NMM bodies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/groups/make_groups.hpp"
 

@@ -1,4 +1,4 @@
-// The groups that the bodies of a model fall into.
+// Divides the bodies of a model into groups.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,11 +10,11 @@ namespace keyblock {
 struct MadeGroups {
   BodyGroups all;
   std::shared_ptr<const BlockGroup> blocks;      ///< one of them
-  std::shared_ptr<const Groundwork> groundwork;  ///< of those on covers; none without them
+  std::shared_ptr<const Groundwork> groundwork;  ///< cached data of NMM bodies; null without them
 };
 
-/// Puts into `reference` how the elements of each group move. `before`: groundwork that may be of this model and these
-/// settings, or none. Throws NotPositiveDefinite where covers carry no mass.
+/// Creates the groups and writes the kinematics of their elements into `reference`. `before`: cached data, used if they
+/// fit this model and these settings, or null. Throws NotPositiveDefinite if covers have no mass.
 MadeGroups groups_of(const Model& model, const Settings& settings, Reference& reference,
                      const std::shared_ptr<const Groundwork>& before);
 

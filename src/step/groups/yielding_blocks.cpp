@@ -1,4 +1,4 @@
-// One block after another, on several threads; see yielding_blocks.hpp.
+// Steps elastoplastic blocks one by one, on several threads; see yielding_blocks.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/groups/yielding_blocks.hpp"
 
@@ -38,7 +38,7 @@ bool YieldingBlocks::linearise(const UnknownsTable& estimate, FreeStep& step) {
                            block.yield->missing_stiffness(start_.q[e], before(e), end(e, estimate), response.after);
     BlockInverse inverse = inverse_of(a, block.yield->rock.law->has_symmetric_tangent());
     has_factor[static_cast<std::size_t>(e.value)] = inverse.exists ? 1 : 0;
-    // Forces are judged as of elastic rock: beside what flows, gaps that are far from closed would be next to nothing.
+    // `judging` stays that of elastic rock: next to the flow of the block, open gaps would appear negligible.
     step.flexibility.blocks[e] = std::move(inverse.inverse);
   });
   step.flexibility.has_symmetric_blocks = std::ranges::all_of(blocks_, [](const Block& block) {

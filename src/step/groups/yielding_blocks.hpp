@@ -1,4 +1,4 @@
-// Blocks that may yield in one step: their equations linearised about an estimate, their memories at its end.
+// Steps elastoplastic blocks: linearises their equations about an estimate and computes the memories at the end.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,20 +11,20 @@
 
 namespace keyblock {
 
-/// The step of those that may yield; the steps of all others are known. Blocks do not depend on each other and are
-/// shared by threads.
+/// Step of the elastoplastic blocks; the steps of all others are known. Blocks are independent and run on several
+/// threads.
 class YieldingBlocks final : public EstimatedStep {
  public:
-  /// All of it is that of the group and of the start of the step, and outlives this.
+  /// Keeps references to all arguments but `dt`; they must outlive the object.
   YieldingBlocks(const Bodies& bodies, const std::vector<std::optional<BlockYield>>& yields, const BodiesMotion& start,
                  const StepRule& rule, double dt)
       : bodies_(bodies), yields_(yields), start_(start), rule_(rule), dt_(dt), blocks_(bodies.size()) {}
 
-  /// Keeps A and r of the elastic step of a block; nothing of one that stays elastic.
+  /// Keeps A and r of the elastic step of a block; does nothing for a block that stays elastic.
   void put_elastic(ElementIndex e, const StepEquations& equations);
 
   bool linearise(const UnknownsTable& estimate, FreeStep& step) override;
-  /// Increments are not numbers where the law found no stress.
+  /// Writes NaN increments if the law found no stress.
   void evaluate(const UnknownsTable& estimate, FreeStep& step) override;
   void put_end(const UnknownsTable& increments, UnknownsTable& v, UnknownsTable& a,
                PointMemories& points) const override;
@@ -32,9 +32,9 @@ class YieldingBlocks final : public EstimatedStep {
  private:
   struct Block {
     const BlockYield* yield = nullptr;
-    double share = 0;     // of a change of inelastic strain
+    double share = 0;     // InelasticShare::total of a change of inelastic strain
     UnknownBlock matrix;  // A of the elastic step
-    Unknowns right;       // what moves it, but for what flows in this step
+    Unknowns right;       // right-hand side without the flow of this step
   };
 
   template <class Each>
@@ -47,7 +47,7 @@ class YieldingBlocks final : public EstimatedStep {
   const BodiesMotion& start_;
   StepRule rule_;
   double dt_;
-  std::vector<Block> blocks_;  // one an element
+  std::vector<Block> blocks_;  // one per element
 };
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// The words of cuts, and parts by change; see newton.hpp.
+// Names the reasons of cuts and computes the parts of increments from their change; see newton.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/newton/newton.hpp"
 
@@ -28,7 +28,7 @@ std::string_view in_words(RoundsEnd end) {
   return {};
 }
 
-// `left`: the change of a round over that of the one before.
+// `left`: change of this iteration over that of the last.
 double PartsByChange::next(double left) {
   using namespace tolerances;
   if (left > of_line_search::kStalls) {

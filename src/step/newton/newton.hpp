@@ -1,4 +1,5 @@
-// Newton's method: the rounds of every search of a step for a balance of forces, in time and at rest.
+// Implements Newton's method, the iteration of every search for a balance of forces, in dynamics and statics. Theory:
+// docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,23 +11,23 @@
 
 namespace keyblock {
 
-/// How rounds stand. All but the first two are the names of cuts: a shorter step, or a part of the loads, is the
-/// remedy.
+/// State of the iteration. All but the first two are reasons to cut: a shorter step or a smaller load increment may
+/// help.
 enum class RoundsEnd {
   open,               ///< forces are out of balance
-  balanced,           ///< they are not
-  too_many_rounds,    ///< or fewer would do that lead nowhere
-  not_finite,         ///< forces are not numbers: an area is none, or a law found no stress
+  balanced,           ///< forces are in balance
+  too_many_rounds,    ///< too many iterations, or several without progress
+  not_finite,         ///< forces are not finite: an element has no area, or a law found no stress
   no_factor,          ///< the tangent has no inverse
-  off_path,           ///< no share of the loads lies at the wanted distance
-  no_contact_forces,  ///< contact, bolts and held points have no forces that fit
+  off_path,           ///< no load fraction lies at the required distance
+  no_contact_forces,  ///< no forces of contacts, bolts and fixed points fit
   turned_over,        ///< balanced, but an element is turned inside out
 };
 
-/// "too many rounds", and the like.
+/// Returns a phrase such as "too many rounds".
 std::string_view in_words(RoundsEnd end);
 
-/// What rounds took. `residuals`: before each round and at the end, over the largest of the forces.
+/// Record of the iterations. `residuals`: before each iteration and at the end, over the largest force.
 struct NewtonRounds {
   std::vector<double> residuals;
   RoundsEnd end = RoundsEnd::open;
@@ -34,10 +35,10 @@ struct NewtonRounds {
   int count() const { return residuals.empty() ? 0 : static_cast<int>(residuals.size()) - 1; }
 };
 
-/// The rounds. Equations say how their estimate stands (`state`), find what Newton's method adds to it, with contact
-/// forces where there are any (`find_increment`), and take a part of that, which `search` chooses: WholeIncrements,
-/// Backtracking or PartsByChange. What controls them, a share of the loads and of the ways of driven edges or a
-/// length along the path of equilibria, is a matter of the equations.
+/// Iterates until the equations report an end. `state` judges the estimate, and `find_increment` finds the increment of
+/// Newton's method, with contact forces if there are any. `search` chooses the part of it to take: WholeIncrements,
+/// Backtracking or PartsByChange. The equations know what controls the search: a load fraction, which also moves driven
+/// edges, or a length along the path of equilibria.
 template <class Equations, class Search>
 RoundsEnd newton(Equations& equations, Search& search, int most_rounds) {
   for (int round = 0;; ++round) {
@@ -49,7 +50,7 @@ RoundsEnd newton(Equations& equations, Search& search, int most_rounds) {
   }
 }
 
-/// Increments as they are.
+/// Takes whole increments.
 struct WholeIncrements {
   template <class Equations>
   void take_part(Equations& equations) const {
@@ -57,7 +58,7 @@ struct WholeIncrements {
   }
 };
 
-/// An increment is halved while the residual does not fall by a share of what it promises (Armijo 1966).
+/// Halves an increment until the residual falls by a fraction of the predicted reduction (Armijo 1966).
 struct Backtracking {
   template <class Equations>
   void take_part(Equations& equations) const {
@@ -74,9 +75,10 @@ struct Backtracking {
   }
 };
 
-/// Where rock may yield, points that change sides of their surface in turn would go on so: half as much of a round that
-/// changes the estimate as much as the one before; twice as much after one that led far, or two that led as far as
-/// their part promised. Residuals of such rounds are those of their gaps, and say nothing of the way.
+/// Takes smaller parts if points of elastoplastic rock alternate between the sides of their yield surface, which would
+/// not end. The part is halved if the estimate changes about as much as in the last iteration. It is doubled after an
+/// iteration that reduced the change much, or after two that reduced it as predicted. Residuals cannot guide this
+/// search, because those of such iterations reflect contact gaps.
 class PartsByChange {
  public:
   template <class Equations>
@@ -88,7 +90,7 @@ class PartsByChange {
   double next(double left);
 
   double part_ = 1;
-  int kept_ = 0;  ///< rounds in a row that led as far as promised
+  int kept_ = 0;  ///< iterations in a row with the predicted reduction
 };
 
 }  // namespace keyblock

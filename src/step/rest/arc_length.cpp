@@ -1,4 +1,4 @@
-// The equations on a cylinder about the last point; see arc_length.hpp.
+// Solves the equilibrium equations on a cylinder about the last point; see arc_length.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/arc_length.hpp"
 
@@ -11,13 +11,14 @@ namespace {
 
 using namespace tolerances;
 
-/// Of |a + s b| = length the s whose a + s b points most along `direction`; none where the line misses the cylinder.
+/// Solves |a + s b| = length for the s whose a + s b points most along `direction`; empty if the line misses the
+/// cylinder.
 std::optional<double> on_cylinder(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double length,
                                   const Eigen::VectorXd& direction) {
   const double square = b.squaredNorm(), half = a.dot(b);
   const double root = half * half - square * (a.squaredNorm() - length * length);
   if (!(root >= 0 && square > 0)) return std::nullopt;
-  // The two differ by 2 √root / b² of b.
+  // The two solutions differ by 2 √root / b² times b.
   return (-half + (b.dot(direction) > 0 ? 1 : -1) * std::sqrt(root)) / square;
 }
 
@@ -49,7 +50,7 @@ class OnPath {
     return change_ ? RoundsEnd::open : RoundsEnd::off_path;
   }
 
-  /// The whole: a part of it would not lie on the cylinder.
+  /// Takes the whole increment: a part of it would not lie on the cylinder.
   void take(double) {
     at_.way = corrected_ + *change_ * by_share_;
     at_.share_change += *change_;

@@ -1,4 +1,5 @@
-// The path of equilibria of bodies on covers beyond limit loads: steps of a given length, on which the loads may fall.
+// Follows the path of equilibria of NMM bodies beyond limit loads, in steps of given length; loads may fall along it.
+// Theory: docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,31 +9,31 @@
 
 namespace keyblock {
 
-/// Where a path has come to, and how it came there.
+/// Point on a path, with the step that led to it.
 struct PathPoint {
   LoadedState state;
-  double share = 0;         ///< of the scene's loads
+  double share = 0;         ///< load fraction of the scene
   Eigen::VectorXd way;      ///< Δd of the last step; zero at the start of the path
-  double share_change = 0;  ///< in it
+  double share_change = 0;  ///< change of `share` in that step
 };
 
-/// Newton's method under control by arc length (Riks 1979), on a cylinder: |Δd| = l, the share of the loads being
-/// sought with it (Crisfield 1981). In each round K δ1 = -r and K δ2 = p, p what the loads of the whole scene are; of
-/// the two shares that Δd + δ1 + δs δ2 has on the cylinder that is taken which goes on in the direction of the step.
-/// The next step is guessed along the last, by which it also knows which way is on: a share that has fallen goes on
-/// falling. The first is guessed by elasticity. Rounds stop as those of ShareControl do.
+/// Newton's method under arc-length control (Riks 1979), on a cylinder: |Δd| = l, with the load fraction as unknown
+/// (Crisfield 1981). Each iteration solves K δ1 = -r and K δ2 = p, p the loads of the whole scene. Two load fractions
+/// put Δd + δ1 + δs δ2 on the cylinder; the one that continues in the direction of the step is taken. The last step
+/// predicts the next and gives its direction: falling loads keep falling. Elasticity predicts the first step.
+/// Iterations stop as those of ShareControl do.
 class ArcLength {
  public:
   explicit ArcLength(const LoadedBodies& bodies) : tangent_(bodies) {}
 
-  /// |Δd| of a point per share of the loads, of rock as it answers the least strain; 0 without loads, infinity where
-  /// the tangent has no inverse.
+  /// Returns |Δd| per load fraction at a point, for the response of rock to an infinitesimal strain. The result is 0
+  /// without loads and infinite if the tangent has no inverse.
   double length_of_loads(const PathPoint& from);
 
-  /// The next point, at this distance; none where rounds do not bring it there. `rounds` is filled either way.
+  /// Returns the next point at this distance; empty if the iterations find none. Always fills `rounds`.
   std::optional<PathPoint> next(const PathPoint& from, double length, NewtonRounds& rounds);
 
-  /// The unknowns where the last search ended; empty before the first.
+  /// Returns the unknowns at the end of the last search; empty before the first.
   const Eigen::VectorXd& last() const { return last_; }
 
  private:

@@ -1,4 +1,5 @@
-// Three rounds of force, strain and shift: each sees the geometry the last one left.
+// Repeats the solution of forces, strains and shifts; each round uses the geometry of the last. See
+// compatible_start.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/compatible_start.hpp"
 
@@ -55,8 +56,8 @@ class CompatibleSettling {
     shift();
   }
 
-  // Bolts that the loads stretch, where contacts and the pretension do not suffice. A bolt whose pretension pulls its
-  // ends together does so; a constant force stays as it is.
+  // Adds bolts that the loads stretch, if contacts and pretension do not suffice. A bolt whose pretension pulls its
+  // ends together does suffice; a constant bolt force never changes.
   bool stretch_bolts() {
     if (start_.scene.model.bolts.empty()) return false;
     const Eigen::VectorXd longer =
@@ -74,7 +75,7 @@ class CompatibleSettling {
     return true;
   }
 
-  // Those that would break stay as they are: their blocks fall into them.
+  // Removes bolts that would break; their blocks fall into them.
   bool let_go_of_weak_bolts() {
     std::vector<std::size_t> strong;
     for (std::size_t i = 0; i < start_.bolts.size(); ++i)
@@ -94,7 +95,7 @@ class CompatibleSettling {
     return !sheared.empty();
   }
 
-  // A bond that carries its tensile strength while its faces part: once more than round-off of the acceleration.
+  // A bond breaks if it carries its tensile strength while its faces part by more than round-off of the acceleration.
   bool break_open_bonds() {
     if (start_.motion.bonds.empty()) return false;
     const std::size_t before = start_.motion.bonds.size();
@@ -120,9 +121,9 @@ class CompatibleSettling {
     }
   }
 
-  // Touches that carry get the gap of their force; the others are only kept from overlapping, or their springs would
-  // kick. Blocks wedged among blocks make W all but singular; the proximal rounds of the solution leave combinations of
-  // pushes that would close a gap by a large shift only to the elastic contact.
+  // Contacts that carry force get the gap of their force. Others only must not overlap, or their springs would kick.
+  // Blocks wedged among blocks make W almost singular: combinations of pushes could close a gap only by a large shift.
+  // The proximal iterations of the solution leave these to the elastic contact.
   void shift() {
     const Table<ElementIndex, UnknownBlock> yielding = start_.counted_as(StartForces::kLightest);
     FrictionalProblem problem{
@@ -161,7 +162,7 @@ class CompatibleSettling {
     return left > of_compatible_start::kRoundOff * start_.scales.size ? left / asked_ : 0;
   }
 
-  // Corners where no edge led, and that strains and shifts have pressed together.
+  // Strains and shifts may press together corners that no edge faced before.
   void add_overlapping() {
     const auto vertices = vertices_at(start_.scene.model, start_.scene.reference, start_.motion.q);
     unshifted_.closed = closed();
@@ -211,8 +212,8 @@ class CompatibleSettling {
   StartForces start_;
   Motion unshifted_;
   Touches found_;
-  std::vector<std::size_t> weak_bolts_;  ///< that the loads would break
-  double asked_ = 0;                     ///< sum of all gaps that shifts were to close
+  std::vector<std::size_t> weak_bolts_;  ///< bolts that the loads would break
+  double asked_ = 0;                     ///< sum of all gaps that shifts should close
   double greatest_shift_ = 0;            ///< of one block in one round
 };
 

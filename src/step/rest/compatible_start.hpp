@@ -1,4 +1,5 @@
-// A start in which contact forces and strains fit the first accelerations, so that nothing rings.
+// Computes an initial state whose contact forces and strains fit the first accelerations, so that blocks do not
+// oscillate. Theory: docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,17 +11,18 @@ namespace keyblock {
 
 struct CompatibleStart {
   Motion motion;
-  std::string failure;    ///< one sentence, if there is none; empty otherwise
-  double misfit = 0;      ///< what is left of the gaps that shifts were to close, over those of the first round
-  int bolts = 0;          ///< that the loads stretch beyond their pretension
-  bool balances = false;  ///< whether no bolt is to break at once, and forces and accelerations fit
+  std::string failure;    ///< one sentence if no start was found; otherwise empty
+  double misfit = 0;      ///< gaps left by the shifts, over the gaps of the first round
+  int bolts = 0;          ///< bolts stretched by the loads beyond their pretension
+  bool balances = false;  ///< true if no bolt breaks at once, and forces fit the accelerations
 };
 
-/// (a) rigid accelerations and contact forces from 0 ≤ g̈ ⊥ λn ≥ 0 with Coulomb friction; (b) strains from
-/// K ε = f_ε + G_εᵀ λ − M_εr a_r; (c) blocks shifted until closed gaps are 0, or −λn/p with springs; (d) the slip of
-/// the springs. Bolts that the loads would stretch at once take part in all three: they pull what contacts and
-/// pretension do not bear. It serves blocks that will slide or topple at once, which settling in time cannot.
-/// In masses of wedged blocks (a) is one answer of many and (c) may not be possible with small shifts: then it fails.
+/// Computes the start in four parts: (a) Rigid accelerations and contact forces satisfy 0 ≤ g̈ ⊥ λn ≥ 0 with Coulomb
+/// friction. (b) Strains satisfy K ε = f_ε + G_εᵀ λ − M_εr a_r. (c) Blocks shift until closed gaps are 0, or −λn/p with
+/// springs. (d) Tangential springs slip by the amount that their forces require. Bolts that the loads would stretch at
+/// once take part in (a) to (c): they pull what contacts and pretension do not carry. The start suits blocks that slide
+/// or topple at once, which settling in time cannot handle. In masses of wedged blocks (a) has many solutions, and (c)
+/// may be impossible with small shifts: then the start fails.
 CompatibleStart compatible(const StandardScene& scene, Motion motion);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Assembled, then factorised in the order of the first; see loaded_tangent.hpp.
+// Assembles the tangent and factorises it in the elimination order of the first; see loaded_tangent.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/loaded_tangent.hpp"
 
@@ -7,7 +7,7 @@
 
 namespace keyblock {
 
-// Where unknowns depend on each other the matrix is singular to Cholesky's factor.
+// Cholesky needs independent unknowns, or the matrix is singular.
 LoadedTangent::LoadedTangent(const LoadedBodies& bodies)
     : bodies_(&bodies),
       is_symmetric_(bodies.yield().functions_of_whole_tangents().empty() &&
@@ -23,7 +23,7 @@ const LinearFactor& LoadedTangent::factor_at(const LoadedState& from, const Eige
       if (!symmetric_) symmetric_.emplace(lower, Definiteness::definite);
       symmetric_->factorise(lower);
       return *symmetric_;
-    } catch (const NotPositiveDefinite&) {  // rock that gives way: LU finds what it can
+    } catch (const NotPositiveDefinite&) {  // softening rock: LU may still succeed
     }
   }
   if (!factor_) factor_.emplace(tangent_.matrix());

@@ -1,4 +1,4 @@
-// The tangent of loaded bodies and its factor, for all searches of a scene.
+// Holds the tangent of loaded bodies and its factorisation for all searches of a scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,26 +12,26 @@
 
 namespace keyblock {
 
-/// What is out of balance over the largest of the forces.
+/// Returns the residual over the largest force.
 inline double share_out_of_balance(const LoadedBodies::Balance& balance) {
   const double residual = balance.residual.norm();
   return residual == 0 ? 0 : residual / balance.scale;
 }
 
-/// Whether a round of Newton's method has anything to do.
+/// Returns the state of a Newton iteration with this relative residual.
 inline RoundsEnd state_of(double left) {
   if (left <= tolerances::of_newton::kBalanced) return RoundsEnd::balanced;
   return std::isfinite(left) ? RoundsEnd::open : RoundsEnd::not_finite;
 }
 
-/// By Cholesky's factor where every law has a symmetric tangent and this one is positive definite, else by LU. One
-/// object serves all steps of a scene: the orders of elimination are found once.
+/// Factorises by Cholesky if every law has a symmetric tangent and the matrix is positive definite, else by LU. One
+/// object serves all steps of a scene and keeps the elimination orders.
 class LoadedTangent {
  public:
   explicit LoadedTangent(const LoadedBodies& bodies);
 
   const LoadedBodies& bodies() const { return *bodies_; }
-  /// At d, with this share of the elastic stiffness in it. Throws SingularMatrix.
+  /// Returns the factorisation at d, with a fraction of the elastic stiffness added. Throws SingularMatrix.
   const LinearFactor& factor_at(const LoadedState& from, const Eigen::VectorXd& d, double elastic_share = 0);
 
  private:

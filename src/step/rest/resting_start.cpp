@@ -1,4 +1,4 @@
-// Search, leave out what has no rest, search again; see resting_start.hpp.
+// Searches for an equilibrium, leaves out bodies without one, and searches again; see resting_start.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/resting_start.hpp"
 
@@ -22,7 +22,7 @@ namespace {
 
 using namespace tolerances;
 
-/// Which bodies hang together: they touch, or a bolt joins them. Over what cannot move nothing hangs together.
+/// Finds sets of bodies connected by contact or bolts. Bodies that cannot move do not connect others.
 class Hanging {
  public:
   Hanging(const StandardScene& scene, const Motion& still)
@@ -39,7 +39,7 @@ class Hanging {
       if (can_move(e) && scene.groups.of(e).is_supported(e)) is_held_[of(e)] = true;
   }
 
-  /// The number of those that an element hangs together with.
+  /// Returns the number of the connected set of an element.
   std::size_t of(ElementIndex e) { return static_cast<std::size_t>(sets_.find(e.value)); }
   bool is_held(ElementIndex e) { return is_held_[of(e)]; }
 
@@ -109,7 +109,7 @@ class RestSearch {
     return scene_.model.material_of(scene_.model.elements[e]).initial_velocity != Velocity{};
   }
 
-  /// Elements that can move and are not left out.
+  /// Returns movable elements that are still in the search.
   std::vector<ElementIndex> movable() const {
     std::vector<ElementIndex> all;
     for (ElementIndex e : indices(scene_.model.elements))
@@ -132,7 +132,7 @@ class RestSearch {
     return static_cast<int>(out.size());
   }
 
-  // Those that the search names; where that is none of those sought, all.
+  // Returns the elements that the search names; if none of them is in the search, all that are.
   std::vector<ElementIndex> to_blame(const StandardStep& made) const {
     std::vector<ElementIndex> named = made.moving;
     if (named.empty() && made.converged) named = balance_of(scene_, at_rest(made.motion), 0).blocks;
@@ -152,8 +152,8 @@ class RestSearch {
             : fmt::format("; {} and what hangs together with it start suddenly", in_words(scene_, some));
   }
 
-  /// Greatest way of a vertex over the size of its body, of what each element hangs together with; by the number of
-  /// that, with the element that went so far.
+  /// Greatest displacement of a vertex over the size of its body, per connected set, with the element that moved so
+  /// far.
   struct Way {
     double share = 0;
     ElementIndex element;
@@ -170,7 +170,7 @@ class RestSearch {
     return ways;
   }
 
-  // One element of each set of bodies that did not only deform on its way.
+  // Returns one element per connected set that moved to another place and did not merely deform.
   std::vector<ElementIndex> elsewhere(const Motion& motion) {
     std::vector<Way> ways = ways_to(motion);
     std::erase_if(ways, [](const Way& way) { return !(way.share > of_resting_start::kInPlace); });
@@ -190,7 +190,7 @@ class RestSearch {
     return away;
   }
 
-  // By the file.
+  // An initial stress of the file loads bodies even at zero unknowns.
   bool is_stressed() const {
     UnknownsTable none = still_.q;
     none.set_zero();
@@ -231,9 +231,9 @@ class RestSearch {
 
   StandardScene& scene_;
   const Motion& start_;
-  Motion still_;  ///< the start without velocities
+  Motion still_;  ///< initial state without velocities
   Hanging hanging_;
-  ChosenElements left_;  ///< out of the search
+  ChosenElements left_;  ///< elements out of the search
   RestingStart result_;
 };
 

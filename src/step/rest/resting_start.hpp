@@ -1,4 +1,5 @@
-// A start at rest under the first loads, of what something bears.
+// Computes the static equilibrium from which supported bodies start a dynamic run. Theory:
+// docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,17 +11,16 @@ namespace keyblock {
 
 struct RestingStart {
   Motion motion;           ///< velocities as at the start
-  bool is_found = false;   ///< of some bodies
-  int sudden = 0;          ///< bodies without: they move, nothing holds them, or they have no equilibrium
-  std::string unbalanced;  ///< which bodies were sought an equilibrium of and have none, and why; empty where all have
+  bool is_found = false;   ///< true if some bodies have an equilibrium
+  int sudden = 0;          ///< bodies left out: they move, have no support or find no equilibrium
+  std::string unbalanced;  ///< bodies whose search found no equilibrium, and the reason; empty if all have one
 };
 
-/// The static equilibrium (`first_equilibrium`) of bodies under the loads of t = 0: displacements, stresses, and
-/// contact forces with their memories. It is sought of bodies that hang together, by touching or by bolts, with
-/// something that is held, where none of them has a velocity; the others, as a body in flight, bear no load meanwhile
-/// and stay as they are in `start`. So do those that hang together with a body that falls, slides or finds no rest,
-/// and those whose equilibrium is another place than where they were drawn, as that of a pendulum, or of a block that
-/// slides against a wall.
+/// Finds the static equilibrium (`first_equilibrium`) under the loads of t = 0: displacements, stresses, contact forces
+/// and their memories. The search covers connected sets, by contact or bolts, that have a support and no initial
+/// velocity. All other bodies, such as a body in flight, carry no load meanwhile and stay as in `start`. The same holds
+/// for sets with a body that falls, slides or finds no equilibrium. It also holds if the equilibrium is far from the
+/// drawn position, as for a pendulum or a block that slides against a wall.
 RestingStart resting_start(StandardScene scene, const Motion& start);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Glue, load, dissolve.
+// Glues the faces, loads the scene and dissolves the glue; see settled_start.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/settled_start.hpp"
 
@@ -35,7 +35,7 @@ class Settling {
     const UnknownsTable drawn = motion_.q;
     leave_unsupported(found_);
     load_glued(found_);
-    Motion before = motion_;  // with what the springs of the glue are compressed by
+    Motion before = motion_;  // keeps the compression of the glue's springs
     before.q = drawn;
     add_overlapping(before);
     dissolve();
@@ -48,7 +48,7 @@ class Settling {
     double stiffness = of_settled_start::kShortest;
     double first_share = 0;
     double last_share = 0;
-    double slid = 0;  // steps so far, by their stiffness
+    double slid = 0;  // sum of `stiffness` over the steps so far
     for (int i = 0; i < of_settled_start::kMostSteps; ++i) {
       const Motion before = motion_;
       const Touches found = found_;
@@ -84,8 +84,8 @@ class Settling {
     }
   }
 
-  // Whether the last step was as long as the one before, for every block: what does not rest slides or falls, under
-  // forces that have settled, and may do so from where it was drawn.
+  // Returns true if each block moved as far as in the step before. Bodies without equilibrium then slide or fall under
+  // settled forces, and may do so from where they were drawn.
   bool goes_on_evenly(const UnknownsTable& last) const {
     return farthest(last) > 0 && farthest(plus(moved_, -1, last)) <= of_settled_start::kEvenly * farthest(moved_);
   }
@@ -96,7 +96,8 @@ class Settling {
     return most;
   }
 
-  // All faces glued, and bolts and held points with them. What the glue bears is where the search for friction begins.
+  // Glues all faces and loads them together with bolts and fixed points. The search for friction begins at the glue
+  // forces.
   void load_glued(const Touches& touches) {
     Touches faces;
     std::ranges::copy_if(touches, std::back_inserter(faces), [](const Touch& touch) { return touch.stretch > 0; });
@@ -114,7 +115,7 @@ class Settling {
     for (std::size_t i = 0; i < constraints.bolt_count(); ++i) {
       const Eigen::Index n = of_faces + static_cast<Eigen::Index>(2 * i);
       compliance[n] = constraints.compliance(i);
-      compliance[n + 1] = of_settled_start::kHeldByNothing / scene_.normal_stiffness();  // none across
+      compliance[n + 1] = of_settled_start::kHeldByNothing / scene_.normal_stiffness();  // no force across
     }
     Eigen::VectorXd gaps = Eigen::VectorXd::Zero(count);
     gaps.tail(count - of_faces) = constraints.gaps(motion_.q);
@@ -134,11 +135,11 @@ class Settling {
     motion_.constraints = constraints.memory(forces.tail(count - of_faces), motion_.q);
   }
 
-  // False where it finds no forces. It then moves nothing; touches that it found stay.
+  // Returns false if it finds no forces. It then moves nothing, but contacts that it found stay.
   bool step(double stiffness_over_inertia) {
     const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
     StandardChoices choices = scene_.settings.standard;
-    choices.force_weight = 1;  // each step ends at the rest that it heads for, not as far beyond
+    choices.force_weight = 1;  // each step ends at its equilibrium; a smaller weight would overshoot
     const StepRule rule = step_rule(choices, dt);
     const double force = of_settled_start::kForceTolerance * scales_.force;
     const ForceTolerance tolerance{force, force, of_settled_start::kForceTolerated * scales_.force};
@@ -167,8 +168,8 @@ class Settling {
     return true;
   }
 
-  // Corners at nodes, where more than two blocks meet, and what else came round: without them blocks would slip past
-  // each other.
+  // Corners at nodes of more than two blocks, and corners that came round an edge, are not faces. Without them blocks
+  // would slip past each other.
   Touches overlapping_at(const UnknownsTable& q, const Motion& before) const {
     return newly_overlapping(scene_, before, vertices_at(scene_.model, scene_.reference, q), found_, scales_);
   }
@@ -184,7 +185,7 @@ class Settling {
     return mass;
   }
 
-  // Union of touching and bolted blocks; a group without a block that is fixed or held somewhere bears no load here.
+  // Removes the loads from connected sets without a fixed block or fixed point: their forces cannot settle here.
   void leave_unsupported(const Touches& touches) {
     UnionFind groups(scene_.bodies().size());
     const auto join = [&](ElementIndex first, ElementIndex second) { groups.unite(first.value, second.value); };

@@ -1,4 +1,5 @@
-// A start of jointed masses, in which contact forces follow from the elasticity of blocks and contacts.
+// Computes the initial equilibrium of a jointed rock mass. Rigid-body statics leaves its contact forces undetermined;
+// the elasticity of blocks and contacts decides them. Theory: docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,13 +7,13 @@
 
 namespace keyblock {
 
-/// In a mass of blocks that hold each other in rings, equilibrium of rigid blocks leaves contact forces open: they
-/// follow from elasticity. First all touching faces are glued and the loads put on in one static step; then the glue is
-/// dissolved in a few steps so short that nothing moves by more than the contacts give, each from rest. Blocks that
-/// hang together with no block that is fixed or held somewhere are left unloaded. Velocities are those of `motion`.
+/// Initial equilibrium of blocks that hold each other in rings. All touching faces are glued and loaded in one static
+/// step. A few steps, each without initial velocity, then dissolve the glue. They are so short that nothing moves
+/// farther than contacts compress. Blocks not connected to a fixed block or fixed point stay unloaded. Velocities are
+/// those of `motion`.
 struct Settled {
   Motion motion;
-  int unsolved_steps = 0;  ///< that found no forces and changed nothing
+  int unsolved_steps = 0;  ///< steps without forces, which changed nothing
 };
 Settled settled(const StandardScene& scene, Motion motion);
 

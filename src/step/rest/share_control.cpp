@@ -1,4 +1,4 @@
-// The equations at a share; see share_control.hpp.
+// Solves the equilibrium equations at a load fraction; see share_control.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/share_control.hpp"
 
@@ -54,7 +54,7 @@ class AtShare {
   }
   bool would_balance() const { return share_out_of_balance(next_) <= of_newton::kBalanced; }
 
-  /// The part whose residual was looked at last.
+  /// `part` is the part whose residual was computed last.
   void take(double part) {
     d_ += part * increment_;
     last_ = d_;

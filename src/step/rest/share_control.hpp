@@ -1,5 +1,5 @@
-// Newton's method for bodies on covers at rest, by load or by displacement: the state at which loads, supports and rock
-// that may yield balance.
+// Solves for the static equilibrium of NMM bodies at a load fraction by Newton's method. Loads, supports and
+// elastoplastic rock balance there. Theory: docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,19 +7,19 @@
 
 namespace keyblock {
 
-/// Control by a share of the scene, of its loads as of the ways of the edges that it drives. The exact tangent in each
-/// round and Backtracking. Where that fails, once more with a thousandth of the elastic stiffness in the tangent: in a
-/// corner of the surface the exact one has no inverse. A state with an element turned over is none.
+/// Newton's method under control by the load fraction, which scales loads and the motion of driven edges alike. It uses
+/// the exact tangent and Backtracking. The exact tangent has no inverse in a corner of the yield surface. A second
+/// attempt therefore adds a thousandth of the elastic stiffness. States with an inverted element are rejected.
 class ShareControl {
  public:
   explicit ShareControl(const LoadedBodies& bodies) : tangent_(bodies) {}
 
-  /// The state at this share, reached from `from`; none where rounds do not bring it there. They begin at `guess` if
-  /// less is out of balance there than at `from`. `rounds` is filled either way.
+  /// Returns the state at this load fraction, reached from `from`; empty if the iterations find none. They begin at
+  /// `guess` if its imbalance is smaller than that of `from`. Always fills `rounds`.
   std::optional<LoadedState> solve(const LoadedState& from, const Eigen::VectorXd& guess, double share,
                                    NewtonRounds& rounds);
 
-  /// The unknowns where the last search ended, found or not; empty before the first.
+  /// Returns the unknowns at the end of the last search, successful or not; empty before the first.
   const Eigen::VectorXd& last() const { return last_; }
 
  private:

@@ -1,4 +1,4 @@
-// Forces of rigid blocks first, then of elastic ones.
+// Computes the forces of rigid blocks first, then of elastic ones; see start_forces.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/start_forces.hpp"
 
@@ -23,7 +23,7 @@ Table<ElementIndex, UnknownBlock> scaled(double by, Table<ElementIndex, UnknownB
   return blocks;
 }
 
-// Force λ = −f along the rows of each bolt, none across.
+// A bolt pulls with λ = −f along its row and has no force across.
 Eigen::VectorXd pretensions(const StandardScene& scene) {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * scene.model.bolts.size()));
   for (std::size_t i = 0; i < scene.model.bolts.size(); ++i)

@@ -1,5 +1,5 @@
-// What a compatible start is sought with: touches, stretched bolts and held points with their forces, and the motion
-// that these are to fit.
+// Holds the unknowns of a compatible start: forces of contacts, stretched bolts and fixed points, and the motion that
+// they must fit. Theory: docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,36 +12,36 @@
 
 namespace keyblock {
 
-/// Rows and forces come in this order: touches, the bolts that the loads stretch, held points. A bolt pulls as a touch
-/// pushes: its rows are turned over. Views the scene.
+/// Forces of a compatible start. Rows and forces are ordered: contacts, bolts stretched by the loads, fixed points.
+/// Rows of bolts are reversed, because a bolt pulls and a contact pushes. Keeps a reference to the scene.
 struct StartForces {
-  /// Of the heaviest block. Beside what a block of a millionth of their mass yields, what two heavy blocks do to each
-  /// other is round-off: which of two a shift moves is open, and by which of them a force is judged.
+  /// Least mass that counts, relative to the heaviest block. Next to the compliance of a block of 1e-6 of their mass,
+  /// the interaction of two heavy blocks would be round-off. Shifts and force residuals would then be undetermined.
   static constexpr double kLightest = 1e-3;
 
   StartForces(const StandardScene& scene, Motion motion);
 
-  /// Rows as the motion lies.
+  /// Computes the rows at the current motion.
   void make_rows();
-  /// Of rigid blocks: by complementarity of accelerations, which leaves forces open where more touches carry than
-  /// statics needs. Velocities after one step of free acceleration stand for g̈, so that a block that slides already
+  /// Finds the forces of rigid blocks from complementarity of accelerations. Forces stay undetermined if more contacts
+  /// carry than statics needs. Velocities after one step of free acceleration stand for g̈, so that a sliding block
   /// keeps its direction.
   void find();
-  /// Of elastic blocks: the ones under which blocks loaded by f − M a strain and shift until the gaps are met (inertia
-  /// relief), sliding touches sliding on. Rigid motion is kept finite by a mass over a long time squared.
+  /// Distributes the forces among elastic blocks. Blocks loaded by f − M a strain and shift until their gaps are met
+  /// (inertia relief); sliding contacts keep sliding. A mass over the square of a long time keeps rigid motion finite.
   void distribute();
 
-  /// Across a bolt there is no force; the one keeps its row from being singular.
+  /// Adds bolts. The force across a bolt is zero; a diagonal entry of 1 keeps its row from being singular.
   void add_bolts(FrictionalProblem& problem) const;
-  /// Of the rigid masses, light ones counted as a share of the heaviest.
+  /// Returns the rigid inverse masses; blocks lighter than `share` of the heaviest count as that.
   Table<ElementIndex, UnknownBlock> counted_as(double share) const;
 
-  /// Gaps of touches, counted from those that the forces want.
+  /// Returns the gaps of contacts less those that their forces require.
   std::vector<double> gaps_from_wanted() const;
-  /// Sum of the gaps that are to be closed.
+  /// Returns the sum of the gaps to be closed.
   double missing() const;
-  /// Whether forces that elasticity distributed still give the accelerations, where bolts are among them: contacts have
-  /// their gaps for that.
+  /// Returns true if forces distributed by elasticity still give the accelerations. Only scenes with bolts need this
+  /// test; contacts have gaps for it.
   bool balances() const;
 
   ContactLaw law(std::size_t touch) const;
@@ -55,20 +55,20 @@ struct StartForces {
   }
   int carrying_bolts() const;
 
-  /// B x of each block.
+  /// Returns B x of each block.
   static UnknownsTable product(const Table<ElementIndex, UnknownBlock>& blocks, const UnknownsTable& x);
   Table<ElementIndex, UnknownBlock> identities() const;
 
   const StandardScene& scene;
   Motion motion;
-  UnknownsTable loads;  ///< with pretensions, and of spin
+  UnknownsTable loads;  ///< with pretensions and centrifugal terms
   Table<ElementIndex, UnknownBlock> rigid;
   Touches touches;
   std::vector<std::size_t> bolts;    ///< stretched by the loads
   double acceleration_of_loads = 0;  ///< greatest, without pretensions
   Scales scales;
   double tolerance = 0;
-  double acceptable = 0;  ///< where that is out of reach
+  double acceptable = 0;  ///< used if `tolerance` is out of reach
   double heaviest = 0;
   ContactRows rows;
   Eigen::VectorXd forces;

@@ -1,4 +1,4 @@
-// Share after share; see static_shares.hpp.
+// Solves for equilibria at one load fraction after another; see static_shares.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/static_shares.hpp"
 
@@ -12,7 +12,7 @@
 namespace keyblock {
 namespace {
 
-// Parts of the load in which a first equilibrium of bodies on covers is searched that was not found at once.
+// Number of load increments in further searches for a first equilibrium of NMM bodies.
 constexpr std::array kFinerShares{5, 20};
 constexpr int kMost = tolerances::of_statics::kMostIterations;
 
@@ -23,7 +23,7 @@ StandardStep unchanged(const StandardScene& scene, const Motion& motion, double 
   return step;
 }
 
-// The later of two equilibria of one step, with the work of both.
+// Returns the later of two equilibria of one step, with the work of both.
 StandardStep joined(const StandardStep& earlier, StandardStep later) {
   later.account += earlier.account;
   later.solves += earlier.solves;
@@ -33,7 +33,7 @@ StandardStep joined(const StandardStep& earlier, StandardStep later) {
   return later;
 }
 
-// The first equilibrium of soft bodies may be lost on the way to it, where parts of the load find it.
+// A search for the first equilibrium of soft bodies may fail under the whole load and succeed in increments.
 StandardStep in_finer_shares(StandardScene& scene, const Motion& motion, StandardStep made, double time,
                              int most_iterations) {
   for (const int count : kFinerShares) {
@@ -62,7 +62,7 @@ StandardStep static_equilibrium(StandardScene& scene, const Motion& motion, cons
   const UnknownsTable last = loads_at(scene, motion.q, step.from);
   const auto stays = [&](const CarriedPoint& point) { return point.curve.at(step.from) == point.curve.at(step.to); };
   const int wanted = scene.settings.standard.load_steps;
-  const int growing = std::min(wanted, scene.settings.step_count);  // steps
+  const int growing = std::min(wanted, scene.settings.step_count);  // number of steps
   const auto shares_after = [&](int steps) {
     return static_cast<int>(std::int64_t{wanted} * std::min(steps, growing) / growing);
   };

@@ -1,4 +1,4 @@
-// Equilibria at growing shares of the loads.
+// Computes equilibria at growing load fractions. Theory: docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,20 +6,20 @@
 
 namespace keyblock {
 
-/// A load step that is to be made.
+/// Load step to be made.
 struct LoadStep {
   int made = 0;         ///< steps before it
   double from = 0;      ///< time
   double to = 0;        ///< time
-  bool is_new = false;  ///< no step was made yet on a scene that is not the first
+  bool is_new = false;  ///< true before the first step of a later scene
 };
 
-/// The equilibrium under all loads at `time`; of soft bodies that is sought in parts of the loads where it is not found
-/// at once. `most_iterations`: of each search.
+/// Returns the equilibrium under all loads at `time`. If the search fails and bodies are soft, it is repeated with load
+/// increments. `most_iterations`: limit of each search.
 StandardStep first_equilibrium(StandardScene& scene, const Motion& motion, double time, int most_iterations);
 
-/// Loads grow in equal shares over the first steps; the scene is left at the share that was reached. Where neither they
-/// nor held points changed since the last step, its equilibrium holds. `motion`: at the end of that.
+/// Makes a load step from `motion`, the end of the last. Loads grow in equal increments over the first steps. The scene
+/// keeps the load fraction reached. If neither loads nor fixed points changed, the last equilibrium holds.
 StandardStep static_equilibrium(StandardScene& scene, const Motion& motion, const LoadStep& step);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Pseudo time grows with success and is cut where blocks move too far for one linearisation.
+// Iterates in pseudo time, which grows with success and is cut if blocks move too far for one linearisation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/static_step.hpp"
 
@@ -47,12 +47,12 @@ class StaticSolve {
     const Balance at_start = balance_of(scene_, start_, time_, load_);
     result_.residual = at_start.share;
     if (at_start.holds()) return finished();
-    result_.residual = 1;  // all is out of balance
+    result_.residual = 1;  // everything is out of balance
     for (; iterations_ < most_iterations_ && result_.failure.empty() && result_.converged; ++iterations_) {
       if (!iterate()) continue;
       const Balance balance = balance_of(scene_, now_, time_, load_);
       bound_by(balance.share);
-      way_ = std::max(way_, share_of_fall(1, balance.share, of_statics::kBalancedToBegin));  // forces rise now and then
+      way_ = std::max(way_, share_of_fall(1, balance.share, of_statics::kBalancedToBegin));  // residuals may rise
       tell_headway("search for the equilibrium", way_);
       result_.residual = balance.share;
       if (balance.holds() || settles_for_less()) return finished();
@@ -77,7 +77,7 @@ class StaticSolve {
     return std::move(result_);
   }
 
-  // False where nothing is to be balanced.
+  // Returns false if there is no load to balance.
   bool choose_scales() {
     const UnknownsTable loads = loads_at(scene_, now_.q, time_);
     load_ = std::max(largest_load(scene_, loads), driving_force(scene_, start_, time_, scene_.settings.time_step));
@@ -101,8 +101,8 @@ class StaticSolve {
     tau_ = std::min(tau_, bound_);
   }
 
-  // Every few iterations: where forces out of balance fall no more, they may be as small as contact forces can be told;
-  // if not, a longer τ moves what is slow, or shows what accelerates.
+  // Checks every few iterations whether the imbalance still falls. If not, it may be at the accuracy of contact forces.
+  // Otherwise a longer τ moves slow modes, or reveals an acceleration.
   bool settles_for_less() {
     if (++since_look_ < of_statics::kLook) return false;
     since_look_ = 0;
@@ -113,7 +113,7 @@ class StaticSolve {
     return result_.residual <= of_statics::kBalanceAcceptable;
   }
 
-  // True if the iteration stands; otherwise τ was cut.
+  // Returns true if the iteration is accepted; otherwise τ was cut.
   bool iterate() {
     ++solves_;
     const UnknownsTable loads = loads_at(scene_, now_.q, time_);
@@ -194,7 +194,7 @@ class StaticSolve {
 
   double work_of_mass(const UnknownsTable& a, const UnknownsTable& b) const { return dot(a, momentum(scene_, b)); }
 
-  // A touch is closed that was open where slip is counted from.
+  // Returns true if a contact closed that was open at the start of slip counting.
   bool one_closed() const {
     const auto then = vertices_at(scene_.model, scene_.reference, slip_start_.q);
     return std::ranges::any_of(closed_.all(), [&](const auto& entry) {
@@ -203,8 +203,8 @@ class StaticSolve {
     });
   }
 
-  // Blocks that moved far while out of balance. If the forces out of balance stay the same for many iterations, a block
-  // accelerates: a shorter way is enough to name it.
+  // Returns blocks that moved far while out of balance. If the imbalance stays the same for many iterations, a block
+  // accelerates: a shorter distance then suffices to name it.
   std::vector<ElementIndex> far_out_of_balance(const Balance& balance) {
     const bool is_same = std::abs(balance.share - steady_share_) <= of_statics::kSame * steady_share_;
     steady_ = is_same ? steady_ + 1 : 0;
@@ -220,28 +220,27 @@ class StaticSolve {
   const Motion& start_;
   double time_;
   int most_iterations_;
-  Motion slip_start_;  ///< slip and the stretch of springs are counted from here
-  Motion now_;         ///< v is the way since `slip_start_`, a velocity over unit time; springs are stretched as there
-  PointMemories points_;   ///< at the last iteration; each begins with those of the start
+  Motion slip_start_;     ///< origin of slip and spring stretch
+  Motion now_;            ///< v is the displacement since `slip_start_`, over unit time; springs are stretched as there
+  PointMemories points_;  ///< at the last iteration; each begins with those of the start
   ClosedContacts closed_;  ///< with their present stretch
   bool may_yield_;
-  double first_load_ = 0;  ///< the largest, or what drives held points
-  double load_ = 0;  ///< by which balance is judged: of rock that flows the largest force of contact at hand, where
-                     ///< that is more; between driven plates the flow is found to a share of that
+  double first_load_ = 0;  ///< largest load, or driving force of fixed points
+  double load_ = 0;        ///< reference of the balance; with plastic flow at least the largest contact force
   double tau_ = 0;
-  double used_ = 0;                                         ///< τ of the last iteration that stands
+  double used_ = 0;                                         ///< τ of the last accepted iteration
   double bound_ = std::numeric_limits<double>::infinity();  ///< of τ, by what has risen
   double longest_ = 0;
   double growth_ = of_statics::kGrowth;
-  UnknownsTable moved_;  ///< in the last iteration that stands
+  UnknownsTable moved_;  ///< upper bound of τ after a rise of the imbalance
   bool turned_back_ = false;
   int since_look_ = 0;                                          ///< iterations
-  double last_look_ = std::numeric_limits<double>::infinity();  ///< share out of balance then
-  double steady_share_ = 0;                                     ///< out of balance, that has stayed the same
-  int steady_ = 0;                                              ///< for so many iterations
+  double last_look_ = std::numeric_limits<double>::infinity();  ///< imbalance at the last check
+  double steady_share_ = 0;                                     ///< imbalance that has stayed the same
+  int steady_ = 0;                                              ///< iterations with that imbalance
   int iterations_ = 0;
-  double way_ = 0;  ///< share of the way to balance, as told
-  int solves_ = 0;  ///< iterations, those thrown away included
+  double way_ = 0;  ///< reported progress towards balance
+  int solves_ = 0;  ///< iterations, discarded ones included
   int cuts_ = 0;
   int cuts_in_row_ = 0;
   StandardStep result_;

@@ -1,4 +1,5 @@
-// A static equilibrium from the one before.
+// Computes a static equilibrium from the last one, by a proximal point iteration. Theory:
+// docs/theory/07-initial-state-and-statics.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,13 +8,13 @@
 
 namespace keyblock {
 
-/// Positions at rest under the scene's share of the loads at `time`, held points where they are driven to by then,
-/// nearest to those of `start`: the proximal point iteration
-/// (Rockafellar 1976) with mass as the metric,
-///     (K + M/τ²) Δq = F + σ0 − K q + Gᵀ λ,
-/// which is an implicit step of τ from rest, so that blocks held by contact alone are held. τ grows until the first
-/// term alone counts. Friction opposes the slip since `start`, or since the last touch closed that was open there. A
-/// block that comes further than its own size is named as one that accelerates.
+/// Finds equilibrium positions under the scene's load fraction at `time`, with fixed points at their targets of that
+/// time. Among several positions it finds those nearest to `start`. Proximal point iteration (Rockafellar 1976) with
+/// mass as the metric:
+///   (K + M/τ²) Δq = F + σ0 − K q + Gᵀ λ.
+/// This is an implicit step of τ without initial velocity, so that even blocks held by contact alone are stable. τ
+/// grows until the term M/τ² becomes negligible. Friction opposes the slip since `start`, or since the last contact
+/// closed that was open there. A block that moves farther than its own size is reported as accelerating.
 StandardStep static_step(const StandardScene& scene, const Motion& start, double time,
                          int most_iterations = tolerances::of_statics::kMostIterations);
 

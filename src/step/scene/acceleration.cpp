@@ -1,4 +1,4 @@
-// Both take the touches and forces that the motion remembers.
+// Computes accelerations from the contacts and forces that the motion remembers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/acceleration.hpp"
 
@@ -62,7 +62,7 @@ UnknownsTable with_held_at_ease(const StandardScene& scene, const Motion& motion
     problem.laws.push_back(std::abs(memory.tangential) < (1 - of_accelerations::kAtLimit) * limit ? kHeld : kBilateral);
   }
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
-  // Nothing opens: a detour would change nothing that Newton leaves.
+  // Nothing can open, so that the fallback of `solve` could not improve on Newton's method.
   const Eigen::VectorXd forces = newton(problem, Eigen::VectorXd::Zero(problem.w.rows())).forces;
   return plus(motion.a, 1, answer(rows, blocks, forces));
 }

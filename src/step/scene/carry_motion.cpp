@@ -1,4 +1,4 @@
-// Element by element, then contact by contact.
+// Transfers the motion element by element, then contact by contact.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/carry_motion.hpp"
 
@@ -15,10 +15,10 @@
 namespace keyblock {
 namespace {
 
-// Of the scene's scale: a point of a mesh on the edge of its block, within round-off of cutting.
+// Tolerance, relative to the scene's scale, of mesh points on the edge of their block: round-off of cutting.
 constexpr double kOnEdge = 1e-9;
 
-/// Where a material point of the later scene lies: it moves with what it was part of before.
+/// Locates material points of the later scene: each moves with the element that it was part of.
 class Before {
  public:
   Before(const StandardScene& scene, const Motion& motion, const SceneMap& map)
@@ -34,7 +34,7 @@ class Before {
   const SceneMap& map_;
 };
 
-/// Vertices of the scene before to those of the scene after, and what is known by them.
+/// Maps vertices of the earlier scene to the later one, and contacts and bonds with them.
 class Names {
  public:
   Names(const SceneMap& map, const StandardScene& before, const StandardScene& after) : after_(after.model) {
@@ -56,7 +56,7 @@ class Names {
     return touch;
   }
 
-  /// False where one of its edges is gone.
+  /// Returns false if one of its edges is gone.
   bool rename(Facing& facing) const {
     if (!facing.lower && !facing.upper) return true;
     return rename(facing.lower) && rename(facing.upper);  // blocks stay in order, and so do their edges
@@ -84,7 +84,7 @@ ClosedContacts carried_contacts(const ClosedContacts& closed, const Names& names
   return ClosedContacts(std::move(kept));
 }
 
-/// Whether one of two edges that were there before is of another joint material now.
+/// Returns true if an edge that existed before now has another joint material.
 bool is_other_joint(const Facing& facing, const SceneMap& map, const StandardScene& before,
                     const StandardScene& after) {
   const auto is_other = [&](VertexIndex start) {
@@ -95,7 +95,7 @@ bool is_other_joint(const Facing& facing, const SceneMap& map, const StandardSce
   return is_other(facing.lower) || is_other(facing.upper);
 }
 
-/// Of edges of the later scene those of the earlier that they are, or lie on: a mesh parts the edges of its block.
+/// Maps edges of the later scene to those of the earlier one on which they lie: a mesh divides the edges of its block.
 class Edges {
  public:
   Edges(const SceneMap& map, const StandardScene& before, const StandardScene& after)
@@ -107,7 +107,7 @@ class Edges {
            before_.vertices[map_.vertices[start]].next != map_.vertices[end];
   }
 
-  /// None where the edge lies on no edge of the element that its own was cut from.
+  /// Returns no vertex if the edge lies on no edge of the element that its own was cut from.
   std::optional<VertexIndex> before(VertexIndex start) const {
     if (!is_new(start)) return map_.vertices[start];
     const Segment edge = segment(after_, start);
@@ -135,7 +135,7 @@ class Edges {
   const Model& after_;
 };
 
-/// The gap at which two faces were bonded; none where they were not.
+/// Finds the gap at which two faces were bonded; empty if they were not.
 class BondedFaces {
  public:
   explicit BondedFaces(const Bonds& bonds) {
@@ -152,8 +152,8 @@ class BondedFaces {
   std::map<std::pair<VertexIndex, VertexIndex>, double> gaps_;
 };
 
-// Faces whose joint is of another material now are bonded as it says; those that a mesh parts anew stay bonded, other
-// new faces are not.
+// Faces with a changed joint material get the bonds of the new one. Faces newly divided by a mesh stay bonded; other
+// new faces have no bonds.
 Bonds carried_bonds(const Bonds& bonds, const Names& names, const SceneMap& map, const StandardScene& before,
                     const Motion& carried, const StandardScene& after, double time) {
   const Edges edges(map, before, after);
@@ -173,7 +173,7 @@ Bonds carried_bonds(const Bonds& bonds, const Names& names, const SceneMap& map,
   return kept;
 }
 
-// Of every fixed point of elements that can move its place among them; below 0 of the others.
+// Returns, per fixed point, its index among those of movable elements; negative for the others.
 std::vector<int> places_among_held(const Model& model) {
   std::vector<int> places;
   int next = 0;

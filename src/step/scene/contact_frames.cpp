@@ -1,4 +1,4 @@
-// Places from the state at hand, forces from what closed contacts remember.
+// Takes positions from the current state and forces from the memories of closed contacts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/contact_frames.hpp"
 
@@ -17,7 +17,7 @@ Table<VertexIndex, Point> in_the_middle(const Table<VertexIndex, Point>& before,
   return middle;
 }
 
-// Both faces back where they lay: from the foot of the point on the edge to the point, seen along the edge.
+// The slip compares unloaded positions: from the foot of the point on the edge to the point, along the edge.
 double slip_of(const Touch& touch, const Table<VertexIndex, Point>& now, const Table<VertexIndex, Point>& unloaded) {
   if (touch.kind == TouchKind::arc) return 0;
   const Point edge = now[touch.end] - now[touch.start];

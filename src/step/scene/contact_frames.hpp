@@ -1,4 +1,4 @@
-// Contacts of dynamics `standard` as frames report them.
+// Reports the contacts of dynamics `standard` as contact frames.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,9 +7,9 @@
 
 namespace keyblock {
 
-/// Closed contacts with their forces, and open ones that a step from here would look at. `before`: vertices at the
-/// start of the last step, whose forces act along the normals of its middle; empty where nothing moved since, or where
-/// the forces are those of a state at rest.
+/// Returns closed contacts with their forces, and the open ones that the next step would consider. `before`: vertices
+/// at the start of the last step, whose forces act along the normals of its middle. It is empty if nothing moved since,
+/// or if the forces are those of a static state.
 ContactFrames contact_frames(const StandardScene& scene, const Motion& motion, const State& state,
                              const StartPlaces& unloaded, const Table<VertexIndex, Point>& before);
 

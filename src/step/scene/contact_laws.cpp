@@ -1,4 +1,4 @@
-// Joint material by the edge of the touch; stiffness by its share of the stretch.
+// Finds the joint material from the edge of the contact, and its stiffness from its share of the stretch.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/contact_laws.hpp"
 
@@ -13,10 +13,10 @@
 namespace keyblock {
 namespace {
 
-// A friction force this near to its limit slides: residuals of the contact forces are smaller.
+// Above this fraction of its limit a friction force slides: residuals of the contact forces are smaller.
 constexpr double kAtLimit = 1 - 1e-6;
 
-// The two ends of a stretch have the contact stiffness each, so the whole stretch has twice that.
+// Each of the two ends of a stretch has the contact stiffness, so that the whole stretch has twice that.
 double stiffness_share(const Touch& touch) {
   return touch.facing.lower ? 2 * touch.share : 1;
 }

@@ -1,4 +1,4 @@
-// Sorted once, looked up among the few of a vertex: by touch, and by facing edges.
+// Sorts contacts once and finds them by vertex, either by contact name or by facing edges.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/contact_memory.hpp"
 
@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-// Keeps the last of those that are equal; `entries` are sorted, equal ones in the order in which they came.
+// Keeps the last of equal entries. `entries` are sorted, equal ones in their original order.
 template <class Entry, class Equal>
 void keep_last(std::vector<Entry>& entries, const Equal& equal) {
   std::size_t kept = 0;
@@ -22,7 +22,7 @@ void keep_last(std::vector<Entry>& entries, const Equal& equal) {
   entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(kept), entries.end());
 }
 
-// By touch, those of one in the order in which they came. They are large, so that places are sorted first.
+// Sorts by contact, equal ones in their original order. Contacts are large, so that their places are sorted first.
 std::vector<ClosedContact> sorted(const std::vector<ClosedContact>& contacts) {
   std::vector<std::uint32_t> places(contacts.size());
   std::iota(places.begin(), places.end(), 0U);
@@ -33,7 +33,7 @@ std::vector<ClosedContact> sorted(const std::vector<ClosedContact>& contacts) {
   return all;
 }
 
-// Where the entries of each vertex begin in a sorted list, and after the last one its end.
+// Returns the first entry of each vertex in a sorted list, and the end after the last one.
 template <class Entry, class VertexOf>
 std::vector<std::uint32_t> first_by_vertex(const std::vector<Entry>& entries, const VertexOf& vertex_of) {
   std::vector<std::uint32_t> first;
@@ -44,7 +44,7 @@ std::vector<std::uint32_t> first_by_vertex(const std::vector<Entry>& entries, co
   return first;
 }
 
-// Places of the entries of one vertex.
+// Returns the range of entries of one vertex.
 std::pair<std::uint32_t, std::uint32_t> places(const std::vector<std::uint32_t>& first, VertexIndex vertex) {
   const auto v = static_cast<std::size_t>(vertex.value);
   return v + 1 < first.size() ? std::pair{first[v], first[v + 1]} : std::pair{0U, 0U};

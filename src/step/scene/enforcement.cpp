@@ -1,4 +1,4 @@
-// A ring closes where a pair joins two blocks that are joined already.
+// Finds rings of blocks: a ring closes if a pair joins two blocks that are already connected.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/enforcement.hpp"
 
@@ -23,7 +23,7 @@ bool has_corner_on(const Model& model, ElementIndex corners, ElementIndex edges,
   return false;
 }
 
-// So few blocks are solved with multipliers though they stand in a ring.
+// Up to this number of movable blocks multipliers serve even in a ring.
 constexpr std::ptrdiff_t kFewBlocks = 8;
 
 bool has_few_blocks(const Model& model) {
@@ -51,7 +51,7 @@ std::vector<ElementPair> touching_pairs(const Model& model) {
 bool has_ring(const Model& model, const std::vector<ElementPair>& touching) {
   const int held = static_cast<int>(model.elements.size());
   const auto node = [&](ElementIndex e) { return !model.elements[e].can_move() ? held : e.value; };
-  std::set<std::pair<int, int>> joins;  // once, however many held blocks one block touches
+  std::set<std::pair<int, int>> joins;  // once, even if a block touches several fixed blocks
   for (const ElementPair& pair : touching) {
     const auto [lower, upper] = std::minmax({node(pair.lower), node(pair.upper)});
     if (lower != upper) joins.emplace(lower, upper);
@@ -65,7 +65,7 @@ Settings with_enforcement_decided(Settings settings, const Model& model) {
   const bool is_asked = is_automatic(common) ||
                         std::ranges::any_of(own, [](const auto& material) { return is_automatic(material.second); });
   if (!is_asked) return settings;
-  // Faces of many elements meet at more points than forces can be told apart at.
+  // Faces of many elements meet at more points than have independent forces.
   const bool needs_springs = settings.standard.impact == ImpactLaw::springs || model.shares_unknowns() ||
                              (!has_few_blocks(model) && has_ring(model, touching_pairs(model)));
   const Enforcement decided = needs_springs ? Enforcement::penalty : Enforcement::lagrange;

@@ -1,4 +1,5 @@
-// Multipliers or springs, decided from how the blocks touch at the start.
+// Chooses between multipliers and springs from the contacts of the blocks as drawn. Theory:
+// docs/theory/05-frictional-contact.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,19 +11,19 @@
 
 namespace keyblock {
 
-/// Pairs of blocks whose outlines meet at the start, within a named share of block size.
+/// Returns the pairs of blocks whose outlines initially meet within kTouching of block size.
 std::vector<ElementPair> touching_pairs(const Model& model);
 
-/// True if some blocks joined by these pairs stand in a ring, as in a jointed mass or an arch; stacks and rows of
-/// blocks do not. All held blocks count as one.
+/// Returns true if some blocks joined by these pairs form a ring, as in a jointed mass or an arch. Stacks and rows of
+/// blocks form no ring. All fixed blocks count as one.
 bool has_ring(const Model& model, const std::vector<ElementPair>& touching);
 
-/// `automatic` becomes penalty where springs stop impacts or more than a few blocks touch in a ring, lagrange
-/// elsewhere: in a ring forces are many times redundant, and multipliers took five times the solves of springs and left
-/// steps unfinished (a slope of 45 blocks).
+/// Resolves `automatic`: penalty if springs stop impacts, if NMM bodies exist, or if more than a few blocks touch in a
+/// ring; otherwise lagrange. Forces in a ring are highly redundant. On a slope of 45 blocks multipliers took five times
+/// the solves of springs and left steps unfinished.
 Settings with_enforcement_decided(Settings settings, const Model& model);
 
-/// One clause: why `automatic` decides as it does.
+/// Returns the reason for the decision on `automatic`, as one clause.
 std::string why_enforcement(const Model& model, const Settings& settings);
 
 }  // namespace keyblock

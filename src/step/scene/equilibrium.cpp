@@ -1,5 +1,5 @@
-// Forces out of balance are what would accelerate a block: M times the balanced acceleration of a motion without
-// velocity.
+// Computes the imbalance as the force that would accelerate a block: M times the balanced acceleration of a motion
+// without velocity.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/equilibrium.hpp"
 
@@ -19,8 +19,8 @@ namespace {
 
 using namespace tolerances;
 
-// A body with two held points, or with supports of its problem, cannot leave: where it is soft it may hang further from
-// its place than its own size.
+// A body with two fixed points, or other supports, cannot leave. If it is soft, its equilibrium may be farther from its
+// place than its own size.
 bool is_held(const StandardScene& scene, ElementIndex e) {
   if (scene.groups.of(e).is_supported(e)) return true;
   const CarriedPoint* first = nullptr;
@@ -32,7 +32,7 @@ bool is_held(const StandardScene& scene, ElementIndex e) {
   return false;
 }
 
-// Of each held point, from where it is wanted.
+// Returns the distance of each fixed point from its target.
 std::vector<double> ways_left(const StandardScene& scene, const Motion& motion, double time) {
   const Eigen::VectorXd all = offsets(scene.model, scene.reference, motion.q, scene.held, time);
   std::vector<double> ways;
@@ -51,7 +51,7 @@ std::string_view noun_of(const StandardScene& scene, const std::vector<ElementIn
   return std::ranges::any_of(parts, is_block) ? "block" : "element";
 }
 
-// Slivers are what most often finds no rest.
+// Slivers are the most frequent blocks without equilibrium.
 std::string smallest_in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
   const auto area_of = [&](ElementIndex e) { return scene.reference.moments[e].area; };
   const ElementIndex smallest = *std::ranges::min_element(blocks, {}, area_of);

@@ -1,4 +1,4 @@
-// Scene, start, loads and scales of Dynamics::standard.
+// Computes scene, start, loads and scales of Dynamics::standard.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/standard_scene.hpp"
 
@@ -19,7 +19,7 @@ namespace keyblock {
 namespace {
 
 constexpr double kSlowSteps = 3;
-// Speeds below this share of the fastest block are round-off of the solves before, not an approach.
+// Speeds below this fraction of the fastest block are round-off of earlier solves, not an approach.
 constexpr double kSpeedRoundOff = 1e-10;
 
 Point mass_centre_of(const StandardScene& scene) {
@@ -36,7 +36,7 @@ Point mass_centre_of(const StandardScene& scene) {
   return mass > 0 ? (1 / mass) * sum : Point{};
 }
 
-// Twice the area over the perimeter: half the width of a long block, half the side of a square.
+// Returns twice the area over the perimeter: half the width of a long block, half the side of a square.
 double half_width_of(const ConvexPieces& pieces, const std::vector<Point>& vertices) {
   double around = 0, twice_area = 0;
   for (const ConvexPiece& piece : pieces) {
@@ -77,7 +77,7 @@ StandardScene standard_scene(Model model, Settings settings, std::shared_ptr<con
   for (ElementIndex e : indices(scene.pieces))
     if (!scene.pieces[e].empty()) scene.with_faces.push_back(e);
   scene.rounding.reserve(scene.pieces.size());
-  // Springs that stop impacts would push out all of an overlap that corners were let pass with.
+  // Springs that stop impacts would push out the whole overlap with which rounded corners pass each other.
   const StandardChoices& choices = scene.settings.standard;
   const double rounding = choices.impact == ImpactLaw::springs ? 0 : choices.corner_rounding;
   for (const ConvexPieces& pieces : scene.pieces)

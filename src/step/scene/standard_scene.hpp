@@ -1,4 +1,4 @@
-// What the steps of Dynamics::standard compute on, and what they hand on to each other.
+// Holds the scene of Dynamics::standard, and the motion that its steps pass to each other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,10 +14,10 @@
 
 namespace keyblock {
 
-/// A force on a point of a face, beside the loads of the model: what the other face of a crack still pulls it by.
+/// Force on a point of a face in addition to the loads of the model: the remaining pull of the other crack face.
 struct FacePull {
   ElementIndex element;
-  Point start;  ///< of the point, undeformed
+  Point start;  ///< position of the point, undeformed
   Point force;  ///< per unit thickness
 };
 
@@ -29,69 +29,69 @@ struct StandardScene {
   std::shared_ptr<const BlockGroup> blocks;  ///< one of the groups
   std::shared_ptr<const Groundwork> groundwork;
   Table<ElementIndex, ConvexPieces> pieces;
-  Table<ElementIndex, double> rounding;  ///< of corners: the overlap by which two of them still pass each other
-  std::vector<ElementIndex> with_faces;  ///< elements that something may touch
+  Table<ElementIndex, double> rounding;  ///< of corners: the overlap up to which two of them pass each other
+  std::vector<ElementIndex> with_faces;  ///< elements that can be in contact
   std::vector<CarriedPoint> held;        ///< fixed points of elements that have unknowns
-  Point mass_centre;                     ///< of the blocks that can move, at the start
-  double load_share = 1;                 ///< of all loads, while they are put on
-  ChosenElements unloaded = {};          ///< that no load reaches while a start is sought; empty: none
-  std::vector<FacePull> pulls = {};      ///< not of the loads, and not put on with them
-  /// Pattern and room of the factors of contact forces, from step to step: one step at a time.
+  Point mass_centre;                     ///< of the movable blocks, at the start
+  double load_share = 1;                 ///< load fraction, below 1 while loads are applied
+  ChosenElements unloaded = {};          ///< bodies without load in the search for an initial state; empty: none
+  std::vector<FacePull> pulls = {};      ///< not part of the loads, and not scaled with them
+  /// Pattern and storage of the factorisations of contact forces, kept from step to step; for one step at a time.
   std::shared_ptr<FactorStore> factors = std::make_shared<FactorStore>();
 
   const Bodies& bodies() const { return blocks->bodies(); }
   SceneParts parts() const { return {model, reference, settings}; }
-  /// Of the largest body that can move.
+  /// Returns the size of the largest movable body.
   double size() const;
-  /// Whether the equations of a step are linear but for contact.
+  /// Returns true if the equations of a step are linear except for contact.
   bool is_linear() const;
   double normal_stiffness() const { return settings.contact_penalty; }
   double tangential_stiffness() const { return normal_stiffness() / settings.open_close.normal_to_shear_stiffness; }
   bool has_springs() const { return has_enforcement(settings, model, Enforcement::penalty); }
 };
 
-/// M⁻¹ of everything.
+/// Returns M⁻¹ of all bodies.
 Flexibility mass_flexibility(const StandardScene& scene);
 
-/// An enforcement that is `automatic` is decided here. `groundwork`: Scene::groundwork.
+/// Creates the scene and resolves `automatic` enforcement. `groundwork`: Scene::groundwork.
 StandardScene standard_scene(Model model, Settings settings, std::shared_ptr<const Groundwork> groundwork = {});
 StandardScene standard_scene(Scene scene);
 
-/// Why this scene cannot be run so, in one sentence; empty if it can: blocks with holes have no convex pieces.
+/// Returns one sentence why this scene is not supported; empty if it is. Blocks with holes have no convex pieces.
 std::string unsupported(const StandardScene& scene);
 
 struct Motion : BodiesMotion {
   ClosedContacts closed;
   Bonds bonds;
   ConstraintMemory constraints;
-  double given_up = 0;              ///< energy that the clean-up of the last step took where bodies resolve impacts
+  double given_up = 0;  ///< energy that the clean-up of the last step removed from bodies that resolve impacts
 };
 
 Motion start_motion(const StandardScene& scene);
 
-/// Adds what the spin of a block stretches it by, seen from its own turning frame: d'Alembert's force ρ ω² r over the
-/// strain modes u = ε r is ω² M ε with the unit strains εx = εy = 1. A bar of length L that spins about its middle has
-/// the mean stress ρ ω² L²/12.
+/// Adds the stretch of a spinning block, seen from its own rotating frame. D'Alembert's force ρ ω² r over the strain
+/// modes u = ε r is ω² M ε with the unit strains εx = εy = 1. A bar of length L that spins about its middle has the
+/// mean stress ρ ω² L²/12.
 void add_centrifugal_force(const StandardScene& scene, const UnknownsTable& v, UnknownsTable& loads);
 
-/// The scene's share of weight, given acceleration, point loads and bolts of constant force, and the pull of faces, on
-/// the unknowns, at `time` and in the configuration q.
+/// Returns the loads on the unknowns at `time`, in the configuration q. They are weight, given acceleration, point
+/// loads and bolts of constant force, all times the load fraction, and the pull of faces.
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time);
 
-/// M v.
+/// Returns M v.
 UnknownsTable momentum(const StandardScene& scene, const UnknownsTable& v);
 
-/// The largest of a body.
+/// Returns the largest momentum of a body.
 double largest_momentum(const StandardScene& scene, const UnknownsTable& v);
 
 Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& q,
                  const UnknownsTable& v);
 
-/// Whether some of its rock may yield.
+/// Returns true if some rock is elastoplastic.
 bool may_yield(const StandardScene& scene);
 
-/// Approach speed below which a contact is part of the smooth motion, above which it is an impact: what three steps of
-/// free acceleration would give.
+/// Returns the approach speed above which a contact is an impact, and below which it belongs to the smooth motion. It
+/// is the speed after three steps of free acceleration.
 double slow_speed(const StandardScene& scene, const Scales& scales, const UnknownsTable& v, double dt);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Broken bolts, and those whose force is a load, are left out; what remains is numbered bolts first, points after.
+// Numbers the constraints: bolts first, then points. Broken bolts, and bolts whose force is a load, are left out.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/step_constraints.hpp"
 
@@ -7,7 +7,7 @@
 namespace keyblock {
 namespace {
 
-// A bolt this near to its strength has reached it: residuals of the forces are smaller.
+// Above this fraction of its strength a bolt has reached it: residuals of the forces are smaller.
 constexpr double kAtStrength = 1 - 1e-9;
 
 Eigen::Index pair(std::size_t i) {

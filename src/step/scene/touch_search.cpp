@@ -1,4 +1,4 @@
-// Reach from speeds, slack from springs; pairs of which neither can move are left out.
+// Finds contact candidates. Speeds give the reach, springs the slack; pairs of two immovable blocks are left out.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/touch_search.hpp"
 
@@ -16,19 +16,18 @@
 namespace keyblock {
 namespace {
 
-// Blocks may move twice as far as they do at the present speed before a pair outside the list could touch.
+// Blocks may move at twice their present speed before a pair outside the list could touch.
 constexpr double kReachOverTravel = 2;
-// Touching blocks are within reach whatever the speed: round-off of file coordinates, as a share of block size.
+// Least reach at any speed, relative to block size: round-off of file coordinates.
 constexpr double kReachAtRest = 1e-6;
-// Overlap that a step may leave between corners it did not reckon with, as a share of block size: the next step sees
-// it.
+// Overlap, relative to block size, that a step may leave at corners that it did not consider. The next step sees it.
 constexpr double kNewOverlap = 1e-9;
 
-// Overlap at the start of a step that it may push out, as a share of block size: round-off of coordinates far from the
-// origin, and what a solution left. At half a millisecond a block of metres leaves it with a millimetre a second.
+// Initial overlap, relative to block size, that a step may push out: round-off of coordinates far from the origin, and
+// errors of earlier solutions. In a step of half a millisecond a block of metres leaves it at a millimetre per second.
 constexpr double kPushedOut = 1e-7;
 
-// Difference of the gaps of an arc and of its edge that is round-off, as a share of the length that the arc takes.
+// Difference of the gaps of an arc and of its edge that counts as round-off, relative to the length of the arc.
 constexpr double kNoSinking = 1e-9;
 
 double top_speed(const StandardScene& scene, const UnknownsTable& v) {
@@ -37,8 +36,8 @@ double top_speed(const StandardScene& scene, const UnknownsTable& v) {
   return top;
 }
 
-// Neither what springs give, along the face too, nor what overlap closed contacts were left with is one between
-// corners; twice the greatest of an element is on the safe side, for what it meets next too. `vertices`: of the motion.
+// Neither compression of springs, nor their slip along the face, nor old overlaps of closed contacts count as overlap
+// of corners. Twice the greatest value of an element is safe also for its next contact. `vertices`: of the motion.
 TouchSearch search_of(const StandardScene& scene, const Motion& motion, const Table<VertexIndex, Point>& vertices,
                       double reach) {
   TouchSearch search{reach, {}, scene.has_springs() && scene.settings.standard.spring_points == SpringPoints::lobatto};
@@ -65,8 +64,8 @@ void name_joints(Touches& touches, const Model& model, const Table<VertexIndex, 
                  [&](std::size_t i) { touches[i].joint_material = joint_under(touches[i], model, vertices); });
 }
 
-// Two convex pieces of a notched block may meet the same corner, one along an edge and one at the corner alone: that is
-// one contact, with one memory. The rest stay in their order.
+// Two convex pieces of a notched block may meet the same corner, one along an edge and one at the corner alone. That is
+// one contact, with one memory. The rest stay in order.
 void drop_known(Touches& touches, const Touches& known) {
   if (touches.empty()) return;
   std::set<Touch> names(touches.begin(), touches.end());
@@ -84,8 +83,8 @@ void drop_known(Touches& touches, const Touches& known) {
   });
 }
 
-// A corner that bears on an edge goes on to bear on it where the arc at the end of that edge would let it sink: a block
-// that rocks on the end of its base has no arc under it.
+// A corner supported by an edge stays there if the arc at the end of the edge would let it sink. A block that rocks on
+// the end of its base has no arc under it.
 bool stays_sharp(const CornerMeeting& meeting, const Motion& motion, const Table<VertexIndex, Point>& vertices) {
   const Touch& arc = meeting.arc;
   return std::ranges::any_of(meeting.sharp, [&](const Touch& touch) {
@@ -97,14 +96,14 @@ bool stays_sharp(const CornerMeeting& meeting, const Motion& motion, const Table
   });
 }
 
-// Length by which the foot of a corner lies within the ends of the edge.
+// Returns the distance of a corner's foot from the nearer end of the edge, positive inside.
 double within_ends(const Touch& touch, const Table<VertexIndex, Point>& vertices) {
   const Point edge = vertices[touch.end] - vertices[touch.start];
   const double station = dot(vertices[touch.vertex] - vertices[touch.start], edge) / length(edge);
   return std::min(station, length(edge) - station);
 }
 
-/// Faces that lie on another one, by the vertices where they start.
+/// Marks faces that bear on another one, by their start vertices.
 Table<VertexIndex, char> bearing_faces(const StandardScene& scene, const ClosedContacts& closed) {
   Table<VertexIndex, char> faces;
   faces.assign(scene.model.vertices.size(), 0);
@@ -113,9 +112,9 @@ Table<VertexIndex, char> bearing_faces(const StandardScene& scene, const ClosedC
   return faces;
 }
 
-// The arc, or what touches along an edge instead. A face that bears and lies a little behind the line of the next one,
-// for rock sinks and springs give, slides on to it as if it were level with it: that is no step, and bears once it has
-// passed the rounding.
+// Returns the arc, or the contact along an edge that replaces it. A bearing face may lie slightly behind the line of
+// the next one, because rock sinks and springs give. It then slides on as if both were level, without a step. The next
+// face carries once the corner has passed the rounding.
 Touches taken_of(const CornerMeeting& meeting, const Table<VertexIndex, char>& bearing, const Motion& motion,
                  const Table<VertexIndex, Point>& vertices) {
   const Touch& arc = meeting.arc;
@@ -150,7 +149,7 @@ Touches found_within(const StandardScene& scene, const Motion& motion, const Tab
 
 }  // namespace
 
-// Vertices on a straight edge part it, and each part has a joint of its own.
+// Vertices on a straight edge divide it, and each part has a joint of its own.
 VertexIndex edge_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices) {
   const Touch on_edge = touch.kind != TouchKind::arc
                             ? touch
@@ -172,8 +171,8 @@ Touches touches_of(const StandardScene& scene, const Motion& motion, const Scale
 
 namespace {
 
-// Whether one of the two corners of an arc is known against an edge of the other one and lies over it; against the
-// edges of `vertex` it also overlaps.
+// Returns true if a known contact has a corner of the arc over an edge of the other. Over edges of `vertex`, it must
+// also overlap.
 bool is_taken(const Touch& arc, const Touches& known, const Table<VertexIndex, Point>& vertices, double overlap) {
   if (arc.kind != TouchKind::arc) return false;
   const auto takes = [&](const Touch& touch, VertexIndex vertex, VertexIndex met) {
@@ -192,10 +191,10 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
                           const Touches& known, const Scales& scales) {
   Touches sorted = known;
   std::set<Touch> added;
-  bool is_sorted = false;  // few steps have a touch to look up
+  bool is_sorted = false;  // few steps have a contact to look up
   std::vector<Facing> facings;
-  // New by name, and not along an edge that ends in a known arc; a bonded touch also at the same end of the same two
-  // faces, where the other edge leads now: its bond is counted.
+  // A contact is new if its name is new and it does not lie along an edge that ends in a known arc. A bonded contact is
+  // not new if the other edge now leads at the same end of the same two faces: its bond already counts.
   const auto is_new = [&](const Touch& touch) {
     if (!std::exchange(is_sorted, true)) {
       for (const Touch& one : known) {
@@ -218,8 +217,8 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
   };
   Touches fresh;
   const Touches found = found_within(scene, start, vertices, search);
-  // A point that lay behind the line of an edge before the motion did not come in through that edge where it overlaps
-  // another one, through which it came: that one takes it.
+  // The gap may have been negative at an edge before the motion, while the point entered through another edge that it
+  // overlaps now. The contact then belongs to the latter.
   const auto bodies = [&](const Touch& touch) {
     return std::minmax({scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element});
   };
@@ -240,8 +239,8 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
 
 namespace {
 
-// Compression of the spring that the corner of a touch had against another face on nearly one line with it, and has no
-// more: a block that slides on over the joint of two bases goes on as deep as it was, and nothing is gained by it.
+// Returns the former spring compression of the corner at another face, now left, on nearly the same line. A block that
+// slides over the joint of two bases keeps its depth, and gains no energy.
 double handed_on(const Motion& start, const Touch& touch, const Touches& present,
                  const Table<VertexIndex, Point>& vertices) {
   if (touch.kind != TouchKind::corner) return 0;

@@ -1,4 +1,4 @@
-// Which touches a step reckons with, and which it finds it should have.
+// Finds the contact candidates of a step, and contacts that it missed. Theory: docs/theory/04-contact-geometry.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,25 +6,26 @@
 
 namespace keyblock {
 
-/// The vertex at which the edge, or the part of it, ends that lies under the point of the touch: its joint is the one
-/// that the touch is on.
+/// Returns the end vertex of the edge, or part of an edge, under the point of the contact; its joint is that of the
+/// contact.
 VertexIndex edge_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices);
 
-/// Pairs within reach of a step of `dt`, as touches.
+/// Returns the contact candidates within reach of a step of `dt`.
 Touches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt);
 
-/// Touches that overlap at the end of a motion to `vertices` by more than a named share of block size and are not in
-/// `known`: corners that came round.
+/// Returns contacts that overlap by more than kNewOverlap of block size after a motion to `vertices`. Those in `known`
+/// are left out: the rest are corners that came round an edge.
 Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
                           const Touches& known, const Scales& scales);
 
-/// Names as the rest gap of each touch the overlap at the start of a step that no force answers for: corners that a
-/// jump or their neighbours pushed past each other. To push it out within a step would make velocity of it, the more
-/// the shorter the step. Round-off and what is left of a solution is pushed out; and all of it where springs stop
-/// impacts, whose forces follow the gap.
+/// Sets the rest gap of each contact to the initial overlap of the step that no force balances. Such overlaps come from
+/// jumps or neighbours that pushed corners past each other. Pushing them out within a step would create velocity, more
+/// in shorter steps. Round-off and errors of earlier solutions are pushed out. If springs stop impacts, all overlap is
+/// pushed out, because their forces follow the gap.
 void leave_overlaps(const StandardScene& scene, const Motion& start, const Scales& scales, Touches& touches);
 
-/// Touches that are closed at the start, within a share of block size, and do not approach as an impact would.
+/// Returns contacts that are closed at the start, within kTouching of block size, and approach too slowly for an
+/// impact.
 Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales);
 
 }  // namespace keyblock

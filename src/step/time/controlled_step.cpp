@@ -1,4 +1,4 @@
-// One loop over parts; the two rules differ in how they judge a part and what size they want next.
+// Loops over the parts of a step; the two rules differ in their judgement of a part and in the next size.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/controlled_step.hpp"
 
@@ -17,7 +17,7 @@ using namespace tolerances;
 
 struct Verdict {
   bool accepted = true;
-  double next = 0;  ///< size of the next part, or of this one made again
+  double next = 0;  ///< size of the next part, or of this one when repeated
 };
 
 double relative_error(const StandardScene& scene, const Motion& before, const Motion& after, double dt) {
@@ -72,7 +72,7 @@ class Parts {
   }
 
  private:
-  // What is left is divided evenly, so that the last part is no splinter.
+  // The remainder is divided evenly, so that the last part is not tiny.
   double part() const { return left_ / std::max(1.0, std::ceil(left_ / result_.next - of_step_control::kEnd)); }
 
   void make_part() {

@@ -1,4 +1,4 @@
-// Group by group.
+// Collects the free motion group by group.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/free_motion.hpp"
 

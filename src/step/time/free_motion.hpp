@@ -1,4 +1,4 @@
-// The bodies of one step without contact: what they do under their loads, and how they answer forces.
+// Computes the motion of the bodies in one step without contact, and their response to forces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,46 +10,46 @@
 
 namespace keyblock {
 
-/// Of all groups: those whose equations are linear are known at once, others are linearised about an estimate of the
-/// increments. Δq = increments + A⁻¹ Gᵀ λ (smooth_solve.hpp). Views the scene and the start.
+/// Free motion of all groups. Groups with linear equations are known at once, others are linearised about an estimate
+/// of the increments. Δq = increments + A⁻¹ Gᵀ λ (smooth_solve.hpp). Keeps references to the scene and the start.
 class FreeMotion {
  public:
   FreeMotion(const StandardScene& scene, const Motion& start, const UnknownsTable& loads, const StepRule& rule,
              double dt);
 
-  /// Whether one round finds all.
+  /// Returns true if one iteration finds the solution.
   bool is_linear() const { return estimated_.empty(); }
 
-  /// A⁻¹ about an estimate. False where a body has no factor: one that buckles, or turns inside out, may have one in a
-  /// shorter step.
+  /// Computes A⁻¹ about an estimate. Returns false if the factorisation of a body fails: one that buckles or turns
+  /// inside out may succeed in a shorter step.
   bool linearise(const UnknownsTable& estimate);
-  /// The free increments about an estimate, with the A⁻¹ of before.
+  /// Computes the free increments about an estimate, with the previous A⁻¹.
   void evaluate(const UnknownsTable& estimate);
 
   const UnknownsTable& increments() const { return step_.increments; }
-  /// What the increments leave of the velocities at the end.
+  /// Returns the part of the end velocities that does not depend on the increments.
   const UnknownsTable& known_velocity() const { return step_.known_velocity; }
   const Flexibility& flexibility() const { return step_.flexibility; }
   Flexibility take_flexibility() && { return std::move(step_.flexibility); }
-  /// By which forces are judged, where that is another; else empty.
+  /// Returns the flexibility by which forces are judged if it differs; otherwise empty.
   const Flexibility& judging() const { return step_.judging; }
   bool has_judging() const { return !step_.judging.blocks.empty(); }
 
-  /// Share of the increments in the velocity at the end, over the known one.
+  /// Returns the factor of the increments in the end velocity.
   double rate() const { return rule_.end_velocity.increment; }
-  /// Increments of a motion that goes on as it is, at rest none: with the acceleration of the step before where bodies
-  /// are blocks, whose contact forces change little from step to step, else with the velocity, as where a rule has no
-  /// acceleration.
+  /// Returns the increments of a motion that continues, zero in statics. DDA blocks continue with the last
+  /// acceleration, because their contact forces change little from step to step. Other bodies, and rules without
+  /// acceleration, continue with the velocity.
   UnknownsTable going_on() const;
   bool goes_on_with_acceleration() const { return is_linear() && rule_.end_acceleration.increment != 0; }
-  /// Those of a motion that goes on with its velocity.
+  /// Returns the increments of a motion that continues with its velocity.
   UnknownsTable steady() const;
-  /// The end of the step. `is_found`: the increments solve the equations.
+  /// Returns the end of the step. `is_found`: the increments solve the equations.
   BodiesMotion end(const UnknownsTable& increments, bool is_found) const;
-  /// Whether rock may yield.
+  /// Returns true if some rock is elastoplastic.
   bool has_kinks() const { return has_kinks_; }
 
-  /// Relative to block size; rotation and strain are relative as they are.
+  /// Returns the greatest difference, relative to block size; rotation and strain are relative already.
   double greatest_change(const UnknownsTable& a, const UnknownsTable& b) const;
   double size() const { return size_; }  ///< of the largest moving body
 

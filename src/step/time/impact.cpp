@@ -1,4 +1,5 @@
-// Projection of positions, jump and clean-up of velocities: three small problems in contact space.
+// Solves three small problems in contact space: projection of positions, jump of velocities, and clean-up of
+// velocities.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/impact.hpp"
 
@@ -32,8 +33,8 @@ std::vector<double> gaps_of(const StandardScene& scene, const UnknownsTable& q, 
   return gaps;
 }
 
-// Rows of a touch, with the arms that its forces had `time` ago: both centroids and the point of contact then lay back
-// along their velocities. The directions stay. Bodies on covers keep the arms of the end of the step.
+// Moves the rows of a contact back by `time`, which changes the arms of the forces. Both centroids and the contact
+// point then lay back along their velocities. Directions stay. NMM bodies keep the arms of the end of the step.
 void take_back(ContactRow& normal, ContactRow& tangential, const UnknownsTable& v, double time) {
   if (!normal.shared.empty()) return;
   const Unknowns& of_vertex = v[normal.vertex_element];
@@ -53,8 +54,8 @@ void take_back(ContactRow& normal, ContactRow& tangential, const UnknownsTable& 
   }
 }
 
-// Two entries a meeting. What answers them at once, other touches and held points, takes the least of their times:
-// more could lift blocks out of reach of what they rest on.
+// Returns two entries per meeting. Other contacts and fixed points respond at once and take the shortest of the times:
+// more could lift blocks away from their supports.
 Eigen::VectorXd times_of(const std::vector<ImpactMeeting>& meetings, Eigen::Index size) {
   const double least = std::ranges::min_element(meetings, {}, &ImpactMeeting::since)->since;
   Eigen::VectorXd times = Eigen::VectorXd::Constant(size, least);
@@ -63,7 +64,7 @@ Eigen::VectorXd times_of(const std::vector<ImpactMeeting>& meetings, Eigen::Inde
   return times;
 }
 
-// Pushes touches apart that overlap more than they may; those that lock each other may from then on.
+// Pushes apart contacts with too much overlap. Contacts that lock each other may keep their overlap from then on.
 class Separation {
  public:
   Separation(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& others,
@@ -124,7 +125,7 @@ class Separation {
     return room;
   }
 
-  // A push among many that is not settled to the last digit may do: the next pass pushes on.
+  // In large problems a push need not converge fully, because the next pass continues it.
   bool is_much_better(const std::vector<double>& room, const UnknownsTable& pushed) const {
     return has_many() && std::ranges::min(room_at(pushed)) > of_impacts::kLocked * std::ranges::min(room);
   }
@@ -145,8 +146,8 @@ class Separation {
         problem.w.add_to_diagonal(n, of_impacts::kYield * problem.w.diagonal()[n]);
   }
 
-  // In assemblies, where a block or two overlap among thousands that rest against each other in rings: these and their
-  // neighbours give way. What is left after a few passes is a rest gap of the next step. False where nothing is gained.
+  // Pushes softly in assemblies, where one or two blocks overlap among thousands in rings: these and their neighbours
+  // give way. The overlap left after a few passes becomes a rest gap of the next step. Returns false without progress.
   bool push_softly(const std::vector<double>& room, const std::vector<std::size_t>& among) {
     const double before = std::ranges::min(room);
     Touches near;
@@ -174,7 +175,7 @@ class Separation {
     return true;
   }
 
-  // Touches of blocks that overlap, of their neighbours and of the neighbours of these.
+  // Returns contacts of overlapping blocks, their neighbours, and further rings.
   std::vector<std::size_t> near_overlaps(const std::vector<double>& room) const {
     std::vector<bool> is_near(scene_.bodies().size(), false);
     const auto of = [&](VertexIndex vertex) {
@@ -197,7 +198,7 @@ class Separation {
     return near;
   }
 
-  // Those whose overlap a soft push would not take away stay as they are; where that are none, all.
+  // Keeps the overlaps that a soft push would not remove; if there are none such, all overlaps.
   void leave_locked(const ContactRows& rows, const std::vector<double>& room, FrictionalProblem problem) {
     soften(problem);
     const FrictionalSolution soft = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
@@ -218,7 +219,7 @@ class Separation {
   Touches touches_;
   const Flexibility& flexibility_;
   double tolerable_;
-  std::vector<double> least_;  ///< gap that a touch must have
+  std::vector<double> least_;  ///< gap that a contact must have
   Separated result_;
 };
 
@@ -255,7 +256,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   for (const Touch& touch : touches)
     problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
-  problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())).setZero();  // held points move on as they do
+  problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())).setZero();  // fixed points keep their motion
   double greatest = 0;
   for (std::size_t i = 0; i < meetings.size(); ++i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
@@ -324,8 +325,8 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
   const auto of_points = static_cast<Eigen::Index>(2 * scene.held.size());
   const Eigen::VectorXd wanted = wanted_velocities(scene.held, time, dt);
   problem.b.tail(of_points) -= wanted;
-  const Eigen::VectorXd mean = wanted + problem.b.tail(of_points) / 2;  // of the points, before and after
-  Eigen::VectorXd had = Eigen::VectorXd::Zero(problem.w.rows());        // where the law is one of the whole impulse
+  const Eigen::VectorXd mean = wanted + problem.b.tail(of_points) / 2;  // mean velocity of the points
+  Eigen::VectorXd had = Eigen::VectorXd::Zero(problem.w.rows());        // forces with a law for the whole impulse
   for (std::size_t i = 0; i < slips.size(); ++i) {
     problem.laws.push_back(slips[i].sticks ? kHeld : kBilateral);
     if (!slips[i].coulomb) continue;
@@ -345,7 +346,7 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
   double first_change = 0;
   double change = 0;
   for (int round = 0; round < of_impacts::kMostFrictionRounds; ++round) {
-    // Where nothing slips by its law a detour would change nothing that Newton leaves.
+    // If no contact slips by Coulomb's law, the fallback of `solve` could not improve on Newton's method.
     pushes = (has_coulomb ? solve(problem, pushes) : newton(problem, pushes)).forces;
     if (round == 0) smooth = pushes;
     change = 0;
@@ -359,7 +360,7 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
     if (change <= problem.acceptable) break;
     problem.b = asked + problem.w * friction;
   }
-  // Where slivers slide, friction may drive the pushes that it follows from, more in each round.
+  // If slivers slide, friction may amplify the pushes that cause it in each iteration.
   const bool grows = change > std::max(first_change, problem.acceptable);
   const Eigen::VectorXd made = (grows ? smooth : pushes + friction) - had;
   UnknownsTable pushed = plus(std::move(v), 1, answer(rows, flexibility, made));

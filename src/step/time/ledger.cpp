@@ -1,4 +1,4 @@
-// Work of each force over the increments of the smooth motion, losses of velocity after it, impulses of the loads.
+// Computes the work of each force over the smooth motion, later losses of velocity, and impulses of the loads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/ledger.hpp"
 
@@ -27,7 +27,7 @@ double bolt_energy(const StandardScene& scene, const Motion& motion) {
   return energy;
 }
 
-// What bolts held that broke in this step.
+// Returns the energy of bolts that broke in this step.
 double ruptured(const StandardScene& scene, const StepTrail& trail) {
   double energy = 0;
   for (std::size_t i = 0; i < scene.model.bolts.size(); ++i) {
@@ -38,7 +38,7 @@ double ruptured(const StandardScene& scene, const StepTrail& trail) {
   return energy;
 }
 
-// What faces that part take from their bodies; the loads of the step have it among them.
+// Returns the energy that separating crack faces take from their bodies; the loads of the step include these forces.
 double fractured(const StandardScene& scene, const StepTrail& trail) {
   double work = 0;
   for (const FacePull& pull : scene.pulls) {
@@ -59,7 +59,7 @@ EnergyFlow body_flow(const StandardScene& scene, const StepTrail& trail) {
   return flow;
 }
 
-// The contacts of one smooth motion, over the increments and gaps of that motion.
+// Computes the energy flow of contacts over the increments and gaps of one smooth motion.
 class ContactFlow {
  public:
   ContactFlow(const StandardScene& scene, const StepTrail& trail)
@@ -68,7 +68,7 @@ class ContactFlow {
   EnergyFlow run() {
     if (!trail_.smooth.forces.isZero(0)) add_touches();
     if (trail_.constraints.count() > 0) add_constraints();
-    flow_.algorithmic += forgotten_;  // springs that let go in this step
+    flow_.algorithmic += forgotten_;  // springs that opened in this step
     return flow_;
   }
 
@@ -93,7 +93,7 @@ class ContactFlow {
     }
   }
 
-  // A bolt is a spring; a held point does the work of its support.
+  // A bolt is a spring; a fixed point does the work of its support.
   void add_constraints() {
     const Eigen::VectorXd way = rates(trail_.smooth.rows, plus(trail_.smooth.q, -1, trail_.start.q));
     const Eigen::VectorXd longer =
@@ -138,7 +138,7 @@ class ContactFlow {
     const double change = forces.at_end - forces.before.normal_at_end;
     const double mean = (forces.at_end + forces.before.normal_at_end) / 2;
     flow_.geometric += forces.normal * (way - opening);
-    if (scene_.settings.standard.impact == ImpactLaw::springs) {  // whose force is that of their energy
+    if (scene_.settings.standard.impact == ImpactLaw::springs) {  // their force is the derivative of their energy
       flow_.closing -= forces.normal * opening + compliance * mean * change;
       return;
     }
@@ -146,8 +146,8 @@ class ContactFlow {
     flow_.algorithmic += compliance * (forces.normal - mean) * change;
   }
 
-  // What the slip does beyond the stretch of the spring is friction; a multiplier that sticks lets slip pass while its
-  // velocity comes to rest.
+  // Slip beyond the stretch of the spring is friction. A sticking multiplier lets slip pass while its velocity comes to
+  // rest.
   void add_tangential(const Forces& forces, double slip) {
     const double compliance = forces.law.tangential_compliance;
     if (compliance == 0) {
@@ -167,11 +167,11 @@ class ContactFlow {
 
   const StandardScene& scene_;
   const StepTrail& trail_;
-  double forgotten_;  ///< of the springs at the start, those not met in this step
+  double forgotten_;  ///< energy of the initial springs that this step has not met
   EnergyFlow flow_;
 };
 
-// Loads act for the whole step at its middle configuration, as the equation of the step has it.
+// Loads act for the whole step in its middle configuration, as in the equation of the step.
 Momentum load_impulse(const StandardScene& scene, const StepTrail& trail) {
   UnknownsTable middle = plus(trail.start.q, 1, trail.smooth.q);
   middle *= 0.5;

@@ -1,4 +1,4 @@
-// Gaps are those at the end of the step, directions those of its middle.
+// Sets up the contact problem: gaps at the end of the step, directions at its middle.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/smooth_contacts.hpp"
 
@@ -17,20 +17,21 @@ namespace {
 
 using namespace tolerances;
 
-// λ = (rest − g1) / compliance.
+// Linearised spring: λ = (rest − g1) / compliance.
 struct SpringLine {
   double rest = 0;
   double compliance = 0;
 };
 
-// Pressed by so little of the way, the force that is left out is below 1e-12 of what would close the way; its line
-// would be so soft that the other digits of the matrix were lost in it.
+// Smallest compression relative to the change of gap. Below it, the neglected force is less than 1e-12 of the force
+// that would close the change. The line would be so soft that the matrix would lose digits.
 constexpr double kNotPressed = 1e-6;
 
-// Springs that stop an impact give back what they took, whatever the step: their force is the change of their energy
-// U = p min(g, 0)²/2 over that of the gap, λ = −(U(g1) − U(g0)) / (g1 − g0) (Gonzalez 2000): the mean of both ends
-// while they are pressed. Where they meet or part within the step it is not linear in g1, and each round takes its
-// tangent at the last estimate.
+// Springs that stop an impact conserve its energy at any step size. Their force is the change of the energy U = p
+// min(g, 0)²/2 over that of the gap (Gonzalez 2000):
+//     λ = −(U(g1) − U(g0)) / (g1 − g0).
+// This is the mean of both ends while they are pressed. If they close or open within the step, λ is not linear in g1,
+// and each iteration takes the tangent at the last estimate.
 SpringLine spring_line(double before, double after, double compliance) {
   if (before <= 0 && after <= 0) return {-before, 2 * compliance};
   const double way = std::abs(after - before);
@@ -102,7 +103,7 @@ void SmoothContacts::add_laws() {
     const Eigen::Index n = first_constraint() + static_cast<Eigen::Index>(2 * i);
     problem_.laws.push_back(constraints_.law(i));
     add_compliance(n, constraints_.compliance(i));
-    if (i < constraints_.bolt_count()) add_compliance(n + 1, 1);  // across a bolt there is no force
+    if (i < constraints_.bolt_count()) add_compliance(n + 1, 1);  // no force acts across a bolt
   }
 }
 
@@ -111,7 +112,7 @@ void SmoothContacts::add_compliance(Eigen::Index row, double compliance) {
   if (problem_.scale.size() > 0) problem_.scale[row] += compliance;
 }
 
-// An augmented Lagrangian says its own.
+// An augmented Lagrangian defines its own proximal term.
 bool SmoothContacts::has_proximal() const {
   const auto is_augmented = [](const ContactLaw& law) { return law.normal_weight > 0; };
   return std::ranges::any_of(laws_, is_augmented) && std::ranges::all_of(laws_, [&](const ContactLaw& law) {
@@ -156,9 +157,9 @@ void SmoothContacts::put_goal() {
     problem_.goal = of_gaps::kRoundOff * asked;
     problem_.acceptable = of_gaps::kFewRoundOffs * asked;
   }
-  // Rounds of bodies that are not linear settle by what they change. Where acceptable forces are far from their goal,
-  // what open touches are left with is no round-off: cut off anew in each round, on other touches, it would move a
-  // light piece each time.
+  // Iterations of nonlinear bodies end by their change. If acceptable forces are far from their goal, the remainder on
+  // open contacts is not round-off. Cutting it off in each iteration, each time at other contacts, would keep a light
+  // piece moving.
   if (!free_.is_linear()) problem_.no_force = problem_.goal;
 }
 
@@ -173,9 +174,9 @@ void SmoothContacts::follow_lines(const Eigen::VectorXd& compliance) {
   line_compliance_ = compliance;
 }
 
-// A spring that was closed before is compressed by dt times the velocity at the end of the step, λ = −p (g0 + dt ġ1),
-// as the tangential one is stretched: where it is too stiff for the step, the gap at its end would leave its rate
-// turned over in every step for ever.
+// A spring that was closed before is compressed by dt times the end velocity, λ = −p (g0 + dt ġ1), as the tangential
+// one is stretched. If it is too stiff for the step, a law in the end gap would reverse its rate in every step for
+// ever.
 bool SmoothContacts::follows_rate(std::size_t i) const {
   return may_follow_rates_ && !springs_stop() && memories_[i] && laws_[i].normal_compliance > 0;
 }

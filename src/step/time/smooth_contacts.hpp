@@ -1,4 +1,5 @@
-// The forces of a step without impacts as a problem of complementarity: touches with their laws, bolts and held points.
+// Sets up the contact forces of a step without impacts as a complementarity problem of contacts, bolts and fixed
+// points. Theory: docs/theory/05-frictional-contact.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +13,7 @@
 
 namespace keyblock {
 
-/// Rows, laws and right side about an estimate of the increments. Views what it is made from.
+/// Rows, laws and right-hand side about an estimate of the increments. Keeps references to its arguments.
 class SmoothContacts {
  public:
   SmoothContacts(const StandardScene& scene, const Motion& start, const Touches& touches,
@@ -22,11 +23,11 @@ class SmoothContacts {
   std::size_t touch_count() const { return touches_.size(); }
   bool springs_stop() const { return scene_.settings.standard.impact == ImpactLaw::springs; }
 
-  /// Laws as the bonds that still hold have them.
+  /// Updates the laws to the unbroken bonds.
   void take_laws();
-  /// Rows at mid-step, and the matrix of the answers of the bodies.
+  /// Computes the rows at mid-step, and the matrix of the bodies' responses.
   void linearise(const UnknownsTable& estimate);
-  /// What is left of the gaps at an estimate without further force.
+  /// Computes the gaps that remain at an estimate without further force.
   void set_right_side(const UnknownsTable& estimate);
 
   FrictionalProblem& problem() { return problem_; }
@@ -34,16 +35,16 @@ class SmoothContacts {
   KeptSystem& kept() { return kept_; }
   const ContactRows& rows() const { return *rows_; }
 
-  /// A bond that opens is gone, one that carries all it can without moving, because its neighbour holds, stays. Where
-  /// none opens, faces sheared beyond their strength lose all theirs; contacts go on without cohesion (brittle joint).
-  /// Whether any broke.
+  /// Breaks bonds that open. A bond at its limit that does not move, because its neighbour holds, stays. If no bond
+  /// opens, faces sheared beyond their strength lose all bonds and continue without cohesion (brittle joint). Returns
+  /// true if any bond broke.
   bool break_bonds(const Eigen::VectorXd& forces);
 
-  /// Forces of the step before, and those of an attempt with the first of the touches alone.
+  /// Returns the forces of the last step. `forces_of`: those of an attempt with only the first contacts.
   Eigen::VectorXd remembered_forces() const;
   Eigen::VectorXd forces_of(const SmoothMotion& before) const;
 
-  /// Hands over all that the step is to know of its contacts, at its end.
+  /// Moves all data on contacts that the step needs at its end into `to`.
   void put_end(SmoothMotion& to) &&;
 
  private:
@@ -55,8 +56,9 @@ class SmoothContacts {
   bool follows_rate(std::size_t i) const;
   double tangential_scale(std::size_t i) const { return follows_way_[i] ? 1 : of_stretch(); }
   double normal_scale(std::size_t i) const { return springs_stop() ? 0 : follows_rate(i) ? of_stretch() : 1; }
-  /// The tangential spring is stretched by dt times the velocity at the end of the step: a spring too stiff for the
-  /// step then brings its point to rest, where the displacement of the step would turn the velocity over in each step.
+  /// Returns the factor from stretch to velocity. The tangential spring is stretched by dt times the end velocity, so
+  /// that a spring too stiff for the step brings its point to rest. The displacement of the step would reverse the
+  /// velocity in each step.
   double of_stretch() const { return 1 / (free_.rate() * dt_); }
   Eigen::Index first_constraint() const { return static_cast<Eigen::Index>(2 * touches_.size()); }
 
@@ -67,15 +69,15 @@ class SmoothContacts {
   ForceTolerance tolerance_;
   double dt_;
   bool may_follow_rates_;
-  std::vector<bool> follows_way_;   ///< of each touch: friction is against the slip of the step
-  std::vector<double> start_gaps_;  ///< of each touch
+  std::vector<bool> follows_way_;   ///< per contact: friction opposes the slip of the step
+  std::vector<double> start_gaps_;  ///< per contact
   Bonds bonds_;
   StepConstraints constraints_;
   std::vector<ContactLaw> laws_;
-  std::vector<const ContactMemory*> memories_;  ///< of each touch; none of one that was open
+  std::vector<const ContactMemory*> memories_;  ///< per contact; null for one that was open
   std::shared_ptr<ContactRows> rows_;
   FrictionalProblem problem_;
-  Eigen::VectorXd line_compliance_;  ///< of springs that stop impacts, as the matrix has it
+  Eigen::VectorXd line_compliance_;  ///< of springs that stop impacts, as in the matrix
   KeptSystem kept_;                  ///< of `problem_` and its rows
 };
 

@@ -1,4 +1,4 @@
-// Relinearises gaps and rows about the last estimate until the estimate stays.
+// Relinearises gaps and rows about the last estimate until the estimate converges.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/smooth_solve.hpp"
 
@@ -41,7 +41,7 @@ class SmoothSolve {
     return std::move(result_);
   }
 
-  // The equations of rounds, judged by what a round changes.
+  // The interface to `newton`: iterations are judged by their change.
 
   RoundsEnd state() const {
     if (!result_.converged) return RoundsEnd::no_contact_forces;
@@ -94,35 +94,36 @@ class SmoothSolve {
     PartsByChange search;
     result_.end = newton(*this, search, most_rounds());
     if (result_.end == RoundsEnd::no_factor) return;
-    // Bodies on covers are not linear: that forces meet the gaps says nothing of their balance.
+    // NMM bodies are not linear: forces that meet the gaps do not imply balance.
     const bool forces_suffice = free_.is_linear() && std::isfinite(change_) &&
                                 unsolved_ <= std::max(contacts_.problem().acceptable, tolerance_.tolerated);
     const double tolerable = free_.has_kinks() ? of_smooth_motion::kTolerableOfYield : of_smooth_motion::kTolerable;
     result_.converged = result_.converged && (change_ <= tolerable || forces_suffice);
   }
 
-  // Blocks that an acceleration carries away: a sliver that was free of its neighbours, or the first step.
+  // Retries from the velocity alone, for blocks that the last acceleration would carry away. Examples are a sliver free
+  // of its neighbours, and the first step.
   void settle_from_velocity() {
     increments_ = free_.steady();
     result_.forces = contacts_.remembered_forces();
     settle();
   }
 
-  // A tangent that was made so near is not why changes fall slowly: contact forces that are acceptable, and no more,
-  // go on being shared out among pairs that bear the same load.
+  // A tangent about almost the same estimate is not the reason for slow changes. Forces that are acceptable but no
+  // better keep shifting among pairs that carry the same load.
   bool may_be_tangent() const {
     return free_.has_kinks() || free_.greatest_change(increments_, tangent_at_) > of_smooth_motion::kSameTangent;
   }
 
-  // What changes so little would be accepted after the last round: where new tangents have not made it less several
-  // times, no later one does.
+  // A change this small would be accepted after the last iteration. If new tangents have failed to reduce it several
+  // times, later ones will too.
   bool is_round_off() const { return stalls_ >= of_smooth_motion::kStallsOfRoundOff; }
   bool stalls() const {
     return free_.has_kinks() && is_new_tangent_ && change_ <= of_smooth_motion::kTolerableOfYield &&
            change_ > of_line_search::kStalls * before_;
   }
 
-  // Very many pairs between blocks alone.
+  // Very many pairs, between DDA blocks only, permit coarser updates.
   bool is_coarse() const { return free_.is_linear() && contacts_.touch_count() > FrictionalProblem::kVeryManyPairs; }
 
   double same_rows() const {
@@ -131,8 +132,8 @@ class SmoothSolve {
     return are_few ? of_smooth_motion::kSameRowsOfFew : of_smooth_motion::kSameRows;
   }
 
-  // What forces leave of the gaps of the last estimate is nothing to their goal, or no more than they left of those
-  // before.
+  // Returns true if the gap error of the forces at the last estimate is negligible against their goal, or hardly larger
+  // than before.
   bool is_good_enough(double unsolved) const {
     return is_coarse() && unsolved <= std::max(of_smooth_motion::kGoalsOfEstimate * contacts_.problem().goal,
                                                of_smooth_motion::kOfLast * result_.residual);
@@ -162,15 +163,15 @@ class SmoothSolve {
   FreeMotion free_;
   SmoothContacts contacts_;
   UnknownsTable increments_;
-  UnknownsTable next_;  ///< of the round
-  double change_ = 0;   ///< by the last round
-  double before_ = 0;   ///< by the one before it
+  UnknownsTable next_;  ///< of the iteration
+  double change_ = 0;   ///< by the last iteration
+  double before_ = 0;   ///< by the iteration before it
   bool is_new_tangent_ = false;
-  bool starts_otherwise_ = false;  ///< than from the velocity
-  int stalls_ = 0;                 ///< rounds of tolerable changes that a new tangent made no less
-  double unsolved_ = 0;            ///< by the forces of the round before in the gaps of this one
+  bool starts_otherwise_ = false;  ///< differently than from the velocity
+  int stalls_ = 0;                 ///< iterations of tolerable changes that a new tangent did not reduce
+  double unsolved_ = 0;            ///< residual of the last iteration's forces in the gaps of this one
   UnknownsTable tangent_at_;       ///< increments about which the matrix was made
-  UnknownsTable linearised_;       ///< those about which rows, and the matrix of forces, were made
+  UnknownsTable linearised_;       ///< increments about which rows and the matrix of forces were made
   SmoothMotion result_;
 };
 

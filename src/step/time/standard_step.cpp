@@ -1,5 +1,5 @@
-// Smooth motion, overlaps removed, clean-up, jump (src/README.md, a step of `standard`); the clean-up comes before the
-// jump, so that it cannot undo a separation.
+// Makes a step: smooth motion, removal of overlaps, clean-up, jump (src/README.md, a step of `standard`). The clean-up
+// comes before the jump, so that it cannot undo a separation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/standard_step.hpp"
 
@@ -27,14 +27,13 @@ using namespace tolerances;
 
 struct Split {
   Touches smooth;
-  std::vector<double> smooth_speeds;  ///< normal velocity at the start of the step; 0 for those that may not strike
+  std::vector<double> smooth_speeds;  ///< normal velocity at the start of the step; 0 if no impact is possible
   Touches impacts;
   std::vector<double> impact_speeds;  ///< normal velocity at the start of the step, negative
 };
 
-// Bodies on covers resolve by themselves how an impact goes on: their own inertia near the touch takes part in the
-// motion of the step, and nothing else is struck. Their rebound is that of their own elasticity: Newton's law with a
-// restitution is one of whole blocks.
+// NMM bodies resolve impacts by themselves: their inertia near the contact takes part in the motion of the step, and
+// nothing else is hit. Elasticity governs their rebound. Newton's law of restitution is one of whole blocks.
 Split split(const StandardScene& scene, const Motion& start, const Touches& touches, double slow) {
   const bool springs_stop = scene.settings.standard.impact == ImpactLaw::springs;
   std::vector<bool> may_strike;
@@ -62,7 +61,7 @@ Split split(const StandardScene& scene, const Motion& start, const Touches& touc
   return parts;
 }
 
-// Touches that bear, and those closed to within kTouching without bearing: an impact passes through them at once.
+// Returns loaded contacts, and contacts closed to within kTouching without load: an impact passes through them at once.
 template <class Bears>
 Touches touching(const StandardScene& scene, const UnknownsTable& q, const Touches& touches, double size,
                  const Bears& bears) {
@@ -141,7 +140,7 @@ class Attempt {
   }
 
  private:
-  // Again where blocks came to overlap at corners that nobody reckoned with.
+  // Repeats the solution if blocks overlap at corners that were not considered.
   void move_smoothly() {
     const bool is_many = found_.size() > FrictionalProblem::kFewPairs;
     if (is_many) least_force_ = std::max(least_force_, of_steps::kLeastForceOfMany * scales_.force);
@@ -171,14 +170,14 @@ class Attempt {
 
   double normal(std::size_t i) const { return smooth_.forces[static_cast<Eigen::Index>(2 * i)]; }
 
-  // A force below the residual is none; a bond may pull.
+  // A force below the residual counts as zero; a bond may pull.
   bool is_closed(std::size_t i) const {
     return std::abs(normal(i)) > least_force_ || smooth_.bonds.contains(parts_.smooth[i].facing);
   }
 
-  // Lists touches whose gap decides what they do in the step: multipliers, and springs that would throw back what has
-  // closed: bodies on covers, with what sticks on them, and blocks that closed faster than they fall in a step. A bond
-  // is a spring that swings: it loses nothing to the clean-up once it holds.
+  // Lists contacts whose velocity the clean-up must stop. These are multipliers, and springs that would rebound after
+  // closing. Such springs belong to NMM bodies, with all that sticks to them, and to blocks that closed faster than
+  // free fall in one step. A bond is an oscillating spring: once it holds, the clean-up takes no energy from it.
   std::vector<std::size_t> to_be_held() const {
     const bool springs_throw_back = scene_.settings.standard.impact == ImpactLaw::jump && !rule_.carries_acceleration();
     std::vector<std::size_t> held;
@@ -198,7 +197,7 @@ class Attempt {
     return std::ranges::any_of(touches, [&](const Touch& touch) { return resolves_impact(scene_, touch); });
   }
 
-  // What contacts took as they closed, beyond what their springs keep.
+  // Returns the energy that contacts took in closing, beyond the energy stored in their springs.
   double energy_of_closing(const std::vector<std::size_t>& held) const {
     if (held.empty()) return 0;
     const auto before = vertices_at(scene_.model, scene_.reference, start_.q);
@@ -214,9 +213,9 @@ class Attempt {
     return std::max(0.0, taken);
   }
 
-  // The inertia that a step reaches is not that of the kinetic energy, which may therefore rise. Where mass alone
-  // answers it falls, and contacts have no velocity either: where it would rise by more than contacts took as they
-  // closed, and the step before gave up, there is as much of that as keeps it.
+  // The clean-up with the inertia that a step reaches may raise the kinetic energy, because that inertia is not the
+  // mass. With the mass alone, the energy falls and contacts have no velocity either. If the energy would rise by more
+  // than the closing contacts and the last step gave up, a mixture of both keeps it.
   PushedVelocities cleaned_up(const Touches& held, const std::vector<HeldSlip>& slips, double at_most) const {
     const auto answered_by = [&](const PushAnswer& answer) {
       return with_held_velocities(scene_, smooth_.q, smooth_.v, held, slips, time_, dt_, answer);
@@ -238,10 +237,10 @@ class Attempt {
     return {plus(calm.v, part, change), calm.given + part * (cleaned.given - calm.given)};
   }
 
-  // Where friction is one of the way of the step, a contact that sticks keeps no velocity along its edge, which would
-  // turn over in each step, and the impulse on one that slides rubs. Blocks, whose friction is one of the velocity at
-  // the end, have Coulomb's law on the impulse of the step in which they meet; those that had met come to rest against
-  // each other in a step or two.
+  // If friction opposes the displacement of the step, a sticking contact keeps no tangential velocity, which would
+  // reverse in each step. The impulse on a sliding one includes friction. Friction of DDA blocks opposes the end
+  // velocity: in the step in which they meet, Coulomb's law holds for the impulse. Blocks that met earlier come to rest
+  // on each other within a step or two.
   HeldSlip slip_held(std::size_t i) const {
     if (!smooth_.way_laws[i]) {
       if (smooth_.laws[i].is_bonded || start_.closed.of(parts_.smooth[i])) return {};
@@ -255,8 +254,8 @@ class Attempt {
     return {.friction = tangential / normal(i)};
   }
 
-  // Lists the touches that neither jump nor separation may drive into one another: those that are closed, those whose
-  // corner lies over its edge before the jump or after it, and those that overlap only after it.
+  // Lists the contacts that neither jump nor separation may drive into one another. These are closed contacts, corners
+  // over their edge before or after the jump, and contacts that overlap only after it.
   Touches others(const UnknownsTable& after_jump) const {
     const auto vertices = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const auto jumped = vertices_at(scene_.model, scene_.reference, after_jump);
@@ -270,7 +269,7 @@ class Attempt {
     return others;
   }
 
-  // Springs have the force of the step; at its end they are pressed by the gap.
+  // Springs have the force of the step; at its end the gap compresses them.
   void remember() {
     const auto end = vertices_at(scene_.model, scene_.reference, smooth_.q);
     const Eigen::VectorXd way = rates(smooth_.rows, plus(smooth_.q, -1, start_.q));
@@ -296,7 +295,7 @@ class Attempt {
   const Motion& start_;
   double time_;
   double dt_;
-  double whole_;  ///< step that this is a part of: what is slow in it is slow in a part
+  double whole_;  ///< whole step: slow speeds in it are slow in its parts too
   StepRule rule_;
   UnknownsTable loads_;
   Scales scales_;
@@ -307,7 +306,7 @@ class Attempt {
   StandardStep step_;
 };
 
-// Joins two parts of a step; `tried` was thrown away for them. `last`: length of the second part.
+// Joins two parts of a step that replace the discarded attempt `tried`. `last`: length of the second part.
 StandardStep in_two(const StandardStep& tried, const StandardStep& first, StandardStep second, double last) {
   second.solves += first.solves + tried.solves;
   second.fallbacks += first.fallbacks + tried.fallbacks;
@@ -324,7 +323,7 @@ StandardStep in_two(const StandardStep& tried, const StandardStep& first, Standa
   return second;
 }
 
-// A step, or a part of it, of `dt`: in halves, and these in halves, where forces do not settle.
+// Makes a step, or a part of it, of `dt`. If forces do not settle, it is halved repeatedly.
 class Halves {
  public:
   Halves(const StandardScene& scene, double whole) : scene_(scene), whole_(whole) {}
@@ -363,7 +362,7 @@ StandardStep parted_at_impacts(const Halves& halves, const Motion& start, double
   if (!second.converged) return whole;
   whole.solves -= first.solves;
   StandardStep both = in_two(whole, first, std::move(second), left);
-  if (both.halvings == 0) both.least = whole.least;  // an impact says nothing of the step that was needed
+  if (both.halvings == 0) both.least = whole.least;  // an impact does not change the step size that was needed
   return both;
 }
 

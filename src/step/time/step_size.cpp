@@ -1,4 +1,4 @@
-// Shi's automatic step: time to move the allowed distance from a speed under an acceleration.
+// Computes Shi's automatic step: the time to move the allowed distance from a speed under an acceleration.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/step_size.hpp"
 
@@ -10,15 +10,15 @@
 namespace keyblock {
 namespace {
 
-constexpr double kGrowth = 1.3;      // a step is at most this times the last (legacy-formats 3.4)
+constexpr double kGrowth = 1.3;      // greatest ratio of a step to the last (legacy-formats 3.4)
 constexpr double kStressFactor = 4;  // force of an initial stress on a block: this times stress times side (ibid.)
 
-// dt = (sqrt(v² + 2 a s) - v) / a, written so that no digits are lost for a small acceleration.
+// Returns dt = (sqrt(v² + 2 a s) - v) / a in a form that loses no digits for a small acceleration.
 double time_to_move(double distance, double speed, double acceleration) {
   return 2 * distance / (speed + std::sqrt(speed * speed + 2 * acceleration * distance));
 }
 
-// The largest load component of any loading point at `time`.
+// Returns the largest load component of any loading point at `time`.
 double greatest_load(const Model& model, double time) {
   double load = 0;
   for (const CarriedPoint& p : model.loading_points) {

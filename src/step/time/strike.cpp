@@ -1,4 +1,4 @@
-// Meetings, jump, separation; see strike.hpp.
+// Finds the meetings, makes the velocities jump and separates overlaps; see strike.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/strike.hpp"
 
@@ -16,13 +16,12 @@
 namespace keyblock {
 namespace {
 
-// Touches that overlap take part in the jump, and those with a gap below this share of block size: the corners of a
+// Gap, relative to block size, below which a contact takes part in the jump like overlapping ones. The corners of a
 // flat impact meet within round-off.
 constexpr double kMeeting = 1e-10;
 
-// A corner that has run past the end of its edge within the step meets the next edge in the next step: the line that
-// it left would push it in a direction in which there is no face.
-// Returns where those that stay were in the list.
+// Drops corners that passed the end of their edge within the step. They meet the next edge in the next step; the line
+// that they left would push them in a direction without a face. Returns the former places of the remaining contacts.
 std::vector<std::size_t> drop_passed(const SmoothStep& of, ImpactTouches& impacts) {
   const auto vertices = vertices_at(of.scene.model, of.scene.reference, of.smooth.q);
   std::vector<std::size_t> kept;
@@ -37,8 +36,8 @@ std::vector<std::size_t> drop_passed(const SmoothStep& of, ImpactTouches& impact
   return kept;
 }
 
-// Speed where the surfaces met, not at the end of the step: v² = v1² + 2 a d with a the acceleration of the step and
-// d the overshoot; d was covered at the mean of both speeds.
+// Computes the speed when the surfaces met, not at the end of the step: v² = v1² + 2 a d. a is the acceleration of the
+// step and d the overshoot, covered at the mean of both speeds.
 ImpactMeeting meeting(const Touch& touch, double dt, double at_start, double at_end, double overshoot) {
   if (at_end >= 0) return {touch, 0, 0};
   const double acceleration = (at_end - at_start) / dt;
@@ -46,8 +45,8 @@ ImpactMeeting meeting(const Touch& touch, double dt, double at_start, double at_
   return {touch, std::min(dt, 2 * overshoot / (at_surface - at_end)), -at_end - at_surface};
 }
 
-// Overlaps are removed against the loads as far as the energy reaches that the jump took, and no farther: what is left
-// of one stays. The energy of the contacts it is, which a support that moves does not change.
+// Removes overlaps against the loads only as far as the energy lost in the jump suffices. The rest of the overlap
+// stays. That energy is the contacts' own, which a moving support does not change.
 void put_back_by_energy(const SmoothStep& of, const Jump& jump, UnknownsTable& separated) {
   const UnknownsTable way = plus(separated, -1, jump.q);
   const double lifted = -dot(loads_at(of.scene, of.smooth.q, of.time + of.dt), way);
@@ -86,7 +85,7 @@ double strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& o
   double given = jump.given;
   for (std::size_t i : jump.undecided) step.undecided.push_back(of.touches + met[i]);
   step.motion.v = std::move(jump.v);
-  if (!jump.undecided.empty()) {  // points that are held do not take part in what is left open
+  if (!jump.undecided.empty()) {  // fixed points take no part in unsettled impulses
     PushedVelocities pushed =
         with_held_velocities(of.scene, of.smooth.q, std::move(step.motion.v), {}, {}, of.time, of.dt,
                              {of.smooth.flexibility, of.rule.end_velocity.increment, of.rule.inertia.increment});

@@ -1,4 +1,5 @@
-// The impacts of a step: where the surfaces met, the jump of velocities, and overlaps removed.
+// Handles the impacts of a step: meeting of surfaces, jump of velocities, and removal of overlaps. Theory:
+// docs/theory/06-impact.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +11,7 @@
 
 namespace keyblock {
 
-/// The step whose smooth motion is known.
+/// Step with known smooth motion.
 struct SmoothStep {
   const StandardScene& scene;
   const Motion& start;
@@ -23,25 +24,26 @@ struct SmoothStep {
   std::size_t touches = 0;  ///< of the smooth motion
 };
 
-/// Touches that close with a jump, and how fast they closed at the start of the step: normal velocity, negative.
+/// Contacts that close with a jump, and their normal velocity at the start of the step, negative.
 struct ImpactTouches {
   Touches touches;
   std::vector<double> speeds;
 };
 
-/// Touches of the smooth motion that take part.
+/// Contacts of the smooth motion that take part.
 struct OtherTouches {
   Touches touching;
-  /// Lists the touches that neither jump nor separation may drive into one another, for a jump that ends at these
+  /// Lists the contacts that neither jump nor separation may drive into one another, for a jump that ends at these
   /// places.
   std::function<Touches(const UnknownsTable& after_jump)> not_driven_in;
 };
 
-/// A body does not jump apart from itself: rigid motions leave such a touch as it is.
+/// Returns true if both sides belong to one body, which does not jump apart from itself: rigid motions do not change
+/// such a contact.
 bool is_within_one_body(const StandardScene& scene, const Touch& touch);
 
-/// Puts velocities after the jump and places after the separation into `step`, whose velocities are those before.
-/// Returns the energy that moving supports gave.
+/// Writes velocities after the jump and positions after the separation into `step`, which holds the velocities before
+/// it. Returns the energy given by moving supports.
 double strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& others, StandardStep& step);
 
 }  // namespace keyblock
