@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/case_file/keyblock_case.hpp"
+#include "formats/case_file/strict_json.hpp"
 #include "job/files.hpp"
 #include "library/parts.hpp"
 #include "study/convert/convert.hpp"
@@ -17,13 +18,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// One case file is handed on as it stands, which may be YAML.
+// One case file is handed on as it stands; with comments, trailing commas or as YAML, as strict JSON of the same values.
 std::string text_of(const Case::Data& data) {
   const study::Conversion made =
       study::convert(data.open.input.files, study::target_named(formats::kKeyblockCase.name), study::Faults::none);
   const std::string& text = made.files.front().text;
-  if (Json::accept(text, true)) return text;
-  return formats::kKeyblockCase.write(data.open.input.files.front().reading->content);
+  return Json::accept(text) ? text : formats::strict_json({data.open.input.files.front().path, text});
 }
 
 Json json_of(const Case::Data& data) {

@@ -55,6 +55,24 @@ TEST(NewCommand, what_ends_in_yaml_is_yaml_and_says_the_same) {
   }
 }
 
+TEST(NewCommand, strict_json_is_read_by_any_parser_and_says_the_same) {
+  const std::string folder = support::fresh_folder("new_strict");
+  for (const char* name : {"slope", "arch", "beam", "tunnel", "block"}) {
+    const std::string usual = folder + "/" + name + ".json", strict = folder + "/" + name + "_strict.json";
+    ASSERT_EQ(run_keyblock({"new", name, "-o", usual}).exit_code, 0);
+    ASSERT_EQ(run_keyblock({"new", name, "--strict-json", "-o", strict}).exit_code, 0);
+    EXPECT_TRUE(nlohmann::json::accept(read_text(strict))) << name;
+    EXPECT_EQ(nlohmann::json::parse(read_text(usual), nullptr, false, true).is_discarded(), true)
+        << name << " has trailing commas";
+    const auto blocks = [](const std::string& file) {
+      const ProgramRun check = run_keyblock({"check", file, "--trial", "0", "--json"});
+      EXPECT_EQ(check.exit_code, 0) << check.messages;
+      return nlohmann::json::parse(check.output, nullptr, false)["case"]["blocks"];
+    };
+    EXPECT_EQ(blocks(usual), blocks(strict)) << name;
+  }
+}
+
 // The arch and the slope stand: nothing comes further than their joints give.
 TEST(NewCommand, what_ought_to_stand_stands) {
   for (const char* name : {"slope", "arch"})

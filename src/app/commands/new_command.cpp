@@ -17,6 +17,7 @@
 #include "app/option_checks.hpp"
 #include "app/templates/case_templates.hpp"
 #include "base/error.hpp"
+#include "formats/case_file/strict_json.hpp"
 #include "job/files.hpp"
 
 namespace keyblock {
@@ -25,6 +26,7 @@ namespace {
 struct NewOptions {
   std::string name;
   std::string file;
+  bool is_strict = false;  ///< JSON
   bool force = false;
   bool as_json = false;
 };
@@ -93,7 +95,11 @@ ExitCode write_template(const NewOptions& options) {
   if (error) throw UsageError(fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
   require_writable({file}, {}, overwrite_if(options.force));
   const bool is_yaml = file.ends_with(".yaml") || file.ends_with(".yml");
-  write_output(file, is_yaml ? YamlOfTemplate(found->text).text() : std::string(found->text),
+  const std::string text(found->text);
+  write_output(file,
+               is_yaml             ? YamlOfTemplate(text).text()
+               : options.is_strict ? formats::strict_json({file, text})
+                                   : text,
                overwrite_if(options.force));
   if (options.as_json)
     fmt::print("{}\n", nlohmann::ordered_json({{"file", file}, {"kind", options.name}, {"about", found->about}})
@@ -116,6 +122,8 @@ Action configure_new(CLI::App& options) {
       .add_option("-o,--output", chosen->file,
                   "case file to write, .json or .yaml (default: KIND.json); missing folders are created")
       ->type_name("FILE");
+  options.add_flag("--strict-json", chosen->is_strict,
+                   "write JSON without comments and trailing commas, which every parser reads");
   options.add_flag("--force", chosen->force, "overwrite the file if it exists");
   options.add_flag("--json", chosen->as_json, "print name, kind and description of the file as JSON");
   return [chosen] { return write_template(*chosen); };
