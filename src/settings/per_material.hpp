@@ -1,4 +1,4 @@
-// A choice for all materials, with others for some of them.
+// Holds a choice for all materials, with other values for some of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@ struct PerMaterial {
   std::map<int, T> own;  ///< by material number, from 0
 
   PerMaterial() = default;
-  /// One value for all; a plain value may be assigned where all materials share it.
+  /// Sets one value for all; a plain value may be assigned if all materials share it.
   PerMaterial(T value) : common(std::move(value)) {}
 
   const T& of(int material) const {

@@ -1,4 +1,4 @@
-// Each profile is one function from the analysis file to settings; the list of them is the table.
+// Builds the settings of each profile in one function of the analysis file; the list of these is the table.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/profile.hpp"
 
@@ -19,16 +19,16 @@ double berkeley_gravity(const Analysis& analysis) {
   return analysis.gravity.value_or(first.unit_weight / first.density);
 }
 
-// g0 of the file, or the penalty factor times the greatest modulus (legacy-formats 3.4); g0 = 0 means
-// "program chooses".
+// g0 of the file, or the penalty factor times the greatest modulus (legacy-formats 3.4); g0 = 0 means "program
+// chooses".
 double start_penalty(const Analysis& analysis) {
   if (analysis.contact_penalty.value_or(0) > 0) return *analysis.contact_penalty;
   const auto stiffest = std::ranges::max_element(analysis.block_materials, {}, &BlockMaterial::youngs_modulus);
   return analysis.penalty_factor * stiffest->youngs_modulus;
 }
 
-// Manifold files state a time increment and a stiffness, and are taken at their word (inferred: under the rules that
-// choose both, nine of twelve old files come to a stop). Their program's velocities are those of the step made
+// Manifold files state a time increment and a stiffness, which are used unchanged. (This is inferred: under the rules
+// that choose both, nine of twelve old files stop.) Their program's velocities are those of the completed step
 // (legacy-formats 2.5).
 Settings as_in_manifold_files(Settings settings) {
   settings.step_control = StepControl::constant;
@@ -38,8 +38,8 @@ Settings as_in_manifold_files(Settings settings) {
   return settings;
 }
 
-// The rules of the Berkeley program, quirks included. Shi's own dialect names its start velocity and gradient
-// apart, and gives each material its own weight: there the two quirks about them are off.
+// Rules of the Berkeley program, quirks included. Shi's own dialect states start velocity and gradient separately, and
+// gives each material its own weight, so the two quirks about them are off.
 Settings legacy(const Analysis& analysis) {
   Settings settings;
   settings.step_count = analysis.step_count;
@@ -63,7 +63,7 @@ Settings legacy(const Analysis& analysis) {
   return analysis.dialect == AnalysisDialect::manifold ? as_in_manifold_files(settings) : settings;
 }
 
-// What theory asks for: the file's scene, materials and step; none of the old programs' rules. Native files give each
+// Settings from theory: the file's scene, materials and step, but no rule of Shi's programs. Native files give each
 // material its own weight; `Gravaccel` of a DDAML file is one acceleration for all.
 Settings standard(const Analysis& analysis) {
   Settings settings = legacy(analysis);
@@ -79,7 +79,7 @@ Settings standard(const Analysis& analysis) {
   return settings;
 }
 
-// The time of the file in steps `factor` times as long. Statics has no time: there a step is a state of its own.
+// Keeps the time of the file, in steps `factor` times as long. Statics has no time: a step is then a state of its own.
 Settings with_steps(Settings settings, double factor) {
   if (settings.standard.motion != MotionRule::dynamic || settings.step_count < 1) return settings;
   const int steps = std::max(1, static_cast<int>(std::lround(settings.step_count / factor)));
@@ -88,18 +88,18 @@ Settings with_steps(Settings settings, double factor) {
   return settings;
 }
 
-// Steps of `standard` stay accurate when they are long, while rigid blocks save little and lose what they are asked
-// for. Twice and no more: over all cases twice takes 0.83 of the time of `standard`, four times 1.25, because contacts
-// that close in dense assemblies then take more passes (sum of the runs of legacy_cases). Some scenes gain from four
-// times: see legacy_cases/fronts.
+// Steps of `standard` stay accurate when they are long. Rigid blocks save little and lose the strains. The factor is
+// two: over all cases it takes 0.83 of the time of `standard`. Four takes 1.25, because contacts that close in dense
+// assemblies then need more open–close iterations (sum of the runs of legacy_cases). Some scenes gain from four: see
+// legacy_cases/fronts.
 constexpr double kDraft = 2;
 constexpr double kReference = 0.25;
 
 struct Profile {
   const char* name;
   Settings (*settings)(const Analysis&);
-  const char* rules;  ///< the profile that cases know it as
-  double step;        ///< over that of the file, or of who overrides it
+  const char* rules;  ///< profile by which cases name it
+  double step;        ///< per step of the file or of its override
 };
 
 constexpr std::array<Profile, 4> kProfiles{{{"legacy", legacy, "legacy", 1},

@@ -1,4 +1,4 @@
-// Profiles: presets of all choices of a run, taken from a name and the analysis file.
+// Computes the settings of profiles: presets of all choices of a run, from a name and the analysis file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,21 +11,22 @@
 
 namespace keyblock {
 
-/// Names of the profiles there are.
+/// Returns the names of all profiles.
 std::vector<std::string> profile_names();
 
-/// The profiles that others are variations of, and that cases speak of: legacy and standard.
+/// Returns the two profiles of which the others are variations, and which cases name: legacy and standard.
 std::vector<std::string> rule_names();
 
-/// One of those: whose settings a case gives to profile `name` too, and as which it is judged. Throws as below.
+/// Returns the one of these two that profile `name` varies. A case gives its settings for that one to `name` too, and
+/// results of `name` are compared as its results. Throws like `profile_settings`.
 std::string rules_of(const std::string& name);
 
-/// How many times as long as the step that is set a profile makes its step of a run in time, with as many fewer of
-/// them: 1 but for `draft` and `reference`. Throws as above.
+/// Returns the factor on the time step of a dynamic run, with as many fewer steps: 1 except for `draft` and
+/// `reference`. Throws like `profile_settings`.
 double step_factor(const std::string& name);
 
-/// The settings of profile `name` for this analysis, with `changes` to them. `draft` and `reference` take their share
-/// of the step that comes out of these, over the same time. Throws std::invalid_argument for a name that is none.
+/// Returns the settings of profile `name` for this analysis, with `changes` applied. `draft` and `reference` then scale
+/// the resulting step, over the same time. Throws std::invalid_argument for an unknown name.
 Settings profile_settings(const std::string& name, const Analysis& analysis,
                           const std::function<void(Settings&)>& changes = {});
 

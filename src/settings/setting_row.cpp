@@ -1,4 +1,4 @@
-// Numbers from text, within their range.
+// Reads numbers from text and checks their range.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/setting_row.hpp"
 

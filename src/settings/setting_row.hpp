@@ -1,4 +1,4 @@
-// One row of the table of settings: how its value is shown and read, for the run or for one material.
+// Defines a row of the table of settings: how its value is written and read, for the run or for one material.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,7 +14,8 @@
 
 namespace keyblock {
 
-/// Values of one type as text. `read` throws std::invalid_argument, with the name of the setting and what was expected.
+/// Text form of values of one type. `read` throws std::invalid_argument with the name of the setting and the expected
+/// values.
 template <class T>
 struct ValueText {
   std::function<std::string(const T&)> write;
@@ -23,7 +24,7 @@ struct ValueText {
   std::string expected;  ///< "a number of at least 0", "one of off, on"
 };
 
-/// `open`: the least value itself is excluded.
+/// Range of a number. `open`: the least value itself is excluded.
 struct Range {
   double least = -kGreatestQuantity;
   bool open = false;
@@ -31,7 +32,7 @@ struct Range {
 };
 
 ValueText<double> real(Range range);
-/// Nothing is the empty text.
+/// An absent value is the empty text.
 ValueText<std::optional<double>> real_or_nothing(Range range);
 ValueText<int> whole(int least);
 ValueText<std::string> any_text();
@@ -40,7 +41,7 @@ ValueText<bool> off_or_on();
 [[noreturn]] void refuse_value(const std::string& name, const std::string& expected, const std::string& found,
                                const std::string& hint = {});
 
-/// A value for each word. `gone`: words that there were, each with what takes its place.
+/// Returns the text form of values with one word each. `gone`: former words, each with its replacement.
 template <class E>
 ValueText<E> one_of(const std::vector<std::pair<E, std::string>>& words,
                     const std::vector<std::pair<std::string, std::string>>& gone = {}) {
@@ -63,13 +64,13 @@ ValueText<E> one_of(const std::vector<std::pair<E, std::string>>& words,
 
 enum class Materials { of_blocks, of_joints };
 
-/// The choice that has to be made for a setting to be read, beside its dynamics: "integrator = newmark".
+/// Other choice without which the setting is not read, besides its dynamics: "integrator = newmark".
 struct ReadUnder {
   std::string choice;
   std::function<bool(const Settings&)> holds;
 };
 
-/// The values that a setting has for single materials, numbered from 0.
+/// Values of a setting for single materials, numbered from 0.
 struct MaterialRow {
   Materials materials;
   std::function<std::vector<int>(const Settings&)> given;
@@ -85,11 +86,11 @@ struct SettingRow {
   std::function<void(Settings&, const std::string& text)> read;
   std::optional<MaterialRow> per_material;
   std::string expected;              ///< permitted values, in words
-  std::optional<Dynamics> dynamics;  ///< that read it; nothing: both
+  std::optional<Dynamics> dynamics;  ///< dynamics that reads it; empty: both
   std::optional<ReadUnder> read_under = std::nullopt;
 };
 
-/// `of` gives the member of the settings, constant or not.
+/// Returns a row. `of` gives the member of the settings, constant or not.
 template <class T, class Of>
 SettingRow row(const std::string& name, const std::string& meaning, Of of, const ValueText<T>& text) {
   return {name,
@@ -102,7 +103,7 @@ SettingRow row(const std::string& name, const std::string& meaning, Of of, const
           std::nullopt};
 }
 
-/// The same for a PerMaterial member: `name` sets the common value, `name.N` that of material N, counted from 1.
+/// Returns a row of a PerMaterial member: `name` sets the common value, `name.N` that of material N, counted from 1.
 template <class T, class Of>
 SettingRow row(Materials materials, const std::string& name, const std::string& meaning, Of of,
                const ValueText<T>& text) {

@@ -1,4 +1,4 @@
-// Presets of the quirks, by name.
+// Defines presets of the quirks, by name.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/settings.hpp"
 

@@ -1,4 +1,4 @@
-// The named choices of a run. A profile is a preset of them; every one can be set on its own.
+// Holds the named choices of a run. A profile is a preset of them; each can be set on its own.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,14 +14,14 @@
 
 namespace keyblock {
 
-/// error: by the error of the step, Dynamics::standard alone.
+/// Control of the step size. error: by the error of the step, only in Dynamics::standard.
 enum class StepControl { constant, shi, error };
 enum class PenaltyControl { constant, adaptive };
 enum class Plane { stress, strain };
 enum class Bookkeeping { off, on };
 
-/// Rules of the Berkeley program that look like mistakes (marked Q in the rules of one old step). Each names
-/// the paragraph. On in profile `legacy`, to give the old numbers back, but for the last; each can be left out alone.
+/// Rules of the Berkeley program that look like mistakes (marked Q in the rules of one old step). Each names its
+/// paragraph. All except the last are on in profile `legacy`, to reproduce old results; each can be turned off alone.
 struct BerkeleyQuirks {
   bool moments_about_origin = true;        ///< 7: area moments about the origin of coordinates; far scenes lose digits
   bool search_full_depth = true;           ///< 2: penetration side searched to d0 instead of d9
@@ -31,39 +31,40 @@ struct BerkeleyQuirks {
   bool plane_strain_factor = true;         ///< 7.2: stiffness has 1/(1-nu) for 1/(1+nu)
   bool velocity_from_coming_step = true;   ///< 7.4: velocity from the step size about to be used, again at each redo
   bool start_velocity_slots = true;        ///< 7.5: native tokens 8-10 are stress gradient and start velocity both
-  bool ddaml_slots = false;  ///< the engine's slots hold what a DDAML file puts there; of the file, not a choice
-  bool weight_of_first_material = true;  ///< formats 3.2: one gravity for all, from material 1 or `Gravaccel`
-  bool cut_step_stays = true;            ///< 11.2: a step cut by the displacement ratio stays cut with constant steps
-  bool fixed_pass_bound = true;          ///< 11.1: 8 passes whatever the limit; another limit accepts unfinished steps
-  /// 13: cumulative time in place of the displacement ratio. Off: it came into the Berkeley program in 2008, dynamic
-  /// runs with the automatic step grind to a halt under it, and no file of Shi's own time was run so.
+  bool ddaml_slots = false;                ///< the engine's slots hold values of a DDAML file; set by the file
+  bool weight_of_first_material = true;    ///< formats 3.2: one gravity for all, from material 1 or `Gravaccel`
+  bool cut_step_stays = true;              ///< 11.2: a step cut by the displacement ratio stays cut with constant steps
+  bool fixed_pass_bound = true;            ///< 11.1: always 8 iterations; another limit accepts unfinished steps
+  /// 13: cumulative time instead of the displacement ratio. Off: it came into the Berkeley program in 2008, and no file
+  /// of Shi's own time was run with it. Dynamic runs with the automatic step come to a halt under it.
   bool step_rule_by_time = false;
 
-  /// The rules as they were meant.
+  /// Returns the rules as they were meant.
   static BerkeleyQuirks none();
-  /// Without the mistakes in Shi's step, which another step does not make; those in what files mean stay.
+  /// Returns the quirks without mistakes in Shi's step, which another step does not make; those in the meaning of files
+  /// stay.
   BerkeleyQuirks without_those_of_the_step() const;
 };
 
-/// An acceleration of all blocks beside gravity, as of a shaken ground seen from the ground. The parts add up.
+/// Acceleration of all blocks in addition to gravity, as in a frame fixed to shaken ground. The parts are summed.
 struct BodyAcceleration {
   Point constant;
   TimeCurve curve;   ///< length / time², linear between rows
-  std::string file;  ///< what `curve` was read from; empty: nothing
+  std::string file;  ///< source of `curve`; empty: none
 };
 
-/// Unknowns of a block that may move, three or six.
+/// Unknowns of a block that may move: three if rigid, six if affine.
 enum class BlockBasis { rigid, affine };
 
-/// What a run may show and still be trusted: beyond it, it does not end well (exit code 1, or 4 where it cannot go on).
+/// Limits beyond which the results of a run are unreliable (exit code 1, or 4 if the run cannot continue).
 struct TrustLimits {
-  double penetration = 0.1;  ///< depth of elements in one another over the size of the smaller
+  double penetration = 0.1;  ///< overlap depth of elements over the size of the smaller
   double crushing =
-      0.58;  ///< least area of an element at the end over that at the start; there the elastic law gives way
-  double energy = 0.01;  ///< kinetic, strain and gravity energy that nothing gave, over the largest there was
+      0.58;              ///< least area of an element at the end over that at the start; there the elastic law softens
+  double energy = 0.01;  ///< kinetic, strain and gravity energy without a source, over the largest stored
 };
 
-/// Everything a run decides besides the scene itself. Units are those of the input.
+/// All decisions of a run except the scene itself. Units are those of the input.
 struct Settings {
   NodeMerging node_merging = NodeMerging::in_order_found;
   NearPieces near_pieces = NearPieces::deleted;
@@ -73,32 +74,32 @@ struct Settings {
   StepControl step_control = StepControl::constant;
   PerMaterial<double> velocity_carry_over = 1;  ///< 0 static, 1 dynamic; by block material
   PerMaterial<double> mass_damping = 0;         ///< a of the damping matrix a M + b K, 1 / time; by block material
-  /// b of it, time, by block material; where it is not given, profile `standard` damps strain modes as strain_damping
-  /// says.
+  /// b of the damping matrix [time], by block material. If it is not given, profile `standard` damps strain modes by
+  /// `strain_damping`.
   PerMaterial<std::optional<double>> stiffness_damping;
   Rotation rotation = Rotation::first_order;
   Plane plane = Plane::stress;
   PerMaterial<BlockBasis> basis = BlockBasis::affine;  ///< by block material
   Point gravity;                                       ///< acceleration, y up
-  double file_gravity = 0;  ///< downward, as the file has it: the one that its unit weights speak of
+  double file_gravity = 0;                             ///< downward, as in the file: the gravity of its unit weights
   BodyAcceleration body_acceleration;
-  double joint_strength_factor = 1;  ///< on tan φ, cohesion and tensile strength of all joint materials
+  double joint_strength_factor = 1;  ///< applied to tan φ, cohesion and tensile strength of all joint materials
   double contact_penalty = 0;        ///< starting normal stiffness, force / length
   PenaltyControl penalty_control = PenaltyControl::constant;
   double fixed_point_factor = 100;        ///< stiffness of fixed points over the starting contact penalty
   double allowed_displacement_ratio = 0;  ///< g2
   int pass_limit = 8;
-  int redo_limit = 200;  ///< redone attempts at one step before the run is given up
+  int redo_limit = 200;  ///< repeated attempts at one step before the run ends
   OpenCloseConstants open_close;
-  LinearMethod linear_method = LinearMethod::automatic;  ///< of the systems of Dynamics::shi
+  LinearMethod linear_method = LinearMethod::automatic;  ///< for the linear solves of Dynamics::shi
   BerkeleyQuirks quirks;
   Dynamics dynamics = Dynamics::shi;
-  Bookkeeping ledger = Bookkeeping::on;  ///< energy and momentum, step by step
+  Bookkeeping ledger = Bookkeeping::on;  ///< energy balance and momentum, step by step
   TrustLimits trust;
-  StandardChoices standard;  ///< read by Dynamics::standard alone
+  StandardChoices standard;  ///< read by Dynamics::standard only
 };
 
-/// Each step is an equilibrium, with no motion in time.
+/// Returns true if each step is a static equilibrium.
 inline bool is_statics(const Settings& settings) {
   return settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::equilibrium;
 }

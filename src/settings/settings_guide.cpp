@@ -1,4 +1,4 @@
-// Two made-up files that differ in all they can say show which values a profile takes from the file.
+// Finds the values that a profile takes from the file by two invented files that differ in all their values.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/settings_guide.hpp"
 
@@ -65,7 +65,7 @@ std::string word_for(const std::optional<Dynamics>& dynamics) {
   return *dynamics == Dynamics::shi ? "shi" : "standard";
 }
 
-// What people set before anything else.
+// Settings that users most often set.
 constexpr std::array<std::string_view, 10> kFirst{"motion",  "steps",      "time_step",   "contact_penalty",
                                                   "gravity", "plane",      "enforcement", "joint_strength_factor",
                                                   "basis",   "restitution"};
@@ -84,7 +84,7 @@ struct Group {
   std::function<bool(const SettingText&)> holds;
 };
 
-// Every setting is in one of them.
+// Every setting is in one of these groups.
 std::vector<Group> groups() {
   const auto read_by = [](std::optional<Dynamics> dynamics) {
     return [dynamics](const SettingText& s) { return !is_first(s) && !is_quirk(s) && s.dynamics == dynamics; };
@@ -96,7 +96,7 @@ std::vector<Group> groups() {
           {"mistakes of the Berkeley program, each of which can be left out", is_quirk}};
 }
 
-// At spaces; the lines after the first are indented as it is.
+// Wraps at spaces; lines after the first have the same indentation.
 std::string wrapped(const std::string& text, std::size_t indent) {
   constexpr std::size_t kLine = 118;
   std::string lines(indent, ' ');
@@ -129,7 +129,7 @@ std::string row_of(const std::vector<Column>& columns, std::size_t row) {
   return text + wrapped(setting.meaning, 4) + fmt::format("    permitted: {}\n", setting.expected);
 }
 
-// In the order of the profiles.
+// Returns the columns in the order of the profiles.
 std::vector<Column> columns_of_profiles() {
   std::vector<Column> columns;
   for (const std::string& profile : profile_names())

@@ -1,4 +1,4 @@
-// The table of settings: one row a setting, with its range and meaning.
+// Defines the table of settings: one row per setting, with its range and meaning.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/settings_table.hpp"
 
@@ -46,7 +46,7 @@ auto at(T StandardChoices::*member) {
   };
 }
 
-// Words that close a meaning.
+// Words at the end of a meaning.
 constexpr std::array<std::pair<std::string_view, Measure>, 5> kMeasures{{{"[time]", measures::kTime},
                                                                          {"[1/time]", measures::kRate},
                                                                          {"[length/time^2]", measures::kAcceleration},
@@ -236,7 +236,7 @@ std::vector<SettingRow> rows_of_quirks() {
   };
 }
 
-/// Of dynamics `standard`: what a step solves.
+/// Returns the rows of dynamics `standard` about the equations of a step.
 std::vector<SettingRow> rows_of_solution() {
   using C = StandardChoices;
   return {
@@ -284,7 +284,7 @@ std::vector<SettingRow> rows_of_solution() {
   };
 }
 
-/// Of dynamics `standard`: what holds bodies apart.
+/// Returns the rows of dynamics `standard` about contact forces.
 std::vector<SettingRow> rows_of_contact_forces() {
   using C = StandardChoices;
   return {
@@ -314,7 +314,7 @@ std::vector<SettingRow> rows_of_contact_forces() {
   };
 }
 
-/// Of dynamics `standard`: how it goes from step to step.
+/// Returns the rows of dynamics `standard` about time integration.
 std::vector<SettingRow> rows_of_integration() {
   using C = StandardChoices;
   return {
@@ -370,7 +370,7 @@ const SettingRow* find_row(const std::string& name) {
   return found == table().end() ? nullptr : &*found;
 }
 
-/// "restitution.2": the row before the last point and the material behind it, from 0.
+/// Parts of "restitution.2": the row before the last point and the material after it, from 0.
 struct MaterialSetting {
   const SettingRow* row = nullptr;
   int material = 0;
@@ -397,14 +397,14 @@ const char* noun(Materials materials) {
   return materials == Materials::of_blocks ? "block" : "joint";
 }
 
-// Words of case files and of other programs for what a setting does.
+// Words of case files and other programs for the effect of a setting.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kOtherWords{{{"step_count", "steps"},
                                                                                     {"dt", "time_step"},
                                                                                     {"penalty", "contact_penalty"},
                                                                                     {"statics", "motion"},
                                                                                     {"init", "start"}}};
 
-// What users look for among the settings, and where it stands.
+// Returns the place of quantities that users look for among the settings.
 std::string where_it_is(std::string_view name) {
   constexpr std::array<std::string_view, 9> kOfJoints{
       "friction_angle_deg", "friction_angle", "friction", "phi", "cohesion",
