@@ -1,4 +1,4 @@
-// Sums over contacts by pairs of elements.
+// Sums contacts by pairs of elements.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/contact_frame.hpp"
 

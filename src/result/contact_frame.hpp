@@ -1,4 +1,4 @@
-// One reported instant of a contact between two elements: where it is, how far its faces are apart, what it bears.
+// Holds one reported instant of a contact between two elements: its place, the gap of its faces, and its forces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,31 +13,31 @@ enum class ContactCondition { open, stick, slide };
 
 std::string_view word_for(ContactCondition condition);
 
-/// A point of one element against an edge, or a corner, of another. Forces per unit thickness.
+/// Contact of a point of one element with an edge, or a corner, of another. Forces per unit thickness.
 struct ContactFrame {
   int element = 0;         ///< number of the element of the point, from 0
   int other = 0;           ///< number of the element of the edge, from 0
   int joint_material = 0;  ///< of the edge, index from 0
   ContactCondition condition = ContactCondition::open;
   Point position;  ///< of the point
-  Point normal;    ///< unit, out of the other element, as the force of the last step had it
-  double gap = 0;  ///< of the faces, positive where they are apart
-  /// How far the point is from the one of the other face that it meets were both back where they lay before any load,
-  /// along the tangent; 0 between two corners.
+  Point normal;    ///< unit, out of the other element, as in the force of the last step
+  double gap = 0;  ///< of the faces, positive if open
+  /// Distance along the tangent, in the undeformed scene, between the point and the point of the other face that it
+  /// meets; 0 between two corners.
   double slip = 0;
   double normal_force = 0;  ///< of the last step, pressure positive
   double shear_force = 0;   ///< of the last step, on the element along the tangent
-  int edge = -1;            ///< of the other element, by the corner at which it ends, counted through its loops from 0
-  int joint_line = -1;      ///< joint of the drawing that made the edge, index from 0; -1: none, or none is known
+  int edge = -1;            ///< of the other element, by its end corner, counted through its loops from 0
+  int joint_line = -1;      ///< joint of the drawing that made the edge, index from 0; -1: none or unknown
 
   Point tangent() const { return {-normal.y, normal.x}; }
-  /// On the element; the other one has the opposite.
+  /// Returns the force on the element; the other one has the opposite force.
   Point force() const { return normal_force * normal + shear_force * tangent(); }
 };
 
 using ContactFrames = std::vector<ContactFrame>;
 
-/// What all contacts between two elements along one joint material bear together.
+/// Sum over all contacts between two elements along one joint material.
 struct JointSum {
   int element = 0;  ///< the lower number, from 0
   int other = 0;
@@ -50,11 +50,11 @@ struct JointSum {
   Point force = {};  ///< on the element
 };
 
-/// In the order of elements and materials.
+/// Returns the sums in the order of elements and materials.
 std::vector<JointSum> joint_sums(const ContactFrames& contacts);
 
-/// What all contacts along one joint of the drawing bear together. Force and opposite force have the same pressure and
-/// the same shear along the tangent of their side, so that neither sum asks for a side.
+/// Sum over all contacts along one joint of the drawing. A force and its opposite have the same pressure, and the same
+/// shear along the tangent of their side, so the sums do not depend on the choice of side.
 struct JointLineSum {
   int joint_line = 0;      ///< from 0
   int joint_material = 0;  ///< of its first contact
@@ -63,11 +63,11 @@ struct JointLineSum {
   int sliding = 0;
   double normal_force = 0;
   double shear_force = 0;
-  double greatest_gap = 0;   ///< where the faces are farthest apart; 0: nowhere
-  double greatest_slip = 0;  ///< the largest by amount, with its sign
+  double greatest_gap = 0;   ///< where the faces are farthest apart; 0: all closed
+  double greatest_slip = 0;  ///< the largest by magnitude, with its sign
 };
 
-/// In the order of the drawing, without contacts that none of its joints made.
+/// Returns the sums in the order of the drawing, without contacts on other edges than its joints.
 std::vector<JointLineSum> joint_line_sums(const ContactFrames& contacts);
 
 }  // namespace keyblock

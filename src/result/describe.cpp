@@ -1,4 +1,4 @@
-// Saves and restores what runs report, member by member.
+// Saves and restores the reports of runs, member by member.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/describe.hpp"
 

@@ -1,4 +1,4 @@
-// What runs report, as members to save and restore.
+// Describes the reports of runs as members to save and restore.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// Goes once through all elements.
+// Visits all elements once.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/extremes.hpp"
 
@@ -8,7 +8,7 @@
 namespace keyblock {
 namespace {
 
-/// The greatest displacement in an element, and the place that it began from.
+/// Greatest displacement in an element, and its initial place.
 struct Displaced {
   double way = 0;
   Point from;
@@ -20,7 +20,7 @@ struct Displaced {
   }
 };
 
-// Of its vertices, or of the centroid of a piece that was not there, or had other corners.
+// Uses the vertices, or the centroid of a piece that is new or had other corners.
 Displaced greatest_displacement(const ElementFrame* start, const ElementFrame& after) {
   const auto sizes_of = [](const ElementFrame& element) {
     std::vector<std::size_t> sizes;
@@ -74,7 +74,7 @@ Extremes extremes_of(const Frame& start, const Frame& end, const FieldFrame& fie
       found.displaced_from = displaced.from;
       found.displaced_element = index;
     }
-    // What a cut leaves is less for another reason.
+    // An element that was cut is smaller for another reason.
     const bool is_whole = first != nullptr && first->mass == end.elements[e].mass;
     const double area_share = is_whole ? end.elements[e].area / first->area : 1;
     if (area_share < found.area_share) {

@@ -1,4 +1,4 @@
-// What a run came to in a few numbers: how far anything moved, and between which stresses everything lies.
+// Summarises a run in a few numbers: the greatest displacement, and the range of stresses.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,18 +10,18 @@
 
 namespace keyblock {
 
-/// The least and the greatest principal stress, tension positive.
+/// Returns the least and the greatest principal stress, tension positive.
 std::pair<double, double> principal(const Stress& stress);
 
-/// Of the greatest principal stress in the plane, from the x axis to the left, rad: tan 2θ = 2 σxy / (σxx − σyy) (Mohr
-/// 1882).
+/// Returns the angle of the greatest principal stress in the plane, from the x axis to the left [rad]: tan 2θ = 2 σxy /
+/// (σxx − σyy) (Mohr 1882).
 double principal_angle(const Stress& stress);
 
 struct Extremes {
   double displacement = 0;     ///< greatest of a corner
-  int displaced_element = 0;   ///< whose vertex that is, its number from 0
-  Point displaced_from = {};   ///< where that vertex was drawn, or began; of a piece without a start its centroid
-  double least_stress = 0;     ///< principal, tension positive, of the mean stresses of elements
+  int displaced_element = 0;   ///< element of that corner, its number from 0
+  Point displaced_from = {};   ///< initial or drawn place of that corner; centroid of a piece without a start
+  double least_stress = 0;     ///< principal, tension positive, of mean stresses of elements
   int compressed_element = 0;  ///< number from 0
   double greatest_stress = 0;
   int stretched_element = 0;
@@ -29,7 +29,7 @@ struct Extremes {
   int crushed_element = 0;
 };
 
-/// Where the rock has flowed most, and how much of it has.
+/// Place of the greatest plastic strain, and the totals of plastic flow.
 struct PlasticExtremes {
   PlasticTotals totals;
   double equivalent = 0;  ///< greatest equivalent plastic strain at the centroid of an element
@@ -37,13 +37,13 @@ struct PlasticExtremes {
   Point place = {};       ///< of the centroid
 };
 
-/// None where no rock may yield.
+/// Returns nothing if no rock may yield.
 std::optional<PlasticExtremes> plastic_extremes_of(const Frame& end);
 
-/// Of the instant `end` of a run that began with `start`; elements are known by their numbers. Without any, all zero
-/// and the share of area 1. `field`: the same instant within the elements, whose displacements count from where these
-/// were drawn, as histories and pictures do; without elements they count from `start`, to which a start in equilibrium
-/// has moved them.
+/// Returns the extremes of the instant `end` of a run that began with `start`; elements are matched by number. Without
+/// elements all are zero and the share of area is 1. `field`: the same instant within the elements. Its displacements
+/// count from the drawing, as in histories and pictures. Without it they count from `start`, to which an initial
+/// equilibrium has moved the elements.
 Extremes extremes_of(const Frame& start, const Frame& end, const FieldFrame& field = {});
 
 }  // namespace keyblock

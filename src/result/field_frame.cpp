@@ -1,4 +1,4 @@
-// Bodies are numbered without a gap.
+// Counts bodies, which are numbered without gaps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/field_frame.hpp"
 

@@ -1,4 +1,4 @@
-// What is left of forces that should balance.
+// Computes the remainder of forces that should balance.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/force_balance.hpp"
 

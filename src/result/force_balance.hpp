@@ -1,4 +1,4 @@
-// All forces on bodies on covers together, by where they come from.
+// Sums all forces on NMM bodies by their source.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace keyblock {
 
-/// Forces summed, and their moment about the origin (counter-clockwise).
+/// Sum of forces, and of their moments about the origin (counter-clockwise).
 struct Resultant {
   Point force;
   double moment = 0;
@@ -23,13 +23,13 @@ struct Resultant {
   }
 };
 
-/// The forces on all bodies together and their moments about the origin: they add up to nothing.
+/// Forces on all bodies together and their moments about the origin, which should add up to zero.
 struct ForceBalance {
   Resultant loads;
   Resultant springs;
-  std::vector<Resultant> supports;  ///< one a prescribed displacement
+  std::vector<Resultant> supports;  ///< one per prescribed displacement
 
-  /// What is left of all forces, over the largest of them; where there is none, what is left.
+  /// Returns the sum of all forces over the largest of them, or the sum itself if all are zero.
   double unbalanced() const;
 };
 

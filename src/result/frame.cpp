@@ -1,4 +1,4 @@
-// Looks where the element would be if nothing had changed, then everywhere.
+// Looks for an element at its unchanged index first, then everywhere.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/frame.hpp"
 

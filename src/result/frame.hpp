@@ -1,4 +1,4 @@
-// One reported instant of a run: where every element is and what it carries.
+// Holds one reported instant of a run: the place and state of every element.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace keyblock {
 
-/// One element (a block) at an instant.
+/// Element (a block) at an instant.
 struct ElementFrame {
   std::vector<std::vector<Point>> loops;  ///< outer loop first (counter-clockwise), then holes (clockwise)
   int material = 0;                       ///< block material, index from 0
@@ -26,37 +26,37 @@ struct ElementFrame {
   double area = 0;
   double mass = 0;               ///< density times the area at the start, per unit thickness
   double moment_of_inertia = 0;  ///< about the centroid, at the start
-  int number = -1;               ///< of the element for the whole run, from 0; below 0: its index in the frame
-  int origin = -1;               ///< number of the element of the first scene that it is a piece of; below 0: its own
-  Rare<PlasticState> plastic = {};  ///< at the centroid; none of rock that cannot yield
+  int number = -1;               ///< of the element for the whole run, from 0; negative: its index in the frame
+  int origin = -1;               ///< number of the element of the first scene that it is a piece of; negative: its own
+  Rare<PlasticState> plastic = {};  ///< at the centroid; empty for rock that cannot yield
 };
 
-/// A point that travels with an element.
+/// Point that moves with an element.
 struct PointFrame {
   Point position;
   Point displacement;               ///< since the start
   int element = 0;                  ///< its number, from 0
-  int number = -1;                  ///< of a measured point for the whole run, from 0; below 0: its index in the frame
-  Stress stress = {};               ///< of the element, on covers that at the point
-  Rare<PlasticState> plastic = {};  ///< likewise; none of rock that cannot yield
+  int number = -1;                  ///< of a measured point for the whole run, from 0; negative: its index in the frame
+  Stress stress = {};               ///< of the element; on covers at the point
+  Rare<PlasticState> plastic = {};  ///< as the stress; empty for rock that cannot yield
 };
 
-/// Whether the point was there at that instant: what a change of the scene took away has no place.
+/// Returns true if the point existed at that instant; a point removed by a change of the scene has no position.
 inline bool is_there(const PointFrame& point) {
   return !std::isnan(point.position.x);
 }
 
-/// A bolt between two elements.
+/// Bolt between two elements.
 struct BoltFrame {
   Point first;
   Point second;
   double force = 0;  ///< tension positive
   bool is_broken = false;
-  int number = -1;        ///< of the bolt for the whole run, from 0; below 0: its index in the frame
-  std::string name = {};  ///< of a case file; empty: none
+  int number = -1;        ///< of the bolt for the whole run, from 0; negative: its index in the frame
+  std::string name = {};  ///< from a case file; empty: none
 };
 
-/// What pulls at a crack tip at the end of a step, and where the tip goes on.
+/// Stress intensity of a crack tip at the end of a step, and its direction of propagation.
 struct TipState {
   int crack = 0;        ///< its number, from 0: those of the case file in their order, then joints that end inside
   bool at_end = false;  ///< the tip is the last point of the crack, else the first
@@ -66,9 +66,9 @@ struct TipState {
   double mode_2 = 0;
   double energy_release = 0;  ///< J, F/L
   double equivalent = 0;      ///< K_eq of the criterion of growth, F/L^1.5
-  double kink = 0;            ///< rad, from straight ahead to the left: where it goes on
-  double toughness = 0;       ///< K_Ic; 0: the rock has none
-  bool has_room = true;       ///< false: no domain about the tip is free of other lines, and the factors are none
+  double kink = 0;            ///< rad, from straight ahead to the left: direction of propagation
+  double toughness = 0;       ///< K_Ic; 0: not given
+  bool has_room = true;       ///< false: no domain around the tip is free of other lines, and there are no factors
   bool goes_on = false;
   bool is_shear = false;  ///< of a crack that started in shear
 
@@ -84,31 +84,31 @@ struct Frame {
   std::vector<PointFrame> loading_points;
   std::vector<PointFrame> measured_points;
   std::vector<BoltFrame> bolts;
-  std::vector<std::vector<Point>> outlines = {};  ///< around bodies of many elements; none where each element is one
-  std::vector<Point> reactions = {};              ///< force of each prescribed displacement on the bodies it holds
-  std::optional<PlasticTotals> plastic = {};      ///< none where no rock may yield
+  std::vector<std::vector<Point>> outlines = {};  ///< around bodies of many elements; empty if each element is a body
+  std::vector<Point> reactions = {};              ///< force of each prescribed displacement on the bodies it supports
+  std::optional<PlasticTotals> plastic = {};      ///< empty if no rock may yield
   std::vector<TipState> tips = {};                ///< of cracks of the case file, and of those that grow
-  double load_factor = 1;  ///< by which growth multiplied all loads of the file, so that a tip is about to go on
+  double load_factor = 1;  ///< by which growth multiplied all loads of the file, so that a tip is about to propagate
 };
 
-/// What the element at an index of the frame is called for the whole run, and what it is a piece of.
+/// Returns the number of the element at an index of the frame for the whole run, and that of its origin.
 int number_of(const Frame& frame, std::size_t index);
 int origin_of(const Frame& frame, std::size_t index);
 
-/// The element of this number; none where it is not there. Looks through all, where elements went or came.
+/// Returns the element of this number, or null if it is absent. It searches all if elements went or came.
 const ElementFrame* element_of(const Frame& frame, int number);
 
-/// The same for many: views the frame.
+/// Finds many elements by number. Keeps a reference to the frame.
 class ElementsByNumber {
  public:
   explicit ElementsByNumber(const Frame& frame);
   const ElementFrame* find(int number) const;
 
  private:
-  std::vector<const ElementFrame*> elements_;  ///< none where no element has that number
+  std::vector<const ElementFrame*> elements_;  ///< null if no element has that number
 };
 
-/// The measured point of this number; none where it is not there.
+/// Returns the measured point of this number, or null if it is absent.
 const PointFrame* measured_point_of(const Frame& frame, int number);
 
 }  // namespace keyblock

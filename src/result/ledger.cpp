@@ -1,4 +1,4 @@
-// Sums of the ledger and how well they close.
+// Sums the energy balance and computes its closure.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/ledger.hpp"
 

@@ -1,4 +1,4 @@
-// The way of one measured point as Berkeley's program recorded it.
+// Holds the path of one measured point in the form of the Berkeley program.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace keyblock {
 
-/// One row: the end of a step.
+/// Row: the end of a step.
 struct MeasuredRow {
   int step = 0;
   double time = 0;

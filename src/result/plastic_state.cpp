@@ -1,4 +1,4 @@
-// Plastic strain turned into the axes of the plane, and areas summed; see plastic_state.hpp.
+// Rotates plastic strain into the axes of the plane, and sums areas; see plastic_state.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/plastic_state.hpp"
 

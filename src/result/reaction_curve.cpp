@@ -1,4 +1,4 @@
-// Rows that go further than those before, compared two by two; see reaction_curve.hpp.
+// Compares successive rows with growing displacement; see reaction_curve.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/reaction_curve.hpp"
 
@@ -8,10 +8,10 @@
 namespace keyblock {
 namespace {
 
-// Relative change of the reaction over that of the displacement: twice as far, it is 0.35 % more at most.
+// Relative change of the reaction over that of the displacement: at twice the displacement it grows by 0.35 % at most.
 constexpr double kSmallSlope = 0.005;
-constexpr std::size_t kFewest = 3;  // rows that make a plateau
-// Least length of a plateau over the displacement at its begin: a shorter one may be a kink of the curve.
+constexpr std::size_t kFewest = 3;  // rows in a plateau
+// Least length of a plateau over the displacement at its start; a shorter one may be a kink of the curve.
 constexpr double kFurther = 0.1;
 
 bool has(const HistoryRow& row, std::size_t number) {
@@ -41,7 +41,7 @@ std::vector<ReactionCurve> reaction_curves(const History& history) {
     ReactionCurve curve;
     curve.number = number;
     const Point end = last.reactions[number];
-    constexpr double kAlike = 0.01;  // of a symmetric edge both are as great, but for the mesh
+    constexpr double kAlike = 0.01;  // both components of a symmetric edge are equal up to the mesh
     curve.component = std::abs(end.y) > (1 + kAlike) * std::abs(end.x) ? 'y' : 'x';
     curve.is_at_end = false;
     for (const HistoryRow& row : history.rows) {

@@ -1,4 +1,4 @@
-// How a run was started, where that is more than taking the file's word.
+// Reports the initial state of a run, if it is more than that of the file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,11 +8,11 @@ namespace keyblock {
 
 struct StartReport {
   std::string made = "as the file has it";
-  std::string balanced;    ///< what carries the loads of t = 0, in a sentence; empty where nothing was balanced
-  std::string why;         ///< it was not the start asked for; empty if it was
-  double misfit = 0;       ///< compatible start: what is left of the gaps that shifts were to close, as a share of them
+  std::string balanced;    ///< carrier of the loads of t = 0, in a sentence; empty if nothing was balanced
+  std::string why;         ///< reason why it is not the requested initial state; empty if it is
+  double misfit = 0;       ///< compatible start: remainder of the gaps that shifts should close, relative to them
   int unsolved_steps = 0;  ///< settling: steps that found no forces and changed nothing
-  /// What starts suddenly though a balance of it was sought, and why; empty where nothing does.
+  /// Bodies that are suddenly loaded although an equilibrium was sought, and the reason; empty without any.
   std::string unbalanced = {};
 };
 

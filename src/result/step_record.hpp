@@ -1,4 +1,4 @@
-// What is kept of the steps of a run: sums of all, and a bounded number of rows.
+// Records the steps of a run: sums over all, and a bounded number of rows.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace keyblock {
 
-/// Residual of a step whose forces count as out of balance: under `standard` a share of the largest load. The solver
-/// finds forces to 1e-6 and better.
+/// Residual above which the forces of a step count as unbalanced: under `standard` a share of the largest load. The
+/// solver finds forces to 1e-6 and better.
 inline constexpr double kUnbalanced = 1e-4;
 
-/// Of all steps told so far.
+/// Sums over all steps added so far.
 struct StepTotals {
   int steps = 0;
   int most_contacts = 0;
@@ -23,7 +23,7 @@ struct StepTotals {
   int fallbacks = 0;
   std::size_t passes = 0;
   int most_passes = 0;
-  /// The most passes of the steps of each bin of the histogram; those of the last have more.
+  /// Largest number of open–close iterations in each bin of the histogram; steps in the last bin have more.
   static constexpr std::array<int, 4> pass_limits{0, 3, 10, 40};
   std::array<int, pass_limits.size() + 1> steps_by_passes{};
   int unresolved_parts = 0;
@@ -41,7 +41,7 @@ struct StepTotals {
   void add(const StepReport& step);
 };
 
-/// Steps that someone may ask for by what was worst in them.
+/// Extreme values of a step; the steps with the worst of them are kept.
 struct StepExtremes {
   using Value = double (*)(const StepReport&);
   static constexpr std::array<Value, 8> values{[](const StepReport& s) { return -s.dt; },

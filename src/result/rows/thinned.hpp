@@ -1,4 +1,4 @@
-// Keeps a bounded number of the rows that a long run tells, the same ones whether it was interrupted or not.
+// Keeps a bounded number of rows of a long run, the same for interrupted and uninterrupted runs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,16 +11,16 @@
 
 namespace keyblock {
 
-/// Rows of steps to be kept of one table, beside the extremes and the last.
+/// Rows of steps kept in one table, besides the extremes and the last.
 constexpr int kMostRows = 5'000;
 
-/// The stride under which a run of so many steps leaves at most kMostRows: 1, where it has no more.
+/// Returns the stride with which a run of so many steps keeps at most kMostRows: 1 if it has no more.
 constexpr int stride_of(int steps) {
   return std::max(1, (steps + kMostRows - 1) / kMostRows);
 }
 
-/// Rows with a number `step`, in rising order: every `stride`-th, the last, and the first row of the greatest value of
-/// each of `Extremes`: functions of a row.
+/// Rows with a number `step`, ascending. It keeps every `stride`-th row, the last, and the first row with the greatest
+/// value of each of `Extremes`, which are functions of a row.
 template <class Row, class Extremes>
 class Thinned {
  public:
@@ -37,10 +37,10 @@ class Thinned {
       if (Extremes::values[i](row) > Extremes::values[i](extremes_[i])) extremes_[i] = row;
   }
 
-  /// The last row added; none before the first. Valid until the next one.
+  /// Returns the last row added, or null before the first. Valid until the next one.
   const Row* last() const { return last_.empty() ? nullptr : &last_.back(); }
 
-  /// The rows kept, each once, in the order of steps. A new list: references into it end with it.
+  /// Returns the kept rows, each once, in the order of steps. The list is new: references into it end with it.
   std::vector<Row> rows() const {
     std::vector<Row> rows = even_;
     rows.insert(rows.end(), extremes_.begin(), extremes_.end());
@@ -63,8 +63,8 @@ class Thinned {
  private:
   int stride_;
   std::vector<Row> even_;
-  std::vector<Row> extremes_;  ///< none, where the stride is 1
-  std::vector<Row> last_;      ///< one, once there is any
+  std::vector<Row> extremes_;  ///< empty if the stride is 1
+  std::vector<Row> last_;      ///< one row, after the first
 };
 
 }  // namespace keyblock
