@@ -1,4 +1,4 @@
-// Columns found by name, filled or emptied from the front.
+// Finds columns by name, and fills or empties them from the front.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/archive.hpp"
 

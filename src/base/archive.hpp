@@ -1,4 +1,4 @@
-// What has to outlive the program, listed once for both ways: the same lines save and restore.
+// Saves and restores the state of the program: the same lines of code list the values for both directions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,19 +15,19 @@
 
 namespace keyblock {
 
-/// A tree of named columns. The rows of a list add one after another to the same columns.
+/// Tree of named columns. The rows of a list append one after another to the same columns.
 struct ArchiveNode {
   using Column = std::variant<std::monostate, std::vector<double>, std::vector<std::int64_t>, std::vector<std::string>>;
 
   std::string name;
-  Column column;  ///< of a leaf
+  Column column;  ///< in a leaf
   std::vector<std::unique_ptr<ArchiveNode>> children;
-  std::size_t taken = 0;  ///< values of the column that were restored
-  std::size_t next = 0;   ///< the child to look at first: members come in the same order every time
+  std::size_t taken = 0;  ///< number of restored values of the column
+  std::size_t next = 0;   ///< the child to try first: members come in the same order every time
 };
 
-/// Saves what it is shown, or puts the saved values in its place, bit for bit. Restoring throws InputError, which names
-/// the file and the column, where a value is missing, of another kind or out of its bounds.
+/// Saves values passed to it, or replaces them by the saved ones, bit for bit. Restoring throws InputError, with the
+/// file and the column, if a value is missing, of another kind or out of its bounds.
 class Archive {
  public:
   Archive();
@@ -42,22 +42,22 @@ class Archive {
   void value(std::string_view name, std::string& text);
   void value(std::string_view name, std::size_t& number);
 
-  /// An enumeration from 0 to `last`.
+  /// Saves or restores an enumeration from 0 to `last`.
   template <class E>
   void choice(std::string_view name, E& chosen, E last) {
     chosen = static_cast<E>(bounded(name, static_cast<std::int64_t>(chosen), 0, static_cast<std::int64_t>(last)));
   }
 
-  /// Restored: none, or below `end`.
+  /// Saves or restores an index; a restored one must be unset or below `end`.
   template <class I>
   void index(std::string_view name, I& index, I end) {
     index.value = static_cast<int>(bounded(name, index.value, -1, end.value - 1));
   }
 
-  /// All numbers of something whose size the model gives; another size is an error.
+  /// Saves or restores all numbers of an item whose size the model gives; another size is an error.
   void values(std::string_view name, std::span<double> numbers);
 
-  /// Numbers without a size of their own.
+  /// Saves or restores a list of numbers with its size.
   void numbers(std::string_view name, std::vector<double>& numbers);
 
   template <class Members>
@@ -68,7 +68,7 @@ class Archive {
     here_ = above;
   }
 
-  /// Rows of something whose length the model gives; another length is an error.
+  /// Saves or restores rows of an item whose length the model gives; another length is an error.
   template <class Rows, class Describe>
   void table(std::string_view name, Rows& rows, const Describe& describe_row) {
     group(name, [&] {
@@ -77,7 +77,7 @@ class Archive {
     });
   }
 
-  /// Rows without a length of their own. Room is made row by row, as long as there are values for them.
+  /// Saves or restores rows with their number. Memory grows row by row, as long as there are values for them.
   template <class Rows, class Describe>
   void list(std::string_view name, Rows& rows, const Describe& describe_row) {
     group(name, [&] {
@@ -90,7 +90,7 @@ class Archive {
     });
   }
 
-  /// Entries of a map.
+  /// Saves or restores the entries of a map.
   template <class Map, class Describe>
   void map(std::string_view name, Map& entries, const Describe& describe_entry) {
     group(name, [&] {

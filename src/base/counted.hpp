@@ -1,4 +1,4 @@
-// Numbers of things in messages.
+// Formats a count with its noun: "1 block", "3 blocks".
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// "1 block", "3 blocks".
+/// Returns "1 block", "3 blocks".
 inline std::string counted(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }

@@ -1,4 +1,4 @@
-// Wording of places, input errors and warnings, so that every message of the program has one form.
+// Formats places, input errors and warnings, so that every message of the program has one form.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/error.hpp"
 

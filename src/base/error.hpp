@@ -1,4 +1,4 @@
-// What can go wrong with input, the command line and output: the errors that stop a run, the warnings that do not.
+// Defines errors of input, command line and output, which stop a run, and warnings, which do not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// The name of a file, held once for all the places in it: a problem has one for every line of its drawing.
+/// Name of a file, stored once for all places in it: a problem has one for every line of its drawing.
 class FileName {
  public:
   FileName() = default;
@@ -28,7 +28,7 @@ class FileName {
   std::shared_ptr<const std::string> text_;
 };
 
-/// A place in a text file; line and column count from 1, 0 means "the file as a whole".
+/// Place in a text file; line and column count from 1, 0 means "the file as a whole".
 struct Place {
   FileName file;
   int line = 0;
@@ -37,10 +37,10 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
-/// "file:line:column", shortened where line or column is unknown.
+/// Returns "file:line:column", shortened if line or column is unknown.
 std::string to_string(const Place& place);
 
-/// Input that cannot be used. `what()` is `file:line:column: error: expected …, found …`; exit code 3.
+/// Unusable input. `what()` is `file:line:column: error: expected …, found …`; exit code 3.
 class InputError : public std::runtime_error {
  public:
   InputError(Place place, const std::string& sentence);
@@ -53,7 +53,8 @@ class InputError : public std::runtime_error {
   std::string sentence_;
 };
 
-/// Odd but usable input: `name` is a stable identifier (snake_case) by which warnings are counted and tested.
+/// Usable input that is likely a mistake. `name` is a stable identifier (snake_case) by which warnings are counted and
+/// tested.
 struct Warning {
   std::string name;
   Place place;
@@ -64,27 +65,27 @@ struct Warning {
 
 using Warnings = std::vector<Warning>;
 
-/// Adds a warning about one record of many. A list that holds `kMostWarnings` takes one more, which says that the rest
-/// is not listed, and then none: a file may be odd in every record.
+/// Adds a warning about one record of many. A list that holds `kMostWarnings` takes one more, which states that the
+/// rest is not listed. It then takes no more, because a file may have a mistake in every record.
 void add_warning(Warnings& warnings, Warning warning);
 inline constexpr std::size_t kMostWarnings = 1000;
 
-/// Both lists, in that order.
+/// Returns both lists, in that order.
 inline Warnings joined(Warnings first, const Warnings& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }
 
-/// `file:line:column: level: sentence [name]`, the level of the code: error, warning or note.
+/// Returns `file:line:column: level: sentence [name]`; the level is that of the code: error, warning or note.
 std::string to_string(const Warning& warning);
 
-/// What the user asked for cannot be done as asked; exit code 2.
+/// Request of the user that cannot be fulfilled; exit code 2.
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Results that cannot be written: a disk that is full, a folder taken away during the run; exit code 4.
+/// Results that cannot be written, to a full disk or to a folder removed during the run; exit code 4.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

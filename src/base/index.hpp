@@ -1,4 +1,4 @@
-// Indices that cannot be mixed up: a vertex number is no element number. They count from 0.
+// Defines one index type per table, so that a vertex number cannot be used as an element number. Indices count from 0.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-/// An index into the one table its tag names; the default is "none".
+/// Index into the one table that its tag names; unset by default.
 template <class Tag>
 struct Index {
   int value = -1;
@@ -21,7 +21,7 @@ struct Index {
 using ElementIndex = Index<struct ElementTag>;
 using VertexIndex = Index<struct VertexTag>;
 
-/// A vector that takes only its own kind of index.
+/// Vector that takes only its own kind of index.
 template <class I, class T>
 class Table : public std::vector<T> {
  public:
@@ -29,11 +29,11 @@ class Table : public std::vector<T> {
 
   T& operator[](I index) { return std::vector<T>::operator[](static_cast<std::size_t>(index.value)); }
   const T& operator[](I index) const { return std::vector<T>::operator[](static_cast<std::size_t>(index.value)); }
-  /// One past the last index.
+  /// Returns the index after the last.
   I end_index() const { return {static_cast<int>(this->size())}; }
 };
 
-/// The indices first … end-1, for range-based loops.
+/// Indices first … end-1, for range-based loops.
 template <class I>
 class IndexRange {
  public:

@@ -1,4 +1,4 @@
-// Transparent huge pages of Linux; elsewhere nothing.
+// Uses transparent huge pages of Linux; does nothing on other systems.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/large_pages.hpp"
 

@@ -1,4 +1,5 @@
-// Room for long lists in large pages: of a hundred megabytes in small ones, a third of the time goes into page faults.
+// Reserves memory of long lists in large pages. With small pages, a third of the time for a hundred megabytes is spent
+// on page faults.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,11 +7,10 @@
 
 namespace keyblock {
 
-/// Asks the system to back that room, not yet touched, by large pages where it is long enough. Never fails: it is
-/// advice.
+/// Advises the system to back this untouched memory by large pages, if it is long enough. Never fails.
 void advise_large_pages(void* room, std::size_t bytes);
 
-/// `list.reserve(count)` in large pages.
+/// Calls `list.reserve(count)` with large pages.
 template <typename List>
 void reserve_large(List& list, std::size_t count) {
   list.reserve(count);

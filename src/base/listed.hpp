@@ -1,4 +1,4 @@
-// Numbers of things in messages, ten of them at most.
+// Formats a list of numbers for messages, at most ten of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// "3, 7, 12", or the first ten and how many there are.
+/// Returns "3, 7, 12", or the first ten and the count.
 template <class Number>
 std::string listed(const std::vector<Number>& numbers) {
   constexpr std::size_t kMost = 10;

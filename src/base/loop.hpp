@@ -1,4 +1,4 @@
-// Loops over blocks and contacts on several threads, with the same result for any number of them.
+// Runs loops over blocks and contacts on several threads, with the same result for any number of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,37 +12,37 @@
 
 namespace keyblock {
 
-/// Threads that share the loops of a context; 0: as many as there are processors. They start with the first loop.
+/// Threads for the loops of a context; 0: as many as there are processors. They start with the first loop.
 struct LoopThreads;
 std::shared_ptr<LoopThreads> loop_threads_of(int count);
 
-/// As many as the context of the calling thread has.
+/// Returns the number of threads of the calling thread's context.
 int loop_threads();
 
-/// Entries of a range. Ranges do not depend on threads, so that sums over them do not either.
+/// Entries per range. Ranges do not depend on threads, so sums over them do not either.
 inline constexpr std::size_t kLoopRange = 256;
 
 inline std::size_t range_count(std::size_t count) {
   return (count + kLoopRange - 1) / kLoopRange;
 }
 
-/// What an entry takes: `heavy` a tenth of a microsecond and more (a product of blocks, a contact), `light` a few
-/// nanoseconds (a sum of vectors). Fewer ranges than `worth_waking` are done by the caller alone: waking threads would
-/// take as long.
+/// Cost of an entry: `heavy` is a tenth of a microsecond and more (a product of blocks, a contact), `light` a few
+/// nanoseconds (a sum of vectors). The caller alone handles fewer ranges than `worth_waking`, because waking threads
+/// would take as long.
 enum class Work { heavy, light };
 constexpr std::size_t worth_waking(Work weight) {
   return weight == Work::light ? 32 : 4;
 }
 
-/// Does `work(range, begin, end)` for all ranges of 0 … count − 1, in any order and at once. An exception is thrown
-/// again when all are done, that of the lowest range. `base/parallel` is for whole jobs instead: files, runs.
+/// Calls `work(range, begin, end)` for all ranges of 0 … count − 1, in any order and in parallel. After all are done it
+/// rethrows the exception of the lowest range. `base/parallel` is for whole jobs instead: files, runs.
 void for_ranges(std::size_t count, const std::function<void(std::size_t, std::size_t, std::size_t)>& work,
                 Work weight = Work::heavy);
 
-/// Does `work(i)` for 0 … count − 1, which must not depend on each other.
+/// Calls `work(i)` for 0 … count − 1; calls must not depend on each other.
 template <class Each>
 void for_each_entry(std::size_t count, const Each& each, Work weight = Work::heavy) {
-  if (range_count(count) < worth_waking(weight)) {  // most loops of small scenes: no function is wrapped
+  if (range_count(count) < worth_waking(weight)) {  // most loops of small scenes: wraps no function
     for (std::size_t i = 0; i < count; ++i) each(i);
     return;
   }
@@ -54,13 +54,13 @@ void for_each_entry(std::size_t count, const Each& each, Work weight = Work::hea
       weight);
 }
 
-/// The same for the indices of a table.
+/// Calls `each` for all indices of a table.
 template <class I, class T, class Each>
 void for_each_index(const Table<I, T>& table, const Each& each) {
   for_each_entry(table.size(), [&](std::size_t i) { each(I{static_cast<int>(i)}); });
 }
 
-/// Several sums over `term(i)`, an array of `N` each, with one order of addition. A term may write what belongs to its
+/// Returns several sums over `term(i)`, an array of `N` each, with one order of addition. A term may write data of its
 /// own i.
 template <std::size_t N, class Term>
 std::array<double, N> sums_over(std::size_t count, const Term& term, Work weight = Work::heavy) {

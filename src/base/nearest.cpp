@@ -1,4 +1,4 @@
-// Row by row of the table of prefixes; three rows are enough.
+// Fills the table of prefixes row by row; three rows are enough.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/nearest.hpp"
 

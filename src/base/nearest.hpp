@@ -1,4 +1,4 @@
-// What a misspelt name was meant to be.
+// Suggests the correct name for a misspelt one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,14 +8,15 @@
 
 namespace keyblock {
 
-/// Letters to put in, take out, exchange or swap with the next one that make `a` of `b` (Damerau 1964, each place
-/// changed once).
+/// Returns the number of letters to insert, remove, replace or swap with the next one that turns `a` into `b` (Damerau
+/// 1964, each place changed once).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The name fewest changes away; empty where more than a third of its letters would change. Of equals the first.
+/// Returns the name with the fewest changes, the first of equals; empty if more than a third of its letters would
+/// change.
 std::string nearest(std::string_view name, const std::vector<std::string>& names);
 
-/// `; did you mean "…"?`, or nothing.
+/// Returns `; did you mean "…"?`, or an empty text.
 std::string nearest_words(std::string_view name, const std::vector<std::string>& names);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// A counter that the threads share.
+// Distributes work by a counter that the threads share.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/parallel.hpp"
 

@@ -1,4 +1,4 @@
-// Byte by byte; see printable.hpp.
+// Reads texts byte by byte; see printable.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/printable.hpp"
 
@@ -11,14 +11,15 @@ unsigned char byte(char c) {
   return static_cast<unsigned char>(c);
 }
 
-/// Bytes of a character by its first; 0 where none begins so.
+/// Returns the number of bytes of a character with this first byte; 0 if no character begins so.
 std::size_t size_by_first(unsigned char first) {
   if (first < 0x80) return 1;
   if (first < 0xc2 || first > 0xf4) return 0;
   return first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
 }
 
-/// Bytes of the character that begins the text; 0 where none does (RFC 3629: no overlong form, no surrogate).
+/// Returns the number of bytes of the character at the start of the text. Returns 0 without one (RFC 3629: no overlong
+/// form, no surrogate).
 std::size_t character_size(std::string_view text) {
   const unsigned char first = byte(text[0]);
   const std::size_t size = size_by_first(first);
@@ -31,7 +32,7 @@ std::size_t character_size(std::string_view text) {
   return is_overlong || is_beyond ? 0 : size;
 }
 
-/// In a row: the shortest decimal of any double has fewer, apart from its zeros.
+/// Limit on digits in a row: the shortest decimal of any double has fewer, apart from its zeros.
 constexpr std::size_t kMostDigits = 100;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Names and words of files as they may stand on a terminal and in tables.
+// Makes names and words of files safe for a terminal and for tables.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,14 +7,14 @@
 
 namespace keyblock {
 
-/// The text with its control characters written out, `\x1b`, those of two bytes (U+0080 to U+009F) too: a name in a
-/// file must not clear the screen of who reads it. Of more than 100 digits in a row the first 100 and "…".
+/// Returns the text with its control characters written out as `\x1b`, those of two bytes (U+0080 to U+009F) too. A
+/// name in a file must not clear the reader's screen. Of more than 100 digits in a row it keeps the first 100 and "…".
 std::string printable(std::string_view text);
 
-/// UTF-8, and a text that is none with a question mark in a lozenge (U+FFFD) for each byte that fits nowhere.
+/// Returns valid UTF-8: each byte that belongs to no character becomes a question mark in a lozenge (U+FFFD).
 std::string valid_utf8(std::string_view text);
 
-/// As a cell of a table of comma separated values (RFC 4180): in quotes where it has to be.
+/// Returns the text as a cell of a table of comma-separated values (RFC 4180), in quotes if needed.
 std::string csv_cell(std::string_view text);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Groups of things that turn out to be one; the smallest number of a group stands for it.
+// Unites numbers into groups; the smallest number of a group represents it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,7 +20,7 @@ class UnionFind {
     return i;
   }
 
-  /// False if both are of one group already.
+  /// Unites the groups of both; returns false if they are in one group already.
   bool unite(int a, int b) {
     const auto [low, high] = std::minmax({find(a), find(b)});
     parent_[high] = low;

@@ -1,4 +1,4 @@
-// A maximum that propagates NaN: std::max drops it or keeps it by the order of its arguments.
+// Returns the larger of two errors; NaN always wins. (`std::max` keeps or drops NaN depending on argument order.)
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-/// The greater of two measures of error; one that is no number is the worst of all and stays.
+/// Returns the greater of two measures of error, or NaN if either is NaN.
 inline double worse(double a, double b) {
   return b <= a ? a : std::isnan(a) ? a : b;
 }
