@@ -1,4 +1,4 @@
-// Left-looking: a column is what was added to it less the products of all columns before it that reach it.
+// Factorises left-looking: subtracts from each column the products of all earlier columns that reach it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/block_factor.hpp"
 
@@ -27,7 +27,7 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-// Lists of columns, each filed under the row that it reaches next.
+// Lists of columns, each under the row that it reaches next.
 class Reaching {
  public:
   explicit Reaching(const BlockPattern& pattern)
@@ -81,7 +81,7 @@ class KernelOf : public BlockFactor::Kernel {
     fill_up();
   }
 
-  // Ones on the diagonal of what smaller blocks leave of a whole one.
+  // Sets ones on the diagonal of the padding of smaller blocks.
   void fill_up() {
     for (std::size_t i = 0; i < sizes_.size(); ++i)
       diagonal_[at(pattern_->place(static_cast<int>(i)))].square().diagonal().tail(N - sizes_[i]).setOnes();
@@ -98,11 +98,11 @@ class KernelOf : public BlockFactor::Kernel {
       add(block.transpose(), (is_symmetric() ? lower_ : upper_)[at(pattern_->entry(b, a))].square());
   }
 
-  // A pivot is split in two: of column j, `lower_` becomes L (rows below) and `upper_` the transposed rows of U to the
+  // Factorises each pivot. Of column j, `lower_` becomes L (rows below) and `upper_` the transposed rows of U to the
   // right.
   bool factorise() override {
     Reaching reaching(*pattern_);
-    std::vector<int> places(diagonal_.size());  // entry of each row in the column at hand
+    std::vector<int> places(diagonal_.size());  // entry of each row in the present column
     for (int j = 0; j < pattern_->block_count(); ++j) {
       leave_if_stopped();
       const int begin = pattern_->begin(j);
@@ -147,14 +147,14 @@ class KernelOf : public BlockFactor::Kernel {
   }
 
  private:
-  // P = L U of a pivot block: their inverses with the sign that a product wants, that of L with its rows exchanged and
-  // transposed. The inverse of P itself would lose as many figures as the block has between its stiffest and its
-  // softest unknown.
+  // Inverses of the factors of a pivot block P = L U, with the sign needed for products; that of L has its rows
+  // permuted and is transposed. The inverse of P itself would lose as many digits as separate its stiffest unknown from
+  // its softest.
   struct Pivot {
     Padded<N> minus_lower_inverse;
     Padded<N> minus_upper_inverse;
 
-    // False if it is singular, or not positive where it is said to be symmetric.
+    // Returns false if the block is singular, or not positive definite though `is_symmetric`.
     bool factorise(const Square& block, bool is_symmetric) {
       if (is_symmetric) {
         const Eigen::LLT<Square> cholesky(block);
@@ -174,7 +174,7 @@ class KernelOf : public BlockFactor::Kernel {
     }
   };
 
-  // Of a size that the compiler knows, as most are.
+  // Most blocks have this size, which the compiler knows.
   template <class Of, class To>
   static void add(const Of& block, To to) {
     if (block.rows() == N && block.cols() == N)
@@ -183,14 +183,14 @@ class KernelOf : public BlockFactor::Kernel {
       to.topLeftCorner(block.rows(), block.cols()) += block;
   }
 
-  // −a b.
+  // Returns −a b.
   static Padded<N> product(const Padded<N>& a, const Padded<N>& b) {
     Padded<N> c;
     subtract_product<false>(c, a, b);
     return c;
   }
 
-  // What column k, which reaches row j by `reached`, takes from column j.
+  // Subtracts from column j the part of column k, which reaches row j by entry `reached`.
   void subtract(int j, int k, int reached, const std::vector<int>& places) {
     const Padded<N> of_lower = lower_[at(reached)];
     const Padded<N> of_upper = right(reached);
@@ -203,7 +203,7 @@ class KernelOf : public BlockFactor::Kernel {
   }
 
   bool is_symmetric() const { return shape_ == MatrixShape::symmetric; }
-  // An entry of U, transposed.
+  // Returns an entry of U, transposed.
   const Padded<N>& right(int entry) const { return (is_symmetric() ? lower_ : upper_)[at(entry)]; }
 
   std::shared_ptr<const BlockPattern> pattern_;
@@ -213,7 +213,7 @@ class KernelOf : public BlockFactor::Kernel {
   std::vector<Padded<N>> diagonal_;  ///< by place
   std::vector<Pivot> pivots_;        ///< by place, once factorised
   std::vector<Padded<N>> lower_;     ///< by entry
-  std::vector<Padded<N>> upper_;     ///< by entry, transposed; none of a symmetric matrix
+  std::vector<Padded<N>> upper_;     ///< by entry, transposed; empty for a symmetric matrix
 };
 
 }  // namespace
@@ -264,7 +264,7 @@ void FactorStore::give_back(std::unique_ptr<BlockFactor> factor) {
   if (factor->has(pattern_)) spare_ = std::move(factor);
 }
 
-// Blocks of the greatest size, as most are, have one that the compiler knows.
+// Most blocks have the greatest size, which the compiler knows.
 BlockInverse inverse_of(const BlockFactor::Block& block, bool is_symmetric) {
   if (!is_symmetric) {
     BlockInverse made{block.partialPivLu().inverse()};

@@ -1,5 +1,4 @@
-// The one factorisation that is our own: dense blocks of one fixed size, columns from the left, no pivoting between
-// blocks.
+// Factorises sparse matrices of dense blocks of one fixed size: left-looking, without pivoting between blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,13 +11,14 @@
 
 namespace keyblock {
 
-/// Of a symmetric matrix, which must be positive definite, a pair of coupled blocks is added once, either way round,
-/// and the factor has half the work and half the room; of a general one both halves are.
+/// Shape of a matrix. A symmetric one must be positive definite; a pair of coupled blocks is added once, in either
+/// order, and the factor needs half the work and memory. In a general one both halves are added.
 enum class MatrixShape { symmetric, general };
 
-/// A = L U of a sparse block matrix with symmetric pattern whose values need not be symmetric: Coulomb slip is not.
-/// Small blocks make it several times faster than a scalar factor (on a wall of 1,000 blocks 5 times Eigen's, 4 times
-/// CHOLMOD's). Blocks may differ in size up to N = 3 or 6, the smallest that holds all; smaller ones are padded.
+/// Factorisation A = L U of a sparse block matrix with symmetric pattern. Its values need not be symmetric: those of
+/// Coulomb slip are not. Small blocks make it several times faster than a scalar factorisation (on a wall of 1,000
+/// blocks 5 times Eigen's, 4 times CHOLMOD's). Blocks may differ in size up to N = 3 or 6, the smallest that holds all;
+/// smaller ones are padded.
 class BlockFactor {
  public:
   using Block = BlockMatrix::Block;
@@ -29,21 +29,22 @@ class BlockFactor {
   BlockFactor& operator=(BlockFactor&&) noexcept;
   ~BlockFactor();
 
-  /// All values are zero again, of a matrix of this shape.
+  /// Sets all values to zero, for a matrix of this shape.
   void clear(MatrixShape shape);
 
   /// Adds to block (i, j), size(i) × size(j); i and j are equal or coupled in the pattern.
   void add(int i, int j, const Block& block);
 
-  /// Replaces the values by the factor; false if a pivot block is exactly singular or a value is not finite.
+  /// Replaces the values by their factorisation; returns false if a pivot block is exactly singular or a value is not
+  /// finite.
   bool factorise();
 
-  /// b becomes A⁻¹ b. Block i has its rows one after another, block after block.
+  /// Replaces b by A⁻¹ b. The rows of block i are contiguous, block after block.
   void solve(std::span<double> b) const;
 
   bool has(const std::shared_ptr<const BlockPattern>& pattern) const { return pattern_ == pattern; }
 
-  /// Interface of the kernels, one for each size of block.
+  /// Interface of the kernels, one per block size.
   class Kernel;
 
  private:
@@ -51,11 +52,11 @@ class BlockFactor {
   std::unique_ptr<Kernel> kernel_;
 };
 
-/// What a factor leaves to the next one: its pattern, where blocks and couplings are the same, and its room. One at a
-/// time is lent.
+/// Keeps a factorisation for the next one: its pattern, if blocks and couplings are the same, and its memory. It lends
+/// one at a time.
 class FactorStore {
  public:
-  /// A factor whose values are zero.
+  /// Returns a factorisation whose values are zero.
   std::unique_ptr<BlockFactor> take(const std::vector<int>& sizes, const BlockPattern::Pairs& coupled,
                                     MatrixShape shape);
   void give_back(std::unique_ptr<BlockFactor> factor);
@@ -67,8 +68,8 @@ class FactorStore {
   std::unique_ptr<BlockFactor> spare_;
 };
 
-/// Of one block. There is none where it is singular; a block said to be symmetric must be positive definite, another
-/// must answer each of its unknowns by a positive diagonal.
+/// Inverse of one block; `exists` is false if it is singular. A symmetric block must be positive definite; the inverse
+/// of another must have a positive diagonal.
 struct BlockInverse {
   BlockFactor::Block inverse;
   bool exists = true;

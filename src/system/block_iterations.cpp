@@ -1,4 +1,4 @@
-// One instance for each size of block; vectors are padded as the blocks are.
+// Implements the iterations once per block size; vectors are padded as the blocks are.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/block_iterations.hpp"
 
@@ -20,21 +20,21 @@ namespace keyblock {
 
 namespace {
 
-// A correction in single precision ends here, and the residual is formed anew in double: later it would no longer be
-// that of the directions so far, and they were lost (step_bench --side 30 --ratio 100: 1815 iterations with 1e-5, 72
-// with 1e-3, 69 with this).
+// Residual at which a correction in single precision ends and the residual is recomputed in double precision. Later,
+// the directions would not fit the residual and would be lost. Iterations of step_bench --side 30 --ratio 100: 1815
+// with 1e-5, 72 with 1e-3, 69 with this value.
 constexpr double kInnerTolerance = 1e-2;
-// Directions begin anew where the true residual is so many times theirs.
+// Ratio of the true residual to that of the recurrence above which directions begin anew.
 constexpr double kRestartRatio = 2;
-// A correction that finds no smaller residual in so many iterations has come to the end of single precision, or of the
+// Iterations without a smaller residual after which a correction has reached the limit of single precision, or of the
 // matrix.
 constexpr int kIdleIterations = 100;
-// Where a correction leaves more than this share there is no further one.
+// Share of the residual left by a correction above which no further one is made.
 constexpr double kLeastGain = 0.5;
-// Where there is no further one, a residual that is this little short of the goal is taken.
+// Factor on the target within which a residual is accepted if no further correction is made.
 constexpr double kShortOfGoal = 10;
 constexpr float kFirstShift = 1e-3F;
-constexpr float kLastShift = 1;  // a diagonal raised by half and still no factor: the matrix is not positive definite
+constexpr float kLastShift = 1;  // the matrix is not positive definite if a shift up to this one gives no factorisation
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -63,7 +63,7 @@ struct Rows {
     const auto first = columns.begin();
     return static_cast<int>(std::lower_bound(first + begin[at(i)], first + begin[at(i) + 1], i) - first);
   }
-  // Row i of A x.
+  // Returns row i of A x.
   PaddedVector<N, Real> times(int i, const std::vector<PaddedVector<N, Real>>& x) const {
     PaddedVector<N, Real> sum;
     for (int e = begin[at(i)]; e < begin[at(i) + 1]; ++e) sum.add(1, blocks[at(e)] * x[at(columns[at(e)])]);
@@ -71,7 +71,7 @@ struct Rows {
   }
 };
 
-// Entries over `scale`, blocks that are smaller filled up with ones on the diagonal.
+// Returns the entries over `scale`; smaller blocks are padded with ones on the diagonal.
 template <int N, class Real, class Block>
 Padded<N, Real> padded(const Block& block, double scale) {
   Padded<N, Real> all;
@@ -82,12 +82,12 @@ Padded<N, Real> padded(const Block& block, double scale) {
   return all;
 }
 
-// The matrix with both of its halves, over `scale`.
+// Returns the matrix with both of its halves, over `scale`.
 template <int N, class Real>
 Rows<N, Real> full_rows(const BlockMatrix& matrix, double scale) {
   Rows<N, Real> rows;
   const int count = matrix.block_count();
-  // Blocks left of the diagonal, row by row: those of earlier rows that reach there, which come in ascending order.
+  // Blocks left of the diagonal, row by row, come from the earlier rows that reach there, in ascending order.
   std::vector<int> left(at(count) + 1, 0);
   for (int i = 0; i < count; ++i)
     for (const auto& entry : matrix.row(i))
@@ -134,20 +134,20 @@ Eigen::VectorXd without_padding(const BlockMatrix& matrix, const std::vector<Pad
   return x;
 }
 
-// In single precision: it need not be exact, and is read twice in each iteration.
+// Incomplete factorisation in single precision: it need not be exact, and is read twice in each iteration.
 template <int N>
 class IncompleteFactor {
  public:
   using Square = Padded<N, float>;
   using Vector = PaddedVector<N, float>;
 
-  // Nothing where a pivot is not positive.
+  // Returns nothing if a pivot is not positive.
   static std::optional<IncompleteFactor> of(const Rows<N, float>& a, float shift) {
     IncompleteFactor factor;
     factor.lower_.reserve(at(a.count()), (a.columns.size() - at(a.count())) / 2);
     factor.upper_.reserve((a.columns.size() - at(a.count())) / 2);
     factor.inverse_pivots_.reserve(at(a.count()));
-    std::vector<int> places(at(a.count()), -1);  // of the columns of the row at hand in `raw`
+    std::vector<int> places(at(a.count()), -1);  // of the columns of the present row in `raw`
     std::vector<Square> raw;                     // − L_ij D_j of that row
     for (int i = 0; i < a.count(); ++i) {
       raw.clear();
@@ -179,7 +179,7 @@ class IncompleteFactor {
     return factor;
   }
 
-  // z becomes (L D Lᵀ)⁻¹ r; returns r · z.
+  // Sets z to (L D Lᵀ)⁻¹ r; returns r · z.
   double solve(const std::vector<Vector>& r, std::vector<Vector>& z) const {
     const int count = lower_.count();
     for (int i = 0; i < count; ++i) {
@@ -207,10 +207,10 @@ class IncompleteFactor {
     upper_.push_back(transposed);
   }
 
-  // Of a symmetric block; nothing where it is not positive definite. Written out for a fixed size: Eigen's triangular
-  // solves took half of the time of the whole incomplete factor.
+  // Returns the inverse of a symmetric block, or nothing if it is not positive definite. Written out for a fixed size,
+  // because Eigen's triangular solves took half the time of the whole incomplete factorisation.
   static std::optional<Square> inverse_by_cholesky(const Square& block) {
-    float l[N][N] = {};  // the factor, 1 / l_ii on its diagonal
+    float l[N][N] = {};  // the Cholesky factor, 1 / l_ii on its diagonal
     float m[N][N] = {};  // its inverse
     for (int j = 0; j < N; ++j) {
       float pivot = block.entry(j, j);
@@ -246,7 +246,7 @@ class IncompleteFactor {
   std::vector<Square> inverse_pivots_;
 };
 
-// Of the diagonal: the greatest entry there is of a positive definite matrix.
+// Returns the greatest entry of the diagonal, which is the greatest of a positive definite matrix.
 double greatest_entry(const BlockMatrix& matrix) {
   double greatest = 0;
   for (int i = 0; i < matrix.block_count(); ++i)
@@ -254,7 +254,7 @@ double greatest_entry(const BlockMatrix& matrix) {
   return greatest;
 }
 
-// Conjugate gradients in single precision for A y = r of one residual after another; the search directions go on.
+// Solves A y = r for one residual after another by conjugate gradients in single precision; search directions continue.
 template <int N>
 class InnerGradients {
  public:
@@ -263,7 +263,7 @@ class InnerGradients {
 
   explicit InnerGradients(std::size_t count) : y_(count), z_(count), p_(count), q_(count) {}
 
-  // The unit of the residual becomes so many times as small.
+  // Divides the unit of the residual by this factor.
   void rescale(double factor) {
     if (squared_ == 0) return;
     squared_ *= factor * factor;
@@ -275,7 +275,7 @@ class InnerGradients {
 
   struct Correction {
     int iterations = 0;
-    double residual_norm = 1;  ///< as the recurrence has it
+    double residual_norm = 1;  ///< from the recurrence
   };
 
   // Solves for the unit residual r until its norm is at most `target`, or finds no smaller one.
@@ -328,7 +328,7 @@ class InnerGradients {
   Vectors z_;
   Vectors p_;
   Vectors q_;
-  double squared_ = 0;  ///< r · z of the last iteration; 0 where directions begin
+  double squared_ = 0;  ///< r · z of the last iteration; 0 before the first direction
 };
 
 template <int N>
@@ -339,16 +339,16 @@ std::optional<IncompleteFactor<N>> incomplete_factor(const Rows<N, float>& rows)
   return factor;
 }
 
-// Corrections A y = b − A x, one after another: directions in single precision, which halves what an iteration reads,
-// and each residual from x in double. Beside gradients all in double that costs no iterations at R = 2, a sixth more at
-// R = 100, and two to three times as many where nothing but the factor is of use (random walls whose springs are 1e4 to
-// 1e5 of inertia).
+// Solves corrections A y = b − A x one after another. Directions are in single precision, which halves the memory
+// traffic of an iteration, and each residual of x is in double precision. Compared with gradients all in double
+// precision this adds no iterations at R = 2 and a sixth at R = 100. It needs two to three times as many where only the
+// factorisation is useful (random walls whose springs are 1e4 to 1e5 of inertia).
 template <int N>
 IterationResult gradients(const BlockMatrix& matrix, const Eigen::VectorXd& b, const Eigen::VectorXd& start,
                           const IterationLimits& limits) {
   IterationResult result{start};
   const double size = b.norm();
-  const double scale = greatest_entry(matrix);  // unit of A: the range of single precision is not that of double
+  const double scale = greatest_entry(matrix);  // unit of A, because single precision has a smaller range than double
   if (!(scale > 0) || !std::isfinite(size)) return result;
   const Rows<N, float> rows = full_rows<N, float>(matrix, scale);
   const std::optional<IncompleteFactor<N>> factor = incomplete_factor(rows);
@@ -412,7 +412,7 @@ IterationResult sweeps(const BlockMatrix& matrix, const Eigen::VectorXd& b, cons
   return result;
 }
 
-// Where nothing acts the solution is zero, whatever the matrix.
+// Without a load the solution is zero for any matrix.
 bool is_nothing(const Eigen::VectorXd& b) {
   return (b.array() == 0).all();
 }

@@ -1,4 +1,4 @@
-// Storage of the block matrix: row after row, each with its blocks sorted by column.
+// Stores the block matrix row after row, each with its blocks sorted by column.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/block_matrix.hpp"
 
@@ -47,7 +47,7 @@ void BlockMatrix::add(int i, int j, const Block& addend) {
 
 namespace {
 
-// Adds to y what the blocks of row i give, N × N all of them.
+// Adds to y the products of the blocks of row i, which are all N × N.
 template <int N>
 void add_row(const BlockMatrix& a, int i, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
   using Square = Eigen::Map<const Eigen::Matrix<double, N, N>>;

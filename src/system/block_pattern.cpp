@@ -1,4 +1,4 @@
-// Ordering by Eigen's minimum degree; columns from neighbours and children.
+// Orders by Eigen's minimum degree, and builds columns from neighbours and children.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/block_pattern.hpp"
 

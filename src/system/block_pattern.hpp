@@ -1,4 +1,4 @@
-// Which blocks the factor of a sparse block matrix fills, eliminated in an order that keeps them few.
+// Finds the blocks of the factorisation of a sparse block matrix, in an elimination order that keeps them few.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,25 +7,26 @@
 
 namespace keyblock {
 
-/// Symbolic factor of a block matrix with symmetric pattern: approximate minimum degree on the graph of blocks
-/// (Amestoy, Davis & Duff 1996), then the union of what is eliminated with what it reaches (George & Liu 1981). It
-/// depends on nothing but its arguments, so that a kept one gives the same numbers as a new one.
+/// Symbolic factorisation of a block matrix with symmetric pattern. The order is that of approximate minimum degree on
+/// the graph of blocks (Amestoy, Davis & Duff 1996). Each eliminated column is then united with those it reaches
+/// (George & Liu 1981). It depends only on its arguments, so a stored pattern gives the same numbers as a new one.
 class BlockPattern {
  public:
   using Pairs = std::vector<std::pair<int, int>>;
 
-  /// `coupled`: pairs of different blocks that share an entry, in any order and as often as they come.
+  /// `coupled`: pairs of different blocks that share an entry, in any order, repeated or not.
   BlockPattern(int block_count, const Pairs& coupled);
 
   int block_count() const { return static_cast<int>(place_.size()); }
-  /// When block i is eliminated.
+  /// Returns the elimination step of block i.
   int place(int i) const { return place_[static_cast<std::size_t>(i)]; }
-  /// Entries below the diagonal of the column eliminated at `column`: from `begin(column)` up to `begin(column + 1)`.
+  /// Returns the first entry below the diagonal of the column eliminated at `column`; the last is before `begin(column
+  /// + 1)`.
   int begin(int column) const { return begins_[static_cast<std::size_t>(column)]; }
-  /// Place of the row of an entry, ascending within a column.
+  /// Returns the elimination step of the row of an entry, ascending within a column.
   int row(int entry) const { return rows_[static_cast<std::size_t>(entry)]; }
   int entry_count() const { return begins_.back(); }
-  /// The entry of a coupled pair of places, row > column.
+  /// Returns the entry of a coupled pair of elimination steps, row > column.
   int entry(int row, int column) const;
 
  private:

@@ -1,4 +1,4 @@
-// Small blocks filled up to whole vectors of four numbers: their products are then vector operations alone.
+// Pads small blocks to whole vectors of four numbers, so that their products use vector operations only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace keyblock {
 
-// Each of these functions is part of the loop that calls it, whatever that is compiled with.
+// Each of these functions is inlined in the loop that calls it, with the loop's compiler flags.
 #define KEYBLOCK_INLINE [[gnu::always_inline]] inline
 
 using Four [[gnu::vector_size(32), gnu::may_alias]] = double;
 using FourSingle [[gnu::vector_size(16), gnu::may_alias]] = float;
 using EightSingle [[gnu::vector_size(32), gnu::may_alias]] = float;
 
-/// The vector type for `kRows` numbers of a kind: as many as an instruction takes.
+/// Vector type for `kRows` numbers of a kind: as many as one instruction takes.
 template <class Real, int kRows>
 struct LaneOf;
 template <int kRows>
@@ -41,7 +41,7 @@ KEYBLOCK_INLINE float sum(const EightSingle& v) {
   return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
 }
 
-/// N numbers, and zeros.
+/// N numbers, padded with zeros.
 template <int N, class Real = double>
 struct PaddedVector {
   static constexpr int kRows = (N + 3) / 4 * 4;
@@ -61,7 +61,7 @@ struct PaddedVector {
   }
 };
 
-/// Products entry by entry, as many sums of them as a vector holds.
+/// Returns products entry by entry, summed to one vector.
 template <int N, class Real>
 KEYBLOCK_INLINE auto products(const PaddedVector<N, Real>& a, const PaddedVector<N, Real>& b) {
   auto all = a.lane(0) * b.lane(0);
@@ -75,7 +75,7 @@ KEYBLOCK_INLINE Real dot(const PaddedVector<N, Real>& a, const PaddedVector<N, R
   return sum(products(a, b));
 }
 
-/// N × N, each column filled up.
+/// N × N matrix, each column padded.
 template <int N, class Real = double>
 struct Padded {
   using Vector = PaddedVector<N, Real>;
@@ -110,7 +110,7 @@ struct Padded {
   }
 };
 
-/// c −= a bᵀ, or c −= a b. Unrolled, the sums stay in registers.
+/// Computes c −= a bᵀ, or c −= a b. Unrolled, so that the sums stay in registers.
 template <bool kTransposed, int N, class Real>
 KEYBLOCK_INLINE void subtract_product(Padded<N, Real>& c, const Padded<N, Real>& a, const Padded<N, Real>& b) {
   constexpr int kLanes = Padded<N, Real>::kLanes;

@@ -1,4 +1,4 @@
-// What makes and keeps the factor of a large square matrix, whoever does it.
+// Declares the interface of factorisations of a large square matrix.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,18 +6,18 @@
 
 namespace keyblock {
 
-/// The factor of a matrix whose values may change while its pattern stays. Which part of the matrix is looked at, and
-/// what is thrown where it has no factor, each kind says. Not for two threads at once.
+/// Factorisation of a matrix whose values may change while its pattern stays. Each kind states which part of the matrix
+/// it reads, and what it throws if the factorisation fails. Not for two threads at once.
 class LinearFactor {
  public:
   virtual ~LinearFactor() = default;
 
   virtual void factorise(const Eigen::SparseMatrix<double>& matrix) = 0;
-  /// A⁻¹ `right`, column by column.
+  /// Returns A⁻¹ `right`, column by column.
   virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const = 0;
-  /// A⁻ᵀ `right`: what a symmetric matrix answers, too, is the other for one that is not.
+  /// Returns A⁻ᵀ `right`; for a symmetric matrix the same as `solve`.
   virtual Eigen::MatrixXd solve_transposed(const Eigen::MatrixXd& right) const = 0;
-  /// Entries of the factor.
+  /// Returns the number of entries of the factors.
   virtual double entries() const = 0;
 };
 

@@ -1,4 +1,4 @@
-// A part's columns are whole columns of the matrix; see part_factors.hpp.
+// Extracts the columns of each part from the matrix, to which they belong whole; see part_factors.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/part_factors.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Rows keep their order, so that a column keeps its entries one by one.
+/// Keeps the order of rows, so that a column keeps the order of its entries.
 Sparse part_of(const Sparse& matrix, std::span<const int> functions, std::span<const int> place) {
   const auto size = static_cast<Eigen::Index>(2 * functions.size());
   Sparse part(size, size);
@@ -37,7 +37,7 @@ Sparse part_of(const Sparse& matrix, std::span<const int> functions, std::span<c
   return part;
 }
 
-/// Of each function in its part.
+/// Returns the place of each function in its part.
 std::vector<int> places(const Sparse& matrix, const std::vector<std::vector<int>>& parts) {
   std::vector<int> place(static_cast<std::size_t>(matrix.cols() / 2));
   for (const std::vector<int>& part : parts)

@@ -1,4 +1,4 @@
-// Chooses between the block factor and iterations, refines once where needed, and measures the residual.
+// Chooses between the block factorisation and iterations, refines once if needed, and computes the residual.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/solve.hpp"
 
@@ -11,20 +11,21 @@
 namespace keyblock {
 namespace {
 
-// Residual of iterations. At 1e-11 a grid of 401 blocks leaves the factor within 40 steps, by 4e-5 and in passes,
-// because contact decisions see what is left; at 1e-13 it stays to 4e-13, for a fifth more time, and a smaller residual
-// changes nothing more.
+// Residual of iterations. At 1e-11 a grid of 401 blocks departs from the factorisation within 40 steps, by 4e-5 and in
+// open–close iterations, because contact decisions depend on the remainder. At 1e-13 it agrees to 4e-13, for a fifth
+// more time. A smaller residual changes nothing more.
 constexpr double kIterated = 1e-13;
-// Measured on walls of bricks, blocks of six unknowns (step_bench --ratio): below so many blocks the factor wins.
-// Above, gradients win up to this ratio, and up to so many iterations, which cost what a factor does: 9 to 14 ms beside
-// 0.1 ms an iteration at 916 blocks, 210 to 240 ms beside 0.7 at 4,936, 540 ms beside 1.8 at 9,851.
+// Limits measured on walls of bricks, blocks of six unknowns (step_bench --ratio). Below so many blocks the
+// factorisation is faster. Above, conjugate gradients are faster up to this ratio, and up to so many iterations, which
+// cost as much as a factorisation. At 916 blocks it takes 9 to 14 ms and an iteration 0.1 ms. At 4,936 blocks these are
+// 210 to 240 ms and 0.7 ms, at 9,851 blocks 540 ms and 1.8 ms.
 constexpr int kFewBlocks = 300;
 constexpr int kManyBlocks = 4000;
 constexpr double kGreatestRatio = 400;
 constexpr IterationLimits kOfFewer{kIterated, 100};
 constexpr IterationLimits kOfMany{kIterated, 250};
 constexpr IterationLimits kGiven{kIterated, 5000};
-// The old programs' factor of over-relaxation and their bound of sweeps, roughly.
+// Factor of over-relaxation of Shi's programs, and roughly their bound on sweeps.
 constexpr double kOmega = 1.4;
 constexpr IterationLimits kSweeps{kIterated, 3000};
 
@@ -38,7 +39,7 @@ BlockPattern::Pairs coupled_in(const BlockMatrix& matrix) {
 
 double relative_residual(const System& system, const Eigen::VectorXd& residual) {
   const double load = system.load.norm();
-  if (!std::isfinite(load)) return load;  // its square overflows: nothing is small against it
+  if (!std::isfinite(load)) return load;  // its square overflows: no residual is small against it
   return load > 0 ? residual.norm() / load : residual.norm();
 }
 
@@ -53,7 +54,7 @@ bool Solver::iterates(int block_count, double stiffness_over_inertia) const {
   return !gave_up_iterations && block_count >= kFewBlocks && stiffness_over_inertia <= kGreatestRatio;
 }
 
-// With its values; none where a pivot breaks down.
+// Returns the factorisation of the matrix, or null if a pivot fails.
 std::unique_ptr<BlockFactor> Solver::factor_of(const BlockMatrix& matrix, MatrixShape shape) {
   std::vector<int> sizes;
   for (int i = 0; i < matrix.block_count(); ++i) sizes.push_back(matrix.size(i));
@@ -75,7 +76,7 @@ std::optional<Eigen::VectorXd> Solver::by_factor(const System& system) {
   if (!factor) return std::nullopt;
   Eigen::VectorXd x = system.load;
   factor->solve(entries(x));
-  // Refined once, whatever the residual: it finds the small entries that the norm does not see, and impacts multiply
+  // Refined once for every residual: this finds the small entries that the norm does not show, and impacts multiply
   // errors by ten.
   Eigen::VectorXd correction = system.load - system.matrix * x;
   factor->solve(entries(correction));

@@ -1,5 +1,4 @@
-// One call that solves a symmetric block system, by a factor or by iterations, and says how well: the true residual is
-// recomputed.
+// Solves a symmetric block system by a factorisation or by iterations, and recomputes the true residual.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,26 +17,27 @@ struct Solution {
   double residual = 0;  ///< ‖b − A x‖ / ‖b‖, recomputed from the block matrix
 };
 
-/// What is known of a system beforehand.
+/// Properties of a linear system that are known beforehand.
 struct SystemKind {
-  /// R = p Δt² / 2m, contact stiffness over inertia of a mean block; infinite without inertia.
+  /// R = p Δt² / 2m, contact stiffness over inertia of an average block; infinite without inertia.
   double stiffness_over_inertia = std::numeric_limits<double>::infinity();
   Eigen::VectorXd guess{};  ///< of the solution; empty: zero
 };
 
-/// Keeps the symbolic factor, and the room of the last one, while the pattern stays the same. The factor is always the
-/// block factor: CHOLMOD gained nothing beside it. `automatic`: conjugate gradients for 300 blocks and more where
-/// R ≤ 400, until they once fail to converge in what costs as much as a factor (100 iterations; from 4,000 blocks 250);
-/// then the factor from there on. Systems of covers go by the same rule.
+/// Solves linear systems and keeps the symbolic factorisation, and its memory, while the pattern stays the same.
+///
+/// The factorisation is always that of blocks, because CHOLMOD was not faster. `automatic` uses conjugate gradients for
+/// 300 blocks and more if R ≤ 400. If they fail once to converge at the cost of a factorisation (100 iterations; from
+/// 4,000 blocks 250), the factorisation is used from there on. Systems of covers follow the same rule.
 class Solver {
  public:
-  /// Nothing if the factorisation breaks down or the result is not finite. Gradients are to reach 1e-11, or 1e-10 where
-  /// they gain no more; what they do not reach is left to the factor. Over-relaxation that does not reach 1e-11 has no
-  /// solution.
+  /// Returns nothing if the factorisation fails or the result is not finite. The target of conjugate gradients is
+  /// 1e-13, or 1e-12 if they gain no more; otherwise the factorisation is used. Over-relaxation that does not reach
+  /// 1e-13 returns nothing.
   std::optional<Solution> solve(const System& system, const SystemKind& kind = {});
 
   LinearMethod method = LinearMethod::automatic;
-  /// Iterations missed their goal once; `automatic` does not try them again, nor does a run that is resumed.
+  /// True after iterations missed their target; `automatic` does not try them again, nor does a resumed run.
   bool gave_up_iterations = false;
 
  private:

@@ -1,4 +1,4 @@
-// Eigen's factor behind the common interface.
+// Wraps Eigen's factorisation in the common interface.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/sparse_lu.hpp"
 
@@ -25,7 +25,7 @@ void SparseLu::factorise(const Eigen::SparseMatrix<double>& matrix) {
 
 Eigen::MatrixXd SparseLu::solve(const Eigen::MatrixXd& right) const {
   if (right.cols() != 1) return eigens_->factor.solve(right);
-  const Eigen::VectorXd one = right;  // of one column there are quicker kernels
+  const Eigen::VectorXd one = right;  // for one column there are faster kernels
   const Eigen::VectorXd x = eigens_->factor.solve(one);
   return x;
 }

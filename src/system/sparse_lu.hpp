@@ -1,4 +1,4 @@
-// The factor of a large matrix that is not symmetric: of friction, or of flow that is not associated.
+// Factorises a large matrix that is not symmetric: of friction, or of non-associated flow.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-/// A matrix without an inverse, or none that double precision finds.
+/// A matrix without an inverse, or with none that double precision finds.
 class SingularMatrix : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -24,7 +24,7 @@ class SparseLu : public LinearFactor {
   SparseLu(SparseLu&&) noexcept;
   SparseLu& operator=(SparseLu&&) noexcept;
 
-  /// Of values on that pattern. Throws SingularMatrix.
+  /// Factorises values on that pattern. Throws SingularMatrix.
   void factorise(const Eigen::SparseMatrix<double>& matrix) override;
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const override;
   Eigen::MatrixXd solve_transposed(const Eigen::MatrixXd& right) const override;

@@ -1,4 +1,4 @@
-// A factor used once or for several loads; see sparse_solve.hpp.
+// Uses a factorisation once or for several loads; see sparse_solve.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/sparse_solve.hpp"
 
@@ -7,7 +7,7 @@
 namespace keyblock {
 namespace {
 
-// A load that a semidefinite matrix cannot carry stays as residual.
+// Limit on the residual: a load that a semidefinite matrix cannot carry stays as residual.
 constexpr double kCarried = 1e-6;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// One call that solves a large symmetric positive system by CHOLMOD and says how well: the true residual is recomputed.
+// Solves a large symmetric positive system by CHOLMOD, and recomputes the true residual.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,11 +13,11 @@ struct SparseSolution : Solution {
   double factor_entries = 0;
 };
 
-/// By the factor of its matrix, refined until the residual no longer falls. Throws NotPositiveDefinite for a load that
-/// the matrix cannot carry.
+/// Solves with the factorisation of its matrix, refined until the residual no longer falls. Throws NotPositiveDefinite
+/// for a load that the matrix cannot carry.
 SparseSolution solve(const SparseSystem& system, const SparseFactor& factor);
 
-/// The same by a factor made for it. Throws NotPositiveDefinite.
+/// Solves with a factorisation made for it. Throws NotPositiveDefinite.
 SparseSolution solve(const SparseSystem& system, Definiteness definiteness);
 
 }  // namespace keyblock

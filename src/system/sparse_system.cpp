@@ -1,4 +1,4 @@
-// Columns of pairs of rows; see sparse_system.hpp.
+// Addresses columns by pairs of rows; see sparse_system.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/sparse_system.hpp"
 
@@ -8,7 +8,7 @@
 namespace keyblock {
 namespace {
 
-/// Of each function, those of the same groups from itself on, ascending.
+/// Returns, per function, the functions of the same groups from itself on, ascending.
 std::vector<std::vector<int>> coupled_below(int function_count, const FunctionGroups& groups) {
   std::vector<std::vector<int>> groups_of(static_cast<std::size_t>(function_count));
   for (int g = 0; g < groups.group_count(); ++g) {
@@ -75,7 +75,7 @@ void SparseSystem::add_matrix(std::span<const int> functions, const Eigen::Matri
     const int* const end = inner + outer[column + 1];
     double* const first = values + outer[column];
     double* const second =
-        values + outer[column + 1] - 1;  // it has no row 2b, so that its rows stand one place earlier
+        values + outer[column + 1] - 1;  // it has no row 2b, therefore its rows are one place earlier
     const auto j = static_cast<Eigen::Index>(2 * b);
     for (std::size_t a = 0; a < functions.size(); ++a) {
       if (functions[a] < functions[b]) continue;

@@ -1,5 +1,4 @@
-// The symmetric matrix of many functions with two unknowns each, on a pattern known beforehand, and the vector beside
-// it.
+// Assembles the symmetric matrix of many functions with two unknowns each, on a known pattern, and its load vector.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +8,7 @@
 
 namespace keyblock {
 
-/// Lists of functions one after another: those of an element, or of a pair of elements, which couple all with all.
+/// Lists of functions, one after another: those of an element, or of a pair of elements, which all couple.
 class FunctionGroups {
  public:
   void add(std::span<const int> functions);
@@ -21,24 +20,25 @@ class FunctionGroups {
   std::vector<std::size_t> first_{0};
 };
 
-/// A x = b. Function a has rows 2a and 2a + 1; the lower triangle of A is stored. What couples in no group cannot be
-/// added.
+/// Linear system A x = b. Function a has rows 2a and 2a + 1; the lower triangle of A is stored. Couplings outside all
+/// groups cannot be added.
 class SparseSystem {
  public:
   SparseSystem(int function_count, const FunctionGroups& groups);
 
-  /// A += `block`, symmetric, 2n × 2n, of n different functions.
+  /// Adds `block`, symmetric, 2n × 2n, of n different functions to A.
   void add_matrix(std::span<const int> functions, const Eigen::MatrixXd& block);
-  /// b += `part`, 2n.
+  /// Adds `part`, 2n, to b.
   void add_load(std::span<const int> functions, const Eigen::VectorXd& part);
 
-  /// A = 0, b = 0.
+  /// Sets A and b to zero.
   void clear();
-  /// A += `factor` times the matrix of `other`, which has the same groups.
+  /// Adds `factor` times the matrix of `other`, which must have the same groups, to A.
   void add_scaled(double factor, const SparseSystem& other);
-  /// The same with a factor for each function, of columns and rows alike: functions that couple have the same one.
+  /// Adds the matrix of `other` with a factor for each function, for both columns and rows: coupled functions have the
+  /// same one.
   void add_scaled(std::span<const double> factors, const SparseSystem& other);
-  /// A x.
+  /// Returns A x.
   Eigen::VectorXd times(const Eigen::VectorXd& x) const { return lower_.selfadjointView<Eigen::Lower>() * x; }
 
   const Eigen::SparseMatrix<double>& lower() const { return lower_; }

@@ -1,4 +1,4 @@
-// Columns of pairs of rows; see whole_system.hpp.
+// Addresses columns by pairs of rows; see whole_system.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/whole_system.hpp"
 
@@ -8,7 +8,7 @@
 namespace keyblock {
 namespace {
 
-/// Of each function, those that it couples with, itself included, ascending.
+/// Returns, per function, the functions coupled with it, itself included, ascending.
 std::vector<std::vector<int>> coupled(int function_count, const FunctionGroups& groups) {
   std::vector<std::vector<int>> lists(static_cast<std::size_t>(function_count));
   for (int f = 0; f < function_count; ++f) lists[static_cast<std::size_t>(f)].push_back(f);

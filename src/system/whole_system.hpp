@@ -1,4 +1,4 @@
-// The matrix of many functions with two unknowns each, not symmetric, on a pattern known beforehand.
+// Assembles the unsymmetric matrix of many functions with two unknowns each, on a known pattern.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,21 +6,21 @@
 
 namespace keyblock {
 
-/// A, of which function a has rows and columns 2a and 2a + 1. What couples in no group cannot be added.
+/// Matrix A, of which function a has rows and columns 2a and 2a + 1. Couplings outside all groups cannot be added.
 class WholeSystem {
  public:
   WholeSystem(int function_count, const FunctionGroups& groups);
 
-  /// With the couplings and values of a symmetric one.
+  /// Copies the couplings and values of a symmetric system.
   explicit WholeSystem(const SparseSystem& symmetric);
 
   void clear() { matrix_.coeffs().setZero(); }
-  /// A += `block`, 2n × 2n, of n different functions.
+  /// Adds `block`, 2n × 2n, of n different functions to A.
   void add_matrix(std::span<const int> functions, const Eigen::MatrixXd& block);
-  /// A += the matrix of a symmetric system of as many functions, whose couplings are some of these.
+  /// Adds the matrix of a symmetric system to A; it must have as many functions, and no other couplings.
   void add(const SparseSystem& symmetric);
 
-  /// Compressed, rows ascending.
+  /// Returns the matrix, compressed, rows ascending.
   const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
  private:

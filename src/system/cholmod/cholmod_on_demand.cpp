@@ -1,6 +1,7 @@
 // Loads CHOLMOD when it is first called: the functions here have the names and types of cholmod.h, find those of the
-// library and call them. Loaded at the start of the program, CHOLMOD and its BLAS took a third of `keyblock version`;
-// most scenes of blocks never call them. The names stay hidden: CHOLMOD's own calls must not come back here.
+// library and call them. Loaded at the start of the program, CHOLMOD and its BLAS took a third of the time of `keyblock
+// version`; most scenes of blocks never call them. The names stay hidden, because CHOLMOD's own calls must not come
+// back here.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cholmod.h>
 #include <dlfcn.h>

@@ -1,4 +1,4 @@
-// Scaling, CHOLMOD, refinement; see sparse_factor.hpp.
+// Scales, calls CHOLMOD and refines; see sparse_factor.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/cholmod/sparse_factor.hpp"
 
@@ -15,12 +15,13 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double kPerturbation = 1e-11;  // of a diagonal of ones: 1 to 2 refinements, against 3 with 1e-8
+constexpr double kPerturbation = 1e-11;  // on a diagonal of ones: 1 to 2 refinements, against 3 with 1e-8
 constexpr int kMostRefinements = 6;
 constexpr double kSmallEnough = 1e-15;
-constexpr double kNotYet = 1e-12;  // refinement alone leaves less, but for nearly dependent functions about tips
+constexpr double kNotYet = 1e-12;  // refinement alone leaves less, except for nearly dependent functions at tips
 constexpr int kMostIterations = 40;
-// Smallest over largest pivot: round-off makes some 1e-16 of a zero one. A million unknowns of a plane body leave 1e-7.
+// Ratio of smallest to largest pivot: round-off makes some 1e-16 of a zero pivot. A million unknowns of a plane body
+// give 1e-7.
 constexpr double kSingular = 1e-13;
 
 class Factor : public Eigen::CholmodSupernodalLLT<Sparse, Eigen::Lower> {
@@ -28,18 +29,18 @@ class Factor : public Eigen::CholmodSupernodalLLT<Sparse, Eigen::Lower> {
   double pivot_ratio() { return cholmod_rcond(m_cholmodFactor, &cholmod()); }
 };
 
-// CHOLMOD asks OpenMP for four threads at every front, whatever OMP_NUM_THREADS says: of a program that is to have one
-// they take a seventh more processor time. The function is there where the CHOLMOD at hand was built with OpenMP; it
-// holds for the thread that calls it.
+// CHOLMOD requests four OpenMP threads at every front, regardless of OMP_NUM_THREADS; for a one-thread program they
+// take a seventh more processor time. The function exists if CHOLMOD was built with OpenMP; it applies to the calling
+// thread.
 void keep_to_threads_of_loops() {
   using Set = void (*)(int);
   static const auto set_levels = reinterpret_cast<Set>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"));
   if (set_levels) set_levels(loop_threads() == 1 ? 0 : 1);
 }
 
-// One thread of the process at a time: two that factorised or solved at once, each with a factor of its own, changed
-// each other's last digits. The BLAS of Debian behind CHOLMOD is one for programs of one thread. CHOLMOD itself counts
-// and reports in what belongs to the factor, while it solves too.
+// One thread of the process at a time: two that factorised or solved at once, each with a factorisation of its own,
+// changed each other's last digits. The BLAS of Debian behind CHOLMOD is a single one for programs of one thread.
+// CHOLMOD itself counts and reports in data of the factorisation, also while it solves.
 std::mutex& guard() {
   static std::mutex mutex;
   return mutex;
@@ -107,8 +108,9 @@ Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& right) const {
 
 namespace {
 
-/// Conjugate gradients on the residual, with the factor of the shifted matrix: each direction that the shift rules and
-/// refinement does not find takes one of them (Hestenes & Stiefel 1952).
+/// Improves y by conjugate gradients on the residual, preconditioned by the factorisation of the shifted matrix. Each
+/// direction that the shift dominates, and that refinement does not find, takes one iteration (Hestenes & Stiefel
+/// 1952).
 int iterate(const Factor& factor, const Sparse& matrix, double aim, Eigen::VectorXd& y, Eigen::VectorXd& residual) {
   Eigen::VectorXd best = y, least = residual;
   Eigen::VectorXd z = factor.solve(residual), direction = z;

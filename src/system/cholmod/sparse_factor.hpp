@@ -1,5 +1,5 @@
-// The Cholesky factor of a large symmetric matrix whose values change while its pattern stays, as from round to round
-// of Newton's method.
+// Factorises a large symmetric matrix by Cholesky's method while its pattern stays and its values change, as between
+// Newton iterations.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,20 +22,21 @@ enum class Definiteness {
 };
 
 /// Supernodal L Lᵀ (CHOLMOD) of the matrix scaled to a diagonal of ones. A semidefinite matrix is factorised with 1e-11
-/// added to its diagonal; refinement takes that out again (Strouboulis, Babuška & Copps 2000): what it leaves
-/// undetermined is a combination of unknowns that makes no displacement. Of two threads that solve at once one waits.
+/// added to its diagonal, and refinement removes this again (Strouboulis, Babuška & Copps 2000). The undetermined
+/// remainder is a combination of unknowns without displacement. Of two threads that solve at once one waits.
 class SparseFactor : public LinearFactor {
  public:
-  /// Orders and analyses the pattern of a lower triangle, whose diagonals open their columns; the values do not matter.
+  /// Orders and analyses the pattern of a lower triangle, whose diagonals come first in their columns; the values do
+  /// not matter.
   SparseFactor(const Eigen::SparseMatrix<double>& lower, Definiteness definiteness);
   ~SparseFactor() override;
   SparseFactor(SparseFactor&&) noexcept;
   SparseFactor& operator=(SparseFactor&&) noexcept;
 
-  /// Of values on that pattern. Throws NotPositiveDefinite.
+  /// Factorises values on that pattern. Throws NotPositiveDefinite.
   void factorise(const Eigen::SparseMatrix<double>& lower) override;
 
-  /// A⁻¹ `right`, column by column; refined where the matrix is semidefinite.
+  /// Returns A⁻¹ `right`, column by column; refined if the matrix is semidefinite.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const override;
   Eigen::MatrixXd solve_transposed(const Eigen::MatrixXd& right) const override { return solve(right); }
 
@@ -43,10 +44,10 @@ class SparseFactor : public LinearFactor {
     Eigen::VectorXd x;
     int refinements = 0;
   };
-  /// A⁻¹ `right`, refined until the residual no longer falls.
+  /// Returns A⁻¹ `right`, refined until the residual no longer falls.
   Refined solve_refined(const Eigen::VectorXd& right) const;
 
-  /// Entries of L.
+  /// Returns the number of entries of L.
   double entries() const override;
 
  private:
