@@ -1,5 +1,5 @@
-// A uniform grid over the bounding boxes, linear in the number of elements where sizes are alike; a tree where they are
-// not.
+// Finds close elements with a uniform grid over their bounding boxes, in linear time if sizes are alike; otherwise with
+// a tree.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/find/candidates.hpp"
 
@@ -24,11 +24,11 @@ bool touch(const Box& a, const Box& b, double distance) {
          b.low.y <= a.high.y + distance;
 }
 
-// So few elements are tested each with each: a grid would take longer.
+// Up to this number of elements all pairs are tested: a grid would take longer.
 constexpr std::size_t kFew = 8;
 
-// A box that covers more cells than this is tested against all others instead: one huge element must not fill
-// the grid. Where there are many such boxes, a tree takes the place of the grid.
+// A box that covers more cells than this is tested against all others: one huge element must not fill the grid. If more
+// than kMostLarge boxes are that large, a tree replaces the grid.
 constexpr double kMostCells = 64;
 constexpr std::ptrdiff_t kMostLarge = 32;
 
@@ -44,11 +44,11 @@ class Grid {
       sizes.push_back(std::max(box.high.x - box.low.x, box.high.y - box.low.y));
     }
     std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
-    // Cells of a typical element's size, but never so many that the grid outgrows the scene.
+    // Cells have the size of a typical element, but the grid must not outgrow the scene.
     const Point extent = far - origin_;
     const double smallest =
         std::sqrt((extent.x + distance) * (extent.y + distance) / (4.0 * static_cast<double>(boxes.size())));
-    // A scene that is all but a line has cells along it alone, and no more of them.
+    // An almost one-dimensional scene has cells along its length only, in limited number.
     const double along = std::max(extent.x, extent.y) / (4.0 * static_cast<double>(boxes.size()));
     cell_ = std::max({sizes[sizes.size() / 2] + distance, smallest, along, std::numeric_limits<double>::min()});
     columns_ = static_cast<int>(extent.x / cell_) + 1;
@@ -78,7 +78,7 @@ class Grid {
       }
   }
 
-  /// Calls `seen(box)` for all that were added in these cells, some more than once.
+  /// Calls `seen(box)` for all boxes added in these cells, some more than once.
   template <class Seen>
   void visit(const Range& range, const Seen& seen) const {
     for (int row = range.bottom; row <= range.top; ++row)
@@ -97,13 +97,13 @@ class Grid {
   double cell_ = 0;
   int columns_ = 0;
   int rows_ = 0;
-  /// A box in a cell, and the entry that was the last of that cell before; -1: none.
+  /// Box in a cell, and the last earlier entry of that cell; -1: no earlier one.
   struct Entry {
     int box;
     int before;
   };
   std::vector<Entry> entries_;
-  std::vector<int> last_;  ///< of each cell
+  std::vector<int> last_;  ///< per cell
 };
 
 }  // namespace
@@ -140,7 +140,7 @@ std::vector<ElementPair> close_pairs(const Model& model, const State& state, con
   const auto test = [&](int a, int b) {
     if (touch(boxes[static_cast<std::size_t>(a)], boxes[static_cast<std::size_t>(b)], distance)) met.push_back(a);
   };
-  // Elements enter in ascending order; each is tested against those already in, and then found by later ones.
+  // Elements enter in ascending order. Each is tested against those already in the grid, and later ones then find it.
   for (int b = 0; b < static_cast<int>(boxes.size()); ++b) {
     met.clear();
     const Box& box = boxes[static_cast<std::size_t>(b)];

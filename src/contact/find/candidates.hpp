@@ -1,4 +1,5 @@
-// Boxes of elements, and pairs of elements close enough to matter.
+// Finds pairs of elements close enough for contact, from their bounding boxes. Theory:
+// docs/theory/04-contact-geometry.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,14 +17,14 @@ struct ElementPair {
   auto operator<=>(const ElementPair&) const = default;
 };
 
-/// Of the vertices of an element as they lie now.
+/// Returns the bounding box of an element's current vertices.
 Box box_of(const Model& model, const State& state, ElementIndex element);
 
-/// Pairs whose bounding boxes touch when one is grown by `distance`, ascending; the order does not depend on
-/// the search.
+/// Returns, in ascending order, the pairs whose bounding boxes overlap when one is grown by `distance`. The order does
+/// not depend on the search.
 std::vector<ElementPair> close_pairs(const Model& model, const State& state, double distance);
 
-/// The same among some elements only, ascending.
+/// Does the same for some elements only, in ascending order.
 std::vector<ElementPair> close_pairs(const Model& model, const State& state, const std::vector<ElementIndex>& among,
                                      double distance);
 

@@ -1,5 +1,5 @@
-// Joins holes to the outer loop, then cuts at one reflex corner after another, each time along the shortest diagonal
-// that makes the corner convex.
+// Joins holes to the outer loop, then cuts at one reflex corner after another. Each cut is the shortest diagonal that
+// makes the corner convex.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/find/convex_pieces.hpp"
 
@@ -14,12 +14,11 @@
 namespace keyblock {
 namespace {
 
-// Sine of the turn below which a vertex lies on a straight edge. Cutting leaves vertices where joints meet an edge;
-// drawings carry ten digits, so their turn is far below this, and a corner of less than 0.006 degrees is none to the
-// eye.
+// Sine of the turn below which a vertex lies on a straight edge. Cutting leaves vertices where joints meet an edge.
+// Their turn is far smaller, because drawings have ten digits. A turn below 0.006 degrees is no visible corner.
 constexpr double kStraightSine = 1e-4;
 
-// A corner that turns by less than this after a cut is avoided where another diagonal does not leave it.
+// Diagonals that leave a corner with a smaller turn are avoided if another diagonal exists.
 constexpr double kClearSine = 0.02;
 
 double sine_of_turn(Point before, Point at, Point after) {
@@ -28,7 +27,7 @@ double sine_of_turn(Point before, Point at, Point after) {
   return cross(arriving, leaving) / (length(arriving) * length(leaving));
 }
 
-// A tip, where the edge turns back, is none.
+// A tip, where the edge turns back, is not straight.
 bool is_straight(Point before, Point at, Point after) {
   return std::abs(sine_of_turn(before, at, after)) <= kStraightSine && dot(at - before, after - at) > 0;
 }
@@ -73,12 +72,12 @@ class Cutter {
           is_straight(at(ring[(i + ring.size() - 1) % ring.size()]), at(ring[i]), at(ring[(i + 1) % ring.size()]));
       if (straight && is_inner(i) == is_inner(i + 1)) continue;
       loop.corners.push_back(ring[i]);
-      loop.is_inner.push_back(is_inner(i + 1));  // of the edge that leaves here
+      loop.is_inner.push_back(is_inner(i + 1));  // of the edge that leaves this corner
     }
     return loop;
   }
 
-  // Vertices, those left out that lie where the one before lies.
+  // Returns the vertices without those at the position of the one before.
   std::vector<VertexIndex> distinct(VertexIndex first, int size) const {
     std::vector<VertexIndex> ring;
     for (VertexIndex v : IndexRange<VertexIndex>{first, {first.value + size}})
@@ -86,8 +85,8 @@ class Cutter {
     return ring;
   }
 
-  // Joins the hole that is nearest to the ring by a cut there and back, which crosses nothing. False where there is
-  // none.
+  // Joins the hole nearest to the ring by a cut there and back that crosses nothing. Returns false if no such cut
+  // exists.
   bool bridge(ConvexPiece& ring, std::vector<ConvexPiece>& holes) const {
     std::size_t hole = 0, from = 0, to = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -124,7 +123,7 @@ class Cutter {
     return true;
   }
 
-  // Whether a loop meets a segment elsewhere than at its ends.
+  // Returns true if a loop meets a segment at other points than its ends.
   bool meets(const ConvexPiece& loop, const Segment& way) const {
     for (std::size_t i = 0; i < loop.corners.size(); ++i) {
       const Segment edge{corner(loop, i), corner(loop, i + 1)};
@@ -134,8 +133,8 @@ class Cutter {
     return false;
   }
 
-  // Whether a corner sees a point between its edges. Where a cut joins a hole two corners lie in one place, and each
-  // has its own side.
+  // Returns true if a corner sees a point between its edges. Where a cut joins a hole, two corners share one place and
+  // each has its own side.
   bool in_cone(const ConvexPiece& p, std::size_t i, Point target) const {
     const Point here = corner(p, i);
     const Point before = corner(p, i + p.corners.size() - 1) - here;
@@ -162,7 +161,7 @@ class Cutter {
     pieces_.push_back(piece);
   }
 
-  // Corners first … last and the diagonal back.
+  // Returns corners first … last, closed by the diagonal.
   static ConvexPiece part(const ConvexPiece& piece, std::size_t first, std::size_t last) {
     ConvexPiece result;
     for (std::size_t i = first;; i = wrapped(piece, i + 1)) {
@@ -191,8 +190,8 @@ class Cutter {
     return best;
   }
 
-  // What a diagonal makes of the reflex corner that it starts from. A straight corner would leave an inner and an outer
-  // edge on one line, and contact could not tell whose face it is.
+  // Effect of a diagonal on the reflex corner at its start. A straight corner would leave an inner and an outer edge on
+  // one line, and contact could not tell whose face it is.
   enum class Cut { leaves_it, makes_straight, makes_convex };
 
   Cut cut_made(const ConvexPiece& piece, std::size_t from, std::size_t to) const {

@@ -1,4 +1,5 @@
-// An element as convex pieces: its corners, cut by diagonals from the reflex ones.
+// Divides an element into convex pieces by diagonals from its reflex corners. Theory:
+// docs/theory/04-contact-geometry.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,8 +9,9 @@
 
 namespace keyblock {
 
-/// Corners counter-clockwise; edge i runs from corner i to corner i+1. An inner edge is a diagonal: the element goes on
-/// behind it. An affine map keeps straight edges straight and pieces convex, so they hold for the whole run.
+/// Convex piece with corners counter-clockwise; edge i runs from corner i to corner i+1. An inner edge is a diagonal,
+/// with more of the element behind it. An affine map keeps straight edges straight and pieces convex, so that pieces
+/// are valid for the whole run.
 struct ConvexPiece {
   std::vector<VertexIndex> corners;
   std::vector<bool> is_inner;  ///< of edge i
@@ -17,8 +19,9 @@ struct ConvexPiece {
 
 using ConvexPieces = std::vector<ConvexPiece>;
 
-/// One piece for a convex element; none for an element with inner edges only, or whose hole no cut joins to its outer
-/// loop. Vertices on a straight edge are no corners, unless one side of it is inner.
+/// Returns the pieces of an element, one if it is convex. The result is empty for an element with inner edges only, and
+/// for a hole that no cut joins to the outer loop. Vertices on a straight edge are not corners, unless one side is
+/// inner.
 ConvexPieces convex_pieces(const Model& model, ElementIndex element);
 
 }  // namespace keyblock

@@ -1,4 +1,5 @@
-// Separating edge of each pair, then the ends of the common stretch; corners where no edge leads are put aside.
+// Finds the separating edge of each pair, then the ends of the common stretch. Corners that no edge separates are
+// collected apart.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/find/touch.hpp"
 
@@ -14,39 +15,37 @@
 namespace keyblock {
 namespace {
 
-// Two separations that differ by less than this share of the edge are equal up to round-off: the first one found stays,
-// so that parallel faces do not change their line of reference from step to step.
+// Two separations that differ by less than this fraction of the edge are equal up to round-off. The first one found
+// stays, so that parallel faces keep their reference line from step to step.
 constexpr double kTie = 1e-9;
-// Sine of the angle between two edges below which they count as parallel: half the turn of a corner that is one to the
-// eye.
+// Sine of the angle below which two edges count as parallel: half the turn of a visible corner.
 constexpr double kParallel = 1e-4;
-// Lobatto's weights on three points are exact for cubics (Abramowitz & Stegun 1964, 25.4.32), so that springs on them
-// turn as stiffly as an evenly sprung stretch, k L²/12, where two at the ends are three times as stiff; the end point
-// is the pivot.
+// Weight of an end point in Lobatto's three-point rule, exact for cubics (Abramowitz & Stegun 1964, 25.4.32). Springs
+// at these points have the rotational stiffness of a uniformly sprung stretch, k L²/12. Two at the ends would be three
+// times as stiff. The end point is the pivot.
 constexpr double kLobattoEnd = 1.0 / 6;
 
-// Corners meet that are no farther apart than this many times what separates the pieces or counts as none: those of an
-// exterior angle of thirty degrees. Faces that lean a little towards each other are as far apart at many places, but
-// not corner to corner.
+// Corners meet if their distance is at most this times the separation of the pieces or its tolerance. This covers
+// exterior angles down to thirty degrees. Faces at a small angle are equally far apart at many places, but not corner
+// to corner.
 constexpr double kNearCorner = 4;
 
-// Sine of the angle between two edges that face each other over a stretch below which they close like a wedge: the far
-// end is what meets next, and either normal serves.
+// Sine of the angle below which two facing edges close like a wedge: the far end meets next, and either normal serves.
 constexpr double kWedge = 0.1;
 
-// Least and greatest length that a rounded corner takes of the shorter of its two edges.
+// Least and greatest length of a rounded corner, as fractions of the shorter of its two edges.
 constexpr double kLeastTangent = 1e-6;
 constexpr double kMostTangent = 0.4;
 
-// A foot this share of the edge beyond its end lies at the end.
+// A foot beyond the end of its edge by this fraction of it counts as at the end.
 constexpr double kAtEnd = 1e-9;
 
 struct Edge {
   VertexIndex start;
   VertexIndex end;
   bool is_inner = false;
-  Point from;       ///< where it starts
-  Point direction;  ///< of length 1
+  Point from;       ///< position of the start
+  Point direction;  ///< unit vector
   double length = 0;
 
   Edge(VertexIndex first, VertexIndex last, bool inner, const Table<VertexIndex, Point>& vertices)
@@ -57,10 +56,10 @@ struct Edge {
   }
 };
 
-/// The edges of a convex piece, which start at its corners.
+/// Edges of a convex piece; edge i starts at its corner i.
 using EdgesOfPiece = std::span<const Edge>;
 
-/// The edges of all elements of some pairs: a block is in half a dozen of them.
+/// Edges of all elements in some pairs, computed once: a block belongs to about six pairs.
 class EdgesOfPieces {
  public:
   EdgesOfPieces(const std::vector<ElementPair>& pairs, const Table<ElementIndex, ConvexPieces>& pieces,
@@ -101,19 +100,19 @@ struct Leading {
   double separation = -std::numeric_limits<double>::infinity();
 };
 
-// The two edges run against each other: low on one is high on the other.
+// The two edges run in opposite directions: low on one is high on the other.
 Facing facing_of(const Edge& reference, const Edge& facing, int place) {
   if (reference.start < facing.start) return {reference.start, facing.start, place};
   return {facing.start, reference.start, 2 - place};
 }
 
-/// The edges of a corner.
+/// The two edges at a corner.
 struct CornerEdges {
   const Edge& arriving;
   const Edge& leaving;
 };
 
-/// An edge that guides the corners, with the normal that it gives them, out of b.
+/// Edge that guides the corners, with its normal out of b.
 struct Guide {
   const Edge* edge;
   Point normal;
@@ -122,9 +121,9 @@ Guide guide(const Edge& edge, double sign) {
   return {&edge, sign * Point{edge.direction.y, -edge.direction.x}};
 }
 
-// The corner of b holds off what comes between the normals of its edges, that of a what comes between those of its
-// own, turned round: together they bound what is common to both. None where nothing is, as at a diagonal of a notched
-// block, whose next piece goes on there.
+// Finds the two guides that bound the common range of normals. The corner of b blocks directions between the normals of
+// its edges, the corner of a those between its own, reversed. The result is empty without a common range, as at a
+// diagonal of a notched block, where its next piece adjoins.
 std::optional<CornerMeeting> meeting_of(const CornerEdges& a, const CornerEdges& b, double slack, double tangent) {
   const Guide first_of_a = guide(a.arriving, -1), second_of_a = guide(a.leaving, -1);
   const Guide first_of_b = guide(b.arriving, 1), second_of_b = guide(b.leaving, 1);
@@ -189,9 +188,9 @@ class PairTouches {
   }
 
  private:
-  // Whether corners are near each other and no edge leads by more than the slack; faces that close like a wedge have no
-  // such corners. Apart as well as touching: a corner that comes up to an edge near its end meets the same profile
-  // before and after.
+  // Returns true if corners are near each other and no edge leads by more than the slack. Faces that close like a wedge
+  // have no such corners. The test is the same before and after closing, so that a corner that approaches an edge near
+  // its end meets one profile.
   bool corners_tie(const Leading& reference, const Edge& facing) const {
     if (!corners_meet(reference) || is_wedge(reference, facing)) return false;
     return crosses(leading(a_, b_, reference.separation), leading(b_, a_, reference.separation)) ||
@@ -199,7 +198,7 @@ class PairTouches {
             crosses(edges_at(nearest_.of_a->start, a_), edges_at(nearest_.of_b->start, b_)));
   }
 
-  // Of the corner where an edge starts.
+  // Returns the edges at the corner where an edge starts.
   static CornerEdges edges_of(const Edge& leaving, EdgesOfPiece of) {
     const auto place = static_cast<std::size_t>(&leaving - of.data());
     return {of[place == 0 ? of.size() - 1 : place - 1], leaving};
@@ -211,7 +210,7 @@ class PairTouches {
     return least;
   }
 
-  // Whether the other piece lies over the edge, at least in part, and not over its line alone.
+  // Returns true if the other piece lies over the edge, at least in part, and not only over its line.
   static bool is_over(const Edge& edge, EdgesOfPiece other) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -222,8 +221,8 @@ class PairTouches {
     return low <= edge.length && high >= 0;
   }
 
-  // An inner edge leads only if it leads clearly: it may lie on one line with an edge of the boundary. Of two edges of
-  // the boundary on one line that leads over which the other piece lies.
+  // An inner edge leads only by a clear margin, because it may lie on one line with a boundary edge. Of two boundary
+  // edges on one line, the one under the other piece leads.
   static Leading best_edge(EdgesOfPiece of, EdgesOfPiece from) {
     Leading best;
     for (const Edge& edge : of) {
@@ -237,7 +236,7 @@ class PairTouches {
     return best;
   }
 
-  // Whether two of the edges are not parallel.
+  // Returns true if two of the edges are not parallel.
   bool crosses(std::vector<const Edge*> edges, const std::vector<const Edge*>& of_other) const {
     edges.insert(edges.end(), of_other.begin(), of_other.end());
     for (std::size_t i = 0; i < edges.size(); ++i)
@@ -253,7 +252,7 @@ class PairTouches {
     return edges;
   }
 
-  // Edges that lead as well as the best within round-off and slack.
+  // Returns edges that lead as well as the best within round-off and slack.
   std::vector<const Edge*> leading(EdgesOfPiece of, EdgesOfPiece from, double best) const {
     std::vector<const Edge*> edges;
     for (const Edge& edge : of) {
@@ -268,7 +267,7 @@ class PairTouches {
     return nearest_.distance <= kNearCorner * doubt;
   }
 
-  /// Corners by the edges that start at them.
+  /// Nearest corners, given by the edges that start at them.
   struct NearestCorners {
     const Edge* of_a = nullptr;
     const Edge* of_b = nullptr;
@@ -282,7 +281,7 @@ class PairTouches {
     return nearest;
   }
 
-  // A face that rests on springs leans by their slack over its length; that makes no corner of it.
+  // A face on springs leans by their slack over its length, which does not make a corner.
   bool parallel(const Edge& first, const Edge& second) const {
     const double shorter = std::min(first.length, second.length);
     return std::abs(cross(first.direction, second.direction)) < kParallel + slack_ / shorter;
@@ -311,19 +310,19 @@ class PairTouches {
     return std::abs(shared(reference, facing)) <= doubt(reference);
   }
 
-  // Length of the stretch that two edges share, negative where they share none.
+  // Returns the length of the stretch that two edges share, negative if they share none.
   double shared(const Leading& reference, const Edge& facing) const {
     const double low = std::max(0.0, station(*reference.edge, vertices_[facing.end]));
     return std::min(reference.edge->length, station(*reference.edge, facing.from)) - low;
   }
 
-  // Of a stretch: round-off, slack, and what an angle that is none to the eye makes of it over the distance of the
-  // edges.
+  // Returns the uncertainty of a stretch: round-off, slack, and the effect of an invisible angle over the distance of
+  // the edges.
   double doubt(const Leading& reference) const {
     return kTie * reference.edge->length + slack_ + kParallel * std::max(0.0, reference.separation);
   }
 
-  // Stretch along the line of reference: that of the line itself, and the facing edge, which runs against it.
+  // Finds the shared stretch along the reference line. The facing edge runs in the opposite direction.
   Touches along_stretch(const Edge& reference, const Edge& facing) const {
     if (facing.is_inner) return {};
     const double own_high = reference.length;
@@ -334,7 +333,7 @@ class PairTouches {
     if (high < low - kTie * own_high) return {};
     Touches touches;
     touches.reserve(search_.with_middles ? 3 : 2);
-    // Where both faces end together, round-off does not choose whose corner names the touch.
+    // Where both faces end together, round-off must not choose which corner names the contact.
     const double tie = kTie * own_high;
     touches.push_back(facing_low >= -tie ? Touch{facing.end, reference.start, reference.end}
                                          : Touch{reference.start, facing.start, facing.end});
@@ -415,11 +414,11 @@ namespace {
 struct Nearest {
   Point normal;
   double gap = 0;
-  double share = 0;  ///< of the second line: 0 or 1 on a line
+  double share = 0;  ///< fraction of the second line in the normal: 0 or 1 on a line
 };
 
-// A circle that touches both lines at the same distance from where they cross. Where the corners are from each other
-// across the bisector tells the normal, on the circle or on one of the lines, however deep a step lets them in.
+// Finds the nearest point on two lines and the circle that touches both at equal distances from their crossing. The
+// position of the corners across the bisector determines the normal, on the circle or a line, at any depth of overlap.
 Nearest nearest_on_arc(const Touch& arc, const Table<VertexIndex, Point>& vertices) {
   const auto normal = [&](EdgeName guide) {
     return (guide.has(arc.vertex) ? -1.0 : 1.0) * outward_normal(guide.start, guide.end, vertices);

@@ -1,4 +1,5 @@
-// Where two elements may touch: of each pair of convex pieces, a few points of one against an edge of the other.
+// Finds the contact candidates of two elements: for each pair of convex pieces, points of one against an edge of the
+// other. Theory: docs/theory/04-contact-geometry.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,13 +13,14 @@
 
 namespace keyblock {
 
-/// corner: a corner against the line of an edge. middle: a point inside an edge, against the line of an edge. arc: a
-/// corner against a corner, along the two edges of either that guide them past each other: two lines and an arc between
+/// Kind of a contact. corner: a corner against the line of an edge. middle: a point inside an edge, against the line of
+/// an edge. arc: a corner against a corner, whose relative path is two lines, along guiding edges, and an arc between
 /// them.
 enum class TouchKind { corner, middle, arc };
 
-/// Two edges that face each other, by their first vertices, lower one first, and where along them: 0 and 2 at the ends
-/// of the stretch they share, 1 inside. It stays the same when the line of reference passes from one edge to the other.
+/// Name of two facing edges by their first vertices, lower one first, with the place along them. Places 0 and 2 are the
+/// ends of the shared stretch, 1 is inside. The name stays the same if the reference line passes from one edge to the
+/// other.
 struct Facing {
   VertexIndex lower;
   VertexIndex upper;
@@ -27,7 +29,7 @@ struct Facing {
   auto operator<=>(const Facing&) const = default;
 };
 
-/// An edge, start → end.
+/// Edge, start → end.
 struct EdgeName {
   VertexIndex start;
   VertexIndex end;
@@ -36,24 +38,24 @@ struct EdgeName {
   friend bool operator==(const EdgeName&, const EdgeName&) = default;
 };
 
-/// A point of an element against an edge of another element, whose outside lies to the right of start → end. The first
-/// four members are its name, by which forces are remembered from step to step.
+/// Contact of a point of an element with an edge of another element, whose outside lies to the right of start → end.
+/// The first four members are its name, by which forces are remembered from step to step.
 struct Touch {
   VertexIndex vertex;
   VertexIndex start;
   VertexIndex end;
   TouchKind kind = TouchKind::corner;
   VertexIndex other = {};  ///< middle: the point lies between `vertex` and this
-  double along = 0;        ///< middle: where between `vertex` and `other`, 0 … 1
-  /// arc: the edges, of the corner `start` or of the corner `vertex`, that bound where the corners may be. The normal
-  /// of `first`, out of the element of `start`, lies clockwise of that of `second`. `end` is `start`.
+  double along = 0;        ///< middle: position between `vertex` and `other`, 0 … 1
+  /// arc: the edges, of the corner `start` or the corner `vertex`, that bound the relative positions. The normal of
+  /// `first`, out of the element of `start`, lies clockwise of that of `second`. `end` equals `start`.
   EdgeName first = {}, second = {};
   double tangent = 0;      ///< arc: distance of the corners at which it leaves the edges
-  Facing facing = {};      ///< neither, where a corner meets a corner
+  Facing facing = {};      ///< empty if a corner meets a corner
   double stretch = 0;      ///< length of the stretch that the two edges share
-  double share = 1;        ///< of the stretch that this touch stands for; 0 < share ≤ 1
+  double share = 1;        ///< part of the stretch that belongs to this contact; 0 < share ≤ 1
   int joint_material = 0;  ///< of the edge at the foot of the point
-  double rest_gap = 0;     ///< ≤ 0: overlap that was there before any force, and stays
+  double rest_gap = 0;     ///< ≤ 0: overlap that existed before any force, and stays
 
   auto name() const { return std::tie(vertex, start, end, kind); }
   friend bool operator==(const Touch& a, const Touch& b) { return a.name() == b.name(); }
@@ -62,27 +64,27 @@ struct Touch {
 
 using Touches = std::vector<Touch>;
 
-/// Of an arc: the corner that one of its edges guides, as a touch along that edge.
+/// Returns the corner guided by one of the arc's edges, as a contact along that edge.
 Touch guided(const Touch& arc, EdgeName guide);
 
-/// Whether `touch` is a corner along an edge of `arc` that guides it. False where `arc` is none.
+/// Returns true if `touch` is a corner along a guiding edge of `arc`; false if `arc` is not an arc.
 bool is_guided(const Touch& touch, const Touch& arc);
 
-/// Cosine of the angle between two faces that are in line, and carry a block as one: two and a half degrees.
+/// Cosine of the largest angle between two faces in line, which carry a block as one: two and a half degrees.
 inline constexpr double kInLine = 0.999;
 
-/// A corner along an edge with which a face that ends at the corner is in line.
+/// Corner along an edge, in line with a face that ends at the corner.
 struct InLine {
   Touch touch;
-  VertexIndex face;  ///< where it starts
+  VertexIndex face;  ///< start vertex
 };
 
-/// Where corners of two pieces are near each other and no face lies on a face.
+/// Corners of two pieces that are near each other, without contact of faces.
 struct CornerMeeting {
   Touch arc;
-  Touches sharp;  ///< what touches along the leading edge instead
+  Touches sharp;  ///< contacts along the leading edge instead of the arc
   std::vector<InLine> in_line;
-  double rounding = 0;  ///< of the corners, whatever springs give
+  double rounding = 0;  ///< of the corners, without the compression of springs
 };
 
 struct FoundTouches {
@@ -90,16 +92,14 @@ struct FoundTouches {
   std::vector<CornerMeeting> meetings;
 };
 
-/// How finely touches are searched.
+/// Parameters of the contact search.
 struct TouchSearch {
-  double reach = 0;  ///< pieces farther apart do not touch
-  /// Overlap that counts as none between corner and corner, of each element: the compression of its contact springs.
-  /// Empty: none.
+  double reach = 0;  ///< pieces farther apart are not in contact
+  /// Overlap per element that is neglected between corners: the compression of its contact springs. Empty: 0.
   Table<ElementIndex, double> slack = {};
   bool with_middles =
       false;  ///< a third point inside each shared stretch, weights 1/6, 4/6, 1/6 (Lobatto); else two halves
-  /// Overlap by which corners of two elements still pass each other, of each element: the lesser of the two counts.
-  /// None: no overlap.
+  /// Overlap per element up to which corners of two elements pass each other; the smaller value counts. Null: 0.
   const Table<ElementIndex, double>* rounding = nullptr;
 
   double slack_of(ElementIndex a, ElementIndex b) const { return slack.empty() ? 0 : std::max(slack[a], slack[b]); }
@@ -108,28 +108,28 @@ struct TouchSearch {
   }
 };
 
-/// The touches of the given pairs. For two convex pieces the line of reference is the edge, of either, from which the
-/// other keeps the largest separation; the points are the ends of the stretch along which the most opposed edge of the
-/// other faces it. Geometry alone decides (Ericson 2005, separating axes and clipping, from memory). Inner edges
-/// may keep pieces apart, but nothing touches them.
+/// Finds the contacts of the given pairs by geometry alone. For two convex pieces the reference line is the edge, of
+/// either, from which the other has the largest separation. The points are the ends of its common stretch with the most
+/// opposed edge of the other piece (Ericson 2005, separating axes and clipping, from memory). Inner edges may separate
+/// pieces but have no contacts.
 FoundTouches find_touches(const std::vector<ElementPair>& pairs, const Table<ElementIndex, ConvexPieces>& pieces,
                           const Table<VertexIndex, Point>& vertices, const TouchSearch& search);
 
-/// Unit normal out of the element of the edge, or of the arc where the corners are.
+/// Returns the unit normal out of the element of the edge, or of the arc at the position of the corners.
 Point normal_of(const Touch& touch, const Table<VertexIndex, Point>& vertices);
 
-/// Where the point of the touch is.
+/// Returns the position of the contact point.
 Point point_of(const Touch& touch, const Table<VertexIndex, Point>& vertices);
 
-/// Distance of the point from the line of the edge, or from the arc; positive outside. An arc of two corners is that of
-/// a corner that nothing but their way from each other moves: the lines are where one corner lies on an edge of the
-/// other one (Minkowski difference), with a circle that touches both.
+/// Returns the distance of the point from the line of the edge, or from the arc; positive outside. The gap of an arc
+/// depends only on the vector between both corners. On its lines one corner lies on an edge of the other (Minkowski
+/// difference); a circle touches both lines.
 double gap_of(const Touch& touch, const Table<VertexIndex, Point>& vertices);
 
-/// Whether the foot of the point on the line of the edge lies between the ends of the edge; always on an arc.
+/// Returns true if the foot of the point lies between the ends of the edge; always true for an arc.
 bool lies_over_edge(const Touch& touch, const Table<VertexIndex, Point>& vertices);
 
-/// Of an arc: 0 on the first line, 1 on the second, in between by the turn of the normal.
+/// Returns 0 on the first line of an arc, 1 on the second, and between them a value that follows the normal.
 double share_of_second(const Touch& arc, const Table<VertexIndex, Point>& vertices);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Rows of bolts and held points from the derivatives of their material points.
+// Computes the rows of bolts and fixed points from the derivatives of their material points.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/rows/constraints.hpp"
 
@@ -26,7 +26,7 @@ class MovedPoints {
   PointMotions motions_;
 };
 
-// Velocity of the second end against the first in the given direction.
+// Returns the row of the velocity of the second end against the first in the given direction.
 ContactRow bolt_row(const Bolt& bolt, const MovedPoints& points, Point direction) {
   const ElementIndex first = bolt.first.element;
   const ElementIndex second = bolt.second.element;

@@ -1,4 +1,4 @@
-// Products with the rows, block by block.
+// Computes products with the rows, block by block.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/rows/contact_row.hpp"
 

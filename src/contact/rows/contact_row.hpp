@@ -1,4 +1,4 @@
-// Rows of G: how gap and slip of contacts and constraints change with the unknowns of two elements.
+// Defines the rows of G: the change of gap and slip of contacts and constraints with the unknowns of two elements.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,15 +9,15 @@
 
 namespace keyblock {
 
-/// What a unit rate of the two unknowns of a cover function does to gap or slip.
+/// Rate of gap or slip per unit rate of the two unknowns of a cover function.
 struct SharedEntry {
   int function = 0;
   double x = 0;
   double y = 0;
 };
 
-/// One row of G: what a unit rate of the unknowns of the two elements does to gap or slip. The part of an element
-/// whose unknowns others share stands in `shared`, and its own row is empty.
+/// Row of G: rate of gap or slip per unit rate of the unknowns of two elements. If an element shares its unknowns, its
+/// part is in `shared` and its own row is empty.
 struct ContactRow {
   using Row = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMostUnknowns>;
   ElementIndex vertex_element;
@@ -26,18 +26,18 @@ struct ContactRow {
   Row of_edge;
   std::vector<SharedEntry> shared{};
 
-  /// The product with shared unknowns.
+  /// Returns the product with shared unknowns.
   double of_shared(const Eigen::VectorXd& x) const;
   void add_shared(double force, Eigen::VectorXd& sum) const;
-  /// Gᵀ f of this row.
+  /// Adds Gᵀ f of this row.
   void add_to(UnknownsTable& sum, double force) const;
 };
 
-/// The unknowns of most blocks, all of them: products of a size that the compiler knows take less than half of the
-/// instructions of those of any size.
+/// Unknowns of a full block, the usual case. Products of a size known to the compiler take less than half the
+/// instructions.
 using AllUnknowns = Eigen::Matrix<double, kMostUnknowns, 1>;
 
-/// row · x of one element.
+/// Returns row · x of one element.
 inline double product(const ContactRow::Row& row, const Unknowns& x) {
   if (row.size() != kMostUnknowns) return row.dot(x.transpose());
   return Eigen::Map<const AllUnknowns>(row.data()).dot(Eigen::Map<const AllUnknowns>(x.data()));
@@ -63,38 +63,38 @@ inline void add_scaled(double f, const ContactRow::Row& row, Unknowns& sum) {
     sum += f * row.transpose();
 }
 
-/// Rows 2i (normal) and 2i + 1 (tangential) belong to touch i.
+/// Rows 2i (normal) and 2i + 1 (tangential) belong to contact i.
 using ContactRows = std::vector<ContactRow>;
 
-/// G x.
+/// Returns G x.
 Eigen::VectorXd rates(const ContactRows& rows, const UnknownsTable& x);
 
-/// How all shared unknowns answer to forces on them.
+/// Response of all shared unknowns to forces on them.
 class SharedFlexibility {
  public:
   virtual ~SharedFlexibility() = default;
-  virtual Eigen::Index size() const = 0;  ///< unknowns
+  virtual Eigen::Index size() const = 0;  ///< number of unknowns
   virtual bool is_symmetric() const { return true; }
-  /// B f, a column a load.
+  /// Returns B f, one column per load.
   virtual Eigen::MatrixXd times(const Eigen::MatrixXd& forces) const = 0;
 };
 
-/// The same, times a factor; none of none.
+/// Returns the same times a factor; null stays null.
 std::shared_ptr<const SharedFlexibility> scaled(std::shared_ptr<const SharedFlexibility> flexibility, double factor);
 
-/// B: a block for each element, and an operator for what elements share.
+/// Flexibility B: one block per element, and an operator for shared unknowns.
 struct Flexibility {
   Table<ElementIndex, UnknownBlock> blocks;
   std::shared_ptr<const SharedFlexibility> shared{};
-  bool has_symmetric_blocks = true;  ///< false: that of a block that flows not normal to its surface is not
-  Table<ElementIndex, UnknownBlock> inverses{};  ///< of `blocks`, where they are known; else empty
+  bool has_symmetric_blocks = true;              ///< false if blocks have non-associated flow
+  Table<ElementIndex, UnknownBlock> inverses{};  ///< of `blocks` if known; otherwise empty
 };
 
-/// B Gᵀ f of the blocks alone; shared unknowns are left out.
+/// Returns B Gᵀ f of the blocks alone, without shared unknowns.
 UnknownsTable answer_of_blocks(const ContactRows& rows, const Table<ElementIndex, UnknownBlock>& blocks,
                                const Eigen::VectorXd& forces);
 
-/// B Gᵀ f.
+/// Returns B Gᵀ f.
 UnknownsTable answer(const ContactRows& rows, const Flexibility& flexibility, const Eigen::VectorXd& forces);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Rows from the points of a touch.
+// Computes the rows from the points of a contact.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/rows/gap.hpp"
 
@@ -39,12 +39,12 @@ class Rows {
     if (touch.kind != TouchKind::middle) return points_.of_vertex(touch.vertex);
     return between(points_.of_vertex(touch.vertex), points_.of_vertex(touch.other), touch.along);
   }
-  // Of an arc: on a line the corner that the edge guides, between them by the turn of the normal.
+  // Returns the point of an arc. On a line it is the corner that the edge guides, between them it follows the normal.
   Point place_of(const Touch& arc) const {
     const Point first = vertices_[guided(arc, arc.first).vertex], second = vertices_[guided(arc, arc.second).vertex];
     return first + share_of_second(arc, vertices_) * (second - first);
   }
-  // With s the share of the edge at the foot of the point.
+  // The foot divides the edge in proportion s.
   PointMotion of_foot(const Touch& touch) const {
     const Point along = vertices_[touch.end] - vertices_[touch.start];
     const double s = dot(point_of(touch, vertices_) - vertices_[touch.start], along) / dot(along, along);

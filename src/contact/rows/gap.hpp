@@ -1,4 +1,5 @@
-// The gap of a touch and how gap and slip change with the unknowns.
+// Computes the rows of contacts: the change of gap and slip with the unknowns. Theory:
+// docs/theory/04-contact-geometry.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,11 +8,12 @@
 
 namespace keyblock {
 
-/// With the outward normal n of the edge and s the share of the edge at the foot of the corner,
+/// Returns the rows. With the outward normal n of the edge and s the fraction of the edge at the foot of the corner,
 ///     g = n·(xP − x1),  ∂g = n·(∂xP − (1−s) ∂x1 − s ∂x2),
-/// exact, the turning of n included. The slip row is t·(∂xP − ∂x of the point of the other element that lies at xP), so
-/// that angular momentum holds with an open gap too. On an arc both rows are of the points of both elements that lie
-/// where one corner touches an edge of the other one, between two such places by the turn of n: exact on its lines.
+/// which is exact, with the rotation of n. The slip row is t·(∂xP − ∂x of the other element's point at xP), so that
+/// angular momentum is conserved with an open gap too. For an arc, both rows use the points of both elements where a
+/// corner touches an edge of the other. Between its lines they are interpolated by the angle of n; on its lines they
+/// are exact.
 ContactRows contact_rows(const Model& model, const Reference& reference, const UnknownsTable& q,
                          const Touches& touches);
 

@@ -1,4 +1,4 @@
-// Assembled block by block, solved by the block factor, refined once.
+// Assembles the system block by block, solves it by a block factorisation and refines the solution once.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/rows/joined_blocks.hpp"
 
@@ -44,7 +44,7 @@ class Joined {
     return right;
   }
 
-  // All entries of a table, block after block, and back.
+  // Converts all entries of a table into one vector, block after block, and back.
   Eigen::VectorXd packed(const UnknownsTable& table) const {
     Eigen::VectorXd all = Eigen::VectorXd::Zero(first_rows_.back());
     for (ElementIndex e : indices(table))
@@ -57,7 +57,7 @@ class Joined {
     return shape;
   }
 
-  // K x.
+  // Returns K x.
   Eigen::VectorXd times(const UnknownsTable& x) const {
     Eigen::VectorXd product = Eigen::VectorXd::Zero(first_rows_.back());
     for (ElementIndex e : indices(stiffness_))
@@ -65,7 +65,7 @@ class Joined {
     return product - spread(rates(rows_, x));
   }
 
-  // −Gᵀ C⁻¹ y.
+  // Returns −Gᵀ C⁻¹ y.
   Eigen::VectorXd spread(const Eigen::VectorXd& y) const {
     Eigen::VectorXd all = Eigen::VectorXd::Zero(first_rows_.back());
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -103,7 +103,7 @@ class Joined {
   const Table<ElementIndex, UnknownBlock>& stiffness_;
   const ContactRows& rows_;
   const Eigen::VectorXd& compliance_;
-  Table<ElementIndex, int> numbers_;  ///< −1 of an element without unknowns
+  Table<ElementIndex, int> numbers_;  ///< −1 for an element without unknowns
   std::vector<int> sizes_;
   std::vector<int> first_rows_;
   std::unique_ptr<BlockFactor> factor_;

@@ -1,4 +1,4 @@
-// Derivatives of the two kinds of map, and rows made of them.
+// Computes the derivatives of the two kinds of map, and rows made of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/rows/point_motion.hpp"
 
@@ -18,7 +18,7 @@ void add(const PointMotion& motion, Point direction, std::vector<SharedEntry>& e
 
 namespace {
 
-// Of a size that the compiler knows, as most are.
+// Most operators have this size, which the compiler then knows.
 using OfWholeBlock = Eigen::Matrix<double, 2, kMostUnknowns>;
 
 bool is_whole(const DisplacementOperator& of_block) {

@@ -1,4 +1,4 @@
-// Numbering of the unknown forces, and one of two factorisations by their number.
+// Numbers the unknown forces and selects one of the solvers by their number.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/active_forces.hpp"
 
@@ -13,11 +13,11 @@
 namespace keyblock {
 namespace {
 
-// Up to this many unknowns a dense factor beats the sparse one's bookkeeping.
+// Up to this number of unknowns a dense factorisation is faster than a sparse one.
 constexpr std::size_t kMostDense = 48;
-// Iterations win up to this ratio of contact stiffness to inertia, as in a step of the old rules.
+// Iterations are faster up to this ratio of contact stiffness to inertia, as in a step of Shi's rules.
 constexpr double kGreatestRatio = 100;
-// Products that cost what a factor does, over the square root of the number of blocks.
+// Number of products with the cost of a factorisation, over the square root of the number of blocks.
 constexpr double kMostProducts = 3;
 
 }  // namespace
@@ -95,7 +95,7 @@ void ActiveForces::factorise_sparse() {
   sparse_ = std::make_unique<ForcesOfBlocks>(problem_.w, set_, added_);
 }
 
-// A matrix that has no factor is left to the dense one, which finds what it can.
+// The dense factorisation also handles a singular matrix, as far as possible.
 void ActiveForces::factorise_coupled() {
   coupled_ = std::make_unique<CoupledForces>(problem_.w, set_, added_);
   if (coupled_->is_regular()) return;
@@ -122,7 +122,7 @@ void ActiveForces::factorise_dense() {
   dense_.compute(a);
 }
 
-// R = p Δt² / 2m and its like for soft blocks: what a force moves beside what its spring yields.
+// Compares the compliance of inertia with that of springs: R = p Δt² / 2m, and its counterpart for soft blocks.
 bool ActiveForces::is_inertia_great() const {
   if (!problem_.w.pairs() || problem_.w.pairs()->gave_up()) return false;
   double sum = 0;

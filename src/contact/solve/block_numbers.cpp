@@ -1,4 +1,4 @@
-// Numbers in the order of the elements; a pattern from the pairs of touches.
+// Numbers the blocks in the order of the elements and takes the pattern from the pairs of contacts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/block_numbers.hpp"
 
@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-// Leading unknowns that answer at all.
+// Returns the number of leading unknowns that respond to forces.
 int answering(const UnknownBlock& flexibility) {
   int count = 0;
   while (count < flexibility.rows() && flexibility(count, count) > 0) ++count;

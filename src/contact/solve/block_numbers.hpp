@@ -1,4 +1,4 @@
-// The blocks that contact forces act on, numbered for a factor: made once for all active sets of a problem.
+// Numbers the blocks on which contact forces act for a factorisation, once for all active sets of a problem.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,23 +10,23 @@
 
 namespace keyblock {
 
-/// Unknowns that answer to forces, block by block, and which blocks share a contact.
+/// Unknowns that respond to forces, block by block, and the pairs of blocks with a contact.
 class BlockNumbers {
  public:
-  /// `store`: what factors of other numbers left; none: these begin their own.
+  /// Numbers the blocks. `store`: factorisations left by other numberings; null: a new store.
   BlockNumbers(const ContactRows& rows, const Flexibility& flexibility, std::shared_ptr<FactorStore> store = {});
 
-  /// −1 where nothing can move.
+  /// Returns the number of an element; −1 if it cannot move.
   int of(ElementIndex e) const { return numbers_[e]; }
-  /// Unknowns of a block; 0 for −1.
+  /// Returns the number of unknowns of a block; 0 for −1.
   int size(int block) const { return block < 0 ? 0 : sizes_[static_cast<std::size_t>(block)]; }
   int first_row(int block) const { return first_rows_[static_cast<std::size_t>(block)]; }
   int row_count() const { return first_rows_.back(); }
   int count() const { return static_cast<int>(sizes_.size()); }
-  /// Inverse of the flexibility of a block.
+  /// Returns the inverse of the flexibility of a block.
   const UnknownBlock& stiffness(int block) const { return stiffness_[static_cast<std::size_t>(block)]; }
 
-  /// A factor whose values are zero; what was given back serves again.
+  /// Returns a factorisation with zero values, reusing one that was given back.
   std::unique_ptr<BlockFactor> take_factor(MatrixShape shape) const { return store_->take(sizes_, coupled_, shape); }
   void give_back(std::unique_ptr<BlockFactor> factor) const { store_->give_back(std::move(factor)); }
 

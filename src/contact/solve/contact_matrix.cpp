@@ -1,4 +1,4 @@
-// Products row by row; the diagonal, and what shared unknowns couple, are made once.
+// Computes products row by row. The diagonal and the coupling by shared unknowns are made once.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/contact_matrix.hpp"
 
@@ -11,7 +11,7 @@
 namespace keyblock {
 namespace {
 
-// Fewer blocks than these, or fewer pairs, are factorised faster than iterations get anywhere.
+// With fewer blocks or pairs a factorisation is faster than iterations.
 constexpr std::size_t kManyBlocks = 300;
 
 ContactRow through(const ContactRow& row, const Table<ElementIndex, UnknownBlock>& blocks) {
@@ -19,13 +19,13 @@ ContactRow through(const ContactRow& row, const Table<ElementIndex, UnknownBlock
           product(row.of_edge, blocks[row.edge_element])};
 }
 
-// Right sides that the factor of shared unknowns takes at a time.
+// Right-hand sides per solve with the factorisation of shared unknowns.
 constexpr std::size_t kSolvedAtOnce = 64;
 
-/// What one unknown answers to all forces lies side by side.
+/// Row-major: the responses of one unknown to all forces are contiguous.
 using AnswersByUnknown = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// A column for a unit of force along each of the rows.
+/// Returns one column per row of G: the response to a unit force along it.
 AnswersByUnknown answers_to(const ContactRows& rows, std::span<const Eigen::Index> some,
                             const SharedFlexibility& shared) {
   Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(shared.size(), static_cast<Eigen::Index>(some.size()));
@@ -35,7 +35,7 @@ AnswersByUnknown answers_to(const ContactRows& rows, std::span<const Eigen::Inde
   return shared.times(forces);
 }
 
-/// The entries of a row with the first `count` of `some`.
+/// Appends the entries of a row with the first `count` of `some`.
 void add_coupled(const ContactRow& row, std::ptrdiff_t count, std::span<const Eigen::Index> some,
                  const AnswersByUnknown& answers, std::vector<SharedCoupling::Entry>& entries) {
   Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(count);
@@ -46,7 +46,7 @@ void add_coupled(const ContactRow& row, std::ptrdiff_t count, std::span<const Ei
     if (sums[k] != 0) entries.push_back({some[static_cast<std::size_t>(k)], sums[k]});
 }
 
-// Of the blocks alone.
+// Returns the product by blocks alone.
 double product_of(const ContactRow& a, const ContactRow& b) {
   double sum = 0;
   if (a.vertex_element == b.vertex_element) sum += a.of_vertex.dot(b.of_vertex);
@@ -58,7 +58,7 @@ double product_of(const ContactRow& a, const ContactRow& b) {
 
 }  // namespace
 
-// Tens of megabytes where a thousand faces of a crack lie on each other: written once, where they stay.
+// A thousand contacting crack faces need tens of megabytes, so that entries are written once, in their final place.
 CoupledRows::CoupledRows(const std::vector<std::vector<Entry>>& lower, bool mirrors) : first_(lower.size() + 1, 0) {
   const auto is_mirrored = [&](const Entry& entry, std::size_t i) {
     return mirrors && entry.row != static_cast<Eigen::Index>(i);
@@ -71,7 +71,7 @@ CoupledRows::CoupledRows(const std::vector<std::vector<Entry>>& lower, bool mirr
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   entries_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  // Of a row all before the diagonal are its own and come with it, those beyond it with later rows.
+  // A row has its own entries up to the diagonal; later rows supply those beyond it.
   for (std::size_t i = 0; i < lower.size(); ++i)
     for (const Entry& entry : lower[i]) {
       entries_[next[i]++] = entry;
@@ -92,7 +92,7 @@ SharedCoupling::SharedCoupling(const ContactRows& rows, const Flexibility& flexi
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (!rows[i].shared.empty()) coupled.push_back(static_cast<Eigen::Index>(i));
   const bool is_symmetric = flexibility.shared->is_symmetric();
-  std::vector<std::vector<Entry>> lower(rows.size());  // of one that is not symmetric all
+  std::vector<std::vector<Entry>> lower(rows.size());  // all entries if unsymmetric
   for (std::size_t begin = 0; begin < coupled.size(); begin += kSolvedAtOnce) {
     const std::span<const Eigen::Index> some =
         std::span(coupled).subspan(begin, std::min(kSolvedAtOnce, coupled.size() - begin));
@@ -163,7 +163,7 @@ const CoupledRows& ContactMatrix::coupled() const {
   std::vector<Eigen::Index> others;
   std::vector<CoupledRows::Entry> entries;
   for (Eigen::Index i = 0; i < rows(); ++i) {
-    // Of a row without entries of blocks the coupling through shared functions is all there is.
+    // A row without entries of blocks is coupled only through shared functions.
     const bool is_shared_alone = row(i).of_vertex.size() == 0 && row(i).of_edge.size() == 0;
     if (is_shared_alone && !shared_.is_none() && shared_.entry(i, i) != 0) {
       all->add(shared_.entries(i));

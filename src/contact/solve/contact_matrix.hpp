@@ -1,5 +1,4 @@
-// What forces of contacts and constraints do to the rates along them, without the matrix of that ever being formed for
-// blocks.
+// Holds the response matrix of contact and constraint forces as an operator, without forming it for blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +12,7 @@
 
 namespace keyblock {
 
-/// The entries of every row that are not 0, by the rows that it is coupled with, in their order.
+/// Nonzero entries of every row, ordered by the coupled rows.
 class CoupledRows {
  public:
   struct Entry {
@@ -22,7 +21,7 @@ class CoupledRows {
   };
 
   CoupledRows() = default;
-  /// All rows at once. `mirrors`: of a symmetric matrix, of which the rows end with the diagonal.
+  /// Takes all rows at once. `mirrors`: the matrix is symmetric and its rows end with the diagonal.
   CoupledRows(const std::vector<std::vector<Entry>>& lower, bool mirrors);
 
   bool is_none() const { return first_.empty(); }
@@ -30,16 +29,16 @@ class CoupledRows {
     const std::size_t first = first_[static_cast<std::size_t>(i)];
     return std::span(entries_).subspan(first, first_[static_cast<std::size_t>(i) + 1] - first);
   }
-  /// Of the next row.
+  /// Appends the next row.
   void add(std::span<const Entry> entries);
 
  private:
-  std::vector<std::size_t> first_;  ///< of each row in `entries_`, and their end
+  std::vector<std::size_t> first_;  ///< start of each row in `entries_`, and the end
   std::vector<Entry> entries_;
 };
 
-/// G B Gᵀ by way of the shared unknowns alone, a solution a row. The unknowns of a body couple the rows that it has a
-/// part in; of other rows B makes exact zeros, which are not kept.
+/// Part of G B Gᵀ by the shared unknowns alone, one solve per row. A body's unknowns couple the rows of its contacts.
+/// For other rows B gives exact zeros, which are not kept.
 class SharedCoupling {
  public:
   using Entry = CoupledRows::Entry;
@@ -48,26 +47,26 @@ class SharedCoupling {
   SharedCoupling(const ContactRows& rows, const Flexibility& flexibility);
 
   bool is_none() const { return rows_.is_none(); }
-  /// Of row i; none where nothing is shared.
+  /// Returns the entries of row i; empty without shared unknowns.
   std::span<const Entry> entries(Eigen::Index i) const;
   double entry(Eigen::Index i, Eigen::Index j) const;
-  /// Row i times forces.
+  /// Returns row i times forces.
   double rate(Eigen::Index i, const Eigen::VectorXd& forces) const;
-  /// All rows times forces.
+  /// Returns all rows times forces.
   Eigen::VectorXd times(const Eigen::VectorXd& forces) const;
 
  private:
   CoupledRows rows_;
 };
 
-/// W = G B Gᵀ + diag(added), with a row of G a force and a block of B an element: the flexibility of its unknowns,
-/// symmetric but of rock whose flow is not normal to its surface, zero in rows and columns of unknowns that do not
-/// answer. Those that do come first. Covers have one common part of B.
+/// W = G B Gᵀ + diag(added), with one row of G per force. B has one block per element, the flexibility of its unknowns.
+/// Blocks are symmetric except for rock with non-associated flow. They are zero in rows and columns of unknowns that do
+/// not respond, which come last. NMM bodies share one common part of B.
 class ContactMatrix {
  public:
   ContactMatrix() = default;
   ContactMatrix(ContactRows rows, Flexibility flexibility);
-  /// The same rows as others have; `store`: of BlockNumbers.
+  /// Shares rows with other matrices; `store`: as in BlockNumbers.
   ContactMatrix(std::shared_ptr<const ContactRows> rows, Flexibility flexibility,
                 std::shared_ptr<FactorStore> store = {});
 
@@ -77,15 +76,15 @@ class ContactMatrix {
   const Flexibility& flexibility() const { return flexibility_; }
   const SharedCoupling& shared() const { return shared_; }
   const Eigen::VectorXd& added() const { return added_; }
-  /// Made when first asked for.
+  /// Returns the block numbers, made on first request.
   const BlockNumbers& blocks() const;
-  /// The entries of W by way of blocks and shared unknowns alike, without what was added. Made when first asked for.
+  /// Returns the entries of W by blocks and shared unknowns, without the added diagonal. Made on first request.
   const CoupledRows& coupled() const;
-  /// The same rows for products many times over; none for few blocks or pairs, or where shared unknowns couple rows.
-  /// Made when first asked for.
+  /// Returns the rows in a form for many products; null for few blocks or pairs, or if shared unknowns couple rows.
+  /// Made on first request.
   const PairSystem* pairs() const;
 
-  /// The compliance of a spring, 1/p.
+  /// Adds to the diagonal, for example the compliance 1/p of a spring.
   void add_to_diagonal(Eigen::Index row, double value);
 
   Eigen::VectorXd operator*(const Eigen::VectorXd& forces) const;
@@ -103,11 +102,10 @@ class ContactMatrix {
   mutable std::shared_ptr<const PairSystem> pairs_;
 };
 
-/// The diagonal of G B Gᵀ alone, with what shared unknowns couple made already.
+/// Returns the diagonal of G B Gᵀ, given the coupling by shared unknowns.
 Eigen::VectorXd diagonal_of(const ContactRows& rows, const Flexibility& flexibility, const SharedCoupling& shared);
 
-/// A row of G times B, for entries of W where a few are wanted: entry (i, j) is row i times row j, without what was
-/// added.
+/// Row of G times B, for single entries of W. Entry (i, j) is row i times row j, without the added diagonal.
 class RowThrough {
  public:
   RowThrough(const ContactMatrix& w, Eigen::Index i);

@@ -1,4 +1,4 @@
-// Row by row, over the forces that act on the same bodies.
+// Assembles row by row, over the forces on the same bodies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/coupled_forces.hpp"
 
@@ -12,7 +12,7 @@ CoupledForces::CoupledForces(const ContactMatrix& w, const ActiveSet& set, const
   for (Eigen::Index u = 0; u < size; ++u) {
     const Eigen::Index force = set.rows[static_cast<std::size_t>(u)];
     a.startVec(u);
-    Eigen::Index last = -1;  // the two forces of a pair may be of one unknown
+    Eigen::Index last = -1;  // both forces of a pair may depend on one unknown
     const auto put = [&](Eigen::Index unknown, double value) {
       if (unknown == last)
         a.data().value(static_cast<Eigen::Index>(a.data().size()) - 1) += value;
@@ -35,7 +35,7 @@ CoupledForces::CoupledForces(const ContactMatrix& w, const ActiveSet& set, const
   try {
     factor->factorise(by_columns);
     factor_ = std::move(factor);
-  } catch (const SingularMatrix&) {  // is_regular says so
+  } catch (const SingularMatrix&) {  // is_regular reports it
   }
 }
 

@@ -1,4 +1,4 @@
-// The forces of an active set by their own equations: a body on covers couples all forces on it, and no others.
+// Solves for the forces of an active set in their own equations: an NMM body couples exactly the forces on it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,18 +9,18 @@
 
 namespace keyblock {
 
-/// (R W F + R D F) u = f (forces_of_blocks.hpp), R the rows kept, F the columns, D what stands on the diagonal besides,
-/// which may be 0 here. Sparse where the scene has many bodies.
+/// System (R W F + R D F) u = f (forces_of_blocks.hpp). R are the kept rows, F the columns, D the added diagonal, which
+/// may be 0 here. The matrix is sparse if the scene has many bodies.
 class CoupledForces {
  public:
   CoupledForces(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added);
 
   bool is_regular() const { return factor_ != nullptr; }
-  /// u for one f, an entry an unknown each.
+  /// Returns u for one f, one entry per unknown.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return factor_->solve(right); }
 
  private:
-  std::unique_ptr<SparseLu> factor_;  ///< none of equations that are singular
+  std::unique_ptr<SparseLu> factor_;  ///< null if the equations are singular
 };
 
 }  // namespace keyblock

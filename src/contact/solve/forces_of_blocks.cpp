@@ -1,4 +1,4 @@
-// Outer products of the rows of each pair, over what is added to their diagonal.
+// Assembles outer products of the rows of each pair, divided by their added diagonal.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/forces_of_blocks.hpp"
 
@@ -8,7 +8,7 @@
 namespace keyblock {
 namespace {
 
-// Refinement ends where the residual over the right side is round-off, or no longer falls by the second figure.
+// Refinement ends if the residual over the right-hand side is round-off, or stays above kFalls times the last.
 constexpr double kRoundOff = 1e-14;
 constexpr double kFalls = 0.1;
 constexpr int kMostRefinements = 4;
@@ -21,7 +21,7 @@ ForcesOfBlocks::ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, con
     : w_(w), set_(set), added_(added), compliance_(set.kept(w.added() + added)), blocks_(w.blocks()) {
   if (!(compliance_.minCoeff() > 0)) return;
   const bool is_symmetric = !set.slips && w.flexibility().has_symmetric_blocks;
-  // Round-off may take what is positive of a pivot.
+  // Round-off may make a pivot negative; the general factorisation then succeeds.
   is_regular_ = (is_symmetric && factorise(MatrixShape::symmetric)) || factorise(MatrixShape::general);
 }
 
@@ -85,7 +85,7 @@ void ForcesOfBlocks::add_pair_of(Eigen::Index pair, std::size_t first_unknown, i
       if (is_wanted(i, j)) factor_->add(blocks[i], blocks[j], sums[i][j]);
 }
 
-// Gᵀ f on the unknowns that answer.
+// Returns Gᵀ f on the responding unknowns.
 Eigen::VectorXd ForcesOfBlocks::on_blocks(const Eigen::VectorXd& forces) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(blocks_.row_count());
   const auto add = [&](ElementIndex e, const Row& row, double force) {

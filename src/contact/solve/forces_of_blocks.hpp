@@ -1,5 +1,4 @@
-// The forces of an active set by way of the blocks that they act on: as many equations as unknowns of blocks, and
-// sparse.
+// Solves for the forces of an active set through the unknowns of the blocks, in a sparse system of that size.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,28 +7,28 @@
 
 namespace keyblock {
 
-/// With W = G B Gᵀ (contact_matrix.hpp), (R W F + R D F) u = f, R the rows kept, F the columns and D > 0 what stands on
-/// the diagonal besides (compliance and proximal weight, length / force), is
+/// Let W = G B Gᵀ (contact_matrix.hpp) and (R W F + R D F) u = f. R are the kept rows, F the columns. D > 0 is the
+/// added diagonal (compliance and proximal weight, length / force). The system is equivalent to
 ///     (A + Gᵀ F D⁻¹ R G) x = Gᵀ F D⁻¹ f,   u = D⁻¹ (f − R G x),   A = B⁻¹,
-/// for D stands alone in the row of each unknown. It is what penalty springs of stiffness 1/D put between blocks (Shi
-/// 1988), slip included, and is refined on the equations of the forces.
+/// because D is alone in the row of each unknown. This matrix is that of penalty springs of stiffness 1/D between
+/// blocks (Shi 1988), including slip. The solution is refined on the equations of the forces.
 class ForcesOfBlocks {
  public:
   ForcesOfBlocks(const ContactMatrix& w, const ActiveSet& set, const Eigen::VectorXd& added);
-  ForcesOfBlocks(const ForcesOfBlocks&) = delete;  // its factor goes back to the matrix
+  ForcesOfBlocks(const ForcesOfBlocks&) = delete;  // its factorisation goes back to the matrix
   ForcesOfBlocks& operator=(const ForcesOfBlocks&) = delete;
   ~ForcesOfBlocks() {
     if (factor_) blocks_.give_back(std::move(factor_));
   }
 
   bool is_regular() const { return is_regular_; }
-  /// u for one f, an entry an unknown each.
+  /// Returns u for one f, one entry per unknown.
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
  private:
   bool factorise(MatrixShape shape);
   void add_pair(Eigen::Index pair, std::size_t first_unknown, int count, MatrixShape shape);
-  /// Of blocks that all have N unknowns, or any number.
+  /// Serves blocks that all have N unknowns, or any number.
   template <int N>
   void add_pair_of(Eigen::Index pair, std::size_t first_unknown, int count, MatrixShape shape);
   Eigen::VectorXd on_blocks(const Eigen::VectorXd& forces) const;
@@ -39,7 +38,7 @@ class ForcesOfBlocks {
   const ContactMatrix& w_;
   const ActiveSet& set_;
   Eigen::VectorXd added_;
-  Eigen::VectorXd compliance_;  ///< D, of each unknown
+  Eigen::VectorXd compliance_;  ///< D per unknown
   const BlockNumbers& blocks_;
   std::unique_ptr<BlockFactor> factor_;
   bool is_regular_ = false;

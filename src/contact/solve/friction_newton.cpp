@@ -1,4 +1,4 @@
-// Active set after active set, proximal round after proximal round.
+// Iterates over active sets within each proximal round.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/friction_newton.hpp"
 
@@ -12,43 +12,43 @@
 namespace keyblock {
 namespace {
 
-// Weight of the proximal term over the compliance of a force, in the first round that has one: small ones need few
-// rounds but run away on jointed masses, where larger ones follow. From round to round it changes by a factor of ten.
+// Weight of the proximal term over the compliance of a force, in the first round with such a term. Small weights need
+// few rounds but diverge on jointed masses, where larger ones follow. Weights change by a factor of ten per round.
 constexpr double kFirstWeight = 1e-3;
 constexpr double kTen = 10;
-// Softer than this, a round moves next to nothing; sharper, jointed masses are singular. Between a light block and a
-// heavy one W_ii is that of the light one, and a share of it yields more than the heavy one does: few pairs go on to
-// the last one.
+// Limits of the weight. A softer round makes almost no progress; a sharper one is singular on jointed masses. W_ii
+// between a light and a heavy block is that of the light one. A fraction of it may exceed the compliance of the heavy
+// one. Few pairs therefore go on to kSharpestOfFew.
 constexpr double kSoftest = 1;
 constexpr double kSharpest = 1e-6;
 constexpr double kSharpestOfFew = 1e-8;
-// Held points have no springs and do not open: this share makes them regular, and leaves less in one round than a held
-// block strains.
+// Fixed points have no springs and do not open. This weight makes them regular; one round leaves less error than a
+// fixed block strains.
 constexpr double kOfHeld = 1e-8;
-// A round settles to this share of the residual that it starts with: what is left of the proximal term is more.
+// A round converges to this fraction of its initial residual: the remaining proximal term is larger.
 constexpr double kOfRound = 1e-3;
-// A weight that improves the residual by more than this is kept.
+// A weight is kept if a round reduces the residual to this fraction or less.
 constexpr double kGood = 0.1;
-// An acceptable residual that a round improves by less than this is left as it is.
+// An acceptable residual is final if a round leaves more than this fraction of it.
 constexpr double kProgress = 0.5;
-// Active sets of one round, and rounds. Of many pairs a round that takes longer has run away.
+// Limits of rounds, and of active sets per round. With many pairs a longer round has diverged.
 constexpr int kMostRounds = 40;
 constexpr int kMostSets = 60;
 constexpr int kMostSetsOfMany = 16;
-// Line search towards the forces of an active set, for springs: a step is long enough if it reduces the residual by
-// this share of its length; it is halved at most so often; and the search gives up after so many active sets in a row
-// towards which no step reduces the residual.
+// Line search towards the forces of an active set, for springs. A step suffices if it reduces the residual by
+// kSufficient of its length. It is halved at most kHalvingsOfWay times. The search gives up after kMostRises active
+// sets in a row without a reduction.
 constexpr double kSufficient = 0.1;
 constexpr int kHalvingsOfWay = 8;
 constexpr int kMostRises = 2;
-// From this set on a proximal round of many pairs has run away if more than half as many of them change as did at
-// first, and more than the second figure.
+// From this set on, a proximal round of many pairs counts as diverged if too many pairs change: more than half as many
+// as at first, and more than kStillFew.
 constexpr int kSetsToSettle = 4;
 constexpr std::size_t kStillFew = 20;
-// Few forces are left as they are where their residual is this share of the goal.
+// Few forces stay as they are if their residual is below this fraction of the goal.
 constexpr double kOfGoal = 1e-3;
-// Residual that iterations may leave: over the goal, and of an active set that may not be the last one, over the
-// residual that it starts with.
+// Residual that iterations may leave, over the goal. kForcing: over the initial residual of an active set that need not
+// be the last.
 constexpr double kInner = 0.3;
 constexpr double kForcing = 0.001;
 
@@ -74,12 +74,12 @@ class Newton {
       if (tried_.forces != reference) tried_ = tried(problem_, reference);
       const bool settled = settle({weights_of(weight), reference});
       const double gain = solution_.residual / before;
-      // Where nothing opens, the factor stays, and the last digits cost a solution each.
+      // If nothing can open, the factorisation stays valid, and the last digits cost one solve each.
       const bool refines = nothing_opens_ && gain < kProgress && solution_.residual > kOfGoal * problem_.goal;
       if (is_solved() && !refines) break;
       const bool are_few = !problem_.has_many();
       if (!settled || gain >= 1) {
-        // A detour by the interior finds the states of many touches better than a larger weight does.
+        // With many contacts, a detour through the interior finds the states better than a larger weight does.
         const bool goes_on = are_few ? !solution_.converged : nothing_opens_;
         if (is_unique_ || !goes_on || weight >= kSoftest / kFirstWeight) break;
         softest_lost = weight;
@@ -87,7 +87,7 @@ class Newton {
         continue;
       }
       if (solution_.converged && gain > kProgress && weight <= sharpest()) break;
-      // Few forces that take a large motion to matter keep the first weight, unless only digits are missing.
+      // Few forces that need a large motion to change keep the first weight, unless only digits are missing.
       const bool is_far = are_few && !solution_.converged;
       if (!is_unique_ && gain > kGood && !is_far && weight / kTen > softest_lost)
         weight = std::max(weight / kTen, sharpest());
@@ -96,11 +96,11 @@ class Newton {
   }
 
  private:
-  // Solves with the proximal term; false if the active sets go round in a cycle, run away or leave forces open.
+  // Solves with the proximal term. Returns false if the active sets cycle, diverge or leave forces undetermined.
   bool settle(const Proximal& proximal) {
     const Eigen::VectorXd right = problem_.b - proximal.weights.cwiseProduct(proximal.reference);
     const double goal = std::max(kInner * problem_.goal, kOfRound * solution_.residual);
-    std::vector<std::vector<Grip>> visited;  // since a part of a way was taken
+    std::vector<std::vector<Grip>> visited;  // since the last partial step
     NaturalMap map = natural_map(problem_, tried_, proximal);
     std::size_t first_changes = 0;
     int rises = 0;
@@ -133,18 +133,18 @@ class Newton {
         return false;
       if (is_whole && std::ranges::find(visited, map.grips) == visited.end()) continue;
       if (is_whole && !is_rough) return false;
-      if (is_whole) is_loose = false;  // it may be errors that go round
+      if (is_whole) is_loose = false;  // errors of iterations may be the cause of the cycle
       visited.clear();
     }
     return false;
   }
 
-  // Residual of the natural map: the largest change that it makes to the forces tried.
+  // Returns the residual of the natural map: its largest change of the forces tried.
   double change(const NaturalMap& map) const { return (map.forces - tried_.forces).cwiseAbs().maxCoeff(); }
 
   // Moves to the forces of an active set. Under springs, which make normal forces unique, it halves the step until the
-  // residual has fallen enough, and else takes the step with the smallest residual: Newton's method for a map with
-  // kinks (Pang 1990). Friction may have several solutions all the same; short steps end at the nearest one.
+  // residual has fallen enough. Otherwise it takes the step with the smallest residual: Newton's method for a map with
+  // kinks (Pang 1990). Friction may still have several solutions; short steps end at the nearest one.
   bool go_towards(Tried full, double before, const Proximal& proximal) {
     if (!is_unique_) {
       tried_ = std::move(full);
@@ -168,7 +168,7 @@ class Newton {
     return best_part == 1;
   }
 
-  // Those of the problem, with ours where neither they nor a compliance make a force unique.
+  // Returns the weights of the problem. A force with neither weight nor compliance gets the default weight.
   Eigen::VectorXd base_weights() const {
     const Eigen::VectorXd ours = kFirstWeight * problem_.compliance();
     if (problem_.proximal.size() == 0) return ours;
@@ -205,14 +205,14 @@ class Newton {
 
   void factorise(const std::vector<Grip>& grips, const Eigen::VectorXd& weights) {
     if (kept_.system && grips == kept_.grips && weights == kept_.weights) return;
-    kept_.system.reset();  // its factor serves again
+    kept_.system.reset();  // its factorisation is reused
     kept_ = {std::make_unique<ActiveForces>(problem_, grips, weights), grips, weights};
     ++solution_.solves;
   }
 
-  // A system of few pairs costs next to nothing, and a gap left within the goal of its force would be closed in a later
-  // step: with a velocity that strains stiff ones. What a detour has found of the forces of many springs, one active
-  // set takes on to the last digits: without it a nanometre of noise shows in what a slope does.
+  // A system of few pairs costs almost nothing. A gap left within the goal of its force would be closed in a later
+  // step, with a velocity that strains stiff blocks. After a detour with many springs, one active set refines the
+  // forces to the last digits. Without it a nanometre of noise affects the motion of a slope.
   bool is_left_as_is() const {
     const bool is_enough = problem_.has_many() && !(is_unique_ && solution_.solves > 0);
     return solution_.residual <= (is_enough ? 1 : kOfGoal) * problem_.goal;
@@ -236,10 +236,10 @@ class Newton {
   }
 
   const FrictionalProblem& problem_;
-  FrictionalSolution solution_;  ///< with the best forces seen
+  FrictionalSolution solution_;  ///< with the best forces found
   KeptSystem& kept_;
   Eigen::VectorXd base_;  ///< weights of the first proximal round
-  bool is_unique_;        ///< forces follow from springs
+  bool is_unique_;        ///< springs determine the forces
   bool nothing_opens_;
   Tried tried_;  ///< forces of the last active set
 };

@@ -1,4 +1,5 @@
-// Newton's method for contact forces: one linear system an active set, with a proximal term where it needs one.
+// Solves for contact forces by a semismooth Newton method: one linear system per active set, regularised by a proximal
+// term if contacts are redundant. Theory: docs/theory/05-frictional-contact.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,13 +7,13 @@
 
 namespace keyblock {
 
-/// Semismooth Newton on the natural map. A proximal term ρ W_ii (λ − λ_ref) makes redundant contacts regular and far
-/// steps short; λ_ref follows round by round until the residual of the problem itself is at its goal (Rockafellar
-/// 1976). A round whose active sets go round in a cycle or run away is the last; of few pairs one with a larger ρ
-/// follows. Where springs make the forces unique, rounds have no such term. The best forces seen are kept.
+/// Applies semismooth Newton to the natural map. A proximal term ρ W_ii (λ − λ_ref) makes redundant contacts regular
+/// and shortens long steps. λ_ref follows from round to round until the residual of the problem itself reaches its goal
+/// (Rockafellar 1976). A round whose active sets cycle or diverge is the last; with few pairs, one with a larger ρ
+/// follows. If springs make the forces unique, rounds have no such term. The best forces found are kept.
 FrictionalSolution newton(const FrictionalProblem& problem, const Eigen::VectorXd& start);
 
-/// The same from an earlier solution, whose counts go on; `kept` as in `solve`.
+/// Continues from an earlier solution and its counts; `kept` as in `solve`.
 FrictionalSolution newton(const FrictionalProblem& problem, FrictionalSolution so_far, KeptSystem* kept = nullptr,
                           Tried first = {});
 

@@ -1,4 +1,4 @@
-// The natural map, its residual, and the order in which the two methods are tried.
+// Computes the natural map and its residual, and applies the two methods in order.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/frictional_problem.hpp"
 
@@ -70,7 +70,7 @@ std::size_t worst_pair(const FrictionalProblem& problem, const Eigen::VectorXd& 
   return static_cast<std::size_t>(worst / 2);
 }
 
-// The pairs that the natural map would still change by more than is acceptable.
+// Returns the pairs that the natural map would still change by more than acceptable.
 std::vector<std::size_t> unsettled(const FrictionalProblem& problem, const Tried& tried) {
   const auto& [forces, y] = tried;
   const Eigen::VectorXd change = (natural_map(problem, tried).forces - forces).cwiseAbs();
@@ -110,7 +110,7 @@ FrictionalSolution solve(const FrictionalProblem& problem, Tried first, KeptSyst
     solution = newton(problem, std::move(solution), kept);
   }
   if (!solution.converged) solution.undecided = unsettled(problem, tried(problem, solution.forces));
-  // Round-off on an open touch would pass for a closed one.
+  // Otherwise round-off on an open contact would pass for a closed one.
   const Tried last = tried(problem, solution.forces);
   const NaturalMap map = natural_map(problem, last);
   for (std::size_t i = 0; i < problem.count(); ++i) {

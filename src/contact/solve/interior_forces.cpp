@@ -1,4 +1,4 @@
-// Rooms and multipliers, and one factor a step for its prediction and its correction.
+// Follows the central path with rooms and multipliers; one factorisation per step serves prediction and correction.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/interior_forces.hpp"
 
@@ -15,32 +15,32 @@
 namespace keyblock {
 namespace {
 
-// From far away three steps take a decade: ends that were found took 10 to 50, and none more than 60.
+// From far away three steps reduce the product tenfold. Successful searches took 10 to 50 steps, and none more than 60.
 constexpr int kMostPathSteps = 60;
-// The path begins where the product of room and multiplier is this share of the mean energy of forces and gaps; shares
-// of 1e-3 to 1 were tried, and took as many steps.
+// Initial product of room and multiplier, relative to the mean energy of forces and gaps. Values of 1e-3 to 1 took as
+// many steps.
 constexpr double kFirstProduct = 1e-2;
-// A step ends at this share of the way to the nearest bound.
+// A step ends at this fraction of the way to the nearest bound.
 constexpr double kOfWayToBound = 0.995;
-// Least share of the product that a step aims at, below what a prediction is good for.
+// Least target of a step relative to the product, below the accuracy of a prediction.
 constexpr double kLeastAim = 1e-6;
-// A part below the first is short: the damping begins at the second, a share of W_ii, and grows tenfold with each short
-// part in a row; after a part above the last it falls again.
+// A part below kShortPart is short. Damping then begins at kDamping of W_ii and grows tenfold per short part in a row.
+// It falls again after a part above kLongPart.
 constexpr double kShortPart = 0.05;
 constexpr double kDamping = 1e-3;
 constexpr double kLongPart = 0.3;
 constexpr double kTenfold = 10;
 constexpr int kMostShort = 15;
-// A force without a spring has this share of W_ii in the matrix: redundant ones would make it singular.
+// Fraction of W_ii added for a force without a spring: redundant ones would make the matrix singular.
 constexpr double kRegularShare = 1e-8;
-// A bound of friction is this share of a natural force away at least when the path begins.
+// Initial distance of friction bounds, at least this fraction of a natural force.
 constexpr double kLeastFrictionRoom = 1e-3;
-// Iterations, where they take the place of a factor, may leave this share of the goal.
+// Residual that iterations may leave instead of a factorisation, over the goal.
 constexpr double kLeftOfGoal = 0.01;
-// Halvings of what a tangential force lies between, down to round-off.
+// Bisections for a tangential force between its bounds, down to round-off.
 constexpr int kBisections = 60;
 
-// A bound of a force: room = sign × force + slope × normal force of the pair + given.
+// Bound of a force: room = sign × force + slope × normal force of the pair + given.
 struct Bound {
   Eigen::Index row;
   double sign;
@@ -56,7 +56,7 @@ struct Bound {
   double product_after(double part) const {
     return (room + part * room_change) * (multiplier + part * multiplier_change);
   }
-  /// Change of the multiplier that brings the product to `aim` if the room changes as it does.
+  /// Sets the change of the multiplier that brings the product to `aim` for the known change of the room.
   void follow(double aim) { multiplier_change = aim / room - multiplier - stiffness() * room_change; }
 };
 
@@ -67,7 +67,7 @@ class Interior {
     for (std::size_t i = 0; i < problem_.count(); ++i) add_bounds(i);
   }
 
-  // Where the path from the forces at hand leads nowhere, that from none is another one.
+  // If the path from the current forces leads nowhere, the path from zero is a different one.
   FrictionalSolution run() {
     if (bounds_.empty() || !is_complementary()) return std::move(solution_);
     follow_path(energy_of_change());
@@ -79,7 +79,7 @@ class Interior {
   }
 
  private:
-  // Where there is no room there is no force.
+  // Laws without room for a tangential force have no unknown for it.
   void add_bounds(std::size_t pair) {
     const auto n = static_cast<Eigen::Index>(2 * pair);
     const ForceLaw& law = problem_.laws[pair];
@@ -100,7 +100,7 @@ class Interior {
 
   void follow_path(double most_energy) {
     begin(most_energy);
-    if (!(product_ > 0)) return;  // nothing to be balanced
+    if (!(product_ > 0)) return;  // nothing to balance
     damping_ = 0;
     int short_parts = 0;
     for (int k = 0; k < kMostPathSteps && short_parts < kMostShort; ++k) {
@@ -112,7 +112,8 @@ class Interior {
     }
   }
 
-  // A normal force that may pull has no bound, and Coulomb's law on it none that grows with it.
+  // A normal force that may pull has no bound, so that a friction limit that grows with it fits no complementarity
+  // problem.
   bool is_complementary() const {
     return std::ranges::all_of(problem_.laws, [](const ForceLaw& law) { return law.can_open() || law.friction == 0; });
   }
@@ -121,14 +122,14 @@ class Interior {
     return bound.sign * change[bound.row] + (bound.slope == 0 ? 0 : bound.slope * change[bound.row - 1]);
   }
 
-  // The greatest of what the natural map would change.
+  // Returns the greatest energy of a change by the natural map.
   double energy_of_change() const {
     const Eigen::VectorXd change = natural_map(problem_, forces_).forces - forces_;
     return change.cwiseAbs2().cwiseProduct(own_).maxCoeff();
   }
 
-  // Forces as near to the path as each of them can be by itself: with the others as they are, and the wanted force that
-  // of the natural map, room − product / (W_ii room) is what is wanted of the room (Chen & Harker 1993).
+  // Starts with forces as near to the path as each can be alone. With the other forces fixed and the target force of
+  // the natural map, room − product / (W_ii room) is the target of the room (Chen & Harker 1993).
   void begin(double most_energy) {
     const Tried now = tried(problem_, forces_);
     const double energy =
@@ -153,7 +154,7 @@ class Interior {
     }
   }
 
-  // The tangential force between its two bounds.
+  // Sets the tangential force between its two bounds.
   void begin_between(Eigen::Index n, const ForceLaw& law, double wanted) {
     const double natural = std::sqrt(product_ / own_[n + 1]);
     if (law.friction > 0 && law.cohesion + law.friction * forces_[n] < kLeastFrictionRoom * natural)
@@ -169,8 +170,8 @@ class Interior {
     forces_[n + 1] = kOfWayToBound * (low + high) / 2;
   }
 
-  // The matrix of a step: that of W with the stiffness of the bounds on its diagonal. A bound that follows the normal
-  // force couples the two forces of its pair, which is told as λt = unknown + coupled λn (active_forces.hpp).
+  // Factorises the matrix of a step: W with the stiffness of the bounds on its diagonal. A bound that depends on the
+  // normal force couples the two forces of its pair, expressed as λt = unknown + coupled λn (active_forces.hpp).
   void factorise() {
     Eigen::VectorXd added = damping_ * own_;
     for (Eigen::Index i = 0; i < added.size(); ++i)
@@ -186,12 +187,12 @@ class Interior {
       set.columns[static_cast<std::size_t>(i)].coupled = -coupling[i] / (problem_.w.added()[i] + added[i]);
       set.slips = true;
     }
-    system_.reset();  // its factor serves again
+    system_.reset();  // its factorisation is reused
     system_ = std::make_unique<ActiveForces>(problem_, std::move(set), added);
     ++solution_.solves;
   }
 
-  // False where the matrix has no inverse.
+  // Returns false if the matrix is singular.
   bool step() {
     factorise();
     Eigen::VectorXd right = -tried(problem_, forces_).y;
@@ -217,8 +218,8 @@ class Interior {
     return true;
   }
 
-  // Solves the system for the right side `right` and keeps the change. The multiplier of a friction bound acts on the
-  // tangential force and not on the normal one: that is Coulomb's law, and it makes the matrix unsymmetric.
+  // Solves the system for `right` and keeps the change. The multiplier of a friction bound acts on the tangential force
+  // and not on the normal one. That is Coulomb's law, and makes the matrix unsymmetric.
   bool change_by(const Eigen::VectorXd& right) {
     const auto change = system_->solve(-right, Eigen::VectorXd::Zero(right.size()), kLeftOfGoal * problem_.goal);
     if (!change || !change->allFinite()) return false;
@@ -262,16 +263,16 @@ class Interior {
   bool is_solved() const { return solution_.residual <= problem_.goal; }
 
   const FrictionalProblem& problem_;
-  FrictionalSolution solution_;  ///< with the best forces seen
+  FrictionalSolution solution_;  ///< with the best forces found
   Eigen::VectorXd forces_;
   Eigen::VectorXd change_;
   Eigen::VectorXd own_;  ///< W_ii
-  ActiveSet set_;        ///< all forces that can be
+  ActiveSet set_;        ///< all unknown forces
   std::vector<Bound> bounds_;
   std::unique_ptr<ActiveForces> system_;
   double product_ = 0;  ///< mean product of room and multiplier
-  double damping_ = 0;  ///< share of W_ii in the matrix
-  double part_ = 1;     ///< of the last step that was taken
+  double damping_ = 0;  ///< fraction of W_ii in the matrix
+  double part_ = 1;     ///< of the last accepted step
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What contact springs and inertia do to the unknowns of blocks, in rows of one size and one precision.
+// Applies contact springs and inertia to the unknowns of blocks, in rows of one size and one precision.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace keyblock {
 
-/// Which pairs act on a block, by which of their two sides, in the order of the pairs.
+/// Pairs that act on each block, each with the side concerned, in the order of the pairs.
 class SidesOfBlocks {
  public:
   SidesOfBlocks() = default;
@@ -42,7 +42,7 @@ class SidesOfBlocks {
   std::vector<std::pair<std::size_t, std::size_t>> sides_;
 };
 
-/// G and A of one precision. Blocks that stay at rest have one number, after all others.
+/// G and A in one precision. All fixed blocks share one number, after all others.
 template <int N, class Real>
 struct PairOperator {
   using Block = PaddedVector<N, Real>;
@@ -56,8 +56,8 @@ struct PairOperator {
     Real tangential = 0;
   };
 
-  std::vector<std::array<int, 2>> blocks;    ///< of each pair
-  std::vector<std::array<Rows, 2>> rows;     ///< of each pair
+  std::vector<std::array<int, 2>> blocks;    ///< per pair
+  std::vector<std::array<Rows, 2>> rows;     ///< per pair
   std::vector<Padded<N, Real>> stiffness;    ///< A
   std::vector<Padded<N, Real>> flexibility;  ///< A⁻¹
   SidesOfBlocks sides;
@@ -72,7 +72,7 @@ struct PairOperator {
             sum(products(of_vertex.tangential, a) + products(of_edge.tangential, b))};
   }
 
-  /// A x + Gᵀ H G x, block by block; `forces` is room for those of all pairs.
+  /// Computes A x + Gᵀ H G x, block by block; `forces` is workspace for all pairs.
   template <class Take>
   void multiply(const std::vector<PairStiffness>& h, const Blocks& x, std::vector<Forces>& forces,
                 const Take& take) const {
@@ -93,7 +93,7 @@ struct PairOperator {
     });
   }
 
-  /// The greatest √(rᵀ A⁻¹ r) of a block.
+  /// Returns the greatest √(rᵀ A⁻¹ r) of a block.
   double greatest(const Blocks& r) const {
     std::vector<double> parts(range_count(block_count()));
     for_ranges(block_count(), [&](std::size_t range, std::size_t begin, std::size_t end) {
@@ -106,7 +106,7 @@ struct PairOperator {
   }
 };
 
-/// The same in single precision, with `stiffness` as unit of A: no entry leaves the range of those numbers.
+/// Returns the same in single precision, with `stiffness` as unit of A: entries then stay within range.
 template <int N>
 PairOperator<N, float> single(const PairOperator<N, double>& of, double stiffness) {
   PairOperator<N, float> made;

@@ -1,6 +1,5 @@
-// Two passes a product: forces pair by pair, then their sum block by block, so that nothing is written twice.
-// Corrections are found in single precision, at less than half the memory that a product has to read; what is left is
-// measured in double.
+// Computes a product in two passes: forces pair by pair, then their sum block by block, so that nothing is written
+// twice. Corrections use single precision, with less than half the memory traffic; residuals use double precision.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/pair_system.hpp"
 
@@ -28,9 +27,9 @@ class PairSystem::Kernel {
 
 namespace {
 
-// A correction in single precision leaves this share of what it corrects at best.
+// Least residual fraction that a correction in single precision can leave.
 constexpr double kSingle = 1e-4;
-// Of the greatest entry of A: what round-off leaves between two entries that are one.
+// Round-off between two equal entries of A, relative to the greatest.
 constexpr double kSymmetric = 1e-10;
 
 std::size_t at(int i) {
@@ -64,7 +63,7 @@ class Corrections {
     int products = 0;
   };
 
-  // From zero, until the residual is down to `goal` or no longer falls.
+  // Solves from zero until the residual is down to `goal` or stops falling.
   Result of(Blocks r, double goal, int most_products) {
     return is_symmetric_ ? of_symmetric(std::move(r), goal, most_products) : of_any(std::move(r), goal, most_products);
   }
@@ -157,7 +156,7 @@ class Corrections {
     of_.sides.for_each(e, [&](std::size_t i, std::size_t s) {
       if (h_[i].is_none()) return;
       const auto& [normal, tangential] = of_.rows[i][s];
-      Block of_normal;  // the forces on this block that its rate along the normal makes
+      Block of_normal;  // forces on this block per normal rate
       of_normal.add(static_cast<float>(h_[i].nn), normal);
       of_normal.add(static_cast<float>(h_[i].tn), tangential);
       for (int c = 0; c < N; ++c)
@@ -242,7 +241,7 @@ class KernelOf : public PairSystem::Kernel {
       result.converged = left <= goal;
       if (result.converged || !(left < before / 2) || result.products >= most_products) break;
       before = left;
-      // Of unit size in the units of single precision, and so is what it is corrected by.
+      // Residual and correction are scaled to unit size, within the range of single precision.
       const double unit = left * std::sqrt(stiffest_);
       typename PairOperator<N, float>::Blocks scaled(count);
       for_each_entry(count, [&](std::size_t e) { scaled[e].vector() = (r[e].vector() / unit).template cast<float>(); });
@@ -278,7 +277,7 @@ class KernelOf : public PairSystem::Kernel {
     });
   }
 
-  // Gᵀ f on one block.
+  // Returns Gᵀ f on one block.
   Block on_block(std::size_t block, const Eigen::VectorXd& f) const {
     Block all;
     fine_.sides.for_each(block, [&](std::size_t i, std::size_t s) {
@@ -288,7 +287,7 @@ class KernelOf : public PairSystem::Kernel {
     return all;
   }
 
-  // A⁻¹ Gᵀ f, with the block at rest.
+  // Returns A⁻¹ Gᵀ f, with a zero entry for fixed blocks.
   Blocks answers_to(const Eigen::VectorXd& f) const {
     Blocks x(fine_.block_count() + 1);
     for_each_entry(fine_.block_count(), [&](std::size_t e) { x[e] = fine_.flexibility[e] * on_block(e, f); });
@@ -296,8 +295,8 @@ class KernelOf : public PairSystem::Kernel {
   }
 
   PairOperator<N, double> fine_;
-  double stiffest_ = 0;               ///< greatest entry of A
-  bool has_symmetric_blocks_ = true;  ///< of A: those of rock that flows not normal to its surface are not
+  double stiffest_ = 0;                                   ///< greatest entry of A
+  bool has_symmetric_blocks_ = true;                      ///< of A; false for rock with non-associated flow
   mutable std::optional<PairOperator<N, float>> coarse_;  ///< made for the first solution
 };
 

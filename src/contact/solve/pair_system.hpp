@@ -1,4 +1,4 @@
-// What contact springs and inertia make of blocks in a step, solved by iterations: no matrix is made.
+// Solves blocks with contact springs and inertia by iterations, without a matrix.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +10,7 @@
 
 namespace keyblock {
 
-/// H of one pair, force / length: the forces that rates make, fn = nn un and ft = tn un + tt ut. Slip is what tn is
-/// for.
+/// H of one pair, force / length: forces by rates, fn = nn un and ft = tn un + tt ut. Slip makes tn nonzero.
 struct PairStiffness {
   double nn = 0;
   double tn = 0;
@@ -21,12 +20,12 @@ struct PairStiffness {
   bool is_symmetric() const { return tn == 0; }
 };
 
-/// (A + Gᵀ H G) x = Gᵀ f with a block of A a block of the scene and two rows of G a pair. Conjugate gradients (Hestenes
-/// & Stiefel 1952) or, where slip makes the matrix nonsymmetric, stabilised biconjugate ones (van der Vorst 1992),
-/// preconditioned by the diagonal blocks of all of it.
+/// System (A + Gᵀ H G) x = Gᵀ f, with one block of A per block of the scene and two rows of G per pair. It is solved by
+/// conjugate gradients (Hestenes & Stiefel 1952). If slip makes it unsymmetric, stabilised biconjugate gradients serve
+/// (van der Vorst 1992). The diagonal blocks of the whole matrix are the preconditioner.
 class PairSystem {
  public:
-  /// Rows 2i and 2i + 1 belong to pair i and the same two elements; none of them may be on covers.
+  /// Takes rows 2i and 2i + 1 for pair i, both of the same two elements, which must not be NMM elements.
   PairSystem(const ContactRows& rows, const BlockNumbers& blocks, const Table<ElementIndex, UnknownBlock>& flexibility);
   ~PairSystem();
 
@@ -36,19 +35,19 @@ class PairSystem {
     bool converged = false;
   };
 
-  /// `h` has an entry a pair, `f` and `start` two, normal and tangential, as the rates of the result. From x = A⁻¹ Gᵀ
-  /// `start`, until no block has a residual r with √(rᵀ A⁻¹ r) above the `goal`, or so many products were made.
+  /// Solves from x = A⁻¹ Gᵀ `start`. `h` has one entry per pair; `f`, `start` and the resulting rates have two, normal
+  /// and tangential. It ends if no block has a residual r with √(rᵀ A⁻¹ r) above `goal`, or after `most_products`.
   Result solve(const std::vector<PairStiffness>& h, const Eigen::VectorXd& f, const Eigen::VectorXd& start, double goal,
                int most_products) const;
 
-  /// Iterations took longer than a factor does; whoever has a factor need not try them again.
+  /// Marks iterations as slower than a factorisation, so that callers with a factorisation need not try them again.
   void give_up() const { gave_up_ = true; }
   bool gave_up() const { return gave_up_; }
 
-  /// G A⁻¹ Gᵀ f.
+  /// Returns G A⁻¹ Gᵀ f.
   Eigen::VectorXd answer(const Eigen::VectorXd& f) const;
 
-  /// Interface of the kernels, one for each size of block.
+  /// Interface of the kernels, one per block size.
   class Kernel;
 
  private:
