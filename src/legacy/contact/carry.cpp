@@ -1,4 +1,4 @@
-// Transfer by identical triples, contact ratio and length, and the states of the first step.
+// Transfers states by identical triples, sets contact ratio and length, and chooses the states of the first step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/carry.hpp"
 
@@ -12,24 +12,23 @@
 namespace keyblock {
 namespace {
 
-// Added (times w0) to a squared line length before dividing by it, as the Berkeley program does (legacy-rules
-// 5).
+// Added (times w0) to a squared line length before a division by it, as in the Berkeley program (legacy-rules 5).
 constexpr double kLengthGuard = 1e-9;
 
-// What a new contact remembers of the old ones that share its triples; the last match wins (legacy-rules 4).
+// Data that a new contact takes from old ones with the same triples; the last match wins (legacy-rules 4).
 struct Memory {
   ContactState by_first = ContactState::open;
   ContactState by_second = ContactState::open;
   bool keeps_ratio = false;
 };
 
-// Where a triple stands in the list of new contacts.
+// Place of a triple in the list of new contacts.
 struct Slot {
   std::size_t contact;
   bool is_second;
 };
 
-// Where triples stand, by their vertices; those of one vertex in the order of the contacts.
+// Finds triples by their vertices; those of one vertex keep the order of the contacts.
 class Slots {
  public:
   Slots(const Contacts& contacts, std::size_t vertex_count) : begins_(vertex_count + 1, 0) {
@@ -65,8 +64,7 @@ class Slots {
   std::vector<Named> named_;
 };
 
-// The state an old contact hands on through one of its triples: 0 (open) where that triple was not the active
-// one.
+// Returns the state that an old contact passes on through one of its triples: 0 (open) if that triple was not active.
 ContactState state_through_first(const Contact& old) {
   return old.state == ContactState::on_second_line ? ContactState::open : old.state;
 }
@@ -74,9 +72,8 @@ ContactState state_through_second(const Contact& old) {
   return old.state == ContactState::on_second_line ? ContactState::on_second_line : ContactState::open;
 }
 
-// An old state as a vertex-edge contact understands it: lines 1 and 3 of a vertex-vertex contact have no
-// meaning there but their number, 1 (sliding); from a vertex-vertex contact only `locked` is ever handed to a
-// first triple.
+// Translates an old state for a vertex-edge contact. Lines 1 and 3 of a vertex-vertex contact mean nothing there but
+// their number, 1 (sliding). A vertex-vertex contact passes only `locked` to a first triple.
 ContactState as_vertex_edge(ContactState state) {
   const bool on_line = state == ContactState::on_first_line || state == ContactState::on_second_line;
   return on_line ? ContactState::sliding : state;
@@ -119,15 +116,15 @@ double guarded_projection(Point p, const Line& line, const ContactRules& rules) 
   return dot(p - line.p2, line.along()) / guarded_square(line, rules);
 }
 
-// The other end of the edge that lies along the reference line. The Berkeley program takes the last vertex of
-// the second triple when the one of the contact before it equals P1 (legacy-rules 5, Q).
+// Returns the other end of the edge along the reference line. The Berkeley program takes the last vertex of the second
+// triple if that of the contact before equals P1 (legacy-rules 5, Q).
 VertexIndex shared_edge_end(const Contact& contact, VertexIndex previous_end, const BerkeleyQuirks& quirks) {
   if (!contact.parallel_pair) return contact.neighbour;
   const bool mistaken = quirks.contact_length_last_vertex && previous_end && previous_end == contact.first.vertex;
   return mistaken ? contact.second.end : contact.second.start;
 }
 
-// Half the length over which the edge ending in P1 and the line overlap.
+// Returns half the length over which the edge ending in P1 and the line overlap.
 double contact_length(const Line& line, Point other_end, const ContactRules& rules) {
   std::array<double, 4> s{guarded_projection(line.p1, line, rules), 0, 1, guarded_projection(other_end, line, rules)};
   std::ranges::sort(s);

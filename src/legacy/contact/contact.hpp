@@ -1,4 +1,4 @@
-// One contact: a vertex of one element against a reference line of another, and what it did last.
+// Holds one contact under Shi's rules: a vertex of one element against a reference line of another, and its last state.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// A vertex (P1) and the line from `start` (P2) to `end` (P3) it may touch. The line runs against the order
-/// of its loop, so that positive distance is outside.
+/// Vertex (P1) and the line from `start` (P2) to `end` (P3) that it may touch. The line runs against the order of its
+/// loop, so that positive distance is outside.
 struct Triple {
   VertexIndex vertex;
   VertexIndex start;
@@ -24,7 +24,7 @@ enum class ContactKind {
   vertex_vertex,  ///< two reference lines; normal spring only
 };
 
-/// open, or in touch: on the one line sliding or locked (vertex_edge), on one of two lines (vertex_vertex).
+/// State of a contact: open, sliding or locked on its only line (vertex_edge), or on one of two lines (vertex_vertex).
 enum class ContactState { open, sliding, locked, on_first_line, on_second_line };
 
 struct Contact {
@@ -38,11 +38,11 @@ struct Contact {
   ContactState state_before = ContactState::open;  ///< before the last judgement
   double distance = 0;                             ///< from the active line after the last solve, positive outside
   double slip = 0;                                 ///< along the line since the ratio was set
-  double ratio = 0;                                ///< 0 … 1: where on the line the vertex touches, from `start`
-  double length = 0;                               ///< contact length that bears cohesion and tension
+  double ratio = 0;                                ///< 0 … 1: place of the vertex on the line, from `start`
+  double length = 0;                               ///< contact length for cohesion and tension
   double penalty = 0;                              ///< normal stiffness in use at the last judgement
   bool bonded = false;                             ///< cohesion and tension act
-  double spring = 0;                               ///< in the last solve: `distance` from the line whose spring it had
+  double spring = 0;                               ///< in the last solve: `distance` from the line with the spring
   double friction = 0;  ///< in the last solve: force against sliding, with the sign of `slip`
 
   bool is_open() const { return state == ContactState::open; }

@@ -1,4 +1,4 @@
-// Forces from the lengths of springs after the last solve.
+// Computes contact forces from the lengths of springs after the last solve.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/contact_frames.hpp"
 
@@ -11,7 +11,8 @@ Line line_at(const Table<VertexIndex, Point>& vertices, const Triple& t) {
   return {vertices[t.vertex], vertices[t.start], vertices[t.end]};
 }
 
-/// The line whose spring was in the last solve: an open contact had none, and a corner may change sides after it.
+/// Returns the line with the spring of the last solve. An open contact had none, and a corner may change sides
+/// afterwards.
 const Triple& line_in_solve(const Contact& contact) {
   return contact.state_before == ContactState::on_second_line ? contact.second : contact.first;
 }
@@ -21,13 +22,13 @@ ContactCondition condition_of(const Contact& contact) {
   return contact.state == ContactState::locked ? ContactCondition::stick : ContactCondition::slide;
 }
 
-// Shi's springs push where the point is inside, against the distance, and across the line against the slip.
+// Shi's normal springs push a point that is inside, against the distance; shear springs act against the slip.
 void put_forces(const Contact& contact, const ContactRules& rules, ContactFrame& frame) {
   if (contact.state_before == ContactState::open) return;
   frame.normal_force = -contact.penalty * contact.spring;
   const double shear = contact.state_before == ContactState::locked ? contact.penalty / rules.shear_ratio * contact.slip
                                                                     : contact.friction;
-  // The line runs to the other side than the tangent, which is the normal turned by +90 degrees.
+  // The line is opposite to the tangent, which is the normal rotated by +90 degrees.
   frame.shear_force = contact.kind == ContactKind::vertex_edge ? shear : 0;
 }
 

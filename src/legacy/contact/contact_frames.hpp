@@ -1,4 +1,4 @@
-// Contacts under Shi's rules as frames report them.
+// Reports the contacts under Shi's rules as contact frames.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace keyblock {
 
-/// All contacts of the list, with the forces that springs and friction had in the last solve. `before`: vertices at the
-/// start of the last step, along whose lines they acted; empty where nothing moved since.
+/// Returns all contacts of the list, with the forces of springs and friction in the last solve. `before`: vertices at
+/// the start of the last step, whose lines gave the directions of the forces; empty if nothing moved since.
 ContactFrames contact_frames(const Contacts& contacts, const Model& model, const State& state,
                              const StartPlaces& unloaded, const ContactRules& rules,
                              const Table<VertexIndex, Point>& before);

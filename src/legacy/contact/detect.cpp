@@ -1,4 +1,4 @@
-// Candidates by distance between the vertices of close elements, then contacts by angle.
+// Finds candidates by distance between the vertices of close elements, then contacts by angle.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/detect.hpp"
 
@@ -13,25 +13,22 @@
 namespace keyblock {
 namespace {
 
-// A vertex counts as convex up to this interior angle; the excess lets a straight angle pass (legacy-rules
-// 2).
+// Largest interior angle of a convex vertex; the excess includes a straight angle (legacy-rules 2).
 constexpr double kConvexBelow = 180.0001;
 
-// Added to |dx| by the Berkeley program before the direction of an edge is taken, in length units
-// (legacy-rules 3).
+// Added to |dx| by the Berkeley program before it computes the direction of an edge [length] (legacy-rules 3).
 constexpr double kBerkeleyDirectionOffset = 1e-7;
 
-// The margin around a box that is looked at before distances are, over the greatest of them: for rounding.
+// Margin of the box search over the greatest contact distance: allows for rounding.
 constexpr double kReach = 1.001;
-// A square that is larger than another by this factor is so whatever rounding did to both.
+// Ratio of two squares beyond which rounding cannot reverse their order.
 constexpr double kSureSquare = 1 + 1e-9;
 
-// Share of the overlap angle within which two opposed directions count as tied (legacy-rules 3,
-// vertex-vertex).
+// Fraction of the overlap angle within which two opposed directions count as tied (legacy-rules 3, vertex-vertex).
 constexpr double kTieShare = 0.3;
 
-// The π of the old program (legacy-rules, Conventions). Where four blocks meet, the bisectors of opposite wedges have
-// sines that are equal but for rounding; this π makes them differ by 1e-10, and so decides which entrance line is
+// Value of π in Shi's programs (legacy-rules, Conventions). Where four blocks meet, the sines of the bisectors of
+// opposite wedges differ only by rounding. This π makes them differ by 1e-10, and so decides which entrance line is
 // taken.
 constexpr double kOldPi = 3.1415926535;
 
@@ -61,7 +58,7 @@ class Detector {
  private:
   using Directions = Table<VertexIndex, double>;
 
-  // Of the edges that leave the vertices.
+  // Returns the directions of the edges that leave the vertices.
   static std::shared_ptr<const Directions> directions(const Model& model, const State& state,
                                                       const Settings& settings) {
     const double offset = settings.quirks.edge_direction_offset ? kBerkeleyDirectionOffset : 0;
@@ -73,7 +70,7 @@ class Detector {
     return leaving;
   }
 
-  // Only vertices in reach of the other element's box can come near to its edges and its vertices.
+  // Only vertices within reach of the other element's box can be near its edges and vertices.
   void meet(const ElementPair& pair) {
     const auto& [a, b] = pair;
     const bool hang_together = share_a_cover(model_.elements[a], model_.elements[b]);
@@ -90,7 +87,7 @@ class Detector {
     }
   }
 
-  // The box of an element and around it what a contact may be apart or deep, and a little for rounding.
+  // Returns the box of an element, enlarged by the greatest distance or depth of a contact and a margin for rounding.
   Box reach(ElementIndex e) const {
     const double margin = kReach * std::max(rules_.search_distance, rules_.search_depth);
     const Box box = box_of(model_, state_, e);
@@ -99,14 +96,14 @@ class Detector {
 
   Point at(VertexIndex v) const { return state_.vertices[v]; }
   double leaving(VertexIndex v) const { return (*leaving_)[v]; }
-  // Along the boundary, from element to element.
+  // Follows the boundary from element to element.
   VertexIndex next(VertexIndex v) const { return model_.vertices[v].boundary_next; }
   VertexIndex previous(VertexIndex v) const { return model_.vertices[v].boundary_previous; }
   ElementIndex element(VertexIndex v) const { return model_.vertices[v].element; }
   bool follow_each_other(VertexIndex i, VertexIndex j) const { return next(i) == j || next(j) == i; }
-  // The end, in its element, of the edge that leaves v.
+  // Returns the end, in its element, of the edge that leaves v.
   VertexIndex end_of_edge(VertexIndex v) const { return model_.vertices[v].next; }
-  // A vertex against the edge that leaves `start`: the reference line runs against it.
+  // Pairs a vertex with the edge that leaves `start`: the reference line runs against it.
   Triple against_edge(VertexIndex vertex, VertexIndex start) const { return {vertex, end_of_edge(start), start}; }
 
   Wedge wedge(VertexIndex v) const { return {leaving(v), one_turn(leaving(previous(v)) - 180)}; }
@@ -127,19 +124,19 @@ class Detector {
     }
   }
 
-  // Squares decide, but where rounding could; so does `is_beyond`, which leaves the rest to `near_edge`.
+  // Compares squares unless rounding could decide; so does `is_beyond`, which leaves such cases to `near_edge`.
   bool are_apart(Point a, Point b) const {
     const Point between = b - a;
     const double limit = rules_.search_distance * rules_.search_distance;
     return dot(between, between) > kSureSquare * limit || distance(a, b) > rules_.search_distance;
   }
-  // Of a vertex, by twice the area of the triangle that it makes with an edge of such square.
+  // Decides from twice the area of the triangle between the vertex and an edge, and the square of that edge.
   bool is_beyond(double twice_area, double edge_square) const {
     const double limit = twice_area < 0 ? rules_.search_distance : rules_.search_depth;
     return twice_area * twice_area > kSureSquare * limit * limit * edge_square;
   }
 
-  // Vertex p against the edge from `a` to its next vertex; p is known to be away from `a` itself.
+  // Tests vertex p against the edge from `a` to its next vertex; p is known to be away from `a` itself.
   bool near_edge(VertexIndex p, VertexIndex a) const {
     const Point start = at(a);
     const Point end = at(end_of_edge(a));
@@ -152,7 +149,7 @@ class Detector {
     return -rules_.search_distance <= inward && inward <= rules_.search_depth;
   }
 
-  // An element does not touch itself.
+  // An element has no contact with itself.
   void vertex_edge(VertexIndex i, VertexIndex j) {
     if (element(i) == element(j)) return;
     const Wedge a = wedge(i);
@@ -180,8 +177,7 @@ class Detector {
     if (gap_next >= rules_.angle_overlap && gap_previous >= rules_.angle_overlap) true_vertex_vertex(i, j, a, b);
   }
 
-  // Angles left open between the two wedges on the side of i's next and of i's previous edge; negative:
-  // overlapping.
+  // Open angles between the two wedges on the side of i's next and of i's previous edge; negative if they overlap.
   struct Gaps {
     double next;
     double previous;
@@ -202,7 +198,7 @@ class Detector {
     if (inside) found_.all_exchanged = false;
   }
 
-  // Two possible reference lines for two convex wedges (legacy-rules 3, true vertex-vertex).
+  // Finds the two possible reference lines of two convex wedges (legacy-rules 3, true vertex-vertex).
   void true_vertex_vertex(VertexIndex i, VertexIndex j, const Wedge& a, const Wedge& b) {
     const double tie = kTieShare * rules_.angle_overlap;
     const double slope_a = std::abs(sine_of(a.from + a.angle() / 2));

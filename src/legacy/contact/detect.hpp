@@ -1,4 +1,5 @@
-// Which vertices may touch which edges or vertices: first by distance, then by angle.
+// Finds vertices that may touch edges or vertices: first by distance, then by angle. Theory:
+// docs/theory/13-shis-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,16 +9,15 @@
 
 namespace keyblock {
 
-/// A new list, all open, from the geometry as it is now.
+/// New list of contacts, all open, from the current geometry.
 struct Detection {
   Contacts contacts;
-  /// All contacts, if any, came from parallel pairs whose two halves were exchanged (legacy-rules 3, stale
-  /// list).
+  /// True if all contacts, if any, came from parallel pairs with exchanged halves (legacy-rules 3, stale list).
   bool all_exchanged = true;
 };
 
-/// Legacy-rules 2 and 3 (Shi's angle criterion: two wedges that would overlap by more than h1 cannot touch
-/// there).
+/// Detects contacts by legacy-rules 2 and 3. Shi's angle criterion: two wedges that would overlap by more than h1
+/// cannot touch there.
 Detection detect(const Model& model, const State& state, const Settings& settings, const ContactRules& rules);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Opening, closing, sliding and locking of one contact after another.
+// Decides opening, closing, sliding and locking of one contact after another.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/judge.hpp"
 
@@ -11,12 +11,11 @@
 namespace keyblock {
 namespace {
 
-// Friction below this angle never locks a sliding contact again (legacy-rules 10.3).
+// Friction angle below which a sliding contact never locks again (legacy-rules 10.3).
 constexpr double kLockingFrictionDeg = 0.9;
-// A reversal of sliding smaller than this share of w0 does not lock (legacy-rules 10.3).
+// Fraction of w0 below which a reversal of sliding does not lock (legacy-rules 10.3).
 constexpr double kReversalShare = 1e-7;
-// Change of (twice the area over w0²) below which the instant of touching is taken as the start
-// (legacy-rules 10.3).
+// Change of (twice the area over w0²) below which the start counts as the instant of touching (legacy-rules 10.3).
 constexpr double kStillShare = 1e-9;
 
 class Judge {
@@ -80,7 +79,7 @@ class Judge {
     return contact.distance > rules_.opening_distance + stretch;
   }
 
-  // Where on the line the vertex is at the instant of the step when it reaches it.
+  // Returns the position of the vertex along the line at the instant when it reaches the line.
   double ratio_at_touch(const Line& l, const LineMotion& u, double change) const {
     const double area = l.twice_area();
     const bool still = std::abs(change) < kStillShare * rules_.scale * rules_.scale;

@@ -1,5 +1,4 @@
-// The lengths and angles by which contacts are found and judged, all derived from the scale of the scene in one
-// place.
+// Derives the lengths and angles of contact search and judgement from the scale of the scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,11 +9,11 @@
 
 namespace keyblock {
 
-/// Legacy-rules 2, 3, 10; lengths in the unit of the input, angles in degrees.
+/// Lengths and angles of legacy-rules 2, 3, 10; lengths in the unit of the input, angles in degrees.
 struct ContactRules {
   double scale = 0;             ///< w0
-  double search_distance = 0;   ///< d0: how far apart two features may be to become a contact
-  double search_depth = 0;      ///< how deep one may already lie in the other
+  double search_distance = 0;   ///< d0: largest distance of two features that form a contact
+  double search_depth = 0;      ///< largest initial depth of one in the other
   double closing_depth = 0;     ///< an open contact closes at this penetration
   double opening_distance = 0;  ///< a closed contact opens at this separation
   double angle_overlap = 0;     ///< h1, degrees
@@ -22,8 +21,8 @@ struct ContactRules {
   double start_distance = 0;    ///< in step 1 of a dynamic run, nearer contacts start closed
 };
 
-// Shi's choices (legacy-formats 3.4): contacts are searched within this many allowed displacements, to a depth of at
-// least this share of that, and of at least this many allowed penetrations.
+// Shi's choices (legacy-formats 3.4). The search distance is kSearchedDisplacements allowed displacements. The depth is
+// at least kSearchedDepthShare of that, and at least kSearchedPenetrations allowed penetrations.
 inline constexpr double kSearchedDisplacements = 2.5;
 inline constexpr double kSearchedDepthShare = 0.3;
 inline constexpr double kSearchedPenetrations = 3;

@@ -1,4 +1,4 @@
-// The springs of contacts, summed for each pair of elements before the system takes them.
+// Sums the springs of contacts for each pair of elements before adding them to the system.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/springs.hpp"
 
@@ -13,16 +13,15 @@
 namespace keyblock {
 namespace {
 
-// Pairs of elements whose springs are summed by up to four threads before they are added one by one: a megabyte of
-// sums.
+// Number of pairs whose springs up to four threads sum before they are added one by one: a megabyte of sums.
 constexpr std::size_t kMadeAtOnce = 4 * kLoopRange;
 
 Eigen::Vector2d vector(Point p) {
   return {p.x, p.y};
 }
 
-// The two springs of a contact, normal and shear a column each: lengths whose changes are the sums of `at_k` · u(P_k),
-// and which are `stretch` at the start of the step. P1 is of one element, the line P2 P3 of the other.
+// Two springs of a contact, normal and shear in one column each. Their lengths change by the sums of `at_k` · u(P_k)
+// and are `stretch` at the start of the step. P1 belongs to one element, the line P2 P3 to the other.
 struct SpringPair {
   Eigen::Matrix2d at1 = Eigen::Matrix2d::Zero();
   Eigen::Matrix2d at2 = Eigen::Matrix2d::Zero();
@@ -31,7 +30,7 @@ struct SpringPair {
   Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();
 };
 
-// e, g, d of legacy-rules 8: change of the distance of P1 from the line (line length not differentiated).
+// Computes e, g, d of legacy-rules 8: change of the distance of P1 from the line (line length not differentiated).
 void set_normal(const Line& l, double penalty, SpringPair& springs) {
   const double size = l.size();
   springs.at1.col(0) << (l.p2.y - l.p3.y) / size, (l.p3.x - l.p2.x) / size;
@@ -41,7 +40,7 @@ void set_normal(const Line& l, double penalty, SpringPair& springs) {
   springs.stiffness[0] = penalty;
 }
 
-// es, gs, s of legacy-rules 8: change of the way of P1 along the line, from the contact point P0 at `ratio`.
+// Computes es, gs, s of legacy-rules 8: change of the path of P1 along the line, from the contact point P0 at `ratio`.
 void set_shear(const Line& l, double ratio, double penalty, SpringPair& springs) {
   const double size = l.size();
   const Point along = l.along();
@@ -60,7 +59,7 @@ SpringPair springs_of(const Contact& contact, const Line& line, const ContactRul
   return springs;
 }
 
-// Contacts that follow each other and are of the same two elements, `low` before `high`.
+// Consecutive contacts of the same two elements, `low` before `high`.
 struct PairContacts {
   std::size_t begin;
   std::size_t end;
@@ -83,7 +82,7 @@ std::vector<PairContacts> pair_contacts(const Contacts& contacts, const Model& m
   return pairs;
 }
 
-// The submatrices of all springs between two elements.
+// Submatrices of all springs between two elements.
 struct PairSums {
   UnknownBlock low;
   UnknownBlock high;
@@ -120,7 +119,7 @@ class SpringSums {
  private:
   const Basis& basis(ElementIndex e) const { return *model_.elements[e].basis; }
 
-  // Springs of two blocks of six unknowns or of three, which nearly all are, are summed by operators of fixed size.
+  // Nearly all blocks have six or three unknowns, so that operators of fixed size sum their springs.
   template <int N>
   using TwoColumns = Eigen::Matrix<double, N, 2, Eigen::ColMajor, N == Eigen::Dynamic ? kMostUnknowns : N, 2>;
 

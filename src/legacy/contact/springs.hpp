@@ -1,4 +1,5 @@
-// Contact springs and friction of the current states, through the bases of the two elements, into the system.
+// Assembles contact springs and friction of the current states into the system, through the bases of the two elements.
+// Theory: docs/theory/13-shis-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,14 +10,14 @@
 
 namespace keyblock {
 
-/// Normal spring of every closed contact and shear spring of every locked one, both measured on the geometry
-/// at the start of the step (Shi 1988, contact submatrices; legacy-rules 8). `penalty` is the normal
-/// stiffness, force / length.
+/// Adds the normal spring of every closed contact and the shear spring of every locked one. Both are measured on the
+/// initial geometry of the step (Shi 1988, contact submatrices; legacy-rules 8). `penalty`: normal stiffness, force /
+/// length.
 void add_springs(const Contacts& contacts, const Model& model, const State& state, const ContactRules& rules,
                  double penalty, System& system);
 
-/// With the friction and cohesion of every sliding contact for which `acts` is set, from the last judgement's pressure
-/// and sliding direction (legacy-rules 9), and none of the others. `acts` has one entry a contact.
+/// Returns the contacts with friction and cohesion where `acts` is set, without them elsewhere. They follow from the
+/// pressure and sliding direction of the last judgement (legacy-rules 9). `acts` has one entry per contact.
 Contacts with_friction(Contacts contacts, const std::vector<bool>& acts, const Model& model);
 
 void add_friction(const Contacts& contacts, const Model& model, const State& state, System& system);

@@ -1,4 +1,4 @@
-// Directions of edges and the overlap test of two wedges (legacy-rules 3).
+// Computes directions of edges and tests two wedges for overlap (legacy-rules 3).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/wedge.hpp"
 

@@ -1,4 +1,4 @@
-// The angular wedge of material at a vertex, and whether two wedges may touch. Angles in degrees, 0 … 360.
+// Represents the angular wedge of material at a vertex and tests contact of two wedges. Angles in degrees, 0 … 360.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,15 +6,15 @@
 
 namespace keyblock {
 
-/// Brings an angle that is at most one turn off into 0 … 360.
+/// Returns the angle in 0 … 360; it may be outside by at most one turn.
 double one_turn(double degrees);
 
-/// Direction of `edge`, 0 … 360. `offset` (length) is added to |dx|: the Berkeley program's 1e-7, else 0
+/// Returns the direction of `edge`, 0 … 360. `offset` (length) is added to |dx|: 1e-7 in the Berkeley program, else 0
 /// (legacy-rules 3).
 double edge_direction(Point edge, double offset);
 
-/// Material lies from direction `from` (towards the next vertex) counter-clockwise to `to` (towards the
-/// previous one).
+/// Wedge of material from direction `from` (towards the next vertex) counter-clockwise to `to` (towards the previous
+/// one).
 struct Wedge {
   double from = 0;
   double to = 0;
@@ -22,7 +22,7 @@ struct Wedge {
   double angle() const { return to - from < 0 ? to - from + 360 : to - from; }
 };
 
-/// Neither of the two wedges reaches into the other by more than `overlap`.
+/// Returns true if neither wedge reaches into the other by more than `overlap`.
 bool may_touch(const Wedge& a, const Wedge& b, double overlap);
 
 }  // namespace keyblock

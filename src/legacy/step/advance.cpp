@@ -1,4 +1,4 @@
-// Detect, carry, assemble, open-close, accept or redo, update (legacy-rules 1).
+// Performs a step: detect, transfer, assemble, open-close, accept or redo, update (legacy-rules 1).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/advance.hpp"
 
@@ -23,15 +23,15 @@
 namespace keyblock {
 namespace {
 
-constexpr double kGreatestRatio = 3;     // a step that moves further than this times the allowance is cut
+constexpr double kGreatestRatio = 3;     // a larger displacement over the allowance cuts the step
 constexpr double kUnsettledCut = 0.3;    // automatic step: cut after passes without an end
-constexpr double kSmallestShare = 0.01;  // no cut goes below this share of the given step
+constexpr double kSmallestShare = 0.01;  // smallest fraction of the given step after a cut
 
-// Read in its public source: the loop around a step is left by acceptance alone.
+// In the published source only acceptance leaves the loop around a step.
 constexpr const char* kRepeatedWithoutEnd = "the old program repeats such a step without end";
 
-// The Berkeley program's count of contacts is refreshed only by contacts that were not exchanged: a step that
-// finds none keeps the last list, as open contacts (legacy-rules 3, stale list).
+// The Berkeley program updates its contact count only for contacts that were not exchanged. A step that finds none of
+// these keeps the last list, as open contacts (legacy-rules 3, stale list).
 Contacts with_stale_contacts(Detection found, const Contacts& previous) {
   if (!found.all_exchanged) return std::move(found.contacts);
   Contacts contacts = previous;
@@ -66,13 +66,13 @@ double step_size(const ShiScene& scene, const Stepping& stepping) {
   return first_step_size(scene.model, stepping.state, scene.settings, speed);
 }
 
-// Elements with a contact, open ones included, or a bolt between them.
+// Returns pairs of elements with a contact, open ones included, or a bolt between them.
 BlockMatrix::Pairs coupled_elements(const Model& model, const Contacts& contacts) {
   BlockMatrix::Pairs pairs;
   const auto couple = [&](ElementIndex a, ElementIndex b) {
     if (a == b) return;
     const std::pair<int, int> pair = std::minmax(a.value, b.value);
-    if (pairs.empty() || pairs.back() != pair) pairs.push_back(pair);  // contacts of a pair come one after another
+    if (pairs.empty() || pairs.back() != pair) pairs.push_back(pair);  // contacts of a pair are consecutive
   };
   for (const Contact& contact : contacts)
     couple(model.vertices[contact.first.vertex].element, model.vertices[contact.first.start].element);
@@ -83,7 +83,7 @@ BlockMatrix::Pairs coupled_elements(const Model& model, const Contacts& contacts
   return pairs;
 }
 
-// Covers, and pairs of covers that share an element or couple through two: what the matrix of a step may hold.
+// Returns the number of matrix blocks in a step: covers, and pairs of covers that share an element or a coupling.
 int matrix_blocks(const Model& model, const BlockMatrix::Pairs& coupled) {
   const auto elements = static_cast<int>(model.elements.size());
   if (model.nodes.empty()) return elements + static_cast<int>(coupled.size());
@@ -109,7 +109,7 @@ int matrix_blocks(const Model& model, const BlockMatrix::Pairs& coupled) {
 
 enum class Verdict { accepted, contacts_unsettled, moved_too_far, too_deep };
 
-// One attempt after another at the same step, each with its own step size and stiffness.
+// Tries the same step repeatedly, each time with its own step size and stiffness.
 class Attempts {
  public:
   Attempts(const ShiScene& scene, Stepping& stepping)
@@ -152,7 +152,7 @@ class Attempts {
     return outcome;
   }
 
-  // Legacy-rules 11, in this order: passes without an end, displacement, penetration.
+  // The order is that of legacy-rules 11: passes without an end, displacement, penetration.
   Verdict judge_step(const OpenCloseOutcome& outcome) {
     const FarthestElement farthest = farthest_element(scene_.model, start_, outcome.increments, settings_.rotation);
     farthest_ = farthest.element;
@@ -163,9 +163,9 @@ class Attempts {
       if (settings_.step_control == StepControl::shi) dt_ = std::max(kUnsettledCut * dt_, floor);
       return Verdict::contacts_unsettled;
     }
-    if (!(ratio_ <= kGreatestRatio)) {  // also where it is no number
+    if (!(ratio_ <= kGreatestRatio)) {  // also if it is NaN
       at_floor_again_ = dt_ <= floor;
-      dt_ = std::max(floor, dt_ / std::sqrt(ratio_));  // the floor where it is no number
+      dt_ = std::max(floor, dt_ / std::sqrt(ratio_));  // the floor if it is NaN
       return Verdict::moved_too_far;
     }
     const AdaptedPenalty adapted = adapt(penalty_, misfit(contacts_), scene_.model.scale, settings_);
@@ -208,7 +208,7 @@ class Attempts {
   std::string failure(const std::string& what) const {
     return fmt::format("step {} (time {}, dt {}): {}", stepping_.state.step + 1, stepping_.state.time, dt_, what);
   }
-  // The old rule on the way of a step, with the block that breaks it.
+  // Reports Shi's limit on the displacement of a step, with the block that exceeds it.
   StepFailure moved_too_far(const std::string& when) const {
     StepFailure told{failure(fmt::format("blocks move too far {}: {} by {}, where a step may move {} ({:g} times "
                                          "allowed_displacement_ratio times half the size of the scene){}; {}",
@@ -220,8 +220,8 @@ class Attempts {
     return told;
   }
 
-  // Of bodies without forces D = v0 dt, and v0 = 2 D'/dt - v' from the way D' of the last step (legacy-rules 7.4): 2 D'
-  // as dt vanishes.
+  // Bodies without forces move by D = v0 dt, with v0 = 2 D'/dt - v' from the last displacement D' (legacy-rules 7.4). D
+  // tends to 2 D' as dt vanishes.
   std::string why_no_step_is_short_enough() const {
     const double last = stepping_.history.displacement_ratio;
     if (!settings_.quirks.velocity_from_coming_step || start_.step == 0 || 2 * last <= kGreatestRatio) return {};
@@ -250,7 +250,7 @@ class Attempts {
     return area(outline);
   }
 
-  // Areas of the old rules change as blocks turn: what it was drawn with says whether it is a sliver.
+  // Areas change as blocks rotate under Shi's rules, so that only the drawn area shows whether a block is a sliver.
   std::string in_words(ElementIndex e) const {
     const ElementState& block = stepping_.state.elements[e];
     const double drawn = drawn_area(e);
@@ -261,7 +261,7 @@ class Attempts {
 
   double allowed() const { return settings_.allowed_displacement_ratio * scene_.model.scale; }
 
-  // The first few, with their blocks and place.
+  // Names the first few contacts, with their blocks and positions.
   std::string unsettled_in_words() const {
     constexpr std::size_t kNamed = 3;
     std::string words;

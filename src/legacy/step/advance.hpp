@@ -1,4 +1,4 @@
-// One accepted step of the old program, told in order.
+// Performs one time step by Shi's rules, in the order of the Berkeley program. Theory: docs/theory/13-shis-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace keyblock {
 
-/// A scene with what Shi's rules derive from it once.
+/// Scene with the data that Shi's rules derive from it once.
 struct ShiScene : Scene {
   ContactRules rules;
   std::vector<Term> terms;
@@ -27,20 +27,20 @@ struct ShiScene : Scene {
 
 ShiScene shi_scene(Scene scene);
 
-/// Everything that one step hands on to the next.
+/// Data passed from one step to the next.
 struct Stepping {
   State state;
   Contacts contacts;
   StepHistory history;
-  double penalty = 0;  ///< contact stiffness to begin the next step with
+  double penalty = 0;  ///< contact stiffness at the start of the next step
   Solver solver;
   bool has_solved = false;
-  double work = 0;  ///< of all that pushes but weight and contact, since the start
+  double work = 0;  ///< of all forces except weight and contact, since the start
 };
 
 Stepping start(const ShiScene& scene);
 
-/// Makes one step. On success `stepping` stands at its end; on failure its state is unchanged.
+/// Makes one step. On success `stepping` is at its end; on failure its state is unchanged.
 std::variant<StepReport, StepFailure> advance(const ShiScene& scene, Stepping& stepping);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Gathers the blocks of elements into those of covers.
+// Transforms matrix blocks of elements into those of covers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/cover_unknowns.hpp"
 
@@ -54,7 +54,7 @@ System CoverUnknowns::of_covers(const System& of_elements) const {
       for (const Part& a : parts_[e]) {
         const UnknownBlock rows = a.share.transpose() * block;
         for (const Part& b : parts_[ElementIndex{column}]) {
-          if (is_diagonal && a.cover > b.cover) continue;  // the transpose of what is added at (b, a)
+          if (is_diagonal && a.cover > b.cover) continue;  // the transpose of the entry at (b, a)
           const UnknownBlock share = rows * b.share;
           system.matrix.add(a.cover, b.cover, share);
           if (!is_diagonal && a.cover == b.cover) system.matrix.add(a.cover, a.cover, UnknownBlock(share.transpose()));

@@ -1,5 +1,5 @@
-// The unknowns of a step are those of covers; terms and contacts are written in those of elements. Here one becomes the
-// other.
+// Converts between the unknowns of covers, in which a step is solved, and those of elements, in which terms and
+// contacts are written.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,29 +12,29 @@
 
 namespace keyblock {
 
-/// How the unknowns D of elements follow from those d of covers at the start of a step: D = A d, so that a system K D =
-/// F of elements is A'K A d = A'F of covers. An element with a cover of its own has that cover's unknowns, A = 1; where
-/// all have, as blocks do, nothing is done.
+/// Linear map from the unknowns d of covers to those D of elements at the start of a step, D = A d. A system K D = F of
+/// elements becomes A'K A d = A'F of covers. An element with a cover of its own has A = 1. If all have, as DDA blocks
+/// do, nothing is done.
 class CoverUnknowns {
  public:
   CoverUnknowns(const Model& model, const State& state);
 
-  /// A system of elements as one of covers.
+  /// Returns a system of elements as one of covers.
   System of_covers(const System& of_elements) const;
 
   /// Solves a system of elements for the unknowns of covers.
   std::optional<Solution> solve(const System& of_elements, const SystemKind& kind, Solver& solver) const;
 
-  /// Increments of blocks that go on for `dt` as they are; empty where covers are shared.
+  /// Returns the increments of blocks that keep their velocity for `dt`; empty if covers are shared.
   Eigen::VectorXd steady(const State& state, double dt) const;
 
   Increments increments(const Solution& solution) const;
 
-  /// How far the nodes of shared covers go.
+  /// Returns the displacements of the nodes of shared covers.
   std::vector<Point> node_steps(const Solution& solution) const;
 
  private:
-  /// The share of one cover in the unknowns of an element.
+  /// Part of one cover in the unknowns of an element.
   struct Part {
     int cover;
     UnknownBlock share;  ///< A, n × unknowns of the cover
@@ -45,9 +45,9 @@ class CoverUnknowns {
 
   const Model& model_;
   bool has_shared_covers_;
-  std::vector<int> sizes_;                        // of covers
-  std::vector<int> first_rows_;                   // of covers
-  Table<ElementIndex, std::vector<Part>> parts_;  // none where covers are not shared
+  std::vector<int> sizes_;                        // per cover
+  std::vector<int> first_rows_;                   // per cover
+  Table<ElementIndex, std::vector<Part>> parts_;  // empty if covers are not shared
 };
 
 }  // namespace keyblock

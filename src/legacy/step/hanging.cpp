@@ -1,4 +1,4 @@
-// The affine field of three corners, and velocities by it.
+// Computes the affine field of three corners, and velocities from it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/hanging.hpp"
 

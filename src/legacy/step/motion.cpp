@@ -1,4 +1,4 @@
-// The two rotation rules.
+// Implements the two rotation rules.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/motion.hpp"
 

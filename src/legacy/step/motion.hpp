@@ -1,4 +1,5 @@
-// How the points of an element move with its unknowns: to first order in the rotation, or with the rotation exact.
+// Computes the motion of points of an element by its unknowns, with first-order or exact rotation. Theory:
+// docs/theory/13-shis-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,12 +9,12 @@
 
 namespace keyblock {
 
-/// Displacement of the point at `offset` from the centroid. Exact: the part of r in T d is replaced by the
-/// finite rotation X(cos r - 1) - Y sin r, X sin r + Y(cos r - 1); strains are not rotated (legacy-rules 12;
-/// Shi 1988 has the first-order form).
+/// Returns the displacement of the point at `offset` from the centroid. Exact: the finite rotation X(cos r - 1) - Y sin
+/// r, X sin r + Y(cos r - 1) replaces the part of r in T d. Strains are not rotated (legacy-rules 12; Shi 1988 has the
+/// first-order form).
 Point displacement(const Basis& basis, const Unknowns& increment, Point offset, Rotation rotation);
 
-/// The element of which a vertex moves furthest in a step, and how far: not a number where one is none.
+/// Element whose vertex moves farthest in a step, with that displacement: NaN if one displacement is NaN.
 struct FarthestElement {
   ElementIndex element;
   double displacement = 0;

@@ -1,4 +1,4 @@
-// One pass after another on the system of the step.
+// Repeats passes of the open–close iteration on the system of the step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/open_close.hpp"
 
@@ -13,8 +13,7 @@
 namespace keyblock {
 namespace {
 
-// A contact that has just closed has no friction yet; in the first pass of a step friction is that of the
-// last step.
+// A contact that has just closed has no friction yet. In the first pass of a step friction is that of the last step.
 std::vector<bool> friction_acts(const Contacts& contacts, Attempt attempt, int pass) {
   std::vector<bool> acts;
   for (const Contact& contact : contacts) {
@@ -24,7 +23,8 @@ std::vector<bool> friction_acts(const Contacts& contacts, Attempt attempt, int p
   return acts;
 }
 
-// Mean of p Δt² / 2m over the blocks: without contact the first entry of a block is 2m/Δt², and more where it is held.
+// Returns the mean of p Δt² / 2m over the blocks. Without contact the first entry of a block is 2m/Δt², more if it is
+// fixed.
 double stiffness_over_inertia(const BlockMatrix& matrix, double penalty) {
   double sum = 0;
   for (int i = 0; i < matrix.block_count(); ++i) sum += penalty / matrix.row(i).front().block(0, 0);

@@ -1,4 +1,4 @@
-// Shi's adaptive penalty: aims at the allowed penetration, falls by at most a factor of three.
+// Adapts Shi's penalty: aims at the allowed penetration and falls by at most a factor of three.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/penalty.hpp"
 

@@ -1,4 +1,4 @@
-// The contact stiffness from step to step.
+// Adapts the contact stiffness from step to step. Theory: docs/theory/13-shis-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,12 +17,11 @@ struct Misfit {
 };
 Misfit misfit(const Contacts& contacts);
 
-/// Greatest penetration of the closed contacts over the size of the smaller element, that is the largest distance of
-/// its vertices from its centroid; ≥ 0.
+/// Returns the greatest penetration of the closed contacts over the size of the smaller element; ≥ 0. The size is the
+/// largest distance of a vertex from the centroid.
 double penetration_share(const Contacts& contacts, const Model& model, const State& state);
 
-/// The adapted stiffness, and whether penetration was so deep that the step must be redone with it
-/// (legacy-rules 11.3).
+/// Adapted stiffness. `redo`: penetration was so deep that the step must be repeated with it (legacy-rules 11.3).
 struct AdaptedPenalty {
   double penalty = 0;
   bool redo = false;

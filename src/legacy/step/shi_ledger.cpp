@@ -1,4 +1,4 @@
-// Energies and momenta block by block, from what the state carries.
+// Computes energies and momenta block by block from the state.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/shi_ledger.hpp"
 
@@ -13,7 +13,7 @@
 namespace keyblock {
 namespace {
 
-// ½ A σᵀ D⁻¹ σ; D is isotropic, so that the frame of the stress is of no account.
+// Returns ½ A σᵀ D⁻¹ σ; D is isotropic, so that the frame of the stress does not matter.
 double strain_energy(const BlockMaterial& material, Plane plane, const ElementState& now) {
   const Eigen::Vector3d stress(now.stress.xx, now.stress.yy, now.stress.xy);
   return now.moments.area / 2 * stress.dot(modulus_of(material, plane).inverse() * stress);

@@ -1,4 +1,4 @@
-// The stored energies of a scene under the old program's step; what is lost it does not say.
+// Computes the stored energies of a scene under Shi's rules. Losses are not known.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,20 +7,20 @@
 
 namespace keyblock {
 
-/// Kinetic, strain and gravity energy and momentum at `state`; its contact springs are not kept between steps, and its
-/// rules lose and make energy that no term names: flows and impulse stay zero. `unloaded` is the state before the first
+/// Returns kinetic, strain and gravity energy and momentum at `state`. Contact springs are not kept between steps, and
+/// the rules lose and create energy that no term names: flows and impulse are zero. `unloaded`: state before the first
 /// step.
 LedgerRow stored_row(const Model& model, const Settings& settings, const State& state, const StartPlaces& unloaded);
 
-/// Work that loads, the body acceleration, points held at a displacement of their own and bolts did on the elements in
-/// a step, with their forces at its end as the equations have them: what Shi's step adds to kinetic energy is the sum
-/// of all such work (F·d = ½ M (v1² − v0²) for v1 = 2d/dt − v0). Points held where they lie can only give back what
-/// they took, and are left out.
+/// Returns the work on the elements in a step by loads, body acceleration, driven points and bolts. Their forces are
+/// those at the end of the step, as in the equations. Shi's step adds exactly the sum of all such work to the kinetic
+/// energy (F·d = ½ M (v1² − v0²) for v1 = 2d/dt − v0). Points fixed in place can only return energy that they took, and
+/// are left out.
 double work_of_step(const Model& model, const Settings& settings, const State& before, const State& after);
-/// Whether there is anything that does such work.
+/// Returns true if anything does such work.
 bool does_work(const Model& model, const Settings& settings);
 
-/// Momentum is taken about the mean of the centroids.
+/// Returns the scope of the energy balance; momentum is taken about the mean of the centroids.
 LedgerScope stored_scope(const StartPlaces& unloaded);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// A stop in the middle of a step leaves the stepping as it was; saving is one list of members.
+// Implements the stepper: a stop within a step restores the state before it, and saving lists the members.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/shi_stepper.hpp"
 
@@ -37,7 +37,7 @@ void describe(Archive& a, Contact& contact, VertexIndex vertices) {
   a.value("bonded", contact.bonded);
 }
 
-// Of the solver, only whether it gave up iterations: its factor is that of any new solver.
+// Of the solver, only the decision against iterations is saved: its factorisation equals that of any new solver.
 void describe(Archive& a, Stepping& stepping) {
   a.group("state", [&] { describe(a, stepping.state); });
   const VertexIndex vertices = stepping.state.vertices.end_index();
@@ -59,7 +59,7 @@ ShiStepper::ShiStepper(Scene scene)
 
 ShiStepper::ShiStepper(Scene scene, Archive& saved) : ShiStepper(std::move(scene)) {
   describe(saved, stepping_);
-  // Forces of the last solve are not saved: as near as what was judged after it says.
+  // Forces of the last solve are not saved; the later judgement gives an approximation.
   Contacts& contacts = stepping_.contacts;
   for (Contact& contact : contacts) contact.spring = contact.distance;
   contacts = with_friction(std::move(contacts), std::vector<bool>(contacts.size(), true), scene_.model);

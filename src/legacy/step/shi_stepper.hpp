@@ -1,4 +1,4 @@
-// Shi's step as a stepper.
+// Steps a scene by Shi's rules. Theory: docs/theory/13-shis-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@ namespace keyblock {
 class ShiStepper : public Stepper {
  public:
   explicit ShiStepper(Scene scene);
-  /// As it was saved, of the same scene. Throws InputError.
+  /// Restores the stepper from a checkpoint of the same scene. Throws InputError.
   ShiStepper(Scene scene, Archive& saved);
 
   const Model& model() const override { return scene_.model; }
@@ -26,7 +26,7 @@ class ShiStepper : public Stepper {
   ShiScene scene_;
   Stepping stepping_;
   StartPlaces unloaded_;
-  Table<VertexIndex, Point> vertices_before_;  ///< at the start of the last step; none before one, or once restored
+  Table<VertexIndex, Point> vertices_before_;  ///< at the start of the last step; empty before one and after restart
 };
 
 }  // namespace keyblock

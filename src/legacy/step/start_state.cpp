@@ -1,4 +1,4 @@
-// Velocities and stress from the materials; which of their numbers, the quirks say.
+// Takes velocities and stress from the materials; quirks decide which of their numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/start_state.hpp"
 
@@ -11,14 +11,14 @@
 namespace keyblock {
 namespace {
 
-// What the Berkeley engine has in its material slots 8 to 10: stress gradient and start velocity (legacy-rules 7.5,
-// 16.1). Which values those are depends on the dialect of the file.
+// Returns the values in the material slots 8 to 10 of the Berkeley engine: stress gradient and start velocity
+// (legacy-rules 7.5, 16.1). The dialect of the file decides which values those are.
 Velocity slots_8_to_10(const BlockMaterial& material, const BerkeleyQuirks& quirks) {
   if (quirks.ddaml_slots) return material.initial_velocity;
   return {material.stress_gradient.xx, material.stress_gradient.yy, material.stress_gradient.xy};
 }
 
-// What it has in slots 11 to 13.
+// Returns the values in slots 11 to 13.
 Velocity slots_11_to_13(const BlockMaterial& material, const BerkeleyQuirks& quirks) {
   if (!quirks.ddaml_slots) return material.initial_velocity;
   return {material.initial_strain[0], material.initial_strain[1], material.initial_strain[2]};

@@ -1,4 +1,4 @@
-// The state before the first step, from the materials as the old programs read them.
+// Computes the state before the first step from the materials, as Shi's programs read them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,11 +6,11 @@
 
 namespace keyblock {
 
-/// Start velocities and initial stress (stress = s + y_centroid × gradient).
+/// Returns the state with start velocities and initial stress (stress = s + y_centroid × gradient).
 State start_state(const Model& model, const Settings& settings);
 
-/// Largest component of the start velocities by which the first automatic step is chosen: under the quirk those of the
-/// engine's slots 11 to 13 (legacy-rules 13).
+/// Returns the largest component of the start velocities, which chooses the first automatic step. Under the quirk these
+/// are the engine's slots 11 to 13 (legacy-rules 13).
 double greatest_start_speed(const Model& model, const Settings& settings);
 
 }  // namespace keyblock

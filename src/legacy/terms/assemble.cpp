@@ -1,4 +1,4 @@
-// The one list of terms. A new term is a new file pair and a new row here.
+// Holds the list of terms. A new term is a new file pair and a new row here.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/assemble.hpp"
 

@@ -1,4 +1,4 @@
-// The terms a scene needs, called in the order of the theory.
+// Selects the terms that a scene needs and assembles them in the order of the theory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace keyblock {
 
-/// The terms to call for these requirements; contact is not among them, it changes within a step.
+/// Returns the terms for these requirements. Contact is not among them, because it changes within a step.
 std::vector<Term> terms_for(const Requirements& requirements);
 
-/// Everything of one step except contact; with room for what couples `coupled` elements.
+/// Assembles all terms of a step except contact, with room for coupling between `coupled` elements.
 System assemble(const std::vector<Term>& terms, const StepContext& context, const BlockMatrix::Pairs& coupled = {});
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Mass times the given acceleration, at the centroid of every element.
+// Adds mass times the given acceleration, at the centroid of every element.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/body_acceleration.hpp"
 

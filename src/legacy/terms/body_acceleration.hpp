@@ -1,4 +1,4 @@
-// A given acceleration of all blocks.
+// Assembles a given acceleration of all blocks into the right-hand side.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-/// F += ∫ ρ Tᵀ a over the element, a at the end of the step as point loads are (legacy-rules 7.3).
+/// Adds F += ∫ ρ Tᵀ a over the element, with a at the end of the step, as for point loads (legacy-rules 7.3).
 void add_body_acceleration(const StepContext& context, System& system);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Weight of every element, acting at its centroid.
+// Adds the weight of every element, at its centroid.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/body_force.hpp"
 

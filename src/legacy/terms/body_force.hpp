@@ -1,4 +1,4 @@
-// Weight.
+// Assembles the weight of each block into the right-hand side.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-/// F += ∫ Tᵀ w with w = weight_per_area: density × gravity, or the own unit weight of each material when the quirk
+/// Adds F += ∫ Tᵀ w with w = weight_per_area: density × gravity, or each material's own unit weight if the quirk
 /// weight_of_first_material is off (legacy-rules 7.3).
 void add_body_force(const StepContext& context, System& system);
 

@@ -1,4 +1,4 @@
-// Stiffness and force of every bolt on the two elements that carry it.
+// Adds stiffness and force of every bolt to its two elements.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/bolt.hpp"
 

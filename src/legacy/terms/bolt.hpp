@@ -1,4 +1,4 @@
-// Axial springs between blocks.
+// Assembles bolts as axial springs between blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,9 +6,9 @@
 
 namespace keyblock {
 
-/// With l the present direction of the bolt and r = (−lᵀT at the first end, lᵀT at the second) the elongation per unit
-/// of the unknowns:  K += k rᵀr,  F −= f rᵀ,  f the force the bolt has at the start of the step (legacy-formats, bolts;
-/// linear in the increment, Shi 1988). A bolt whose ends meet has no direction and acts not.
+/// Adds K += k rᵀr and F −= f rᵀ. l is the current direction of the bolt. r = (−lᵀT at the first end, lᵀT at the
+/// second) is the elongation per unit of the unknowns. f is the bolt force at the start of the step (legacy-formats,
+/// bolts; linear in the increment, Shi 1988). A bolt whose ends coincide has no direction and exerts no force.
 void add_bolt(const StepContext& context, System& system);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Mass and stiffness of every element, over the step.
+// Adds mass and stiffness of every element, divided by the step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/damping.hpp"
 

@@ -1,4 +1,4 @@
-// Viscous damping of the materials that ask for it.
+// Assembles viscous damping of materials that define it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,8 @@
 
 namespace keyblock {
 
-/// Rayleigh's C = a M + b K of each block material: K += C / dt, the force of the mean velocity d / dt of the step.
+/// Adds Rayleigh's C = a M + b K of each block material: K += C / dt, the force of the mean velocity d / dt of the
+/// step.
 void add_damping(const StepContext& context, System& system);
 
 }  // namespace keyblock

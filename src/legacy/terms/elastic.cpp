@@ -1,4 +1,4 @@
-// Elastic stiffness of every element through its strain operator.
+// Adds the elastic stiffness of every element through its strain operator.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/elastic.hpp"
 

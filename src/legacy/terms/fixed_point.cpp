@@ -1,4 +1,4 @@
-// Springs of the fixed points.
+// Adds the springs of the fixed points.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/fixed_point.hpp"
 

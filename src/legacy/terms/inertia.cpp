@@ -1,4 +1,4 @@
-// The mass of each element, and its velocity, as a constant acceleration over the step has them.
+// Adds the mass of each element, and its velocity, for a constant acceleration over the step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/inertia.hpp"
 

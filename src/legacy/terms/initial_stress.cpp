@@ -1,4 +1,4 @@
-// The force of the present stress on the strain unknowns.
+// Subtracts the force of the current stress on the strain unknowns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/initial_stress.hpp"
 

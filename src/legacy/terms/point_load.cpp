@@ -1,4 +1,4 @@
-// Forces of the loading points at the end of the step.
+// Adds the forces of the loading points at the end of the step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/point_load.hpp"
 

@@ -1,4 +1,4 @@
-// Loads in time at the loading points.
+// Assembles time-dependent loads at the loading points.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-/// F += Tᵀ p at the current place of the point, p at the end of the step (legacy-rules 7.3).
+/// Adds F += Tᵀ p at the current place of the point, p at the end of the step (legacy-rules 7.3).
 void add_point_load(const StepContext& context, System& system);
 
 }  // namespace keyblock

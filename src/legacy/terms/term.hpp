@@ -1,5 +1,5 @@
-// What every physical term is given: the scene, its state and the step about to be made. A term adds to the system
-// and knows no other term.
+// Declares the input of every physical term: the scene, its state and the next step. A term adds to the system and
+// knows no other term.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
