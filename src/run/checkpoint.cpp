@@ -1,4 +1,4 @@
-// The only file that knows HDF5. Files are made and opened in memory, so that writing them out is one rename.
+// Encapsulates HDF5. Files are made and opened in memory, so that writing them is one rename.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/checkpoint.hpp"
 
@@ -16,18 +16,18 @@ namespace keyblock {
 namespace {
 
 constexpr int kLayout = 8;
-constexpr std::size_t kHeaderBytes = 512;  // the least that HDF5 skips in search of its own first byte
+constexpr std::size_t kHeaderBytes = 512;  // smallest offset at which HDF5 looks for its own first byte
 constexpr std::size_t kGrowth = 1 << 20;   // of the file in memory
 constexpr std::string_view kOpening = "keyblock checkpoint, layout ";
 constexpr std::string_view kDigestWord = ", sha256 ";
 
-/// A call of HDF5 that failed, for want of memory or because of what a file holds.
+/// Failed HDF5 call, for lack of memory or because of the contents of a file.
 class Refused : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// An identifier of HDF5, closed at the end of its life; a negative one is a call that failed.
+/// HDF5 identifier, closed on destruction; a negative one is a failed call.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
@@ -48,7 +48,7 @@ void require(bool done) {
 }
 
 Handle access_in_memory() {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are said by us
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // this program reports failures itself
   return {H5Pcreate(H5P_FILE_ACCESS), H5Pclose};
 }
 
@@ -91,7 +91,7 @@ void write(hid_t place, const ArchiveNode& node) {
   for (const auto& child : node.children) write(group, *child);
 }
 
-// What is written is sound, and stays in memory: where HDF5 refuses it, there is not enough of that.
+// The data are sound and stay in memory: if HDF5 fails, memory is short.
 std::string image_of(const ArchiveNode& root) try {
   const Handle access = access_in_memory();
   H5Pset_fapl_core(access, kGrowth, false);
@@ -107,7 +107,7 @@ std::string image_of(const ArchiveNode& root) try {
   throw std::bad_alloc();
 }
 
-// `most`: bytes that the file has; a dataset that claims more is not believed.
+// `most`: bytes of the file; a dataset that claims more is rejected.
 void read_column(hid_t set, std::size_t most, ArchiveNode& node) {
   const Handle space(H5Dget_space(set), H5Sclose);
   const Handle type(H5Dget_type(set), H5Tclose);

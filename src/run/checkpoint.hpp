@@ -1,4 +1,4 @@
-// A run put away between two steps, as the bytes of one file: a line of text that says what follows, then HDF5.
+// Stores a run between two steps as the bytes of one file: a line of text with the layout, then HDF5.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,12 +8,13 @@
 
 namespace keyblock {
 
-/// Byte 0: "keyblock checkpoint, layout N, sha256 S" and a line feed, zeros up to byte 512, the HDF5 file from there
-/// on. Its groups and datasets are the archive's; a table is one dataset a column. Any HDF5 tool opens it.
+/// Returns the bytes of the file. At byte 0 stands "keyblock checkpoint, layout N, sha256 S" and a line feed, then
+/// zeros up to byte 512, then the HDF5 file. Its groups and datasets are those of the archive; a table has one dataset
+/// per column. Any HDF5 tool opens it.
 std::string checkpoint_bytes(const Archive& archive);
 
-/// The archive of a file's bytes, ready to restore from. Throws InputError with the name of the file where it is no
-/// checkpoint, of another layout, cut off or changed: the checksum is looked at before HDF5 sees a byte.
+/// Returns the archive in a file's bytes, ready to restore. Throws InputError with the name of the file if it is not a
+/// checkpoint, has another layout, or is truncated or changed. The checksum is verified before HDF5 reads a byte.
 Archive archive_of_checkpoint(const std::string& file, const std::string& bytes);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// One branch a name.
+// Parses the settings of a cover plan, one branch per name.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/cover_settings.hpp"
 
@@ -35,7 +35,7 @@ void set_one(Problem& problem, const std::pair<std::string, std::string>& settin
   set(*problem.covers, name, in_units(problem.units, name, value, measure_of_mesh_setting(name)));
 }
 
-// Settings of the case file itself: a wrong value is the file's fault.
+// These settings come from the case file: an error in a value is reported there.
 void set_plan_as_in_file(Problem& problem) {
   RunChoices& choices = problem.choices;
   RunChoices left = choices;

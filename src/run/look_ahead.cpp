@@ -1,4 +1,4 @@
-// Looks at outlines of blocks as they were cut, and at their contacts.
+// Checks the outlines of blocks as cut, and their contacts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/look_ahead.hpp"
 
@@ -30,20 +30,20 @@
 namespace keyblock {
 namespace {
 
-constexpr double kSlender = 5;           // length over mean width of a block that ought to bend
-constexpr double kBendingArea = 0.5;     // of the middle block: the bending of a smaller one moves little else
+constexpr double kSlender = 5;           // length over mean width of a block that should be able to bend
+constexpr double kBendingArea = 0.5;     // of the median block: bending of a smaller one hardly affects others
 constexpr double kHeldAlong = 0.5;       // of the length of a slender block: fixed points as far apart keep it straight
 constexpr double kStray = 1e-3;          // of the side of a mean square block: points on an edge are not outside
-constexpr double kOverlap = 1e-4;        // of the size of the mean block: faces that lie on one another
+constexpr double kOverlap = 1e-4;        // of the size of the mean block: faces that coincide
 constexpr double kDownward = 0.05;       // sine of the angle at which a face rests on another
-constexpr double kStiff = 100;           // springs over inertia, beyond which many pairs take hundreds of systems
-constexpr std::size_t kManyPairs = 500;  // that such a step was measured with
+constexpr double kStiff = 100;           // springs over inertia, above which many pairs take hundreds of solves
+constexpr std::size_t kManyPairs = 500;  // number of pairs in the measured case
 
 std::string at(const Point& p) {
   return fmt::format("{}, {}", plain(p.x), plain(p.y));
 }
 
-// Of a file that says itself of which block a point is. `loops`: of the blocks; `near`: no farther is on an edge.
+// Serves files that state the block of each point. `loops`: of the blocks; `near`: nearer points count as on an edge.
 std::string points_outside(const Blocks& blocks, const std::vector<std::vector<Point>>& loops, double near) {
   struct Stray {
     const char* noun;
@@ -96,8 +96,7 @@ bool lies_along(const std::vector<Point>& loop, Point from, Point along, double 
   return false;
 }
 
-// Area of the middle one of the blocks without a fixed point; of all where each has one. One that is far larger than
-// the others does not change it.
+// Returns the median area of blocks without fixed points, or of all if each has one. One huge block does not change it.
 double middle_area(const std::vector<BlockForm>& shapes, const std::vector<int>& fixed) {
   std::vector<double> loose, all;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -110,7 +109,7 @@ double middle_area(const std::vector<BlockForm>& shapes, const std::vector<int>&
   return *middle;
 }
 
-/// The blocks of a scene as cut, and who touches whom.
+/// Blocks of a scene as cut, and their contacts.
 class Blocky {
  public:
   Blocky(const Prepared& prepared)
@@ -139,7 +138,7 @@ class Blocky {
     };
     put("slivers", slivers());
     if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) put("block_outside_outline", outside(*drawing));
-    if (std::holds_alternative<Blocks>(problem.geometry))  // in others the program says whose a point is
+    if (std::holds_alternative<Blocks>(problem.geometry))  // in others the program assigns points to blocks
       put("point_outside_its_block", points_outside(blocks_, loops_, kStray * std::sqrt(mean_)));
     put("free_blocks", flying());
     put("unheld_blocks", unheld());
@@ -149,7 +148,7 @@ class Blocky {
     return found;
   }
 
-  /// Over the inertia of the mean block, where they are too stiff for the step; otherwise 0.
+  /// Returns the stiffness of springs over the inertia of the mean block if it is too large for the step; otherwise 0.
   double stiffness_of_springs() const {
     if (settings_.dynamics != Dynamics::standard || settings_.standard.motion != MotionRule::dynamic) return 0;
     if (touching_.size() < kManyPairs ||
@@ -214,7 +213,7 @@ class Blocky {
   bool is_held(std::size_t i) const { return fixed_[i] > 0 || !model_.elements[index(i)].can_move(); }
   static ElementIndex index(std::size_t i) { return ElementIndex{static_cast<int>(i)}; }
 
-  // Whether each hangs together, over touches and bolts, with one that is held.
+  // Marks blocks connected, by contacts and bolts, to a fixed one.
   std::vector<bool> hanging_on_held() const {
     UnionFind groups(shapes_.size());
     for (const ElementPair& pair : touching_) groups.unite(pair.lower.value, pair.upper.value);
@@ -227,7 +226,7 @@ class Blocky {
     return hangs;
   }
 
-  // In motion a block that touches nothing is meant to fall or to fly.
+  // In dynamics a block without contact is meant to fall or fly.
   bool flies(std::size_t i) const {
     const auto is_it = [&](ElementIndex e) { return e == index(i); };
     return !is_static(settings_, model_) && settings_.standard.motion == MotionRule::dynamic &&
@@ -259,7 +258,7 @@ class Blocky {
         length(settings_.gravity) > 0 ? "under gravity they fall freely" : "they move as loads push them");
   }
 
-  // Whether a face of the one looks downward and lies on the other.
+  // Returns true if a face of the upper block looks downward and lies on the lower one.
   bool rests_on(std::size_t upper, std::size_t lower, Point down) const {
     const double tolerance = kOverlap * std::sqrt(mean_);
     const std::vector<Point>& own = loops_[upper];
@@ -284,7 +283,7 @@ class Blocky {
     const double g = length(settings_.gravity);
     if (g == 0) return {};
     const Point down = (1 / g) * settings_.gravity;
-    std::vector<std::vector<std::size_t>> bears(shapes_.size());  // what rests on each
+    std::vector<std::vector<std::size_t>> bears(shapes_.size());  // blocks that rest on each
     for (const ElementPair& pair : touching_) {
       const auto one = static_cast<std::size_t>(pair.lower.value);
       const auto other = static_cast<std::size_t>(pair.upper.value);
@@ -307,7 +306,7 @@ class Blocky {
       to_look_at.pop_back();
       for (const std::size_t upper : bears[lower]) stand(upper);
     }
-    const std::vector<bool> hangs = hanging_on_held();  // the others are told of as unheld
+    const std::vector<bool> hangs = hanging_on_held();  // the others are reported as unheld
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (!stands[i] && hangs[i]) found.push_back(i);
@@ -353,14 +352,14 @@ class Blocky {
   const Settings& settings_;
   const Blocks& blocks_;
   std::vector<ElementPair> touching_;
-  std::vector<int> fixed_;  ///< points of each block
-  std::vector<Box> held_;   ///< about the fixed points of each
+  std::vector<int> fixed_;  ///< number of points per block
+  std::vector<Box> held_;   ///< around the fixed points of each
   std::vector<std::vector<Point>> loops_;
   std::vector<BlockForm> shapes_;
   double mean_ = 0;
 };
 
-// Of two bodies, at least one of them on covers and not damped.
+// Returns true if two bodies touch, at least one of them an undamped NMM body.
 bool touch_undamped(const Model& model, const Settings& settings) {
   const std::vector<int> bodies = body_numbers(model);
   if (std::ranges::all_of(bodies, [](int body) { return body == 0; })) return false;
@@ -375,14 +374,14 @@ bool touch_undamped(const Model& model, const Settings& settings) {
   });
 }
 
-// Bodies on covers start without contact forces, which then swing between none and twice the weight; at none a body may
-// lift off. The first of several stages is there to bring them to rest.
+// NMM bodies start without contact forces, which then oscillate between zero and twice the weight; at zero a body may
+// lift off. With several stages, the first one serves to settle them.
 Warnings sudden_starts(const Problem& problem, const Prepared& prepared) {
   const Settings& settings = prepared.scene.settings;
   const Model& model = prepared.scene.model;
   const bool is_in_time = settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::dynamic &&
                           !is_static(settings, model);
-  if (settings.standard.start == StartRule::compatible) return {};  // the run says of what it found no equilibrium
+  if (settings.standard.start == StartRule::compatible) return {};  // the run itself reports bodies without equilibrium
   if (!model.continuum || prepared.scene.is_untouched || !is_in_time || !problem.stages.empty() ||
       length(settings.gravity) == 0 || !touch_undamped(model, settings))
     return {};

@@ -8,18 +8,16 @@
 
 namespace keyblock {
 
-/// Named warnings with numbers and places, in the units of the input. Names: `slivers`, `block_outside_outline`,
-/// `point_outside_its_block`, `free_blocks`, `unheld_blocks`, `unsupported_blocks`, `block_cannot_bend`,
-/// `springs_stiff_for_step`, `units_contradict`, `sudden_start_undamped`, `springs_unresolved`,
-/// `strain_damping_takes_rebound`. NMM bodies are looked at for units, their start and impacts alone.
+/// Returns named warnings with numbers and places, in the units of the input. Names: `slivers`,
+/// `block_outside_outline`, `point_outside_its_block`, `free_blocks`, `unheld_blocks`, `unsupported_blocks`,
+/// `block_cannot_bend`, `springs_stiff_for_step`, `units_contradict`, `sudden_start_undamped`, `springs_unresolved`,
+/// `strain_damping_takes_rebound`. NMM bodies are checked only for units, start and impacts.
 Warnings look_ahead(const Problem& problem, const Prepared& prepared);
 
-/// Options that make contact springs soft enough for cheap steps, where they are too stiff for the step
-/// (`springs_stiff_for_step`); otherwise empty.
+/// Returns options that soften contact springs too stiff for cheap steps (`springs_stiff_for_step`); otherwise empty.
 std::string softer_springs(const Prepared& prepared);
 
-/// The smallest block, for whom it is good to know: its number, place and area over that of the mean; empty without
-/// blocks.
+/// Describes the smallest block by its number, place and area over the mean; empty without blocks.
 std::string smallest_block(const Blocks& blocks);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Cutting, model and settings put together.
+// Combines cutting, model and settings into a scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/prepare.hpp"
 
@@ -37,10 +37,10 @@
 namespace keyblock {
 namespace {
 
-// Unit weights are written by hand from a density and a rounded gravity: within a thousandth they are the same.
+// Relative tolerance of unit weights, which are often derived by hand from a density and a rounded gravity.
 constexpr double kSameWeight = 1e-3;
 
-// What the files ask for that this profile does not do is said, not dropped in silence.
+// Warns of input that this profile ignores.
 Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Settings& settings) {
   Warnings warnings;
   const auto warn = [&](const char* name, const std::string& sentence) {
@@ -90,7 +90,7 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   return warnings;
 }
 
-// Settings of the case file, of its stages and of the command.
+// Covers settings of the case file, of its stages and of the command.
 Warnings without_effect(const Problem& problem, const std::vector<Override>& overrides, const Scene& first) {
   Warnings warnings;
   const auto look = [&](const Override& setting, const Place& place) {
@@ -116,9 +116,9 @@ void require_motions(std::size_t fixed_points, const Analysis& analysis) {
                                                  fixed_points, motions));
 }
 
-/// What a geometry becomes, before settings look at it.
+/// Result of a geometry before settings apply.
 struct Geometry {
-  CutResult cut;  ///< no blocks where elements hang on covers
+  CutResult cut;  ///< no blocks for NMM elements
   Model model;
 };
 
@@ -130,7 +130,7 @@ Geometry of_blocks(const Problem& problem, const Settings& settings) {
   return {std::move(cut), std::move(model)};
 }
 
-// The old step moves elements each by the affine field of its three nodes. The exact rotation of each would tear
+// Shi's step moves each element by the affine field of its three nodes. The exact rotation of each would tear
 // neighbours apart.
 Model by_old_rules(const Cover& cover, const Analysis& analysis, const Settings& settings) {
   if (settings.rotation == Rotation::exact)
@@ -138,7 +138,7 @@ Model by_old_rules(const Cover& cover, const Analysis& analysis, const Settings&
   return with_affine_elements(model_from_manifold(manifold_of(cover), points_of(cover), analysis));
 }
 
-// Bodies on covers are cut with their slits, and their mesh bears small ones.
+// NMM bodies are cut with their slits, and their mesh copes with small ones.
 void require_kept_slivers(const Problem& problem, const Settings& settings, const Place& place) {
   if (settings.slivers == Slivers::kept) return;
   if (problem.covers && !problem.covers->mesh.materials.empty()) return;
@@ -186,8 +186,8 @@ struct Plan {
   std::shared_ptr<const Groundwork> groundwork = {};
 };
 
-// The model with the bases of `standard`, and the plan with the enforcement that was decided on. Throws InputError for
-// a scene that these dynamics cannot run.
+// Returns the model with the bases of `standard`, and the plan with the enforcement chosen. Throws InputError for a
+// scene that these dynamics cannot run.
 Plan standard_plan(Model model, const Settings& settings, const Place& place) {
   model = with_bases(std::move(model), settings.basis);
   const StandardScene scene = [&] {
@@ -220,7 +220,7 @@ Plan plan_of(Model model, const Settings& settings, const Place& place, bool is_
   return {std::move(model), std::move(needs)};
 }
 
-/// The rock as the first stage leaves it, and how models are made of it and of those to come.
+/// Rock after the first stage, and the functions that make models of it and of later rock.
 struct Staged {
   ChangedRock first;
   StagedModels models;
@@ -261,10 +261,10 @@ Place place_of(const Problem& problem) {
   return problem.place;
 }
 
-/// What is asked for, once it is known whether its steps are linear solutions.
+/// Request, once it is known whether its steps are linear solutions.
 struct Asked {
   Problem problem;
-  std::vector<StageChoices> choices;  ///< one a stage, or one
+  std::vector<StageChoices> choices;  ///< one per stage, or one
   bool is_untouched = false;
   Warnings warnings = {};
 };
@@ -288,7 +288,7 @@ Asked as_asked(const Problem& problem, const std::string& profile, const std::ve
   return asked;
 }
 
-/// The first scene, those that follow it behind it.
+/// First scene; later scenes are linked to it.
 struct Scenes {
   Scene first;
   Requirements needs;
@@ -334,7 +334,7 @@ void require_one_path(const Scene& first, const Place& place) {
         "one with scenes of their own");
 }
 
-// Of stages that repeat one, the first says it.
+// A warning repeated by several stages is reported for the first only.
 Warnings warnings_of_strengths(const Scene& first, const Place& place) {
   Warnings warnings;
   for (const Scene* scene : scenes_of(first))
@@ -382,14 +382,14 @@ Prepared prepared_as_it_is(const Problem& problem, const std::string& profile, c
                                       found));
 }
 
-// What the mesh by error, found without contact, would not know.
+// Rejects input that the mesh by error, found without contact, would ignore.
 void require_seen_by_mesh(const Problem& problem) {
   for (const Stage& stage : problem.stages)
     if (!stage.forces.empty() || !stage.held.empty() || !stage.bolts.empty())
       refuse_unseen(stage.place, "forces, held points or bolts of a stage");
 }
 
-// Else they have no effect on the run either.
+// Otherwise points have no effect on the run either.
 bool feels_points(const Problem& problem) {
   return problem.covers->contact == CoverContact::felt && problem.covers->excavations.empty();
 }

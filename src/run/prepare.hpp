@@ -1,4 +1,4 @@
-// From a problem to a scene ready to step: cut where a drawing was given, choices taken from profile and overrides.
+// Prepares a scene from a problem: cuts a drawing and takes choices from profile and overrides.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,10 +16,10 @@
 
 namespace keyblock {
 
-/// A scene, what it takes, and how it came about.
+/// Scene ready to run, the solver features it needs, and a record of how it was built.
 struct Prepared {
   Blocks blocks;
-  std::optional<CutReport> cut;  ///< of a drawing; absent where blocks were given
+  std::optional<CutReport> cut;  ///< of a drawing; empty if blocks were given
   std::vector<Snap> snaps;
   Warnings warnings;
   Requirements requirements;
@@ -27,20 +27,20 @@ struct Prepared {
   std::vector<int> joint_lines = {};  ///< as of the cut
 };
 
-/// Whether geometry and analysis are there.
+/// Returns true if geometry and analysis exist.
 bool can_prepare(const Problem& problem);
 
-/// The problem with its mesh by error found; as it is where it has none. Studies of many runs on one mesh find it once.
-/// Throws as `prepare`.
+/// Returns the problem with its mesh by error found, or unchanged without one. Studies of many runs on one mesh find it
+/// once. Throws as `prepare`.
 MeshByError with_mesh_found(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
-/// Adds what was done to the mesh, if anything was, to the requirements, and its warnings.
+/// Adds the record of mesh refinement, and its warnings, to `prepared`.
 void tell(const MeshByError& found, Prepared& prepared);
 
-/// The scene of a problem with geometry and analysis, its mesh by error found first where it has one. Throws InputError
-/// where one of them is missing, lines close no block, or motions do not fit the points, or the case file names an
-/// unknown setting or an invalid value; std::invalid_argument for a profile or an override that is none. Settings of a
-/// case file count below the overrides.
+/// Returns the scene of a problem with geometry and analysis. A mesh by error is found first. Throws InputError if one
+/// of them is missing, lines close no block, or motions do not fit the points. Throws it also for an unknown or invalid
+/// setting of the case file, and std::invalid_argument for an invalid profile or override. Overrides replace settings
+/// of the case file.
 Prepared prepare(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Copies what is reported out of the state.
+// Copies reported values out of the state.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/record.hpp"
 
@@ -52,7 +52,7 @@ std::vector<PointFrame> points_of(const Model& model, const std::vector<CarriedP
 
 constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
 
-/// Puts a value where its number says; what lies between is not there.
+/// Stores a value at the index `number`; entries skipped before it are `missing`.
 template <class T>
 void put(std::vector<T>& values, int number, T value, const T& missing) {
   const auto place = static_cast<std::size_t>(number);
@@ -62,7 +62,7 @@ void put(std::vector<T>& values, int number, T value, const T& missing) {
 
 const PointFrame kMissingPoint{{kNotThere, kNotThere}, {kNotThere, kNotThere}, 0, -1, {}};
 
-// Of the way from a corner to the middle of its element: near-tip functions have no stress at the tip itself.
+// Fraction of the way from a corner to the middle of its element: near-tip functions have no finite stress at the tip.
 constexpr double kBesideTip = 1e-3;
 
 Stress stress_beside_tip(const Stepper& stepper, ElementIndex e, Point at, Point middle) {

@@ -1,4 +1,4 @@
-// The loop over steps.
+// Implements the loop over steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run.hpp"
 

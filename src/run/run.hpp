@@ -1,4 +1,4 @@
-// A problem from its first state to its last: steps made one after another, handed to an observer as they come.
+// Runs a problem from its first state to its last: makes steps in sequence and passes each to an observer.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,18 +20,16 @@
 
 namespace keyblock {
 
-/// Who is told what. Any may be left empty.
+/// Callbacks of a run. Any may be empty.
 struct Observer {
   std::function<void(const Frame&)> on_frame;
   std::function<void(const StepReport&)> on_step;
-  /// At the start and after every step; where nothing is measured the rows hold all centroids, and come with the
-  /// frames.
+  /// At the start and after every step. Without measured points the rows hold all centroids, and come with the frames.
   std::function<void(const HistoryRow&)> on_row;
-  std::function<void(const LedgerRow&)> on_ledger;  ///< at the start and after every step, if the settings ask for it
-  /// Before every step, and where the run is stopped: what was told so far and this stepper are all that going on
-  /// takes.
+  std::function<void(const LedgerRow&)> on_ledger;  ///< at the start and after every step, if the settings request it
+  /// Before every step, and when the run is stopped. The data reported so far and this stepper suffice to continue.
   std::function<void(Stepper&)> between_steps = {};
-  /// Before each frame: the same instant within the elements.
+  /// Before each frame: field values within the elements at the same instant.
   std::function<void(const FieldFrame&)> on_field = {};
   std::function<void(const ContactFrames&)> on_contacts = {};  ///< before each frame
   std::function<void(const Stepper&)> on_state = {};           ///< at the start and after every step
@@ -41,39 +39,39 @@ enum class RunEnd { finished, failed, stopped };
 
 struct RunOutcome {
   RunEnd end = RunEnd::finished;
-  std::string reason;                 ///< why it failed; empty otherwise
-  std::vector<std::size_t> contacts;  ///< contacts (from 0) that would not settle
+  std::string reason;                 ///< reason of a failure; empty otherwise
+  std::vector<std::size_t> contacts;  ///< contacts (from 0) that did not settle
   FailureKind failure = FailureKind::undecided;
-  std::vector<ElementIndex> elements;  ///< that move away, or too far for a step, where it failed for that
-  std::vector<int> numbers;            ///< theirs, from 1, as tables have them
+  std::vector<ElementIndex> elements;  ///< that move away, or too far for a step, if that is the failure
+  std::vector<int> numbers;            ///< their numbers from 1, as in tables
   int steps = 0;                       ///< accepted
   double time = 0;                     ///< reached
-  std::string why_early = {};          ///< it finished before all steps were made; empty otherwise
+  std::string why_early = {};          ///< reason of an end before all steps; empty otherwise
   LedgerScope ledger_scope;
   StartReport start;
-  std::vector<SceneReport> scenes = {};     ///< where there is more than one
-  CrackNotes cracks;                        ///< as they grew
-  FieldFrame field;                         ///< the end, within the elements
-  std::optional<ForceBalance> forces = {};  ///< at the end, where the steps sum them
+  std::vector<SceneReport> scenes = {};     ///< if there are several
+  CrackNotes cracks;                        ///< notes on their growth
+  FieldFrame field;                         ///< at the end, within the elements
+  std::optional<ForceBalance> forces = {};  ///< at the end, if the steps compute them
 };
 
-/// Unless asked otherwise, a run leaves at most this many frames: more are seldom looked at and fill the disk.
+/// Largest number of frames of a run, unless set otherwise: more are rarely viewed and fill the disk.
 inline constexpr int kMostFrames = 100;
-/// Steps from one frame to the next, unless asked otherwise: those of the analysis, or as many as `kMostFrames` asks.
+/// Returns the steps between frames, unless set otherwise: those of the analysis, or as many as `kMostFrames` requires.
 int usual_frame_interval(const Problem& problem, const Settings& settings);
 
-/// The steps of a run, one at a time. Views what it is given.
+/// Makes the steps of a run one at a time. Keeps references to its arguments.
 class StepLoop {
  public:
   StepLoop(const Scene& first, Stepper& stepper, int record_every, const Observer& observer);
 
-  /// For a run that begins: the start is told as a step is.
+  /// Reports the start of a new run like a step.
   void tell_start();
 
-  /// Makes one step. False where none is left, or could be made: the run is at its end, failed or stopped.
+  /// Makes one step. Returns false at the end of the run, after a failure or after a stop.
   bool step();
 
-  /// Tells the last instant and gives the outcome.
+  /// Reports the last instant and returns the outcome.
   RunOutcome end();
 
  private:
@@ -93,13 +91,12 @@ class StepLoop {
   RunOutcome outcome_;
 };
 
-/// Runs the scene. A frame is handed out at the start, every `record_every` steps and at the end, whatever
-/// the end was. Where its context (base/context) is stopped in the middle of a step the run ends before it; throws
-/// StopRequested where that is in the search for the start, before anything was told.
+/// Runs the scene. Frames are made at the start, every `record_every` steps and at any end. If its context
+/// (base/context) is stopped within a step, the run ends before that step. Throws StopRequested if that happens in the
+/// search for the start, before any report.
 RunOutcome run(const Scene& scene, int record_every, const Observer& observer);
 
-/// The rest of a run that began with the scene, as if it had not been left between two steps; what was told before is
-/// not told again.
+/// Continues a run of the scene as if it had not been interrupted between two steps; earlier reports are not repeated.
 RunOutcome go_on(const Scene& scene, Stepper& stepper, int record_every, const Observer& observer);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Each line is tried on settings made up for it, so that a fault is told where it stands.
+// Tries each line on settings made up for it, so that an error is reported at its line.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/settings_file.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kSpace = " \t\r";
 
-/// Part of a line without the space around it, and the column (from 1) where it begins.
+/// Part of a line without surrounding space, and its first column (from 1).
 struct Word {
   std::string text;
   int column = 1;
@@ -42,7 +42,7 @@ bool is_known(const std::string& name) {
 }  // namespace
 
 void require_setting(const std::string& name, const std::string& value) {
-  const Units any{"m", "kg", "s"};  // those of the case are not known here, and do not change what is a time
+  const Units any{"m", "kg", "s"};  // the case's own units are unknown here; any units show which values are times
   if (is_of_plan(name)) {
     CoverPlan plan;
     set(plan, name, in_units(any, name, value, measure_of_mesh_setting(name)));

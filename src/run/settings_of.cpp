@@ -1,4 +1,4 @@
-// Presets, then settings in their order, then whether they go together.
+// Applies presets, then settings in their order, then checks their consistency.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/settings_of.hpp"
 
@@ -15,8 +15,8 @@
 namespace keyblock {
 namespace {
 
-// Springs stop impacts where there are any: other forces are found at the end of the step alone, and blocks would
-// overlap there.
+// If springs stop impacts, all contacts need springs. Other forces are found only at the end of the step, where blocks
+// would overlap.
 void require_springs(const Settings& settings, int joint_materials) {
   if (settings.standard.impact != ImpactLaw::springs) return;
   for (int material = 0; material < joint_materials; ++material) {
@@ -26,7 +26,7 @@ void require_springs(const Settings& settings, int joint_materials) {
   }
 }
 
-// Settings that do not go together.
+// Rejects settings that contradict each other.
 void require_consistent(const Settings& settings, int joint_materials) {
   if (settings.dynamics == Dynamics::shi) {
     if (settings.step_control == StepControl::error)
@@ -36,7 +36,7 @@ void require_consistent(const Settings& settings, int joint_materials) {
   require_springs(settings, joint_materials);
 }
 
-// A setting that cannot be is the file's fault where the file says it.
+// An invalid setting of the case file is reported at its place in the file.
 void set_as_in_file(Settings& settings, const RunChoices& choices) {
   for (std::size_t i = 0; i < choices.settings.size(); ++i) {
     const auto& [name, value] = choices.settings[i];
@@ -48,7 +48,7 @@ void set_as_in_file(Settings& settings, const RunChoices& choices) {
   }
 }
 
-// Settings that are sound for the materials of the file and go together.
+// Requires settings that are valid for the materials of the file and consistent.
 void require_sound(const Settings& settings, const Analysis& analysis) {
   const int joint_materials = static_cast<int>(analysis.joint_materials.size());
   require_materials(settings, static_cast<int>(analysis.block_materials.size()), joint_materials);
@@ -68,7 +68,7 @@ bool names_carry_over(const std::vector<Override>& settings) {
                              [](const Override& setting) { return setting.first.starts_with("velocity_carry_over"); });
 }
 
-// Only where settings ask for motion is it other than the equilibrium of a file that takes no velocity into a step.
+// A file without velocity carry-over describes equilibrium; only settings that request motion change that.
 void carry_what_moves(Settings& settings, const Analysis& analysis, const RunChoices& choices,
                       const std::vector<Override>& overrides) {
   if (settings.dynamics != Dynamics::standard || settings.standard.motion == MotionRule::equilibrium) return;

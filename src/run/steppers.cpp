@@ -1,4 +1,4 @@
-// Shi's rules, the standard step, a chain of scenes of it, or cracks that grow.
+// Chooses between Shi's rules, the standard step, a chain of its scenes, and growing cracks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/steppers.hpp"
 

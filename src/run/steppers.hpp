@@ -1,4 +1,4 @@
-// The choice between the dynamics.
+// Declares the choice between the dynamics.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,10 +8,11 @@
 
 namespace keyblock {
 
-/// The stepper of the scene's dynamics. Throws std::invalid_argument for a scene that these dynamics cannot move.
+/// Returns the stepper of the scene's dynamics. Throws std::invalid_argument for a scene that these dynamics cannot
+/// run.
 std::unique_ptr<Stepper> stepper_for(Scene scene);
 
-/// The stepper as it was saved, of the same scene; its start is not searched again. Throws InputError.
+/// Restores the stepper from a checkpoint of the same scene, without a new search for the start. Throws InputError.
 std::unique_ptr<Stepper> restored_stepper(Scene scene, Archive& archive);
 
 }  // namespace keyblock

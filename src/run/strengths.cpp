@@ -1,4 +1,4 @@
-// The refusal of strengths and cracks that would be dropped in silence, and of elements too large for softening.
+// Rejects strengths and cracks that would be ignored, and elements too large for softening.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/strengths.hpp"
 
@@ -29,16 +29,16 @@ const char* named_law(const BlockMaterial& material) {
   return material.strength ? "strength" : "crack_closure";
 }
 
-// Rounded down, so that what is named is allowed.
+// Rounded down, so that the reported value is allowed.
 std::string four_digits_below(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
   return fmt::format("{:.4g}", std::isnormal(unit) ? unit * std::floor(value / unit) : value);
 }
 
-// The largest part of a material in which softening goes on at once: `size`, √area, is what counts, `side` what a mesh
-// is asked for, at least `ratio` of it.
+// Checks the largest part of a material that softens at once. `size`, √area, counts; `side` is set for a mesh, and is
+// at least `ratio` times that.
 void require_size(const BlockMaterial& material, const char* what, double side, double size, double ratio) {
-  // What unloads a point that softens: with cracks the modulus of open ones, which give back more.
+  // Modulus that unloads a softening point: with cracks that of open ones, which return more energy.
   const double modulus = material.crack_closure ? material.crack_closure->initial_modulus : material.youngs_modulus;
   const double allowed = largest_size(*material.strength, modulus);
   if (size >= allowed)
@@ -56,7 +56,7 @@ double longest_side(const Manifold& manifold, int element) {
   return longest;
 }
 
-// Interior points of a regular mesh are alike; of others some are large for their sides, and a finer mesh has such too.
+// Interior points of a regular mesh are alike. In other meshes some are large for their sides, in finer ones too.
 void require_sizes(const Continuum& continuum) {
   const CoverYield yield(continuum, CoverBasis(continuum.manifold, continuum.functions));
   for (std::size_t i = 0; i < continuum.materials.size(); ++i) {
@@ -73,9 +73,9 @@ void require_sizes(const Continuum& continuum) {
   }
 }
 
-// Gradients averaged over covers do not see what alternates from row to row: on a lattice of equilateral triangles
-// their symbol, Σ a sin(k · a) over the six neighbours a, is none for three such patterns besides for rigid motion.
-// They have stiffness only from their slow change over the body (tests/terms/cover_yield_test.cpp counts them).
+// Gradients averaged over covers miss motion that alternates from row to row. On a lattice of equilateral triangles
+// their symbol is Σ a sin(k · a) over the six neighbours a. Besides rigid motion, it vanishes for three such patterns.
+// These have stiffness only by their slow change over the body (tests/terms/cover_yield_test.cpp counts them).
 Warning soft_patterns(const Continuum& continuum, const Place& place) {
   std::set<int> covers;
   for (std::size_t e = 0; e < continuum.manifold.elements.size(); ++e) {

@@ -1,4 +1,4 @@
-// Which materials of a problem may yield, and whether a run lets them.
+// Checks which materials of a problem are elastoplastic, and whether a run supports them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,13 +8,11 @@
 
 namespace keyblock {
 
-/// Throws InputError where a material has a strength that a run would take no notice of: nothing yields under the rules
-/// of the old programs.
+/// Throws InputError if a run would ignore the strength of a material: nothing yields under Shi's rules.
 void require_readable_strengths(const Problem& problem, const Settings& settings);
 
-/// What is to be said of the materials and the points of a scene that may yield; `place` of its bodies on covers.
-/// Throws InputError where softening by fracture energy would snap back within a point, and where a block that may
-/// yield is rigid.
+/// Returns warnings about the elastoplastic materials and points of a scene; `place`: of its NMM bodies. Throws
+/// InputError if softening by fracture energy would snap back within a point, or if an elastoplastic block is rigid.
 Warnings look_at_strengths(const Scene& scene, const Place& place);
 
 }  // namespace keyblock

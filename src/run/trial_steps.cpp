@@ -1,4 +1,4 @@
-// The steps have a context that ends by the clock, as long computations hear it.
+// Runs the steps in a context that stops after the given time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/trial_steps.hpp"
 
@@ -41,7 +41,7 @@ TrialSteps trial_steps(const Scene& scene, double seconds, int most) {
   } catch (const StopRequested&) {
     if (!trial.starts) trial.start_seconds = seconds_since(began);
   }
-  leave_if_stopped();  // more than these steps
+  leave_if_stopped();  // a stop of the outer context
   if (!trial.starts) return trial;
   trial.step_seconds = seconds_since(stepped) / std::max(1, trial.made);
   return trial;

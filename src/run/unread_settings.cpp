@@ -1,4 +1,4 @@
-// One row for each thing that a scene may lack, with the settings that only it reads.
+// Lists each feature that a scene may lack, one per row, with the settings that only it reads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/unread_settings.hpp"
 
@@ -13,7 +13,7 @@
 namespace keyblock {
 namespace {
 
-// Of the settings these alone say anything of linear statics.
+// The only settings that linear statics reads.
 constexpr std::array<std::string_view, 8> kReadByLinearStatics{
     "plane", "gravity", "gravity.x", "gravity.y", "steps", "time_step", "motion", "quirk.moments_about_origin"};
 
@@ -23,7 +23,7 @@ struct Reason {
   const char* why;
 };
 
-/// "mass_damping.2" without its number.
+/// Returns "mass_damping" from "mass_damping.2".
 std::string_view without_material(std::string_view name) {
   const std::size_t point = name.rfind('.');
   const bool has_number = point != std::string_view::npos && point + 1 < name.size() &&

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kLeastStrength = 1e-7;  // of the modulus
 
-/// What a number may be of rock, soil and masonry on the earth, in SI.
+/// Plausible range of a quantity for rock, soil and masonry on the earth, in SI.
 struct Plausible {
   const char* what;
   Dimension dimension;
@@ -47,11 +47,11 @@ std::string implausible(const Plausible& bounds, double value, const Units& unit
       units.time.empty() ? "" : ", " + units.time, bounds.least, bounds.most);
 }
 
-/// Empty, or why a gravity is that of the earth in another unit than the declared ones.
+/// Explains why a gravity is that of the earth in another unit than declared; empty if it is not.
 std::string gravity_of_another_unit(double gravity, const Units& units) {
-  // Not 981 cm/s2, which in metres is a centrifuge of 100 g.
+  // 981 cm/s2 is left out: in metres it is a centrifuge of 100 g.
   constexpr std::array<std::pair<double, const char*>, 3> kEarth{{{9.81, "m/s2"}, {32.17, "ft/s2"}, {386.1, "in/s2"}}};
-  constexpr double kSame = 0.01;  // share: 9.8 to 9.9, 32 to 32.2
+  constexpr double kSame = 0.01;  // fraction: 9.8 to 9.9, 32 to 32.2
   const std::optional<double> factor = si_factor(units, kAcceleration);
   if (!factor || std::abs(gravity * *factor - kEarth[0].first) <= 2 * kSame * kEarth[0].first) return {};
   for (const auto& [value, unit] : kEarth)
@@ -63,7 +63,7 @@ std::string gravity_of_another_unit(double gravity, const Units& units) {
   return {};
 }
 
-/// Empty, or why an angle of friction cannot be meant in degrees.
+/// Explains why a friction angle cannot be in degrees; empty if it can.
 std::string in_radians(double degrees) {
   if (!(degrees > 0 && degrees < std::numbers::pi / 2)) return {};
   return fmt::format(
@@ -72,8 +72,8 @@ std::string in_radians(double degrees) {
       degrees, degrees / kDegree);
 }
 
-/// The same of an angle of dilation. Small ones are plausible in degrees: only below 1 beside friction that is in
-/// degrees, which in radians would be less than 57 degrees.
+/// Does the same for a dilation angle. Small ones are plausible in degrees. The test requires less than 1, next to
+/// friction in degrees; in radians that is less than 57 degrees.
 std::string dilation_in_radians(const StrengthValues& values) {
   if (!(values.dilation_deg > 0 && values.dilation_deg < 1 && values.friction_deg > 10)) return {};
   return fmt::format(
@@ -82,7 +82,7 @@ std::string dilation_in_radians(const StrengthValues& values) {
       values.dilation_deg, values.friction_deg, values.dilation_deg / kDegree);
 }
 
-/// The same of all angles of a strength: rock softens to little friction, but not to a degree.
+/// Does the same for all angles of a strength: rock softens to little friction, but not to a degree.
 std::string in_radians(const Strength& strength) {
   std::vector<StrengthValues> all{strength.values};
   if (strength.change) all.push_back(strength.change->values);
@@ -93,8 +93,8 @@ std::string in_radians(const Strength& strength) {
   return {};
 }
 
-/// Empty, or why a strength and the modulus cannot be of one unit: of rock and soil it is a hundredth to a
-/// ten-thousandth of the modulus, of weightless benchmarks a millionth.
+/// Explains why strength and modulus cannot have one unit; empty if they can. Rock and soil have a strength of 1e-2 to
+/// 1e-4 of the modulus, weightless benchmarks 1e-6.
 std::string beside_modulus(const BlockMaterial& material) {
   const double strength = compressive_strength(*material.strength, material.strength->values);
   if (strength > 0 && strength < kLeastStrength * material.youngs_modulus)
@@ -115,7 +115,7 @@ Box box_about(const Model& model) {
   return box;
 }
 
-/// Empty, or why the drawing cannot be in the declared unit.
+/// Explains why the drawing cannot be in the declared unit; empty if it can.
 std::string implausible_size(const Model& model, const Units& units) {
   const std::optional<double> metres = si_factor(units, kLengthDimension);
   if (!metres || model.start_vertices.empty()) return {};
@@ -128,7 +128,7 @@ std::string implausible_size(const Model& model, const Units& units) {
       plain(size.x), plain(size.y), units.length, kSmallestScene, kLargestScene);
 }
 
-/// Empty, or why a density is a unit weight.
+/// Explains why a density is a unit weight; empty if it is not.
 std::string density_in_kilonewton(double density, const Units& units) {
   const std::optional<double> factor = si_factor(units, kDensity);
   const double si = factor ? density * *factor : 0;

@@ -11,13 +11,13 @@
 
 namespace keyblock {
 
-/// `units_contradict` of the scene, the gravity and all materials.
+/// Returns `units_contradict` warnings about the scene, the gravity and all materials.
 Warnings implausible_units(const Problem& problem, const Settings& settings, const Model& model);
 
-/// `units_contradict` of a block material.
+/// Returns `units_contradict` warnings about a block material.
 Warnings contradictions_of(const BlockMaterial& material, const Units& units);
 
-/// Returns width and height of all bodies before any load, "30 m by 14 m"; empty if there are none.
+/// Returns width and height of all bodies before any load, "30 m by 14 m"; empty without bodies.
 std::string size_of_scene(const Model& model, const Units& units);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// The lightest free body swings fastest on the springs; it stands for all.
+// Tests the lightest free body, which oscillates fastest on the springs, for all bodies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/ahead/spring_impacts.hpp"
 
@@ -20,23 +20,22 @@
 namespace keyblock {
 namespace {
 
-// ω dt, beyond which a step is longer than a sixth of the period of a block on its springs: the blow lasts less than
-// four steps.
+// ω dt above which a step exceeds a sixth of the period of a block on its springs: the blow lasts less than four steps.
 constexpr double kUnresolved = 1;
-// Steps within a blow that resolve it, as the setting `impact` asks.
+// Steps within a blow that resolve it, as the setting `impact` requires.
 constexpr double kStepsOfBlow = 20;
-// Limits of the integration of a blow: two stiffnesses farther apart than this, and damping beyond this, change nothing
-// more; step and end in terms of the fastest and the slowest frequency.
+// Limits of the integration of a blow. A larger ratio of stiffnesses, or more damping, changes nothing. Step and end
+// are relative to the fastest and the slowest frequency.
 constexpr double kFarApart = 1e3;
 constexpr double kOverdamped = 10;
 constexpr double kOfPeriod = 0.02;
 constexpr double kPeriods = 40;
-// Rebound that is not worth a word.
+// Rebound above which no warning is given.
 constexpr double kNearlyAll = 0.95;
 
-/// A block, or all elements of an NMM body.
+/// Block, or all elements of an NMM body.
 struct Striker {
-  int element = -1;  ///< the first of it, index from 0
+  int element = -1;  ///< its first, index from 0
   double mass = std::numeric_limits<double>::max();
 };
 
@@ -66,8 +65,8 @@ std::optional<Striker> lightest(const Model& model, const Settings& settings) {
   return found;
 }
 
-// Takes a square of unit thickness: strain stiffness 4 E' between corners and centroid; critical damping is 2/ω of its
-// slowest strain mode, simple shear.
+// Models a square of unit thickness. Strain stiffness between corners and centroid is 4 E'. Critical damping is 2/ω of
+// its slowest strain mode, simple shear.
 SpringImpact impact_of(const Model& model, const Settings& settings, const Striker& striker) {
   const Element& element = model.elements[ElementIndex{striker.element}];
   const BlockMaterial& material = model.material_of(element);
@@ -90,7 +89,7 @@ std::string name_of(const Model& model, const Striker& striker) {
 
 }  // namespace
 
-// The corners may strike several times before the block is away; it is when it is farther than its strain swings.
+// The corners may strike several times. The block has left once it is farther away than its strain oscillates.
 double SpringImpact::rebound() const {
   const double springs = std::min(stiffness, kFarApart * strain_stiffness);
   const double strain = std::min(strain_stiffness, kFarApart * stiffness);
@@ -100,7 +99,7 @@ double SpringImpact::rebound() const {
   const double dt = kOfPeriod / std::max(fastest, damping);
   const double away = 2 * std::sqrt(mass / strain);
   const double longest = kPeriods / std::sqrt(std::min(springs, strain) / mass);
-  double y = 0, s = 0, v = -1, rate = 0;  // centroid, and corners against it
+  double y = 0, s = 0, v = -1, rate = 0;  // centroid, and corners relative to it
   for (double t = 0; t < longest && y < away; t += dt) {
     const double force = -springs * std::min(0.0, y + s);
     v += dt * force / mass;

@@ -1,4 +1,4 @@
-// Edge by edge, and from each edge to the next of its loop; see agreement.hpp.
+// Compares edge by edge, and each edge with the next of its loop; see agreement.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/bodies/agreement.hpp"
 
@@ -17,12 +17,12 @@
 namespace keyblock {
 namespace {
 
-// Share of the largest value of either: formulas round.
+// Tolerance relative to the largest value of either: formulas round.
 constexpr double kSameValue = 1e-9;
-// Difference of directions of length 1: edges of one straight line are cut with rounding.
+// Difference of unit directions: edges of one straight line are cut with rounding.
 constexpr double kParallel = 1e-6;
 
-/// The part of an edge that one prescribed displacement holds.
+/// Part of an edge that one prescribed displacement fixes.
 struct HeldPart {
   std::size_t number = 0;  ///< of the plan
   ElementSide side;
@@ -71,14 +71,14 @@ class Agreement {
     if (distance(b.side.edge.end, a.side.edge.start) <= near_) require_at(a, b, b.side.edge.end);
   }
 
-  /// The projector on what both hold.
+  /// Returns the projector on the components that both fix.
   static Eigen::Matrix2d held_by_both(const Eigen::Matrix2d& a, const Eigen::Matrix2d& b) {
     if (a.isIdentity()) return b;
     if (b.isIdentity() || (a - b).norm() < kParallel) return a;
     return Eigen::Matrix2d::Zero();
   }
 
-  /// Two halves of one formula, of which that of a corner turns with the boundary as that of one chain would.
+  /// Returns true for two halves of one formula: at a corner both give the same value on either side's normal.
   bool are_one(const HeldPart& a, const HeldPart& b, Point x) const {
     const PrescribedDisplacement& of_a = prescribed_[a.number];
     const PrescribedDisplacement& of_b = prescribed_[b.number];
@@ -119,12 +119,12 @@ class Agreement {
   const CoverPlan& plan_;
   double near_ = 0;
   std::vector<ElementSide> sides_;
-  std::vector<std::vector<HeldPart>> parts_;  ///< one list a side
+  std::vector<std::vector<HeldPart>> parts_;  ///< one list per side
   std::vector<PrescribedDisplacement> prescribed_;
   std::vector<double> largest_;  ///< length of the values of each
 };
 
-/// The projected value at a point of a piece of the chain; nothing if it is within rounding of 0.
+/// Returns the projected value at a point of a piece of the chain; empty if it is zero within rounding.
 std::optional<Eigen::Vector2d> moved(const PrescribedDisplacement& prescribed, const Segment& piece, Point x) {
   const Point along = piece.end - piece.start;
   const Point normal = (1 / length(along)) * Point{along.y, -along.x};

@@ -1,4 +1,4 @@
-// Blocks and bodies cut apart, joined in one model, points handed to whoever carries them.
+// Cuts blocks and bodies, joins them in one model, and assigns points to the elements that hold them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/bodies/cover_model.hpp"
 
@@ -48,7 +48,7 @@ Continuum planned(Manifold manifold, const Problem& problem, const Settings& set
   return continuum;
 }
 
-// All bodies on one mesh, with the joints that end inside them.
+// Puts all bodies on one mesh, with the joints that end inside them.
 CoverModel all_on_covers(const Problem& problem, const Settings& settings) {
   const PlannedBodies bodies(problem);
   const Manifold manifold = bodies.at(0);
@@ -86,7 +86,7 @@ std::vector<BodyGraph> graphs_of_meshed_blocks(const Blocks& blocks, const Cover
   return graphs;
 }
 
-/// A drawing cut, with its joints that end inside; or the blocks that are given.
+/// Cuts the drawing, with joints that end inside bodies, or returns the given blocks.
 BodyCut bodies_of(const Problem& problem, const Settings& settings) {
   const auto* drawing = std::get_if<Drawing>(&problem.geometry);
   BodyCut cut = drawing != nullptr ? cut_bodies(*drawing, settings.node_merging, settings.near_pieces)
@@ -95,8 +95,8 @@ BodyCut bodies_of(const Problem& problem, const Settings& settings) {
   return cut;
 }
 
-// Of the scale of cutting. Vertices of a block that are left out as straight lie up to 1e-6 off its edges, and so does
-// a joint that began there: it goes beyond by ten times as much.
+// Tolerances relative to the scale of cutting. Vertices left out as straight lie up to 1e-6 off the edges of their
+// block, and so does a joint that began there. It is extended beyond by ten times as much.
 constexpr double kOnOutline = 1e-6;
 constexpr double kBeyondOutline = 1e-5;
 
@@ -115,8 +115,8 @@ Warnings joints_removed(std::size_t pieces, const Place& place) {
                        counted(pieces, "piece"), pieces == 1 ? "is" : "are")}};
 }
 
-/// Joints that end inside are cracks of a block on covers, and nothing to one that stays a block. Ends on an edge of
-/// the block go a little beyond it.
+/// Turns joints that end inside blocks into cracks of NMM bodies; DDA blocks ignore them. Ends on an edge of the block
+/// are extended slightly beyond it.
 std::vector<CrackPlan> joints_inside(const BodyCut& cut, const std::vector<BodyGraph>& meshed, Warnings& warnings) {
   const BodyGraph& graph = cut.graph;
   const Blocks& blocks = cut.blocks.blocks;

@@ -1,4 +1,4 @@
-// The model of a case with bodies on covers, for steps: with contact, in time or to equilibrium.
+// Builds the model of a case with NMM bodies and contact, for dynamics or statics.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-/// The blocks of a drawing, cut, or those that are given.
+/// Returns the blocks cut from a drawing, or the given ones.
 CutResult blocks_of(const Problem& problem, const Settings& settings);
 
 struct CoverModel {
@@ -17,9 +17,9 @@ struct CoverModel {
   Warnings warnings;
 };
 
-/// Of a cover file, elements as they are; of a drawing or blocks with a cover plan, bodies cut as the plan says: all,
-/// or the blocks of the materials it names beside others that stay blocks. Points keep their order. Throws InputError
-/// where the mesh cannot be, or a point lies in no body.
+/// Builds the model. The elements of a cover file stay as they are. With a cover plan, the bodies of a drawing or of
+/// blocks are meshed. If the plan names materials, other blocks stay DDA blocks. Points keep their order. Throws
+/// InputError if meshing is impossible, or if a point lies in no body.
 CoverModel cover_model(const Problem& problem, const Settings& settings);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Formulas compiled once; points found in their elements.
+// Compiles formulas once and finds points in their elements.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/bodies/cover_plan_parts.hpp"
 
@@ -23,7 +23,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kOnBoundary{"x", "y", "nx", "ny"};
 constexpr std::span<const std::string_view> kInBody = std::span(kOnBoundary).first<2>();
 
-// Of the extent of all bodies: cutting rounds, and a point on an edge is a point of the body.
+// Tolerance relative to the extent of all bodies: cutting rounds, and a point on an edge belongs to the body.
 constexpr double kOnEdge = 1e-9;
 
 Traction traction_of(const TractionPlan& plan) {
@@ -40,12 +40,12 @@ PrescribedDisplacement displacement_of(const DisplacementPlan& plan) {
           }};
 }
 
-// Share of the length of a chain: less than this off the boundary is rounding.
+// Fraction of the length of a chain: less than this off the boundary is rounding.
 constexpr double kLittleOff = 1e-6;
-// Points of an area and of a side at which loads are tried.
+// Degree of the quadrature on areas and sides at which loads are tried.
 constexpr int kTriedDegree = 2;
 
-/// The length of a chain that lies on none of these edges, and its first point.
+/// Length of a chain on none of these edges, and its first point off them.
 struct OffBoundary {
   double whole = 0;  ///< length of the chain
   double off = 0;
@@ -70,7 +70,7 @@ OffBoundary off_boundary(const BoundaryPart& part, std::span<const Segment> edge
   return found;
 }
 
-// Formulas complain of themselves.
+// Formulas report their own errors.
 void try_formulas(const Continuum& continuum) {
   sum_of_loads(continuum, kTriedDegree);
   for (const PrescribedDisplacement& part : continuum.prescribed)
@@ -93,7 +93,7 @@ double gap_to(const Manifold& manifold, const ManifoldElement& element, Point p)
   return is_in ? 0 : nearest;
 }
 
-/// Points without a block to carry them any more go with it.
+/// Drops points whose block is gone.
 template <class Part>
 std::vector<Part> in_blocks(const std::vector<Part>& parts, const Blocks& blocks) {
   std::vector<Part> kept;
@@ -145,7 +145,7 @@ int element_holding(const Manifold& manifold, int body, Point p, const char* nou
 
 Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>& scenes) {
   Warnings warnings;
-  // A boundary may be dug free later.
+  // Excavation may expose a boundary later, so that the edges of all scenes count.
   std::vector<Segment> edges;
   double near = 0;
   for (const Continuum* scene : scenes) {

@@ -1,4 +1,4 @@
-// The parts of a cover plan as the continuum takes them: formulas become functions of the place.
+// Converts the parts of a cover plan for the continuum: formulas become functions of the position.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,22 +11,22 @@
 
 namespace keyblock {
 
-/// Everything of the plan that does not depend on the mesh. Functions throw InputError where a formula has no finite
-/// value.
+/// Adds all parts of the plan that do not depend on the mesh. The functions throw InputError if a formula is not
+/// finite.
 void put_loads(Continuum& continuum, const CoverPlan& plan);
 
-/// A plan without what has nothing to act on: chains of which the bodies have no edge, points that lie in no body.
+/// Returns the plan without parts that have nothing to act on: chains off all edges of the bodies, points in no body.
 CoverPlan what_is_left_of(CoverPlan plan, const Manifold& bodies, const Blocks& blocks);
 
-/// Forces and springs at points, into their elements. Throws InputError for one that lies in no body.
+/// Adds point forces and springs to their elements. Throws InputError for one that lies in no body.
 void put_points(Continuum& continuum, const CoverPlan& plan);
 
-/// What is to be said of the chains of a plan, and of its loads: `scenes` are the bodies of a run, one after another.
-/// Throws InputError for a chain that is on the boundary of none of them, where a formula has no finite value, and
-/// where two prescribed displacements contradict each other.
+/// Returns warnings about the chains and loads of a plan. `scenes`: bodies of a run, in sequence. Throws InputError if
+/// a chain is on no boundary, if a formula is not finite, or if two prescribed displacements contradict each other.
 Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>& scenes);
 
-/// The element that holds the point, of `body` if that is not -1. Throws InputError, saying `noun`, where none does.
+/// Returns the element that holds the point; of `body`, unless that is -1. Throws InputError that names `noun` if no
+/// element does.
 int element_holding(const Manifold& manifold, int body, Point p, const char* noun, const Place& place);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Excavations of the plan are changes of the scene like those of stages.
+// Turns excavations of the plan into changes of the scene, as stages do.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/bodies/linear_case.hpp"
 
@@ -50,7 +50,7 @@ void drop_points_and_bolts(Problem& problem) {
   problem.analysis->fixed_point_motions.clear();
 }
 
-// Where contact is felt and nothing is dug out there is nothing that a linear solution does not know (is_linear).
+// With contact and without excavation, a linear solution covers the whole case (is_linear).
 Warnings without_effect(const Problem& problem) {
   Warnings warnings;
   if (problem.covers->contact == CoverContact::felt && problem.covers->excavations.empty()) return warnings;
@@ -62,7 +62,7 @@ Warnings without_effect(const Problem& problem) {
     warnings.push_back({"points_without_effect", place,
                         "fixed and loading points have no effect where contact is ignored or regions are dug out: name "
                         "displacements and forces of `covers` instead"});
-  // Who ignores contact knows.
+  // A user who sets contact to ignored needs no warning.
   if (problem.covers->contact == CoverContact::felt && bodies_touch(problem))
     warnings.push_back(
         {"contact_without_effect", place,

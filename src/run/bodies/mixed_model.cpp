@@ -1,4 +1,4 @@
-// Blocks and bodies cut apart, joined in one model, points handed to whoever carries them.
+// Cuts blocks and bodies, joins them in one model, and assigns points to the elements that hold them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/bodies/mixed_model.hpp"
 
@@ -24,7 +24,7 @@
 namespace keyblock {
 namespace {
 
-/// Those whose middle the body holds: their ends may reach into its neighbours.
+/// Returns the joints whose middle lies in the body: their ends may reach into its neighbours.
 std::vector<CrackPlan> inside(const BodyGraph& body, std::vector<CrackPlan> joints) {
   std::erase_if(joints, [&](const CrackPlan& joint) {
     return !is_in_a_body(body, 0.5 * (joint.along.front() + joint.along.back()));
@@ -91,7 +91,7 @@ class Mixed {
 
   const Whereabouts& at(int block) const { return parts_.blocks[static_cast<std::size_t>(block)]; }
 
-  /// The element of the joined model at a place of a block as it was cut.
+  /// Returns the element of the joined model at a position in a block as it was cut.
   ElementIndex holding(int block, Point position, const char* what, const Place& place) const {
     const Whereabouts& where = at(block);
     if (where.block >= 0) return {where.block};

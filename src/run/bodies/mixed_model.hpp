@@ -1,4 +1,4 @@
-// A model of blocks beside bodies on covers.
+// Builds a model of DDA blocks next to NMM bodies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace keyblock {
 
-/// The blocks of the materials that the mesh of the plan names, of all where it names none, each on a mesh of its own
-/// whose sides are at most that of a square of its area; the others stay blocks and come first. A plan without a mesh
-/// leaves all as they are. Points and bolts keep their
-/// order, and `Identities::blocks` says what each element was cut from. `joints_inside`: pieces of joints that part no
-/// block; those on covers have them as slits. Throws InputError where the mesh cannot be.
+/// Builds the model. Blocks of the materials that the plan's mesh names, or all without names, become NMM bodies. Each
+/// has a mesh of its own, with sides of at most a square of its area. Other blocks stay DDA blocks and come first. A
+/// plan without a mesh changes nothing. Points and bolts keep their order; `Identities::blocks` names the block of each
+/// element. `joints_inside`: pieces of joints that divide no block; NMM bodies have them as slits. Throws InputError if
+/// meshing is impossible.
 Model mixed_model(const Blocks& blocks, const Analysis& analysis, const CoverPlan& plan, const Settings& settings,
                   const std::vector<CrackPlan>& joints_inside = {});
 

@@ -1,4 +1,4 @@
-// One mesh for all load steps; see planned_bodies.hpp.
+// Uses one mesh for all load steps; see planned_bodies.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/bodies/planned_bodies.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kNoBodies = "expected a drawing, blocks or a cover file beside covers, found neither";
 
-/// All bodies in one graph, only to lay the mesh over them: pieces may lie on one another.
+/// Merges all bodies into one graph, only to lay the mesh over them: pieces may overlap.
 BodyGraph together(const std::vector<BodyGraph>& graphs) {
   BodyGraph all;
   for (const BodyGraph& graph : graphs) {
@@ -40,7 +40,7 @@ void require_no_mesh(const MeshPlan& mesh, const Place& covers) {
         "has one, found a mesh of its own");
 }
 
-/// The points of a cover file, by bodies.
+/// Returns the points of a cover file by body.
 Blocks points_by_bodies(const Cover& cover, const Manifold& manifold) {
   Blocks blocks;
   blocks.place = cover.place;
@@ -54,7 +54,7 @@ Blocks points_by_bodies(const Cover& cover, const Manifold& manifold) {
   return blocks;
 }
 
-// The last kink is one increment behind a tip, and its domain has to lie between them.
+// Sides per increment of growth: the last kink is one increment behind a tip, and the J domain must lie between them.
 constexpr double kSidesOfIncrement = 16;
 
 BodyGraph drawn_graph(const Problem& problem) {

@@ -1,4 +1,4 @@
-// The bodies of a case on their mesh, at any load step: what is dug out by then is gone.
+// Builds the bodies of a case on their mesh at any load step, without the parts excavated by then.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,15 +13,15 @@ namespace keyblock {
 
 class PlannedBodies {
  public:
-  /// `problem` has a drawing, blocks or a cover file, an analysis and covers; views it. Throws InputError where it has
-  /// not, or where the mesh cannot be. The mesh of a cover file is its own, bisected where the plan says.
+  /// Takes a `problem` with a drawing, blocks or a cover file, an analysis and covers; keeps a reference. Throws
+  /// InputError if one is missing or meshing is impossible. A cover file has its own mesh, bisected as the plan says.
   explicit PlannedBodies(const Problem& problem);
 
-  /// The bodies at a load step; at 0 whole. Throws InputError where nothing is left.
+  /// Returns the bodies at a load step; whole at 0. Throws InputError if nothing is left.
   Manifold at(int step) const;
-  bool changes_at(int step) const;  ///< something is dug out there
+  bool changes_at(int step) const;  ///< something is excavated there
 
-  const Blocks& blocks() const { return blocks_; }  ///< that the bodies of step 0 were
+  const Blocks& blocks() const { return blocks_; }  ///< before meshing, at step 0
   const std::vector<BlockPoint>& measured_points() const {
     return blocks_.measured_points;
   }  ///< their blocks are bodies of step 0
@@ -31,20 +31,20 @@ class PlannedBodies {
   Manifold cut_at(int step) const;
 
   const Problem& problem_;
-  std::vector<BodyGraph> graphs_;  ///< of the whole bodies: one for a drawing, one a block
+  std::vector<BodyGraph> graphs_;  ///< of the whole bodies: one per drawing, or one per block
   TriangleMesh mesh_;
   Blocks blocks_;
   Warnings warnings_;
 };
 
-/// Of the triangles at tips: what the plan says, or a sixteenth of the increment by which its cracks grow, 0 without
-/// any.
+/// Returns the side of triangles at tips: that of the plan, or a sixteenth of the growth increment, or 0 without
+/// growth.
 double tip_side_of(const CoverPlan& plan);
 
-/// Whether there is more than one body, or a joint that ends inside one. Throws as the constructor.
+/// Returns true if there are several bodies, or a joint that ends inside one. Throws as the constructor.
 bool bodies_touch(const Problem& problem);
 
-/// Whether there is one body, of which nothing but the faces of its cracks lie on each other. Throws likewise.
+/// Returns true if there is one body, in contact only at the faces of its cracks. Throws as the constructor.
 bool only_faces_touch(const Problem& problem);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// An edge is the one of the first scene where it ends in the same place.
+// Identifies an edge with that of the first scene that ends at the same place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/follow/drawn_joints.hpp"
 

@@ -1,4 +1,4 @@
-// Which joint of the drawing each edge of the blocks was cut along.
+// Records the joint of the drawing along which each edge of a block was cut.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,20 +11,20 @@
 
 namespace keyblock {
 
-/// Known of blocks that were cut from a drawing for the first scene, as long as they have that edge still: not of faces
-/// that a stage makes, nor of bodies on covers.
+/// Joints of blocks cut from a drawing for the first scene, as long as the edge exists. Faces made by a stage and NMM
+/// bodies have none.
 class DrawnJoints {
  public:
   DrawnJoints() = default;
 
-  /// `lines`: of the edge that arrives at each vertex of the model of the first scene; of another number they are not
-  /// of that model, and none is known.
+  /// Takes `lines`, the joint of the edge that arrives at each vertex of the first scene's model. If their number
+  /// differs, they belong to another model, and no joint is known.
   DrawnJoints(const Model& first, const std::vector<int>& lines);
 
   bool are_known() const { return !edges_.empty(); }
   bool has(int line) const;
 
-  /// Gives each contact the joint of its edge. `model`: of the scene at hand.
+  /// Sets the joint of each contact from its edge. `model`: of the current scene.
   void name(ContactFrames& contacts, const Model& model) const;
 
  private:
@@ -33,7 +33,7 @@ class DrawnJoints {
     int line = -1;
   };
 
-  std::unordered_map<int, std::vector<Edge>> edges_;  ///< of each element, by number
+  std::unordered_map<int, std::vector<Edge>> edges_;  ///< per element, by number
 };
 
 }  // namespace keyblock

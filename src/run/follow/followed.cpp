@@ -1,4 +1,4 @@
-// Values from the state at the end of a step, and from the contacts of that step.
+// Takes values from the state at the end of a step, and from the contacts of that step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/follow/followed.hpp"
 
@@ -43,7 +43,7 @@ std::string name_of(const HistoryPlan& plan) {
   return fmt::format("{:g} {:g} to {:g} {:g}", start.x, start.y, end.x, end.y);
 }
 
-/// Rows of a table that grows are lines.
+/// A row must stay on one line, because the table grows line by line.
 std::string row_cell(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
@@ -76,7 +76,7 @@ std::optional<ElementIndex> element_numbered(const Model& model, int number) {
   return std::nullopt;
 }
 
-/// Of a point of an element: of all its unknowns, or of those that move it as a whole where it has none of its own.
+/// Returns the velocity of a point of an element: by all its unknowns, or by rigid motion if it has none of its own.
 Point velocity_at(const Stepper& stepper, ElementIndex e, Point at) {
   const Model& model = stepper.model();
   const State& state = stepper.state();
@@ -96,7 +96,7 @@ double spin_of(const Stepper& stepper, ElementIndex e) {
   return element.carried.rotation + (spin < 0 ? 0 : rates[spin]);
 }
 
-/// What contacts bear together that one history is of.
+/// Sum over the contacts of one history.
 struct ContactSum {
   int closed = 0;
   int sliding = 0;
@@ -184,7 +184,7 @@ class Lines {
     put("moment", found.moment, units_.moment);
   }
 
-  // Elongation is that over the length as drawn; also after it broke, when its force is 0.
+  // The elongation is relative to the drawn length, also after the bolt broke and its force is 0.
   void bolt(int number) {
     const auto found = numbered_.bolts.find(number);
     if (found == numbered_.bolts.end()) return;
@@ -196,8 +196,8 @@ class Lines {
   }
 
   std::string text;
-  bool bears = false;               ///< a contact that is closed, or what crosses the line
-  std::optional<double> least_gap;  ///< of contacts that were looked at
+  bool bears = false;               ///< a closed contact, or something that crosses the line
+  std::optional<double> least_gap;  ///< of the contacts considered
 
  private:
   void put(std::string_view quantity, double value, const std::string& unit) {
@@ -237,7 +237,7 @@ class Lines {
   std::string first_;
 };
 
-/// Numbers of measured points by the place where they begin, of the last one at a place: those of histories come behind
+/// Numbers of measured points by their initial place; the last one at a place counts. Points of histories come after
 /// those of the files.
 using PointsByPlace = std::map<std::pair<double, double>, int>;
 
@@ -257,7 +257,7 @@ int point_at(const PointsByPlace& points, const HistoryPlan& plan) {
                                            plain(plan.point->x, 6), plain(plan.point->y, 6)));
 }
 
-/// Of the scene and of those that follow it: stages may cut blocks.
+/// Later scenes count too, because stages may cut blocks.
 void require_block(const Scene& first, int number, const HistoryPlan& plan) {
   int count = 0;
   for (const Scene* scene : scenes_of(first))
@@ -286,7 +286,7 @@ void require_line(const Scene& first, const Segment& line, const HistoryPlan& pl
       "on covers: what acts there is its stress");
 }
 
-/// Of the scene and of those that follow it: one that a stage installs comes later.
+/// Later scenes count too, because a stage may install the bolt.
 void require_bolt(const Scene& first, int number, const HistoryPlan& plan) {
   std::size_t most = 0;
   for (const Scene* scene : scenes_of(first))
@@ -300,7 +300,7 @@ void require_bolt(const Scene& first, int number, const HistoryPlan& plan) {
                                                        most, static_cast<long long>(number) + 1));
 }
 
-/// What the case calls it; empty where it does not.
+/// Returns the name of the bolt in the case; empty if it has none.
 std::string name_of_bolt(const Scene& first, int number) {
   for (const Scene* scene : scenes_of(first))
     for (std::size_t i = 0; i < scene->model.bolts.size(); ++i)

@@ -1,4 +1,4 @@
-// What is followed in time as a case asks for it: points, blocks, contacts, joints and resultants, in long form.
+// Writes the histories that a case requests in long form: points, blocks, contacts, joints and resultants.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace keyblock {
 
-/// How the table names units; letters where the case does not declare what they take.
+/// Unit names of the table; letters if the case does not declare the units.
 struct FollowedUnits {
   explicit FollowedUnits(const Units& units = {});
 
@@ -25,35 +25,35 @@ struct FollowedUnits {
   std::string moment;
 };
 
-/// Throws InputError, at the place of the plan, for contacts chosen by histories of which none follows any.
+/// Throws InputError at the place of the plan if contacts are to be chosen by histories, and no history has contacts.
 void require_choice(const OutputPlan& plan);
 
 class Followed {
  public:
   Followed() = default;
 
-  /// Points are measured points of the scene already (`with_followed_points`). Throws InputError where a block or a
-  /// joint is not there, or a point lies in no block.
+  /// Takes histories whose points are measured points of the scene already (`with_followed_points`). Throws InputError
+  /// if a block or joint does not exist, or a point lies in no block.
   Followed(const std::vector<HistoryPlan>& plans, const Scene& first, const DrawnJoints& joints, const Units& units);
 
   bool is_empty() const { return all_.empty(); }
 
-  /// Lines of the state at hand, `step,time,what,name,quantity,value,unit`: none of what is not there.
+  /// Returns lines `step,time,what,name,quantity,value,unit` of the current state; missing objects have no lines.
   std::string rows(const Stepper& stepper, const DrawnJoints& joints);
 
-  /// About the length of `rows`, bytes.
+  /// Returns the approximate length of `rows` in bytes.
   double bytes_of_row() const;
 
-  /// Of pairs that lie farther apart before any load than the smaller of the two is large.
+  /// Warns of pairs of blocks whose initial distance exceeds the size of the smaller one.
   Warnings of_distant_pairs() const;
 
-  /// Of contacts, joints and lines that bore nothing in any of the rows: zeros that might pass for an answer.
+  /// Warns of contacts, joints and lines without force in all rows, whose zeros might be taken for a result.
   Warnings of_nothing() const;
 
-  /// What the rows so far have shown.
+  /// Saves or restores the record of the rows so far.
   void describe(Archive& archive);
 
-  /// Whether a contact is one of those of a block, a contact or a joint that is followed.
+  /// Returns true if a contact belongs to a block, pair or joint of a history.
   bool follows(const ContactFrame& contact) const;
 
  private:
@@ -61,9 +61,9 @@ class Followed {
     HistoryPlan plan;
     std::string name;
     int point = -1;           ///< number of the measured point
-    double apart = -1;        ///< least distance of the two blocks before any load; below 0 where it is not known
-    bool is_distant = false;  ///< farther than the smaller of them is large
-    double nearest = -1;      ///< least gap that was seen; below 0 where no contact was
+    double apart = -1;        ///< initial distance of the two blocks; negative if unknown
+    bool is_distant = false;  ///< farther apart than the size of the smaller one
+    double nearest = -1;      ///< least gap so far; negative without any contact
     bool has_borne = false;   ///< something was closed, or crossed the line
     bool has_rows = false;
   };

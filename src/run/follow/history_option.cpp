@@ -1,4 +1,4 @@
-// Words to plans, plans to measured points.
+// Parses words into plans, and turns plans into measured points.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/follow/history_option.hpp"
 

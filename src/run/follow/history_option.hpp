@@ -1,4 +1,4 @@
-// What is followed in time, as an option of the command line says it.
+// Parses the command-line option that requests a history.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace keyblock {
 
-/// `point:X,Y`, `block:N`, `contact:A,B`, `joint:N`, `line:X1,Y1,X2,Y2` or `bolt:N`, with `NAME=` before it where it is
-/// to have a name; numbers of blocks, joints and bolts from 1. Throws std::invalid_argument.
+/// Parses `point:X,Y`, `block:N`, `contact:A,B`, `joint:N`, `line:X1,Y1,X2,Y2` or `bolt:N`, with an optional prefix
+/// `NAME=`. Blocks, joints and bolts are numbered from 1. Throws std::invalid_argument.
 HistoryPlan history_of(const std::string& text);
 
-/// The points of histories as measured points, behind those of the problem: they travel with what they lie in. Throws
-/// InputError for one that lies in no block, `place` where its plan has none.
+/// Adds the points of histories as measured points after those of the problem, so that they move with their body.
+/// Throws InputError for a point in no block, at `place` if its plan has no place.
 Problem with_followed_points(Problem problem);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// One pass over contacts and bolts.
+// Sums over contacts and bolts in one pass.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/follow/resultant.hpp"
 
@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-// Of the length of a line: corners at its ends count where round-off, or rock that bulges, puts them just beyond.
+// Fraction of the length of a line: corners just beyond its ends count, moved there by round-off or bulging rock.
 constexpr double kBeyondEnds = 1e-3;
 
 bool lies_along(const Segment& line, Point p, double beyond = kBeyondEnds) {

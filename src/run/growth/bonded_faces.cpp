@@ -1,4 +1,4 @@
-// Joint materials of the edges that end at tips; see bonded_faces.hpp.
+// Checks the joint materials of the edges that end at tips; see bonded_faces.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/bonded_faces.hpp"
 
@@ -12,7 +12,7 @@
 namespace keyblock {
 namespace {
 
-/// Joint material of the edges that begin at a tip: along one face of its crack.
+/// Returns the joint material of the edges that begin at a tip, along one face of its crack; otherwise -1.
 int joint_material_at(const Manifold& manifold, const CrackTip& tip) {
   for (const BoundaryEdge& edge : manifold.boundary_edges) {
     const ElementCorner& corner = manifold.corners[static_cast<std::size_t>(edge.corner)];

@@ -1,4 +1,4 @@
-// Cracks whose faces the joint material holds together.
+// Warns of cracks whose faces the joint material holds together.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace keyblock {
 
-/// One warning where contact is felt and the faces at a tip, or those of cracks to come, have a joint material with
-/// cohesion or tensile strength: they hold each other, and the factors of the tip are those of a bonded crack.
+/// Returns a warning if contact acts and the faces of a crack are bonded. This holds if the joint material at a tip, or
+/// of future cracks, has cohesion or tensile strength. The stress intensity factors are then those of a bonded crack.
 Warnings bonded_crack_faces(const Scene& scene, const Place& place);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Tip by tip; see crack_front.hpp.
+// Extends the cracks tip by tip; see crack_front.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/crack_front.hpp"
 
@@ -13,7 +13,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double kReach = 1.25;  // of an increment: another tip nearer than this is joined
+constexpr double kReach = 1.25;  // of an increment: a nearer tip is joined
 
 Point next_place(const CrackFront& front, const Manifold& manifold, double increment, std::size_t i, double more) {
   const CrackTip& tip = tip_of(manifold, front.tips[i]);
@@ -45,7 +45,7 @@ std::optional<Point> way_through(const Manifold& manifold, const CrackTip& tip, 
 std::vector<CrackPlan> prolonged(const CrackFront& front, const Manifold& manifold, double increment,
                                  const std::vector<double>& more) {
   std::vector<CrackPlan> cracks = front.cracks;
-  // Tips first: those of joints are numbered behind the cracks there were.
+  // Tips come first: tips of joints get numbers after the existing cracks.
   for (std::size_t i = 0; i < front.tips.size(); ++i)
     if (front.tips[i].goes_on) prolong(cracks, front.tips[i], next_place(front, manifold, increment, i, more[i]));
   for (const CrackStart& start : front.starts) {

@@ -1,4 +1,4 @@
-// Conditions, then the closure; see growth_of.hpp.
+// Checks the conditions of crack growth, then makes the function that recuts the scene; see growth_of.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/growth_of.hpp"
 
@@ -15,7 +15,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double kLeastIncrements = 4;  // across all bodies: longer ones follow nothing
+constexpr double kLeastIncrements = 4;  // across all bodies: longer ones follow no path
 
 GrowthLoads loads_of(const Problem& problem, const Scene& scene) {
   if (problem.covers->growth->loads != GrowthLoads::automatic) return problem.covers->growth->loads;

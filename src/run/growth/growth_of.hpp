@@ -1,4 +1,4 @@
-// The growth that a case file asks for, as its scene knows it.
+// Reads the crack growth that a case file requests, completed from its scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace keyblock {
 
-/// Throws InputError where cracks cannot grow: beside stages or excavations, without a toughness, or where rock may
-/// yield; under scaled loads also in time, beside blocks, and under an initial stress, which no factor scales. None
-/// where the file asks for none. Its plan says whether loads are scaled.
-/// `remade`: the scene of the same case with other cracks.
+/// Returns the growth; null if the file requests none. Its plan states whether loads are scaled. Throws InputError if
+/// cracks cannot grow: with stages or excavations, without a toughness, or in elastoplastic rock. Scaled loads also
+/// exclude dynamics, DDA blocks, and an initial stress, which no load factor scales. `remade` makes the scene of the
+/// same case with other cracks.
 std::shared_ptr<const CrackGrowth> growth_of(const Problem& problem, const Scene& scene,
                                              std::function<Scene(const Problem&)> remade);
 

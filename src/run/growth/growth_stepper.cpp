@@ -1,4 +1,4 @@
-// Solve, find the load, solve again under it, prolong; see growth_stepper.hpp.
+// Solves, finds the load, solves again under it, and extends the cracks; see growth_stepper.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/growth_stepper.hpp"
 
@@ -20,7 +20,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int kMostRounds = 6;        // of the search for the factor of the loads
+constexpr int kMostRounds = 6;        // of the search for the load factor
 constexpr double kNearEnough = 0.01;  // of the toughness
 
 Scene with_factor(Scene scene, double factor) {
@@ -33,13 +33,13 @@ const Manifold& manifold_of(const Stepper& stepper) {
   return stepper.model().continuum->manifold;
 }
 
-/// Whether no tip is left, or a piece is cut free that no contact holds: statics has no more to say.
+/// Returns true if no tip is left, or if no contact holds a piece cut free: statics has no solution beyond.
 bool is_end(const Scene& scene) {
   return scene.model.continuum->manifold.tips.empty() ||
          (scene.is_untouched && !free_pieces(*scene.model.continuum).empty());
 }
 
-/// The load under which something gives way first, and what does: tips, or a crack that starts.
+/// Smallest load factor at which something fails: tips, or a crack that starts.
 struct Next {
   double factor = 1;
   std::vector<std::size_t> tips;
@@ -120,7 +120,7 @@ std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved(const std
   return result;
 }
 
-// A tip just before a line has no field of its own: it goes through to it at once.
+// A tip just before a line has no field of its own: it extends to the line at once.
 std::optional<StepFailure> GrowthStepper::unfit_tip(const Stepper& solved, std::vector<TipState>& tips) const {
   for (std::size_t i = 0; i < tips.size(); ++i) {
     if (tips[i].has_room) continue;
@@ -152,7 +152,7 @@ void GrowthStepper::put_next() {
     try {
       return is_end(first_.growth->remade(cracks_, {}));
     } catch (const InputError&) {
-      return false;  // the next step says why these cracks cannot be
+      return false;  // the next step reports why these cracks are impossible
     }
   };
   cracks_ = further(std::vector<double>(front_.tips.size(), 0));
@@ -182,7 +182,7 @@ std::string GrowthStepper::why_done() const {
                      fmt::join(ends, " and "));
 }
 
-// Proportional loads of elastic rock need one division, contact with gaps or large rotation some more.
+// Proportional loads of elastic rock need one division; contact with gaps or large rotation needs a few more.
 std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved_at_toughness(
     double& factor, const std::vector<std::size_t>& tips) const {
   for (int round = 0; round < kMostRounds; ++round) {

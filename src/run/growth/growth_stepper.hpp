@@ -1,5 +1,5 @@
-// Cracks that grow at rest: in each step the load under which a tip is about to go on, then the tips one increment
-// further.
+// Grows cracks in statics. Each step finds the load at which a tip is about to extend, then extends the tips by one
+// increment. Theory: docs/theory/10-fracture.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,17 +12,17 @@
 
 namespace keyblock {
 
-/// The length of the cracks is what is driven, and the load follows (Bocca, Carpinteri & Valente 1991): snap-back needs
-/// nothing else. All loads of the file grow in proportion; stresses do too, in contact with friction as well, for small
-/// strain. Step k is the equilibrium with the cracks as they are after k - 1 increments.
+/// Crack growth driven by the length of the cracks; the load follows (Bocca, Carpinteri & Valente 1991). Snap-back
+/// needs nothing else. All loads of the file grow in proportion. So do stresses, at small strain even with frictional
+/// contact. Step k is the equilibrium with the cracks after k - 1 increments.
 class GrowthStepper : public StepperOfScenes {
  public:
-  /// Of a scene with growth. Throws std::invalid_argument for one that cannot be stepped.
+  /// Takes a scene with growth. Throws std::invalid_argument if no stepper supports the scene.
   explicit GrowthStepper(Scene first);
-  /// As it was saved, of the same scene. Throws InputError.
+  /// Restores the stepper from a checkpoint of the same scene. Throws InputError.
   GrowthStepper(Scene first, Archive& saved);
 
-  /// Where no tip is left, or a piece is cut free.
+  /// Returns true if no tip is left, or a piece is cut free.
   bool is_done() const override { return is_done_; }
   std::string why_done() const override;
   const Settings& settings() const override { return first_.settings; }
@@ -37,7 +37,7 @@ class GrowthStepper : public StepperOfScenes {
 
  private:
   const Stepper& now() const override { return *now_; }
-  /// An equilibrium with some cracks, and the tips in it.
+  /// Equilibrium with certain cracks, and the tips in it.
   struct Solved {
     std::unique_ptr<Stepper> stepper;
     StepReport report;
@@ -48,23 +48,24 @@ class GrowthStepper : public StepperOfScenes {
   void describe_growth(Archive& archive);
   Scene scene_with(const std::vector<CrackPlan>& cracks, double factor) const;
   std::variant<Solved, StepFailure> solved(const std::vector<CrackPlan>& cracks, double factor) const;
-  /// Marks tips just before a line; fails where one has no room otherwise.
+  /// Marks tips just before a line; fails for other tips without room.
   std::optional<StepFailure> unfit_tip(const Stepper& solved, std::vector<TipState>& tips) const;
-  /// The same under the factor at which one of these tips reaches its toughness; begins with `factor`, and puts it.
+  /// Solves at the load factor at which one of these tips reaches its toughness. `factor`: first guess, then the
+  /// result.
   std::variant<Solved, StepFailure> solved_at_toughness(double& factor, const std::vector<std::size_t>& tips) const;
-  /// The cracks one increment further, by the kinks of the tips and `more` of each.
+  /// Returns the cracks extended by one increment, by the kinks of the tips and `more` of each.
   std::vector<CrackPlan> further(const std::vector<double>& more) const;
-  /// By the mean of the kinks before and after the step; none where its trial fails.
+  /// Returns the corrections to the mean of the kinks before and after the step; zero if its trial fails.
   std::vector<double> corrections(const std::vector<CrackPlan>& trial) const;
-  /// Puts the cracks of the next step, or that there is none.
+  /// Sets the cracks of the next step, or the end of the run.
   void put_next();
   StepFailure failure(const std::string& why) const { return {why, {}, FailureKind::cracks, 0}; }
 
   Scene first_;
   std::unique_ptr<Stepper> now_;
   State state_;                    ///< of `now_`, with the steps of the run
-  std::vector<CrackPlan> cracks_;  ///< those of the step to come
-  CrackFront front_;               ///< at the end of the last step; where cracks start no tip goes on
+  std::vector<CrackPlan> cracks_;  ///< cracks of the next step
+  CrackFront front_;               ///< at the end of the last step; if cracks start, no tip extends
   double load_factor_ = 1;
   CrackNotes notes_;
   bool is_done_ = false;

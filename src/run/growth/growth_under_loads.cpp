@@ -1,4 +1,4 @@
-// Step, look at the tips, cut anew; see growth_under_loads.hpp.
+// Makes a step, checks the tips and recuts the bodies; see growth_under_loads.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/growth_under_loads.hpp"
 
@@ -23,7 +23,7 @@
 namespace keyblock {
 namespace {
 
-/// The pieces that cracks gained; one that started, from its front to its back, is one piece.
+/// Returns the new pieces of cracks. A crack that started is one piece from front to back.
 std::vector<std::pair<Point, Point>> gained(const std::vector<CrackPlan>& before, const std::vector<CrackPlan>& after) {
   std::vector<std::pair<Point, Point>> pieces;
   for (std::size_t c = 0; c < after.size(); ++c) {
@@ -38,7 +38,8 @@ std::vector<std::pair<Point, Point>> gained(const std::vector<CrackPlan>& before
   return pieces;
 }
 
-/// Of a piece whose middle lies in rock: a crack that starts beside a line may reach beyond it.
+/// Returns the part in rock of a piece whose middle lies in rock: a crack that starts beside a line may reach beyond
+/// it.
 std::pair<Point, Point> part_in_rock(Point from, Point to, const std::function<bool(Point)>& is_rock) {
   constexpr int kHalvings = 40;
   const Point middle = 0.5 * (from + to);
@@ -54,7 +55,7 @@ std::pair<Point, Point> part_in_rock(Point from, Point to, const std::function<b
   return {end_in_rock(from), end_in_rock(to)};
 }
 
-/// Faces that part from now on, under the stress that the rock had; elements on covers are numbered on from
+/// Returns new faces that part gradually, under the former stress of the rock. NMM elements are numbered from
 /// `first_on_covers`.
 PartingFaces new_faces(const StandardStepper& now, int first_on_covers, const Place& plan, const Segment& piece,
                        double energy) {
@@ -80,7 +81,7 @@ PartingFaces new_faces(const StandardStepper& now, int first_on_covers, const Pl
   return parting_faces(first, last, energy * distance(first, last), modulus, along, traction);
 }
 
-/// Elements on covers are numbered on from `first`.
+/// Returns the pulls on faces; NMM elements are numbered from `first`.
 std::vector<FacePull> pulls_of(const std::vector<PartingFaces>& parting, const Pulls& pulls, int first) {
   std::vector<FacePull> all;
   for (std::size_t i = 0; i < parting.size(); ++i)
@@ -93,7 +94,7 @@ std::vector<FacePull> pulls_of(const std::vector<PartingFaces>& parting, const P
   return all;
 }
 
-/// Pulls at the start of the coming step.
+/// Returns the pulls at the start of the next step.
 std::vector<FacePull> first_pulls(const std::vector<PartingFaces>& parting, int first) {
   return pulls_of(parting, PullsOfStep(parting).pulls(), first);
 }
@@ -129,7 +130,7 @@ void describe_names(Archive& archive, std::vector<Identity>& names) {
   });
 }
 
-/// Energy that a tip takes per length as it extends, K_Ic²/E': behind its kink it is one of mode I at the toughness.
+/// Returns the energy per length of an extending tip, K_Ic²/E': behind its kink it is of mode I at the toughness.
 double energy_of(const Continuum& continuum, const TipState& tip) {
   return energy_release(rock_at(continuum, tip_of(continuum.manifold, tip)), {tip.toughness, 0});
 }
@@ -140,7 +141,7 @@ double energy_of(const Continuum& continuum, const TipState& tip) {
                                faces.from.x, faces.from.y, faces.to.x, faces.to.y));
 }
 
-/// Of Rayleigh waves in the rock about a tip.
+/// Returns the speed of Rayleigh waves in the rock around a tip.
 double speed_at(const Continuum& continuum, const TipState& tip) {
   const CrackTip& place = tip_of(continuum.manifold, tip);
   const int e = element_of(continuum.manifold, place);
@@ -148,7 +149,7 @@ double speed_at(const Continuum& continuum, const TipState& tip) {
   return rayleigh_speed(rock_at(continuum, place), continuum.material(e).density);
 }
 
-/// The first scene with other cracks.
+/// Returns the first scene with other cracks.
 Scene scene_with(const Scene& first, const std::vector<CrackPlan>& cracks, const std::vector<RefinedPoint>& refined) {
   Scene scene = first.growth->remade(cracks, refined);
   scene.growth.reset();
@@ -156,7 +157,7 @@ Scene scene_with(const Scene& first, const std::vector<CrackPlan>& cracks, const
   return scene;
 }
 
-// Contact forces of faces that touch are not in it.
+// Contact forces of crack faces are not included.
 CoverSolution solution_with_pulls(const StandardStepper& now, int first_on_covers) {
   CoverSolution solution = *solution_of(now);
   for (const FacePull& pull : now.scene().pulls)
@@ -177,7 +178,7 @@ StepFailure cannot_go_on(int step, const std::exception& error) {
   return {why, {}, FailureKind::cracks};
 }
 
-/// A part that a crack cut off, and that accelerates at rest, says more than the numbers of its elements.
+/// If the accelerating part was cut off by a crack, naming that cut is more helpful than numbers of elements.
 StepFailure parted(StepFailure failure, const StandardStepper& now) {
   if (failure.kind != FailureKind::accelerates || failure.elements.empty()) return failure;
   Box moving;
@@ -337,7 +338,7 @@ std::optional<std::variant<StepReport, StepFailure>> GrowthUnderLoads::correct()
   return std::nullopt;
 }
 
-// What arrives where the step ended is that of `next_`, which may be put a second time.
+// Arrivals at the end of the step belong to `next_`, which may be set a second time.
 void GrowthUnderLoads::put_next(const std::vector<double>& more) {
   next_ = prolonged(front_, model().continuum->manifold, first_.growth->plan.increment, more);
   std::erase_if(arrivals_, [&](const Arrival& arrival) { return arrival.time == state().time; });
@@ -346,7 +347,7 @@ void GrowthUnderLoads::put_next(const std::vector<double>& more) {
     arrivals_.push_back({next_[c].along.front(), state().time});
 }
 
-// Without a field of its own a tip goes on only where it came from afar.
+// A tip without a field of its own extends only if it arrived there by growth.
 bool GrowthUnderLoads::may_go_on(const TipState& tip, double speed) const {
   const auto arrival = std::ranges::find(arrivals_, tip.at, &Arrival::at);
   const bool has_come = arrival != arrivals_.end();

@@ -1,5 +1,5 @@
-// Cracks that grow under the loads as they are, in time or at rest, beside blocks and in contact: each step is made on
-// the scene that the steps before left, cut anew where a tip went on.
+// Grows cracks under given loads, in dynamics or statics, with DDA blocks and contact. Each step uses the scene of the
+// last one, recut where a tip extended. Theory: docs/theory/10-fracture.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,16 +15,16 @@
 
 namespace keyblock {
 
-/// After each step the tips whose K_eq has reached the toughness go on by an increment, those cracks start that have
-/// reached the strength, and the next step is made on bodies cut so, which keep their motion (carry_motion.hpp). At
-/// rest the kink is the mean of those before and after a trial of the step, and faces part at once, the work that they
-/// would have done being lost. In time a tip goes on no faster than waves run along a free surface, and its new faces
-/// part as PartingFaces says.
+/// Crack growth under given loads. After each step, tips whose K_eq has reached the toughness extend by an increment,
+/// and cracks start where the strength is reached. The next step uses bodies cut accordingly, which keep their motion
+/// (carry_motion.hpp). In statics the kink is the mean of those before and after a trial of the step. Faces then part
+/// at once, and the work of their tractions is lost. In dynamics a tip extends no faster than surface waves, and its
+/// new faces part as PartingFaces defines.
 class GrowthUnderLoads : public StepperOfScenes {
  public:
-  /// Of a scene with growth that the standard step moves. Throws std::invalid_argument for one that cannot be stepped.
+  /// Takes a scene with growth for the standard step. Throws std::invalid_argument if the scene cannot be stepped.
   explicit GrowthUnderLoads(Scene first);
-  /// As it was saved, of the same scene. Throws InputError.
+  /// Restores the stepper from a checkpoint of the same scene. Throws InputError.
   GrowthUnderLoads(Scene first, Archive& saved);
 
   std::variant<StepReport, StepFailure> advance() override;
@@ -35,12 +35,12 @@ class GrowthUnderLoads : public StepperOfScenes {
 
  private:
   const Stepper& now() const override { return *now_; }
-  /// Since when a tip is where it is.
+  /// Time since which a tip has been at its place.
   struct Arrival {
     Point at;
     double time = 0;
   };
-  /// What a tip that goes on takes per length.
+  /// Start of an extending tip and its energy per length.
   struct Piece {
     Point from;
     double energy = 0;
@@ -48,29 +48,28 @@ class GrowthUnderLoads : public StepperOfScenes {
 
   bool is_in_time() const;
   void describe(Archive& archive);
-  int first_on_covers() const;  ///< its index among the elements of the model
-  /// Cuts the scene with `next_` and returns the stepper of the scene before. Throws InputError where it cannot be cut
-  /// so.
+  int first_on_covers() const;  ///< index of the first NMM element in the model
+  /// Cuts the scene with `next_` and returns the stepper of the last scene. Throws InputError if the cut is impossible.
   std::unique_ptr<StandardStepper> recut();
-  /// Puts `next_` to the mean of the kinks before and after a trial of the step, which leaves nothing else behind. A
-  /// trial that fails, or turns no tip, is the step itself.
+  /// Sets `next_` to the mean of the kinks before and after a trial of the step, whose other effects are undone. A
+  /// trial that fails, or changes no direction, is the step itself.
   std::optional<std::variant<StepReport, StepFailure>> correct();
   void begin_to_part(const std::vector<CrackPlan>& after);
   void look_at_tips();
-  /// `next_` of the tips that go on, tip i by its kink and more[i] (rad), and of the cracks that start.
+  /// Sets `next_` for extending tips, tip i by its kink and more[i] (rad), and for starting cracks.
   void put_next(const std::vector<double>& more);
   bool may_go_on(const TipState& tip, double speed) const;
 
   Scene first_;
   std::unique_ptr<StandardStepper> now_;
   CrackFront front_;
-  std::vector<CrackPlan> next_;        ///< cracks of the coming step; empty: those of `front_`
-  std::vector<Piece> pieces_;          ///< what `next_` gains
-  std::vector<PartingFaces> parting_;  ///< in time
-  std::vector<RefinedPoint> refined_;  ///< of the present mesh: where faces parted, the field is still that of a tip
-  std::vector<Arrival> arrivals_;      ///< of tips that went on
+  std::vector<CrackPlan> next_;        ///< cracks of the next step; empty: those of `front_`
+  std::vector<Piece> pieces_;          ///< new pieces in `next_`
+  std::vector<PartingFaces> parting_;  ///< dynamics only
+  std::vector<RefinedPoint> refined_;  ///< of the current mesh: parted faces still have the field of a tip
+  std::vector<Arrival> arrivals_;      ///< of tips that extended
   CrackNotes notes_;
-  int next_number_ = 0;  ///< of an element that is new
+  int next_number_ = 0;  ///< of the next new element
 };
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// By triangles that both meshes have, in others by boxes; then by polygons; see parents.hpp.
+// Finds parents by triangles that both meshes have, otherwise by boxes and then polygons; see parents.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/parents.hpp"
 
@@ -35,7 +35,7 @@ bool holds(const std::vector<std::vector<Point>>& loops, Point p) {
   return is_inside;
 }
 
-/// For a sliver whose inner point round-off puts outside all of them.
+/// Serves slivers whose inner point lies outside all elements by round-off.
 int nearest_to(const Manifold& manifold, Point p) {
   int nearest = 0;
   double least = std::numeric_limits<double>::max();
@@ -54,7 +54,7 @@ Point inner_point(const Manifold& manifold, std::size_t e) {
   return inside ? *inside : centroid(loops.front());
 }
 
-/// Of elements in a triangle that was there before; -1 for the others.
+/// Returns the parents of elements in unchanged triangles; -1 for the others.
 std::vector<int> parents_in_triangles(const Manifold& was, const Manifold& is) {
   std::vector<int> parent(is.elements.size(), -1);
   const std::vector<int> triangles = same_triangles(was.mesh, is.mesh);
@@ -79,7 +79,7 @@ std::vector<int> parents_in_triangles(const Manifold& was, const Manifold& is) {
   return parent;
 }
 
-/// Of those that are below 0.
+/// Fills the negative entries of `parent`.
 void find_by_boxes(const Manifold& was, const Manifold& is, std::vector<int>& parent) {
   std::vector<Box> boxes(was.elements.size());
   for (std::size_t e = 0; e < was.elements.size(); ++e)

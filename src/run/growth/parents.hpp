@@ -1,4 +1,4 @@
-// What each element of a scene that was cut anew is a part of.
+// Finds the parent of each element in a recut scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,9 @@
 
 namespace keyblock {
 
-/// Of models of the same rock, which differ by cracks and by the mesh of bodies on covers: the blocks before them are
-/// the same; of an element on covers that which holds a point inside it, or comes nearest to one.
+/// Returns, per element of `after`, its parent in `before`. Both models have the same rock, with different cracks and
+/// meshes of NMM bodies. The DDA blocks, which come first, are the same. The parent of an NMM element holds a point
+/// inside it, or is nearest to one.
 Table<ElementIndex, ElementIndex> parents_by_place(const Model& before, const Model& after);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Contacts taken back to the undeformed faces that they act on.
+// Maps contacts back to the undeformed faces on which they act.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/solution_of.hpp"
 
@@ -9,7 +9,7 @@
 namespace keyblock {
 namespace {
 
-// Of X = x - u(X), which contracts where strains are small.
+// Iterations of X = x - u(X), which contracts if strains are small.
 constexpr int kRounds = 3;
 
 Point sum_at(const ElementShape& shape, const Eigen::VectorXd& d, Point start) {
@@ -27,7 +27,7 @@ Point undeformed(const CoverDisplacement& moved, int element, Point x) {
   return start;
 }
 
-/// Elements of the manifold by the numbers that frames call them.
+/// Maps the numbers used in frames to elements of the manifold.
 std::unordered_map<int, int> elements_by_number(const Model& model) {
   std::unordered_map<int, int> elements;
   const int count = static_cast<int>(model.continuum->manifold.elements.size());

@@ -1,4 +1,4 @@
-// What the integrals about crack tips need of a stepper: displacement, and what contact does to the faces of cracks.
+// Collects the input of the crack-tip integrals from a stepper: displacement, and contact forces on crack faces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,10 +9,11 @@
 
 namespace keyblock {
 
-/// After the last accepted step; none without bodies on covers, or before anything was solved. Views the stepper.
+/// Returns the solution after the last accepted step; empty without NMM bodies or before any solution. Keeps a
+/// reference to the stepper.
 std::optional<CoverSolution> solution_of(const Stepper& stepper);
 
-/// Displacement, a length, of a point of an element of the manifold that was at `start`.
+/// Returns the displacement [length] of the point at `start` in an element of the manifold.
 Point displacement_at(const CoverDisplacement& moved, int element, Point start);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Solve, estimate, mark, refine; see mesh_by_error.hpp.
+// Solves, estimates, marks and refines; see mesh_by_error.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/mesh/mesh_by_error.hpp"
 
@@ -26,12 +26,12 @@ namespace {
 constexpr double kHalf = 0.5;        // of ‖e‖²
 constexpr double kSameError = 1e-6;  // of symmetric places
 constexpr double kLow = 3;           // estimates are low at tips, by up to 2.4 (see the tests)
-constexpr double kMostChange = 0.5;  // of the energy norm: a greater one confirms nothing, whatever was asked
+constexpr double kMostChange = 0.5;  // of the energy norm: a greater one confirms nothing at any target
 constexpr int kMostMeshRounds = 60;
 constexpr double kShortest =
-    1e-6;                     // sides, of the extent of the mesh: at points of infinite stress nothing else ends it
-constexpr double kFew = 0.1;  // of the error wanted: what a force at a point may do without being looked at
-constexpr double kAboutPoints = 0.25;  // of the side of the first mesh: within, the error at a point does not count
+    1e-6;                     // sides, relative to the mesh extent: the only end of refinement at infinite stresses
+constexpr double kFew = 0.1;  // of the target error: allowed effect of a point force without a check
+constexpr double kAboutPoints = 0.25;  // of the side of the first mesh: nearer to the point, its error does not count
 
 double squared(double v) {
   return v * v;
@@ -41,7 +41,7 @@ const Place& place_of_mesh(const CoverPlan& plan) {
   return plan.mesh.place.line > 0 ? plan.mesh.place : plan.place;
 }
 
-/// The bodies alone, at rest, elastic, with all that is ever dug out gone.
+/// Returns the bodies alone, static and elastic, without anything that is ever excavated.
 Problem still_bodies(const Problem& problem) {
   Problem still = problem;
   CoverPlan& plan = *still.covers;
@@ -69,7 +69,7 @@ double longest_side(const std::array<Point, 3>& t) {
   return std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
 }
 
-/// At the middle of a triangle, half of its longest side.
+/// Returns a point at the middle of a triangle, with half of its longest side.
 RefinedPoint halved(const std::array<Point, 3>& t) {
   return {(1.0 / 3) * (t[0] + t[1] + t[2]), longest_side(t) / 2};
 }
@@ -80,7 +80,7 @@ double shortest_side(const TriangleMesh& mesh) {
   return std::max(least_side(box), kShortest * std::max(box.size().x, box.size().y));
 }
 
-/// A triangle that may be halved, and the error of its element.
+/// Triangle that may be halved, and the error of its element.
 struct Half {
   double error = 0;
   RefinedPoint at;
@@ -97,7 +97,7 @@ std::vector<Half> halves_of(const Manifold& manifold, const std::vector<double>&
   return halves;
 }
 
-/// Those with the greatest errors, together `share` of all.
+/// Returns those with the greatest errors, together `share` of the total.
 std::vector<RefinedPoint> marked(const std::vector<Half>& halves, double share) {
   double total = 0;
   for (const Half& half : halves) total += half.error;
@@ -112,7 +112,7 @@ std::vector<RefinedPoint> marked(const std::vector<Half>& halves, double share) 
   return points;
 }
 
-/// Without old ones that new ones make needless: those of a triangle that is halved again.
+/// Adds points and drops old ones made redundant by them, in triangles that are halved again.
 void put(std::vector<RefinedPoint>& all, const std::vector<RefinedPoint>& more) {
   if (more.empty()) return;
   const MeshSize wanted(std::numeric_limits<double>::infinity(), more, kMeshGrowth);
@@ -120,8 +120,8 @@ void put(std::vector<RefinedPoint>& all, const std::vector<RefinedPoint>& more) 
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Where a force acts on a point, or a spring bears one, that adds to the strain energy: of a force P
-/// some P²/E each time that sides there are halved, without limit (Flamant 1892).
+/// Finds points with a force or spring that adds notable strain energy. A force P adds some P²/E each time that sides
+/// there are halved, without limit (Flamant 1892).
 std::vector<Uncounted> forces_at_points(const Continuum& continuum, const CoverBasis& basis, const Eigen::VectorXd& d,
                                         double felt) {
   std::vector<Uncounted> found;
@@ -145,12 +145,12 @@ std::vector<Uncounted> forces_at_points(const Continuum& continuum, const CoverB
 
 struct Estimate {
   MeshRound round;
-  std::size_t triangles = 0;  ///< of the mesh, which reaches beyond the bodies
+  std::size_t triangles = 0;  ///< of the mesh, which extends beyond the bodies
   double strain = 0;          ///< twice the strain energy
   std::vector<Half> halves;
 };
 
-/// A mesh that was not solved.
+/// Mesh that was not solved.
 struct TooLarge {
   int unknowns = 0;
 };
@@ -165,7 +165,7 @@ class Refinement {
         result_{problem, {}, {}} {
     MeshPlan& mesh = result_.problem.covers->mesh;
     mesh.error = 0;
-    // Else cracks end where they leave the last element, and the stresses of all meshes agree on it.
+    // Otherwise cracks end where they leave the last element, and the stresses of all meshes agree on that.
     mesh.has_nodes_at_tips = true;
   }
 
@@ -184,8 +184,8 @@ class Refinement {
   }
 
  private:
-  /// One round: half of the error, or all triangles of a first mesh. Where a mesh with a small enough error is to be
-  /// confirmed, and the finer one agrees, the mesh stays. Returns what is in the way, if anything is.
+  /// Makes one round: refines half of the error, or all triangles of a first mesh. If a mesh with a small enough error
+  /// awaits confirmation and the finer one agrees, the mesh stays. Returns the obstacle, if any.
   std::string refine(Estimate& found) {
     if (result_.rounds.size() == kMostMeshRounds) return fmt::format("after {} rounds", kMostMeshRounds);
     if (found.halves.empty()) return "its sides can be no shorter";
@@ -210,8 +210,8 @@ class Refinement {
     return found.triangles == last.triangles && !is_done ? "refinement no longer changes it" : "";
   }
 
-  /// Whether a mesh changed the energy by no more than the last one was estimated to lack of it. Where sides are longer
-  /// than a body is wide, stresses hardly differ, and the estimate says nothing.
+  /// Returns true if a mesh changed the energy by no more than the estimated error of the last one. If sides exceed the
+  /// width of a body, stresses hardly differ and the estimate is meaningless.
   bool agrees(const Estimate& last, const Estimate& now) const {
     const double estimate = std::min(kMostChange, kLow * std::max(wanted_, last.round.error));
     return std::abs(now.strain - last.strain) <= estimate * estimate * now.strain;
@@ -274,7 +274,7 @@ class Refinement {
   const std::function<Scene(const Problem&, const std::vector<Override>&)>& scene_;
   MeshByError result_;
   std::vector<Uncounted> uncounted_;  // known from the first mesh on
-  bool is_confirmed_ = false;         // the last estimate, by the mesh before
+  bool is_confirmed_ = false;         // true if the last mesh confirms the estimate before it
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The mesh of bodies on covers halved where the stresses are least certain, until they are as good as was asked.
+// Refines the mesh of NMM bodies where stresses are least accurate, until they reach the requested accuracy. Theory:
+// docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +13,7 @@
 
 namespace keyblock {
 
-/// One mesh that was tried.
+/// Mesh that was tried.
 struct MeshRound {
   int elements = 0;
   int unknowns = 0;
@@ -20,25 +21,24 @@ struct MeshRound {
 };
 
 struct MeshByError {
-  Problem problem;                ///< whose mesh is refined at points and has no error to reach
-  std::vector<MeshRound> rounds;  ///< the last one is of this mesh; none where the case asks for no error
+  Problem problem;                ///< its mesh is refined at points and has no target error
+  std::vector<MeshRound> rounds;  ///< the last one is of this mesh; empty if the case sets no target error
   Warnings warnings;              ///< `mesh_error_not_reached`, `mesh_error_at_points`
 
-  /// Half a sentence: what was done to the mesh; empty where nothing was asked.
+  /// Describes the refinement in half a sentence; empty if none was requested.
   std::string sentence() const;
 };
 
-/// Whether the case asks for a mesh by error.
+/// Returns true if the case requests a mesh by error.
 bool has_mesh_by_error(const Problem& problem);
 
-/// The bodies are solved as linear elastic rock at rest under the loads of the file, all at once, what is ever dug out
-/// gone and nothing touching, whatever the case does with them afterwards. Elements that carry half of the estimated
-/// ‖e‖² are halved (Dörfler 1996), as many as have the same error with them, until the share of the energy norm
-/// (`stress_error`) is at most that of `mesh.error` and the last round changed the energy by no more than estimated; a
-/// first mesh that is fine enough stays if one with all triangles halved agrees. Within a quarter of the first mesh's
-/// side about a point that bears a force, where the stress has no limit, errors do not count. `scene` makes a problem a
-/// scene under overrides of its own. Throws InputError where bodies are not held so that there is a solution, or the
-/// first mesh has more than `mesh.most_unknowns`.
+/// Refines the mesh. The bodies are solved as linear elastic rock in statics under all loads of the file, without
+/// contact and without anything that is ever excavated. Elements with half of the estimated ‖e‖² are halved (Dörfler
+/// 1996), with all of equal error. Refinement ends on two conditions: the relative error (`stress_error`) is at most
+/// `mesh.error`, and the last round changed the energy by no more than estimated. A fine first mesh stays if one with
+/// all triangles halved agrees. Stress has no limit at point forces: errors within a quarter of the first mesh's side
+/// of one do not count. `scene` makes a scene of a problem under its own overrides. Throws InputError if supports do
+/// not suffice, or if the first mesh has more than `mesh.most_unknowns`.
 MeshByError mesh_by_error(const Problem& problem,
                           const std::function<Scene(const Problem&, const std::vector<Override>&)>& scene);
 

@@ -1,4 +1,4 @@
-// Samples of the stress, a fit for each cover, and the difference; see stress_error.hpp.
+// Samples the stress, fits a polynomial per cover, and integrates the difference; see stress_error.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/mesh/stress_error.hpp"
 
@@ -14,18 +14,19 @@
 namespace keyblock {
 namespace {
 
-// Of the coefficients of a fit, that stresses of its elements have: a fit to as many as it has would be exact whatever
-// they are.
+// Least number of stress values per coefficient of a fit. A fit with as many coefficients as values would be exact for
+// any values.
 constexpr int kMoreThanFitted = 2;
 constexpr double kWhole = 1e-6;  // of a triangle that no line cuts, by round-off
-constexpr int kMostRings = 3;    // of elements about a cover that its fit looks at
-// Strains by round-off alone, of displacement over the size of an element and of initial stress over Young's modulus:
-// solutions keep some ten digits.
+constexpr int kMostRings = 3;    // rings of elements around a cover used by its fit
+// Strain by round-off alone, relative to displacement over element size and to initial stress over Young's modulus.
+// Solutions have about ten correct digits.
 constexpr double kRoundOff = 1e-10;
-// Of the largest column: what samples in so few elements do not tell stays at the least values that fit.
+// Threshold relative to the largest column. Coefficients that the samples do not determine take the least values that
+// fit.
 constexpr double kTold = 1e-6;
 
-/// The stress at a point of an element, and the share of area that it stands for.
+/// Stress at a point of an element, with its share of the area.
 struct Sample {
   Point at;
   double weight = 0;
@@ -37,16 +38,16 @@ double square(double v) {
   return v * v;
 }
 
-/// A polynomial for each component.
+/// One polynomial per component.
 struct Fit {
   LocalFrame frame;
   Eigen::MatrixX3d coefficients;  ///< monomials × components
-  bool is_told = false;           ///< by more stresses than it follows
+  bool is_told = false;           ///< determined by more stress values than coefficients
 
   Eigen::Vector3d at(int degree, Point x) const { return coefficients.transpose() * monomials(degree, frame.local(x)); }
 };
 
-/// The weights of a triangle's corners at x.
+/// Returns the weights of a triangle's corners at x.
 std::array<double, 3> weights_at(const std::array<Point, 3>& t, Point x) {
   const double whole = cross(t[1] - t[0], t[2] - t[0]);
   return {cross(t[1] - x, t[2] - x) / whole, cross(t[2] - x, t[0] - x) / whole, cross(t[0] - x, t[1] - x) / whole};
@@ -80,7 +81,7 @@ class Recovery {
             is_told(static_cast<int>(e)) ? Eigen::Vector3d(recovered(static_cast<int>(e), s.at) - s.stress) : s.stress;
         error.of_element[e] += s.weight * off.dot(compliance * off);
       }
-      // The points of an area with re-entrant corners may count some of it negative.
+      // The quadrature of an area with re-entrant corners may have negative weights.
       error.of_element[e] = std::max(0.0, error.of_element[e]);
       error.total += error.of_element[e];
     }
@@ -101,7 +102,7 @@ class Recovery {
     return samples;
   }
 
-  /// σ:ε by round-off alone at a sample, of its element.
+  /// Returns σ:ε by round-off alone at a sample of element e.
   double round_off_at(int e, const Sample& s) const {
     const std::array<Point, 3> t = manifold_.triangle(manifold_.elements[static_cast<std::size_t>(e)]);
     const double size = std::sqrt(std::abs(cross(t[1] - t[0], t[2] - t[0])));
@@ -122,7 +123,7 @@ class Recovery {
     return area >= (1 - kWhole) * std::abs(cross(t[1] - t[0], t[2] - t[0])) / 2;
   }
 
-  /// Whether the fits of an element's covers say anything of its stress. Where all triangles are wider than the body
+  /// Returns true if the fits of an element's covers determine its stress. If all triangles are wider than the body,
   /// displacements are nearly those of one triangle, and so are stresses.
   bool is_told(int e) const {
     const ManifoldElement& element = manifold_.elements[static_cast<std::size_t>(e)];
@@ -131,7 +132,7 @@ class Recovery {
                                [&](int cover) { return fits_[static_cast<std::size_t>(cover)].is_told; });
   }
 
-  /// The elements of a cover, and ring by ring those of all covers about until their stresses tell enough.
+  /// Returns the elements of a cover, and ring by ring those of all neighbouring covers, until their stresses suffice.
   std::vector<int> elements_about(int cover) const {
     const auto own = manifold_.elements_of(manifold_.covers[static_cast<std::size_t>(cover)]);
     std::vector<int> elements(own.begin(), own.end());
@@ -189,9 +190,9 @@ class Recovery {
   const CoverBasis& basis_;
   const Eigen::VectorXd& d_;
   int degree_;
-  std::vector<std::vector<Sample>> samples_;  // of each element, those that are fitted
-  std::vector<Fit> fits_;                     // of each cover
-  std::vector<char> has_whole_triangle_;      // of each body
+  std::vector<std::vector<Sample>> samples_;  // of each element, used for the fits
+  std::vector<Fit> fits_;                     // per cover
+  std::vector<char> has_whole_triangle_;      // per body
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// How far the stresses of a static solution on covers are from smoother ones: an estimate of its error.
+// Estimates the error of a static NMM solution from the difference between its stresses and smoother ones. Theory:
+// docs/theory/08-manifold-method.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,30 +11,31 @@
 
 namespace keyblock {
 
-/// A disc in which errors do not count.
+/// Disc in which errors do not count.
 struct Uncounted {
   Point at;
   double radius = 0;
 };
 
-/// Squares of energy norms per unit thickness, F. Elements that carry near-tip functions count no error: no polynomial
-/// can be fitted there.
+/// Squares of energy norms per unit thickness, F. Elements with near-tip functions count no error: no polynomial fits
+/// there.
 struct StressError {
   std::vector<double> of_element;
   double total = 0;      ///< their sum
-  double strain = 0;     ///< ∫ σ:ε of the solution where errors count: twice its energy, without initial stress
-  double round_off = 0;  ///< what `strain` may be by round-off alone
+  double strain = 0;     ///< ∫ σ:ε where errors count: twice the energy of the solution, without initial stress
+  double round_off = 0;  ///< part of `strain` by round-off alone
 
-  /// Of the energy norm of the exact solution, as estimated: √(e² / (u² + e²)) (Zienkiewicz & Zhu 1987); 0 where there
-  /// is no strain but round-off.
+  /// Returns the estimated error relative to the energy norm of the exact solution: √(e² / (u² + e²)) (Zienkiewicz &
+  /// Zhu 1987). The result is 0 if all strain is round-off.
   double share() const;
 };
 
-/// ‖e‖² = ∫ (σ* - σ):D⁻¹:(σ* - σ) dA, σ the stress of the displacement `d` and σ* that recovered from it (Zienkiewicz &
-/// Zhu 1992): on the elements of each physical cover one polynomial of the degree of the displacement, fitted to the
-/// stress by least squares, in an element the three of its covers joined by the weights of its triangle. Where the
-/// elements of a cover tell too little, those around them are fitted too; where a body has too few, or no whole
-/// triangle, all of its stress counts as wrong. Covers are of one body and end at joints and cracks, as do the fits.
+/// Returns ‖e‖² = ∫ (σ* - σ):D⁻¹:(σ* - σ) dA, with σ the stress of the displacement `d` and σ* the recovered stress
+/// (Zienkiewicz & Zhu 1992). Each physical cover has one polynomial of the degree of the displacement, fitted by least
+/// squares to the stress of its elements. In an element the weights of its triangle blend the three polynomials of its
+/// covers. If the elements of a cover are too few, elements around them join the fit. If a body has too few, or no
+/// whole triangle, all of its stress counts as error. Covers, and so the fits, belong to one body and end at joints and
+/// cracks.
 StressError stress_error(const Continuum& continuum, const CoverBasis& basis, const Eigen::VectorXd& d,
                          std::span<const Uncounted> uncounted = {});
 

@@ -1,4 +1,4 @@
-// From the first stage to the last, then linked from the last to the first.
+// Makes the stages from first to last, then links them from last to first.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/stages/chain.hpp"
 
@@ -15,13 +15,13 @@
 namespace keyblock {
 namespace {
 
-// Of a profile that takes fewer or more steps than the file: how many longer or shorter ones make up for it is known by
-// any number of them that it divides.
+// Number of steps that shows the step ratio of a profile with fewer or more steps than the file. Any number that the
+// ratio divides would do.
 constexpr int kSomeSteps = 1024;
-// A duration that is a whole number of steps but for round-off is that number.
+// A duration within round-off of a whole number of steps is that number.
 constexpr double kWholeSteps = 1e-9;
 
-/// A problem that `settings_of` reads, without its geometry.
+/// Returns a problem for `settings_of`, without its geometry.
 Problem choices_alone(const Problem& problem) {
   Problem alone;
   alone.analysis = problem.analysis;
@@ -38,7 +38,7 @@ int whole_steps(double steps, const Place& place) {
   return static_cast<int>(whole);
 }
 
-/// `file_step`: the time step that the numbers of steps refer to.
+/// Returns the steps of a stage. `file_step`: time step to which the numbers of steps refer.
 int steps_of(const Stage& stage, double file_step, double time_step) {
   const int by_steps = stage.steps > 0 ? whole_steps(stage.steps * (file_step / time_step), stage.place)
                                        : std::numeric_limits<int>::max();
@@ -57,7 +57,7 @@ SceneMap map_between(const Model& before, const Model& after, Table<ElementIndex
   return map;
 }
 
-/// Of several pieces of one element the first keeps its number.
+/// If an element has several pieces, the first keeps its number.
 void name_elements(const Model& before, Model& after, const Table<ElementIndex, ElementIndex>& parents,
                    int& next_number) {
   Table<ElementIndex, char> is_taken(before.elements.size(), 0);

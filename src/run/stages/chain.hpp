@@ -1,4 +1,4 @@
-// The stages of a case as a chain of scenes, all made before the run begins.
+// Builds the stages of a case as a chain of scenes before the run begins.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,10 +14,10 @@
 
 namespace keyblock {
 
-/// The choices of each stage, those of the stages before it included, below the overrides; of a problem without stages
-/// the one set of choices. `step_count` is that of the whole run. A profile or a time step other than that of
-/// `standard` makes as many more or fewer steps, so that stages last as long. Throws as `settings_of`, and InputError
-/// for other dynamics than those of `standard`.
+/// Choices of a stage. They include those of earlier stages; overrides replace them. A problem without stages has one
+/// set of choices. `step_count` is that of the whole run. If profile or time step differ from `standard`, the number of
+/// steps changes so that stages last as long. Throws as `settings_of`, and InputError for dynamics other than
+/// `standard`.
 struct StageChoices {
   Settings settings;
   int steps = 0;  ///< of the stage, at most
@@ -25,29 +25,29 @@ struct StageChoices {
 std::vector<StageChoices> choices_of_stages(const Problem& problem, const std::string& profile,
                                             const std::vector<Override>& overrides);
 
-/// What makes the model of a stage (the first is 0) from its rock, ready to be stepped, and says which element of the
-/// model before each of its elements is a part of. Throws InputError where there is none.
+/// Functions of a staged case. `make` returns the model of a stage (the first is 0) from its rock, ready for steps.
+/// `parents` returns, per element, the element of the earlier model that it is a part of. Throw InputError without a
+/// model.
 struct StagedModels {
   std::function<Model(const Rock& rock, int stage, const Settings& settings)> make;
   std::function<Table<ElementIndex, ElementIndex>(const Model& before, const Model& after, const Descent& descent)>
       parents;
-  bool is_untouched = false;  ///< as Scene has it
+  bool is_untouched = false;  ///< as in Scene
 };
 
-/// Of blocks: `make` is still to be followed by the choice of their bases.
+/// Returns the parents of DDA blocks: `make` must still be followed by the choice of their bases.
 Table<ElementIndex, ElementIndex> block_parents(const Model& before, const Model& after, const Descent& descent);
 
-/// When the scene of a stage ends.
+/// Returns the end conditions of the scene of a stage.
 SceneEnd end_of(const Stage& stage, const StageChoices& choices);
 
-/// A scene of the same fixed points and bolts in their order, as it follows a model; `parents` says what its elements
-/// were. Of several pieces of one element the first keeps its name, others are numbered on from `next_number`.
+/// Returns the change to a scene with the same fixed points and bolts in order; `parents` are those of its elements. If
+/// an element has several pieces, the first keeps its number, others are numbered from `next_number`.
 SceneChange change_between(const Model& before, Scene after, Table<ElementIndex, ElementIndex> parents,
                            int& next_number);
 
-/// The scenes of the second stage and those after it, `rock` being that of the first, and `first` its model as it is
-/// stepped; none where there is one stage. Adds what is to be said of the stages to the warnings. Throws InputError
-/// where something cannot be changed as a stage says.
+/// Returns the scenes of the second and later stages; null with one stage. `rock`: that of the first stage, `first` its
+/// model as stepped. Appends warnings about the stages. Throws InputError if a change of a stage is impossible.
 std::shared_ptr<const SceneChange> later_scenes(const Problem& problem, const Rock& rock, const Model& first,
                                                 const std::vector<StageChoices>& choices, const StagedModels& models,
                                                 Warnings& warnings);

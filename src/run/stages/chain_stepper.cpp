@@ -1,4 +1,4 @@
-// The change from a scene to the next is made at the beginning of the step that follows it.
+// Changes from one scene to the next at the beginning of the following step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/stages/chain_stepper.hpp"
 
@@ -52,7 +52,7 @@ void ChainStepper::begin(const Scene& scene) {
   ends_scene_ = false;
 }
 
-// Throws nothing that `prepare` has not looked for.
+// `prepare` has already checked for every possible exception.
 void ChainStepper::follow() {
   const std::shared_ptr<const SceneChange> next = scene_.next;
   now_ = now_->in_next(*next);

@@ -1,4 +1,4 @@
-// A chain of scenes as one stepper: each is stepped to its end, then the motion is carried into the next.
+// Steps a chain of scenes: each to its end, then transfers the motion to the next.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,9 +11,9 @@ namespace keyblock {
 
 class ChainStepper : public StepperOfScenes {
  public:
-  /// Of a scene of dynamics `standard`. Throws std::invalid_argument for one that cannot be moved.
+  /// Takes a scene of dynamics `standard`. Throws std::invalid_argument if no stepper supports it.
   explicit ChainStepper(Scene first);
-  /// As it was saved, of the same chain. Throws InputError.
+  /// Restores the stepper from a checkpoint of the same chain. Throws InputError.
   ChainStepper(Scene first, Archive& saved);
 
   bool ends_scene() const override { return ends_scene_ || state().step == reports_.back().first_step; }
@@ -29,11 +29,11 @@ class ChainStepper : public StepperOfScenes {
   void begin(const Scene& scene);
   void follow();
 
-  Scene scene_;  ///< the present one
+  Scene scene_;  ///< current scene
   LedgerScope scope_;
   std::unique_ptr<SceneStepper> now_;
   bool ends_scene_ = false;
-  std::vector<SceneReport> reports_;  ///< that of the present scene is the last
+  std::vector<SceneReport> reports_;  ///< that of the current scene is the last
 };
 
 }  // namespace keyblock

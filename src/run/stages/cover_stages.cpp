@@ -1,4 +1,4 @@
-// Excavations as the plan of linear statics has them; everything else from the rock.
+// Takes excavations from the plan, as linear statics does, and everything else from the rock.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/stages/cover_stages.hpp"
 
@@ -32,7 +32,7 @@ Problem with_excavations(const Problem& problem) {
     for (const StageExcavation& excavation : stage.excavations)
       with.covers->excavations.push_back({static_cast<int>(i) + 1, excavation.outline, excavation.place, 0});
   }
-  // Which of them made an edge is told by a material of its own; see joint_material_at.
+  // A joint material of its own identifies the excavation that made an edge; see joint_material_at.
   const int count = static_cast<int>(problem.analysis->joint_materials.size());
   for (std::size_t e = 0; e < with.covers->excavations.size(); ++e)
     with.covers->excavations[e].joint_material = count + static_cast<int>(e);
@@ -46,7 +46,7 @@ std::vector<CoverPoint> in_elements(const Manifold& manifold, const std::vector<
   return result;
 }
 
-/// Gives every body the material of the block of the rock that it is.
+/// Gives every body the material of its block in the rock.
 void put_body_materials(Manifold& manifold, const Rock& rock) {
   std::vector<char> is_known(manifold.body_materials.size(), 0);
   for (const ManifoldElement& element : manifold.elements) {
@@ -87,7 +87,7 @@ Continuum CoverStages::continuum_at(Manifold manifold, const Rock& rock, const S
   return continuum;
 }
 
-// An edge that a stage digs out is changed by that stage and those after it, one of the drawing by all.
+// An edge made by an excavation is changed by that stage and later ones; an edge of the drawing by all stages.
 int CoverStages::joint_material_at(int stage, int first) const {
   const int count = static_cast<int>(problem_.analysis->joint_materials.size());
   int from = 0;
@@ -134,7 +134,7 @@ Table<ElementIndex, ElementIndex> cover_parents(const Model& before, const Model
     for (const int candidate : candidates)
       if (inside && is_within(was.polygon(was.elements[static_cast<std::size_t>(candidate)]), *inside))
         parent = {candidate};
-    if (!parent && !candidates.empty()) parent = {candidates.front()};  // a corner that rounding made
+    if (!parent && !candidates.empty()) parent = {candidates.front()};  // a corner made by rounding
     if (!parent) throw std::logic_error("an element of a later stage lies outside the bodies of the stage before");
     parents.push_back(parent);
   }

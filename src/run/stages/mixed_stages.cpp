@@ -1,4 +1,4 @@
-// The plan of each stage, and elements found in those before.
+// Makes the plan of each stage and finds elements in those of earlier stages.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/stages/mixed_stages.hpp"
 
@@ -19,7 +19,7 @@ bool has_mesh(const MeshPlan& mesh) {
   return mesh.half_rows > 0 || mesh.side > 0;
 }
 
-/// The elements of one block, by where they lie.
+/// Elements of one block, searchable by position.
 class ElementsOfBlock {
  public:
   void add(const Model& model, ElementIndex e) {
@@ -28,7 +28,7 @@ class ElementsOfBlock {
       for (const Point& p : loop) part.box.add(p);
   }
 
-  /// That holds the point; the nearest where rounding leaves none.
+  /// Returns the element that holds the point; the nearest if rounding leaves none.
   ElementIndex at(Point p) const {
     for (const Part& part : parts_)
       if (part.box.holds(p) && is_within(part.loops, p)) return part.element;

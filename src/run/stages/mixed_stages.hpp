@@ -1,4 +1,4 @@
-// Stages of blocks some of which are on covers: a stage may give blocks a mesh, or another one.
+// Builds stages of DDA blocks and NMM bodies: a stage may give blocks a mesh, or another one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,25 +8,27 @@
 
 namespace keyblock {
 
-/// Whether a case has blocks beside bodies on covers, or a stage that gives blocks a mesh.
+/// Returns true if a case has DDA blocks next to NMM bodies, or a stage that gives blocks a mesh.
 bool has_mixed_stages(const Problem& problem);
 
-/// The mesh is that of `covers` until a stage gives another; a block that a stage cuts or digs has one of its own shape
-/// from there on.
+/// Models of mixed stages. The mesh is that of `covers` until a stage gives another. From then on, a block that a stage
+/// cuts or excavates has a mesh of its own shape.
 class MixedStages {
  public:
-  /// Throws InputError for excavations of `covers`, and where a stage would give a mesh to bodies that share one.
+  /// Takes a problem. Throws InputError for excavations of `covers`, and if a stage would mesh bodies that share a
+  /// mesh.
   explicit MixedStages(const Problem& problem);
 
-  /// At a stage (the first is 0), with the points, bolts and materials of the rock. Throws InputError as `mixed_model`.
+  /// Returns the model at a stage (the first is 0), with the points, bolts and materials of the rock. Throws InputError
+  /// as `mixed_model`.
   Model model(const Rock& rock, int stage, const Settings& settings) const;
 
  private:
   CoverPlan plan_;
-  std::vector<MeshPlan> meshes_;  ///< of every stage
+  std::vector<MeshPlan> meshes_;  ///< per stage
 };
 
-/// Of every element of `after`, the one of `before` that it is a part of, or was cut from the same block as.
+/// Returns, per element of `after`, the element of `before` that it is a part of, or that was cut from the same block.
 Table<ElementIndex, ElementIndex> mixed_parents(const Model& before, const Model& after, const Descent& descent);
 
 }  // namespace keyblock

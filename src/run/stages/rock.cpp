@@ -1,4 +1,4 @@
-// One change after another, each with what it leaves of everything.
+// Applies one change after another and records what each leaves of everything.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/stages/rock.hpp"
 
@@ -43,7 +43,7 @@ bool is_in(const std::vector<Point>& outline, Point p) {
   return side(outline, p) != Side::outside;
 }
 
-/// Round-off of computed coordinates: a point on a face may lie outside by it.
+/// Returns the round-off of computed coordinates, by which a point on a face may lie outside.
 double round_off_of(const std::vector<BlockPolygon>& blocks) {
   Box box;
   for (const BlockPolygon& block : blocks)
@@ -146,7 +146,7 @@ class Changing {
     rock_.analysis.point_loads = picked(rock_.analysis.point_loads, changed.loading_points);
   }
 
-  /// What goes with the fixed points that are left; the points themselves are in the blocks already.
+  /// Keeps the data of the remaining fixed points; the points themselves are in the blocks already.
   void keep_fixed(const std::vector<int>& kept) {
     descent_.fixed_points = picked(descent_.fixed_points, kept);
     rock_.holds_in_place = picked(rock_.holds_in_place, kept);
@@ -177,8 +177,8 @@ class Changing {
     }
   }
 
-  /// Rock that may have yielded keeps its plastic strain as a material without a strength: from here on that one has a
-  /// strength which nothing reaches, or a block would spring back to the shape it had without flow.
+  /// Rock that may have yielded must keep its plastic strain in a material without strength. That material gets an
+  /// unreachable strength; otherwise a block would spring back to its shape before flow.
   void keep_plastic_strain(int from, int to) {
     std::vector<BlockMaterial>& materials = rock_.analysis.block_materials;
     BlockMaterial& after = materials[static_cast<std::size_t>(to)];
@@ -186,7 +186,7 @@ class Changing {
       after.strength = std::make_shared<const Strength>(unreachable_strength());
   }
 
-  /// How many edges of the loop it concerns.
+  /// Returns the number of edges of the loop that change.
   static int replaced(BlockLoop& loop, const StageJointMaterial& change) {
     int edges = 0;
     for (BlockVertex& vertex : loop) {

@@ -1,4 +1,4 @@
-// The blocks of a run as its stages change them, with what they carry and what they are called.
+// Holds the blocks of a run as its stages change them, with their points, bolts and names.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,20 +12,20 @@
 
 namespace keyblock {
 
-/// Where everything stands in the drawing; how far it has moved is not known here. What follows from a stage is
-/// therefore the same however the run went.
+/// Blocks at their places in the drawing; their displacements are unknown here. The result of a stage is therefore
+/// independent of the run.
 struct Rock {
   Blocks blocks;
-  Analysis analysis;                 ///< with a motion for every fixed point and a load for every loading point
+  Analysis analysis;                 ///< with a motion per fixed point and a load per loading point
   Identities identities;             ///< of measured points and bolts; elements are named with the models
-  std::vector<char> holds_in_place;  ///< of every fixed point
+  std::vector<char> holds_in_place;  ///< per fixed point
   int next_bolt = 0;
 };
 
-/// As the files have it.
+/// Returns the rock as in the files.
 Rock rock_of(Blocks blocks, Analysis analysis);
 
-/// Of everything that a stage leaves: its index before, below 0 of what is new.
+/// Earlier index of everything that a stage leaves; negative for new items.
 struct Descent {
   std::vector<int> blocks;
   std::vector<int> fixed_points;
@@ -35,18 +35,18 @@ struct Descent {
 struct ChangedRock {
   Rock rock;
   Descent descent;
-  Warnings warnings;  ///< of what a stage asks for and nothing answers to
+  Warnings warnings;  ///< of requests of a stage without effect
 };
 
-/// Excavations first, then cuts, materials, bolts, points and forces. Throws InputError at the place of what cannot be:
-/// an outline that crosses itself, a material or a bolt that there is none of, a bolt without length, a point or a
-/// bolt's end in no block, no block left.
+/// Applies excavations first, then cuts, materials, bolts, points and forces. Throws InputError at the place of an
+/// invalid item. Such items are an outline that crosses itself, an unknown material or bolt, and a bolt without length.
+/// Others are a point or bolt end in no block, and an excavation that leaves no block.
 ChangedRock changed(const Rock& rock, const Stage& stage);
 
-/// The model of its blocks; bases are still to be chosen.
+/// Returns the model of its blocks; bases are still to be chosen.
 Model model_of(const Rock& rock);
 
-/// Gives a model of the rock the names of its points and bolts, and says which points hold in place.
+/// Gives a model of the rock the names of its points and bolts, and marks points that hold in place.
 void name_points(Model& model, const Rock& rock);
 
 }  // namespace keyblock

@@ -11,7 +11,7 @@
 namespace keyblock {
 namespace {
 
-// Share of the median area of free blocks, below which a block is loose.
+// Fraction of the median area of free blocks, below which a block is loose.
 constexpr double kLoose = 0.01;
 
 double area_of(const FieldElement& element) {
@@ -24,7 +24,7 @@ double area_of(const FieldElement& element) {
   return sum;
 }
 
-/// An outline, or all of a body.
+/// Outline, or a whole body.
 struct Whole {
   std::vector<std::size_t> elements;
   double area = 0;
@@ -42,7 +42,7 @@ std::vector<Whole> wholes_of(const Model& model, const Frame& end, const FieldFr
     for (std::size_t e = 0; e < end.elements.size(); ++e)
       if (number_of(end, e) == point.element) of(e).is_held = true;
   if (!model.continuum) return wholes;
-  // Elements on covers are the last ones.
+  // NMM elements are the last ones.
   const std::size_t first = field.elements.size() - model.continuum->manifold.elements.size();
   for (const PrescribedDisplacement& held : model.continuum->prescribed)
     for (const ElementSide& side : sides_along(model.continuum->manifold, held.along))
@@ -86,7 +86,7 @@ CarriedBlock carried_body(const Whole& whole, const FieldFrame& field) {
   return found;
 }
 
-// Turned with its axes it stays the same, and it takes one pass over the vertices.
+// The width is independent of the axes and takes one pass over the vertices.
 double width_of(const Whole& whole, const FieldFrame& field) {
   Point centre;
   for (const std::size_t e : whole.elements)
