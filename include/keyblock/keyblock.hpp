@@ -258,13 +258,13 @@ struct Recording {
   std::function<void(const Step&)> on_step = {};
 };
 
-/// Runs the case to its end with results, tables, frames and pictures in `folder`: all that `keyblock run` leaves there.
-/// Throws InputError, SettingError (also if there are results that may not be overwritten), Error if a file cannot be
+/// Runs the case to its end with results, tables, frames and pictures in `folder`: all that `keyblock run` leaves
+/// there. Throws InputError, SettingError (also if there are results that may not be overwritten), Error if a file cannot be
 /// written. A run that is stopped can be resumed.
 KEYBLOCK_API Outcome record(const Case& of, const std::string& folder, const Recording& how = {},
                             const Choices& choices = {}, const Context& context = Context());
-/// Continues the run that was interrupted in `folder`, also one of `keyblock run`, by the same build. Throws InputError,
-/// SettingError if there is nothing to resume.
+/// Continues the run that was interrupted in `folder`, also one of `keyblock run`, by the same build. Throws
+/// InputError, SettingError if there is nothing to resume.
 KEYBLOCK_API Outcome resume(const std::string& folder, const std::function<void(const Step&)>& on_step = {},
                             const Context& context = Context());
 
@@ -285,9 +285,9 @@ struct Strength {
 };
 
 /// Divides the strength of "joints", "rock" or "both" until the case no longer stands: the search of `keyblock fos`,
-/// without its second one on a coarser mesh. Left open (empty, 0), what is reduced and the width of the bracket are those that
-/// the `case.json` of a folder asks for, else "joints" and 0.01; where it begins and ends, and what is exempt, it asks
-/// for in any case. Throws SettingError for another word, or a width below 0.
+/// without its second one on a coarser mesh. Left open (empty, 0), what is reduced and the width of the bracket are
+/// those of the `case.json` of a folder, else "joints" and 0.01; where the search begins and ends, and what is exempt,
+/// `case.json` says in any case. Throws SettingError for another word, or a width below 0.
 KEYBLOCK_API Strength factor_of_safety(const Case& of, std::string_view what = {}, double within = 0,
                                        const Choices& choices = {}, const Context& context = Context());
 

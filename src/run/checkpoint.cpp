@@ -16,7 +16,7 @@ namespace keyblock {
 namespace {
 
 constexpr int kLayout = 8;
-constexpr std::size_t kHeaderBytes = 512;  // smallest offset at which HDF5 looks for its own first byte
+constexpr std::size_t kHeaderBytes = 512;  // smallest offset above 0 at which HDF5 looks for its first byte
 constexpr std::size_t kGrowth = 1 << 20;   // of the file in memory
 constexpr std::string_view kOpening = "keyblock checkpoint, layout ";
 constexpr std::string_view kDigestWord = ", sha256 ";

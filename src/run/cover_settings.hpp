@@ -12,8 +12,8 @@
 
 namespace keyblock {
 
-/// Sets functions, mesh.side or mesh.half_rows (one replaces the other), mesh.angle, mesh.error or mesh.most_unknowns.
-/// Throws std::invalid_argument with the expected values if the name or the value is not valid.
+/// Sets functions, contact, mesh.side or mesh.half_rows (one replaces the other), mesh.angle, mesh.error or
+/// mesh.most_unknowns. Throws std::invalid_argument with the expected values if the name or the value is not valid.
 void set(CoverPlan& plan, const std::string& name, const std::string& value);
 
 /// Returns the quantity of a mesh setting; empty if it has none.

@@ -41,8 +41,8 @@ constexpr int kMostSetsOfMany = 16;
 constexpr double kSufficient = 0.1;
 constexpr int kHalvingsOfWay = 8;
 constexpr int kMostRises = 2;
-// From this set on, a proximal round of many pairs counts as diverged if too many pairs change: more than half as many
-// as at first, and more than kStillFew.
+// From this set on, a proximal round of many pairs counts as diverged if more pairs change than half of those at first,
+// and more than kStillFew.
 constexpr int kSetsToSettle = 4;
 constexpr std::size_t kStillFew = 20;
 // Few forces stay as they are if their residual is below this fraction of the goal.

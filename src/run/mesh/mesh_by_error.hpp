@@ -34,11 +34,11 @@ bool has_mesh_by_error(const Problem& problem);
 
 /// Refines the mesh. The bodies are solved as linear elastic rock in statics under all loads of the file, without
 /// contact and without anything that is ever excavated. Elements with half of the estimated ‖e‖² are halved (Dörfler
-/// 1996), with all of equal error. Refinement ends on two conditions: the relative error (`stress_error`) is at most
-/// `mesh.error`, and the last round changed the energy by no more than estimated. A fine first mesh stays if one with
-/// all triangles halved agrees. Stress has no limit at point forces: errors within a quarter of the first mesh's side
-/// of one do not count. `scene` makes a scene of a problem under its own overrides. Throws InputError if supports do
-/// not suffice, or if the first mesh has more than `mesh.most_unknowns`.
+/// 1996), with all of equal error. Refinement ends if the relative error (`stress_error`) is at most `mesh.error`. In
+/// addition, the last round must not change the energy by more than estimated. A fine first mesh stays if one with all
+/// triangles halved agrees. Stress has no limit at point forces: errors within a quarter of the first mesh's side of
+/// one do not count. `scene` makes a scene of a problem under its own overrides. Throws InputError if supports do not
+/// suffice, or if the first mesh has more than `mesh.most_unknowns`.
 MeshByError mesh_by_error(const Problem& problem,
                           const std::function<Scene(const Problem&, const std::vector<Override>&)>& scene);
 

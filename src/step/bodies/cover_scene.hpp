@@ -50,8 +50,7 @@ class CoverScene : public Groundwork {
   const Eigen::VectorXd& initial_force() const { return initial_force_; }
   /// Returns true if supports of the problem, apart from fixed points, hold a body.
   bool has_supports() const;
-  /// Returns true if such supports hold the piece of an NMM element. A piece cut off by a crack does not count as held
-  /// by the rest of its body.
+  /// Returns true if such supports hold the piece of an NMM element. Cracks divide bodies into pieces.
   bool is_supported(ElementIndex e) const { return supported_[static_cast<std::size_t>(e.value - first_.value)]; }
   /// Returns M times a uniform field.
   Eigen::VectorXd inertia_of(Point acceleration) const;
@@ -78,7 +77,7 @@ class CoverScene : public Groundwork {
   double kinetic_energy(const Eigen::VectorXd& v) const { return v.dot(momentum(v)) / 2; }
   double strain_energy(const Eigen::VectorXd& d, const YieldStates& points) const { return bodies_.energy(d, points); }
   /// Work of the rock's force in a step beyond the change of strain energy, to points with the memories `after`.
-  /// `plastic`: plastic work. `algorithmic`: (κ − ½) ∫ ΔE : D : ΔE, or its counterpart where rock flows.
+  /// `algorithmic`: (κ − ½) ∫ ΔE : D : ΔE, or its counterpart where rock flows.
   struct StrainLoss {
     double plastic = 0;
     double algorithmic = 0;

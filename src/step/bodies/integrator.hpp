@@ -58,8 +58,8 @@ struct StepRule {
 StepRule step_rule(const StandardChoices& choices, double dt);
 
 /// Returns the rule for settings that carry only a fraction of the velocity into each step. The weight of forces at the
-/// end grows by the missing fraction, to 1 if each step begins without velocity. The mean of both ends would overshoot
-/// the equilibrium by as much as the step began short of it.
+/// end is then at least 1 less half that fraction, which is 1 if each step begins without velocity. The mean of both
+/// ends would overshoot the equilibrium by as much as the step began short of it.
 StepRule step_rule(const Settings& settings, double dt);
 
 /// Returns the rule of a step without initial velocity under constant loads. M/τ² holds blocks that nothing else holds.

@@ -144,7 +144,7 @@ inline constexpr int kMostSoftPasses = 5;
 inline constexpr int kSoftPassesOfVeryMany = 2;
 inline constexpr double kLeftLate = 1e-4;  // of block size
 inline constexpr double kDeep = 1e-3;      // of block size
-// Soft contacts pass a ten-thousandth of a push beyond the second ring of neighbours around overlapping blocks.
+// At the neighbours of the neighbours of overlapping blocks, soft contacts leave a ten-thousandth of a push.
 inline constexpr int kRings = 3;
 // Impulses converge at this fraction of the largest momentum. A residual kLooser times larger still counts if redundant
 // impulses keep the goal out of reach.
@@ -168,6 +168,7 @@ namespace of_step_control {
 
 inline constexpr double kSafety = 0.9;
 // The error grows with the third power of the part in smooth motion, with the first power if the part holds an impact.
+// This order lies between.
 inline constexpr double kOrder = 2;
 inline constexpr double kMostGrowth = 2;
 inline constexpr double kMostCut = 0.1;

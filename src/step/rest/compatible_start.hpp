@@ -17,12 +17,14 @@ struct CompatibleStart {
   bool balances = false;  ///< true if no bolt breaks at once, and forces fit the accelerations
 };
 
-/// Computes the start in four parts: (a) Rigid accelerations and contact forces satisfy 0 ≤ g̈ ⊥ λn ≥ 0 with Coulomb
-/// friction. (b) Strains satisfy K ε = f_ε + G_εᵀ λ − M_εr a_r. (c) Blocks shift until closed gaps are 0, or −λn/p with
-/// springs. (d) Tangential springs slip by the amount that their forces require. Bolts that the loads would stretch at
-/// once take part in (a) to (c): they pull what contacts and pretension do not carry. The start suits blocks that slide
-/// or topple at once, which settling in time cannot handle. In masses of wedged blocks (a) has many solutions, and (c)
-/// may be impossible with small shifts: then the start fails.
+/// Computes the start in four parts:
+///   (a) Rigid accelerations and contact forces satisfy 0 ≤ g̈ ⊥ λn ≥ 0 with Coulomb friction.
+///   (b) Strains satisfy K ε = f_ε + G_εᵀ λ − M_εr a_r.
+///   (c) Blocks shift until closed gaps are 0, or −λn/p with springs.
+///   (d) Tangential springs slip by the amount that their forces require.
+/// Bolts that the loads would stretch at once take part in (a) to (c): they carry the rest of the load with their pull.
+/// The start suits blocks that slide or topple at once, which settling in time cannot handle. In masses of wedged
+/// blocks (a) has many solutions, and (c) may be impossible with small shifts: then the start fails.
 CompatibleStart compatible(const StandardScene& scene, Motion motion);
 
 }  // namespace keyblock

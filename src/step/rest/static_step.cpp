@@ -229,10 +229,10 @@ class StaticSolve {
   double load_ = 0;        ///< reference of the balance; with plastic flow at least the largest contact force
   double tau_ = 0;
   double used_ = 0;                                         ///< τ of the last accepted iteration
-  double bound_ = std::numeric_limits<double>::infinity();  ///< of τ, by what has risen
+  double bound_ = std::numeric_limits<double>::infinity();  ///< upper bound of τ after a rise of the imbalance
   double longest_ = 0;
   double growth_ = of_statics::kGrowth;
-  UnknownsTable moved_;  ///< upper bound of τ after a rise of the imbalance
+  UnknownsTable moved_;  ///< in the last accepted iteration
   bool turned_back_ = false;
   int since_look_ = 0;                                          ///< iterations
   double last_look_ = std::numeric_limits<double>::infinity();  ///< imbalance at the last check

@@ -49,8 +49,8 @@ ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Tou
 
 /// Returns the bonds between edges whose shear exceeds the Mohr–Coulomb limit by more than `tolerance`:
 ///     |Σ λt| > Σ (c l + λn tan φ),
-/// summed over the bonds of a pair of edges. How two elastic blocks distribute a force among the points of a face does
-/// not affect the strength of that face (limit equilibrium of a joint, Hoek & Bray 1981).
+/// summed over the bonds of a pair of edges. The strength of a face is independent of the distribution of a force among
+/// its points (limit equilibrium of a joint, Hoek & Bray 1981).
 std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<ContactLaw>& laws,
                                   const Eigen::VectorXd& forces, double tolerance);
 

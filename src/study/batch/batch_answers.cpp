@@ -1,4 +1,4 @@
-// Reads run.json, the last row of history.csv, and what `compare` printed.
+// Reads run.json, the last row of history.csv, and the output of `compare`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_answers.hpp"
 
@@ -22,7 +22,7 @@ Json read_json(const std::filesystem::path& file) {
   return Json::parse(formats::load(file.string()).text);
 }
 
-/// Numbers of the points or blocks that the table follows: it has a column dxi for each.
+/// Returns the numbers of the points or blocks in the table, which has a column dxi for each.
 std::vector<int> followed(const formats::CsvTable& table) {
   std::vector<int> numbers;
   for (const std::string& heading : table.header)
@@ -30,7 +30,7 @@ std::vector<int> followed(const formats::CsvTable& table) {
   return numbers;
 }
 
-/// Of the last point; of many blocks, which the table does not all follow, that of the block that moves most.
+/// Takes the last point. If the table leaves out some of the blocks, the block that moves most is taken.
 void add_displacement(CatalogueAnswer& answer, const std::filesystem::path& file, const Json& counts) {
   const formats::CsvTable table = formats::read_csv(formats::load(file.string()));
   const std::vector<int> numbers = followed(table);

@@ -72,7 +72,7 @@ std::string cell(const std::optional<int>& number) {
   return number ? fmt::format("{}", *number) : std::string{};
 }
 
-/// The texts of all items, " | " between them.
+/// Returns the texts of all items, joined by " | ".
 template <class List, class Text>
 std::string joined_cell(const List& list, Text text) {
   std::string all;
@@ -80,7 +80,7 @@ std::string joined_cell(const List& list, Text text) {
   return cell(all);
 }
 
-/// What each answer says by `text` of its measures, "none" where it has none; empty where no answer has any.
+/// Returns `text` of the measures of each answer, "none" for one without; empty if no answer has measures.
 template <class Text>
 std::string measure_cell(const CatalogueRow& row, Text text) {
   if (std::ranges::none_of(row.answers, [](const CatalogueAnswer& a) { return a.measures.has_value(); })) return {};

@@ -1,4 +1,4 @@
-// Rows of the catalogue as JSON and as a table of text.
+// Converts rows of the catalogue to JSON and to a text table.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,13 +12,13 @@ namespace keyblock::study {
 
 nlohmann::ordered_json json_of(const report::CatalogueRow& row);
 
-/// The row that `json_of` wrote. Throws nlohmann::json::exception where something is missing or of the wrong kind.
+/// Reads the row that `json_of` wrote. Throws nlohmann::json::exception for a missing item or one of a wrong type.
 report::CatalogueRow row_of(const nlohmann::ordered_json& json);
 
-/// catalogue.json: every row, without pictures.
+/// Returns catalogue.json: every row, without pictures.
 std::string catalogue_json(const std::vector<report::CatalogueRow>& rows);
 
-/// catalogue.csv: a row a job; several files, sums or answers in one cell are parted by " | ".
+/// Returns catalogue.csv with one row per job; several files, sums or answers in one cell are separated by " | ".
 std::string catalogue_csv(const std::vector<report::CatalogueRow>& rows);
 
 }  // namespace keyblock::study

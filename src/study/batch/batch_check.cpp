@@ -1,4 +1,4 @@
-// Reads, pairs, checks, cuts and, where asked, prepares a job as the commands `check` and `run` do.
+// Reads, pairs, checks, cuts and, on request, prepares a job as the commands `check` and `run` do.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_check.hpp"
 
@@ -30,7 +30,7 @@ void replace_all(std::string& text, const std::string& old_text, const std::stri
     text.replace(at, old_text.size(), new_text);
 }
 
-// Names as the archive has them. Paths stand at the start of a message or behind a space.
+// Messages show names as in the archive. A path is at the start of a message or after a space.
 std::string below(const fs::path& root, const BatchJob& job, std::string text) {
   for (const std::string& file : job.files)
     if (const std::string place = place_of(root, file).string(); place != (root / file).string())
@@ -51,7 +51,7 @@ void draw(CatalogueRow& row, const Problem& problem, const Blocks& blocks) {
   row.thumbnail = report::thumbnail(blocks);
 }
 
-// A drawing that closes no block is shown by its lines; the error says the rest.
+// A drawing that closes no block is shown by its lines; the error reports the reason.
 Warnings look_at_scene(CatalogueRow& row, const Problem& problem) {
   if (problem.analysis) row.steps = problem.analysis->step_count;
   if (const auto* blocks = std::get_if<Blocks>(&problem.geometry)) draw(row, problem, *blocks);
@@ -69,7 +69,7 @@ Warnings look_at_scene(CatalogueRow& row, const Problem& problem) {
   return {};
 }
 
-// Those that `run` and `check` tell before the first step.
+// Returns the warnings that `run` and `check` give before the first step.
 Warnings warnings_before_steps(const Problem& problem, const std::string& profile, CheckDepth depth,
                                const Warnings& of_cut) {
   try {
@@ -82,7 +82,7 @@ Warnings warnings_before_steps(const Problem& problem, const std::string& profil
   }
 }
 
-// What is found out before something throws stays in the row.
+// Results found before an exception stay in the row.
 void follow(CatalogueRow& row, const std::vector<std::string>& paths, CheckDepth depth, const std::string& profile,
             Warnings& warnings) {
   std::vector<formats::Content> contents;

@@ -1,4 +1,4 @@
-// Walks the tree and sorts its files by what they hold.
+// Walks the tree and sorts its files by content.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_files.hpp"
 
@@ -20,13 +20,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Files so named that fit no format are no broken cases, but for numbers in .txt and our keys in .json.
+// Files with these endings that fit no format are not damaged cases, except numbers in .txt and case-file keys in
+// .json.
 constexpr std::array<std::string_view, 36> kForeignEndings{
     ".bat", ".bmp", ".c",   ".cpp", ".csv",  ".doc", ".docx", ".exe", ".f",    ".for", ".f90",  ".gif",
     ".gz",  ".h",   ".hpp", ".htm", ".html", ".jpg", ".jpeg", ".js",  ".json", ".log", ".m",    ".md",
     ".pdf", ".png", ".ps",  ".pvd", ".py",   ".svg", ".tar",  ".txt", ".vtu",  ".xls", ".xlsx", ".zip"};
 
-/// Bytes of the UTF-8 character that the text begins with (Unicode, table 3-7); 0 where it begins with none.
+/// Returns the bytes of the first UTF-8 character of the text (Unicode, table 3-7); 0 if it begins with none.
 std::size_t character_size(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const unsigned first = byte(0), second = byte(1);
@@ -68,19 +69,19 @@ bool begins_with(const fs::path& file, std::string_view words) {
   return text.read(head.data(), static_cast<std::streamsize>(head.size())) && head == words;
 }
 
-// As `batch -o` makes it: its journal begins so.
+// A folder made by `batch -o` has a journal with this beginning.
 bool is_of_a_batch(const fs::path& folder) {
   return begins_with(folder / "journal.jsonl", "{\"batch\":");
 }
 
-// As `run -o` and `fos -o` make it: its record begins so.
+// A folder made by `run -o` or `fos -o` has a record with this beginning.
 bool is_of_a_run(const fs::path& folder) {
   constexpr std::string_view kHead = "{\n \"program\": \"keyblock\"";
   return std::ranges::any_of(std::array{"run.json", "fos.json"},
                              [&](const char* record) { return begins_with(folder / record, kHead); });
 }
 
-// Why an entry of a folder is no file of the archive; empty for files, and for folders to walk into.
+// Returns the reason to leave out an entry of a folder; empty for files, and for folders to walk into.
 std::string_view why_not(const fs::directory_entry& entry) {
   std::error_code ignored;
   const bool is_link = entry.is_symlink(ignored);
@@ -107,7 +108,7 @@ void visit(const fs::path& folder, const fs::path& root, const fs::path& left_ou
   if (error) found.passed_over.push_back({name_of(folder), "folder that cannot be opened"});
 }
 
-// A file that fits two dialects needs its geometry to be told, but is an analysis in either.
+// A file that fits two dialects needs the kind of its geometry to be decided, but is an analysis in both.
 std::optional<formats::Choice> choice_of(const formats::Source& source) {
   for (const formats::GeometryKind kind : {formats::GeometryKind::unknown, formats::GeometryKind::blocks}) {
     try {
@@ -136,7 +137,7 @@ FileRole role_by_content(const formats::Content& content) {
   return content.analysis ? FileRole::analysis : FileRole::side_file;
 }
 
-// The formats that hold one thing only; the others say it by their content.
+// Formats with only one kind of content decide the role here; other formats need their content.
 FileRole role_by_format(std::string_view format) {
   if (format.starts_with("dda-geometry") || format.starts_with("dda-blocks") || format == "nmm-cover")
     return FileRole::geometry;
@@ -146,7 +147,7 @@ FileRole role_by_format(std::string_view format) {
   return FileRole::unreadable;
 }
 
-// Where most of the first words are numbers, a table was meant, not a text.
+// If most of the first words are numbers, the file is meant as a table, not as text.
 bool looks_numeric(std::string_view text) {
   constexpr std::size_t kWords = 100, kFewest = 6;
   constexpr std::string_view kSpace = " \t\r\n,";
@@ -160,7 +161,7 @@ bool looks_numeric(std::string_view text) {
   return words >= kFewest && 2 * numbers > words;
 }
 
-// Keys that every geometry or analysis of our case file has, for one whose mark is lost.
+// Keys that every geometry or analysis in the case-file format has, for a file whose mark is lost.
 bool looks_like_a_case(std::string_view text) {
   return std::ranges::any_of(
       std::array<std::string_view, 4>{"\"youngs_modulus\"", "\"boundary_count\"", "\"outer\"", "\"loop_vertices\""},
@@ -176,7 +177,7 @@ FileRole role_by_name(const fs::path& path, std::string_view text) {
   return is_foreign && !is_broken ? FileRole::foreign : FileRole::unreadable;
 }
 
-/// One more than the greatest number; 1 where nothing is numbered, because material 1 is always there.
+/// Returns one more than the greatest number; 1 without numbers, because material 1 always exists.
 template <class List, class Number>
 std::size_t numbered(const List& list, Number number) {
   int greatest = 0;
@@ -258,7 +259,7 @@ BatchFile look_at(const formats::Source& source, const std::string& path) {
   BatchFile file{path, role_by_format(choice->format->name), std::string(choice->format->name), std::nullopt};
   if (file.role == FileRole::side_file || file.role == FileRole::foreign) return file;
   if (file.role == FileRole::unreadable && choice->recognition.fit == formats::Recognition::Fit::damaged)
-    return {path, role_by_name(path, source.text), {}, std::nullopt};  // JSON or XML of some kind, without our mark
+    return {path, role_by_name(path, source.text), {}, std::nullopt};  // JSON or XML without this program's mark
   const auto content = content_of(*choice, source);
   if (!content) return file;
   if (file.role == FileRole::unreadable) file.role = role_by_content(*content);

@@ -1,5 +1,4 @@
-// The files of an archive: where they lie, what each is to a batch, and the counts by which a geometry and an analysis
-// fit.
+// Finds the files of an archive, their roles in a batch, and the counts by which geometry and analysis fit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,12 +16,12 @@ enum class FileRole {
   geometry,
   analysis,
   whole_case,  ///< geometry and analysis in one file
-  side_file,   ///< what lies beside a case: replay, measured points, motion, expected values
-  foreign,     ///< fits no format and is named like something else: a page, a program, a picture
-  unreadable,  ///< fits no format, or breaks off before it says what it holds
+  side_file,   ///< additional file of a case: replay, measured points, motion, expected values
+  foreign,     ///< fits no format and has the name of another kind: page, program, picture
+  unreadable,  ///< fits no format, or ends before its content is known
 };
 
-/// By these a geometry and an analysis are seen to belong together.
+/// Counts that show whether a geometry and an analysis belong together.
 struct FitCounts {
   bool is_manifold = false;  ///< a cover, or the analysis of the manifold program
   std::size_t block_materials = 0;
@@ -33,42 +32,43 @@ struct FitCounts {
 };
 
 struct BatchFile {
-  std::string path;  ///< below the root, with `/`, its bytes that are no UTF-8 as %XX, % as %25
+  std::string path;  ///< below the root, with `/`; bytes that are not UTF-8 as %XX, % as %25
   FileRole role = FileRole::unreadable;
-  std::string format;               ///< name of the format; empty where none fits
+  std::string format;               ///< name of the format; empty if none fits
   std::optional<FitCounts> counts;  ///< of geometries and analyses that can be read alone
 };
 
-/// What lies in an archive and is no file of it.
+/// Entry of an archive that is not one of its files.
 struct PassedOver {
-  std::string path;         ///< as that of a BatchFile
+  std::string path;         ///< as in BatchFile
   std::string_view reason;  ///< "hidden", "dead link", …
 };
 
 struct FoundFiles {
-  std::vector<std::string> files;  ///< paths as those of a BatchFile, sorted
+  std::vector<std::string> files;  ///< paths as in BatchFile, sorted
   std::vector<PassedOver> passed_over;
 };
 
-/// The regular files at or below `root`; passed over are hidden files and folders, links to folders, dead links,
-/// devices and pipes, and folders with the results of other batches. What lies in `left_out` is not even that. Throws
-/// InputError where `root` is no folder.
+/// Returns the regular files at or below `root`. Hidden files and folders, links to folders, dead links, devices, pipes
+/// and folders with results of other batches are listed in `passed_over`. `left_out` is ignored entirely. Throws
+/// InputError if `root` is not a folder.
 FoundFiles files_below(const std::filesystem::path& root, const std::filesystem::path& left_out);
 
-/// How many for which reason, with the first: "2 × hidden (the first .git), 1 × dead link (x)"; empty for none.
+/// Counts the entries per reason, with the first of each: "2 × hidden (the first .git), 1 × dead link (x)"; empty for
+/// none.
 std::string sentence_of(const std::vector<PassedOver>& passed_over);
 
-/// Where a file of the archive lies: the path below `root` with its bytes as the file system has them.
+/// Returns the place of a file of the archive: the path below `root` with its bytes as in the file system.
 std::filesystem::path place_of(const std::filesystem::path& root, const std::string& path);
 
-/// What a file is, from its content; its name counts only where no format fits, and then a
-/// .txt of numbers or a .json with keys of ours is unreadable whatever its name says. `path` is the one below the root.
+/// Returns the role of a file from its content. Its name counts only if no format fits. Even then a .txt of numbers, or
+/// a .json with case-file keys, is unreadable under any name. `path` is relative to the root.
 BatchFile look_at(const formats::Source& source, const std::string& path);
 
-/// Of a geometry or an analysis; nothing for other contents.
+/// Returns the counts of a geometry or an analysis; empty for other contents.
 std::optional<FitCounts> counts_of(const formats::Content& content);
 
-/// A word for the catalogue.
+/// Returns a word for the catalogue.
 std::string_view name_of(FileRole role);
 
 }  // namespace keyblock::study

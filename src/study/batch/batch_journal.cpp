@@ -15,7 +15,7 @@ std::string line_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// Whether the line is one of ours; takes in what it says.
+/// Reads the line into the journal. Returns false if it is not a valid line.
 bool take_in(Journal& journal, std::string_view line) {
   const Json json = Json::parse(line, nullptr, false);
   if (!json.is_object()) return false;

@@ -1,4 +1,4 @@
-// One rule of pairing after the other, folder by folder, each on what the earlier ones left.
+// Applies one rule of pairing after another, folder by folder, to the files left by earlier rules.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_pairs.hpp"
 
@@ -33,7 +33,7 @@ std::string stem_of(const BatchFile& file) {
   return lower(std::filesystem::path(file.path).stem().string());
 }
 
-// The beginnings that the old programs' users gave their files.
+// Prefixes that users of Shi's programs gave their files.
 std::string without_beginning(const BatchFile& file) {
   constexpr std::array<std::string_view, 9> kBeginnings{"blck", "blk", "geo", "ana", "cv", "mf", "df", "dc", "dl"};
   const std::string stem = stem_of(file);
@@ -57,7 +57,7 @@ bool contradict(const BatchFile& geometry, const BatchFile& analysis) {
   return geometry.counts && analysis.counts && geometry.counts->is_manifold != analysis.counts->is_manifold;
 }
 
-/// What lies in one folder and is not paired yet.
+/// Files in one folder that are not paired yet.
 struct Folder {
   Files geometries;
   Files analyses;
@@ -68,7 +68,7 @@ struct Folder {
     pairs.push_back({geometry, analysis, reason});
   }
 
-  /// Removes what is in a pair by now.
+  /// Removes files that are in a pair.
   void drop_paired() {
     for (Files* list : {&geometries, &analyses, &unreadable})
       std::erase_if(*list, [&](const BatchFile* file) {
@@ -86,7 +86,7 @@ std::map<std::string, Files> by_key(const Files& files, Key key) {
   return groups;
 }
 
-// Every drawing and block file of a name goes with every analysis of that name.
+// Pairs every drawing and block file of a name with every analysis of that name.
 void pair_by_stem(Folder& folder) {
   const auto geometries = by_key(folder.geometries, stem_of);
   const auto analyses = by_key(folder.analyses, stem_of);
@@ -110,7 +110,7 @@ void pair_by_stem(Folder& folder) {
   folder.drop_paired();
 }
 
-// Where a key names one geometry and one analysis only.
+// Pairs only if a key names exactly one geometry and one analysis.
 void pair_by_key(Folder& folder, Key key, std::string_view reason) {
   const auto analyses = by_key(folder.analyses, key);
   for (const auto& [text, group] : by_key(folder.geometries, key)) {
@@ -157,7 +157,7 @@ void pair_by_counts(Folder& folder, const FitsTogether& fits) {
   folder.drop_paired();
 }
 
-// One scene computed in several ways: what no other rule has paired goes with the one geometry.
+// For one scene analysed in several ways: analyses that no other rule paired go with the only geometry.
 void pair_with_the_one(Folder& folder, const Files& geometries) {
   if (geometries.size() != 1) return;
   for (const BatchFile* analysis : folder.analyses)

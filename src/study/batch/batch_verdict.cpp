@@ -1,4 +1,4 @@
-// Looks at the outcome first, then at the answers.
+// Judges the outcome first, then the answers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_verdict.hpp"
 
@@ -12,9 +12,9 @@
 namespace keyblock::study {
 namespace {
 
-// Times nearer than this share end together; runs whose steps are cut end earlier.
+// Times that differ by less than this fraction are the same end; runs with cut steps end earlier.
 constexpr double kSameEnd = 0.01;
-// What `answer_in` puts before the reason.
+// Prefix that `answer_in` puts before the reason.
 constexpr std::string_view kFailed = "failed: ";
 
 using report::CatalogueAnswer;
@@ -25,13 +25,13 @@ std::string place_of(const CatalogueAnswer& answer) {
                      answer.measures->displaced_element);
 }
 
-/// Empty where they are the same.
+/// Describes different ends of two answers; empty if they are the same.
 std::string of_their_ends(const CatalogueAnswer& one, const CatalogueAnswer& other) {
   if (std::abs(one.time - other.time) <= kSameEnd * std::max(one.time, other.time)) return {};
   return fmt::format("; {} ends at time {:.4g}, {} at {:.4g}", one.profile, one.time, other.profile, other.time);
 }
 
-/// Empty where the two agree.
+/// Describes the difference of two answers; empty if they agree.
 std::string how_they_differ(const CatalogueAnswer& one, const CatalogueAnswer& other) {
   if (!one.measures || !other.measures) return {};
   const double larger = std::max(one.measures->displacement, other.measures->displacement);
@@ -51,8 +51,7 @@ bool is_finished(const CatalogueAnswer& answer) {
   return answer.end == "finished";
 }
 
-/// What each profile came to, where runs failed because the scene has no equilibrium and for nothing else; otherwise
-/// empty.
+/// Describes the result of each profile if the only failures are scenes without equilibrium; otherwise empty.
 std::string without_equilibrium(const report::CatalogueRow& row) {
   std::string why;
   bool has_none = false;

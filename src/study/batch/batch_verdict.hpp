@@ -1,4 +1,4 @@
-// What became of a job of a batch, in one word and with the reason.
+// Judges the result of a batch job, in one word and with the reason.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,17 +6,22 @@
 
 namespace keyblock::study {
 
-/// What was asked of the jobs that can be read.
+/// Request for the jobs that can be read.
 enum class BatchAim { check, run, convert };
 
-/// Answers that differ by more than this share of the larger do not agree.
+/// Relative difference above which two answers do not agree.
 inline constexpr double kAgreement = 0.1;
 
-/// "no equilibrium" where a run, and none but such, ended because the scene has none, with what each profile came to:
-/// the answer for a mechanism under statics; else "failed", with the first error; "listed": no case at all; "read":
-/// nothing was run, because geometry or analysis is missing, or nobody asked for a run; "converted"; of a run "differs"
-/// where two profiles' greatest displacements, or those of the point that is followed over the greatest anywhere, are
-/// apart by more than `kAgreement`, with how much and where; else "ran".
+/// Returns the verdict with details:
+///   "no equilibrium"  The only failures are scenes without equilibrium, as expected for a mechanism in statics. The
+///                     details name the result of each profile.
+///   "failed"          The first error is named.
+///   "listed"          The job is not a case.
+///   "read"            Nothing was run, because geometry or analysis is missing, or no run was requested.
+///   "converted"       The files were converted.
+///   "differs"         Two profiles disagree by more than `kAgreement`. Compared are their greatest displacements, and
+///                     those of the followed point relative to the greatest. The details name amount and place.
+///   "ran"             All other runs.
 report::CatalogueVerdict verdict_of(const report::CatalogueRow& row, BatchAim aim);
 
 }  // namespace keyblock::study

@@ -1,4 +1,4 @@
-// Part after part, ranges of values where materials differ.
+// Builds the sentence part by part, with ranges of values if materials differ.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/scene_sentence.hpp"
 
@@ -35,7 +35,7 @@ std::string loads_of(const Analysis& analysis, std::size_t points) {
   return fmt::format("{} of up to {:g}", counted(points, "point load"), greatest);
 }
 
-/// Of all materials, the least and the greatest where they differ.
+/// Returns the value of all materials, as least and greatest if they differ.
 template <class Material, class Value>
 std::string range_of(const std::vector<Material>& materials, Value value) {
   const auto [least, greatest] = std::ranges::minmax_element(materials, {}, value);
@@ -44,7 +44,7 @@ std::string range_of(const std::vector<Material>& materials, Value value) {
   return low == high ? fmt::format("{:g}", low) : fmt::format("{:g} to {:g}", low, high);
 }
 
-// Unit weights of old files, or the gravity of a case on its densities.
+// Takes unit weights of files in Shi's formats, or the densities of a case under its gravity.
 std::string weight_of(const Analysis& analysis) {
   const auto& all = analysis.block_materials;
   if (std::ranges::any_of(all, [](const BlockMaterial& m) { return m.unit_weight != 0; }))

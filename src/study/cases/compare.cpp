@@ -1,4 +1,4 @@
-// Runs a case as its folder says, and picks the values.
+// Runs a case as its folder defines it, and picks the values.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/cases/compare.hpp"
 
@@ -15,7 +15,7 @@
 namespace keyblock::study {
 namespace {
 
-/// All that the folder holds, read once for all its runs.
+/// Contents of the folder, read once for all its runs.
 struct Loaded : OpenCase {
   std::string label;  ///< for tables
   std::string table;  ///< path of expected.csv
@@ -42,7 +42,7 @@ ConfiguredCase configured_as_in_file(const Loaded& loaded, const std::string& pr
   }
 }
 
-// A setting that is none is the case file's fault; a scene that the profile refuses is a result: the sentence why.
+// An invalid setting is an error of the case file. A scene that the profile refuses is a result: the reason.
 std::variant<Prepared, std::string> prepared_or_refused(const Loaded& loaded, const std::string& profile,
                                                         const std::vector<Override>& more) {
   const ConfiguredCase made = configured_as_in_file(loaded, profile, more);
@@ -63,7 +63,7 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
   observer.on_frame = [&](const Frame& frame) {
     pick(compared.values, so_far, frame, kSameInstant * scene.settings.time_step);
     const ElementFrame* followed = element_of(frame, compared.followed_block - 1);
-    if (followed == nullptr) return;  // dug out
+    if (followed == nullptr) return;  // excavated
     compared.times.push_back(frame.time);
     compared.displacements.push_back(length(followed->displacement));
   };
@@ -73,7 +73,7 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
   return compared;
 }
 
-// The last state that stands, at the instant 0: a factor belongs to none.
+// Takes the last stable state, at the instant 0, because a factor belongs to no instant.
 ComparedCase reduced_and_picked(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& more) {
   const ReductionAsked asked = completed({}, loaded.file.reduction);
   const StrengthTrials trials(configured_under(compared.profile, loaded, loaded.input.problem, more), *asked.what,
@@ -147,7 +147,7 @@ ComparedCase variant_run(const Loaded& loaded, const Variant& variant) {
   }
   try {
     return compared_with(loaded, compared, variant.set);
-  } catch (const InputError& error) {  // the other runs of the case go on
+  } catch (const InputError& error) {  // the other runs of the case continue
     compared.not_run = error.what();
     return compared;
   }

@@ -1,4 +1,4 @@
-// The table of quantities.
+// Holds the table of quantities.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/cases/quantities.hpp"
 
@@ -12,7 +12,7 @@
 namespace keyblock::study {
 namespace {
 
-/// A block now and at the start of the run.
+/// Block now and at the start of the run.
 struct Block {
   const ElementFrame& now;
   const ElementFrame& start;
@@ -29,7 +29,7 @@ double speed(const ElementFrame& e) {
   return std::hypot(e.velocity.x, e.velocity.y);
 }
 
-// Of translation and rotation: both profiles mean the same by it, whatever frame their strain rates are seen in.
+// Energy of translation and rotation: both profiles agree on it, although their strain rates have different frames.
 double kinetic_energy(const ElementFrame& e) {
   return (e.mass * speed(e) * speed(e) + e.moment_of_inertia * e.velocity.rotation * e.velocity.rotation) / 2;
 }
@@ -63,7 +63,7 @@ double greatest_speed(const RunSoFar& run) {
   return greatest;
 }
 
-// None of rock that cannot yield.
+// Returns zero values for rock that cannot yield.
 template <class Of>
 PlasticState plastic(const Of& of) {
   return of.plastic.value_or(PlasticState{});

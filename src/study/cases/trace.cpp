@@ -24,10 +24,10 @@ namespace {
 
 // Step sizes and penalties are printed with nine digits.
 constexpr double kPrinted = 1e-8;
-// A stress below this share of the largest modulus is round-off of zero.
+// Fraction of the largest modulus below which a stress is round-off of zero.
 constexpr double kStressNoise = 1e-15;
 
-// A table with named numeric cells.
+// Table with named numeric cells.
 class Numbers {
  public:
   explicit Numbers(const fs::path& file) : table_(formats::read_csv(formats::load(file.string()))) {}
@@ -44,7 +44,8 @@ class Numbers {
   formats::CsvTable table_;
 };
 
-// The last step to compare; `compared_steps.csv` beside the trace folders names those that round-off parts earlier.
+// Returns the last step to compare. `compared_steps.csv` beside the trace folders lists traces that round-off separates
+// earlier.
 int last_step(const CaseFolder& folder, int steps_in_trace) {
   const fs::path file = folder.folder.parent_path() / "compared_steps.csv";
   if (!fs::exists(file)) return steps_in_trace;

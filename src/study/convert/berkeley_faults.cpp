@@ -1,4 +1,4 @@
-// One function a format, each fault where its numbers are.
+// Has one function per format; each reports its fault at the numbers concerned.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/berkeley_faults.hpp"
 
@@ -21,7 +21,7 @@ void lose_first_material_line(Reading& reading) {
   lines.erase(lines.begin());
 }
 
-/// All numbers behind the material lines, as the file has them.
+/// Returns all numbers after the material lines, in the order of the file.
 std::vector<double> numbers_of_marks(const Drawing& drawing) {
   std::vector<double> numbers;
   const auto add = [&](std::initializer_list<double> more) { numbers.insert(numbers.end(), more); };
@@ -62,7 +62,7 @@ void read_on_at_bolts(Reading& reading) {
       {"bolts_not_read", place, "bolts are not read: fixed lines and points are made of the numbers from here on"});
 }
 
-/// An integer is read up to the first character that is none; what is left of the number fails the reads behind it.
+/// An integer is read up to the first other character; the remainder of the number makes the following reads fail.
 void require_whole_carry_over(const formats::FileReading& file) {
   const std::string& text = file.source.text;
   const auto is_space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };

@@ -1,4 +1,4 @@
-// What the Berkeley program makes of its files where it reads them wrongly, for those who want its results back.
+// Reproduces the reading faults of the Berkeley program, for users who need its results.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,15 +6,15 @@
 
 namespace keyblock::study {
 
-/// The content as the Berkeley program takes it (legacy-formats 2.1, 2.3.1, 2.6, 4; legacy-rules 16.1), each fault a
-/// warning:
+/// Returns the content as the Berkeley program reads it (legacy-formats 2.1, 2.3.1, 2.6, 4; legacy-rules 16.1). Each
+/// fault is a warning:
 ///   dda-geometry           the first material line is lost; bolts are not read, so that their numbers become fixed
 ///                          lines and points
 ///   dda-analysis-berkeley  the initial velocity is that of the numbers of the stress gradient, which stays
 ///   ddaml                  lines of Boundlist are dropped; Ivelocity is initial velocity and stress gradient, Istrain
 ///                          has no effect
-/// Files of other formats it does not read: their content stays. Throws InputError where the program goes on with what
-/// is by chance in its memory: bolts not of 7 numbers, a carry-over that is not spelled as a whole number.
+/// The program does not read files of other formats: their content stays. Throws InputError where the program would
+/// continue with arbitrary memory contents: bolts without 7 numbers, or a carry-over not written as a whole number.
 formats::Reading as_berkeley_reads(const formats::FileReading& file);
 
 }  // namespace keyblock::study

@@ -1,4 +1,4 @@
-// The profile as `run` chooses it; rules by the settings that differ.
+// Takes the profile as `run` chooses it, and the rules by the settings that differ.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/changed_rules.hpp"
 
@@ -22,7 +22,7 @@ std::string profile_of_run(const formats::Content& content) {
   return profile_of(problem, {});
 }
 
-// "quirk.start_velocity_slots = off, before on"
+// Returns lines such as "quirk.start_velocity_slots = off, before on".
 std::vector<std::string> settings_of_dialect(const Analysis& before, AnalysisDialect dialect) {
   Analysis after = before;
   after.dialect = dialect;

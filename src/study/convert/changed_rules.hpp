@@ -1,5 +1,5 @@
-// What a run of the converted files does otherwise though they say the same: another profile, or rules of another
-// dialect.
+// Warns if a run of the converted files uses another profile or rules of another dialect, although the data are the
+// same.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,9 +7,8 @@
 
 namespace keyblock::study {
 
-/// Where no profile is asked for a run takes `legacy` for the files of old programs, whose dialect decides some of its
-/// rules, and `standard` for a case file: a warning for each that changes. `after`: what is read back of the files
-/// written.
+/// Returns a warning per change. Without a requested profile a run takes `legacy` for files of Shi's programs, whose
+/// dialect decides some rules, and `standard` for a case file. `after`: content of the written files, read back.
 Warnings changed_rules(const formats::Content& before, const formats::Content& after, const Place& place);
 
 }  // namespace keyblock::study

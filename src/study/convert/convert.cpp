@@ -1,4 +1,4 @@
-// Puts the parts together, derives the geometry that the target asks for, writes, reads back and compares.
+// Combines the parts, derives the geometry that the target needs, writes, reads back and compares.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/convert.hpp"
 
@@ -67,8 +67,8 @@ void add_to(Content& all, const Content& content, const std::string& file) {
 }
 
 struct Written {
-  std::string text;     ///< empty where the format cannot hold anything of the content
-  std::string why_not;  ///< the reason then
+  std::string text;     ///< empty if the format cannot hold any of the content
+  std::string why_not;  ///< the reason in that case
 };
 
 Written written(const Format& format, const Content& content) {
@@ -79,8 +79,8 @@ Written written(const Format& format, const Content& content) {
   }
 }
 
-// Points of 3 numbers or 4, a head without its last count: one reader takes several layouts of which the writer has
-// one.
+// One reader takes several layouts, of which the writer has one: points of 3 or 4 numbers, a head without its last
+// count.
 bool has_layout_of(const formats::FileReading& file, const Format& format, const std::string& text) {
   if (file.choice->format->read != format.read) return false;
   const bool is_marked = format.recognise != nullptr;
@@ -89,7 +89,7 @@ bool has_layout_of(const formats::FileReading& file, const Format& format, const
   return formats::tokenise(file.source).numbers.size() == formats::tokenise({"converted", text}).numbers.size();
 }
 
-// The bytes of the file that already says this, in this format.
+// Returns the bytes of a file that already holds this text, in this format; null if none does.
 const std::string* unchanged(const std::vector<formats::FileReading>& files, const Format& format,
                              const std::string& text) {
   for (const formats::FileReading& file : files)
@@ -98,7 +98,7 @@ const std::string* unchanged(const std::vector<formats::FileReading>& files, con
   return nullptr;
 }
 
-// As the writers count: an analysis has as many curves as the geometry beside it has points.
+// Counts as the writers do: an analysis has as many curves as the geometry beside it has points.
 formats::ReadHint hint_of(const Content& content) {
   formats::ReadHint hint = formats::counted_points(content);
   if (hint.geometry == formats::GeometryKind::unknown) hint.geometry = formats::GeometryKind::drawing;
@@ -110,7 +110,7 @@ formats::ReadHint hint_of(const Content& content) {
   return hint;
 }
 
-// Files of Shi's line hold a curve for each point of the geometry, if only an empty one.
+// Files in Shi's formats hold one curve per point of the geometry, even an empty one.
 void complete_curves(Content& content, const Target& target) {
   const auto is_part = [&](const Format& format) {
     return std::ranges::any_of(target.parts, [&](const Target::Part& part) { return part.format == &format; });
@@ -129,7 +129,7 @@ bool is_lacking(const Content& content, const Format& format) {
   return written(format, content).text.empty();
 }
 
-// Blocks or lines, where the target holds these and not the geometry there is.
+// Derives blocks or lines if the target holds these, and not the existing geometry.
 std::optional<Derivation> derived_geometry(const Content& content, const Target& target) {
   const auto writes = [&](const Content& trial) {
     return std::ranges::any_of(target.parts,
@@ -206,7 +206,7 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
     conversion.warnings = joined(std::move(conversion.warnings), reading.warnings);
     add_to(content, reading.content, file.path);
   }
-  // With the drawing they are made use of; without it they wait for one.
+  // With a drawing its layers have been used; without one they wait for it.
   const auto is_drawing = [](const formats::FileReading& file) {
     return file.choice && file.choice->format == &formats::kDxf;
   };

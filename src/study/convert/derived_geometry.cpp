@@ -1,4 +1,4 @@
-// Cutting, edges, and loops.
+// Derives geometry by cutting, from edges, or from loops.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/derived_geometry.hpp"
 
@@ -17,9 +17,9 @@
 namespace keyblock::study {
 namespace {
 
-constexpr double kMaterialLine = 1e-3;  // length over the edge it starts from: it stays within the block
+constexpr double kMaterialLine = 1e-3;  // length over its base edge: the line stays within the block
 
-// Left of the middle of the edge that is longest, and short.
+// Returns a short segment left of the middle of the longest edge.
 Segment inner_segment(const BlockLoop& outer) {
   std::size_t longest = 0;
   const auto edge = [&](std::size_t i) { return Segment{outer[i].position, outer[(i + 1) % outer.size()].position}; };
@@ -33,7 +33,7 @@ Segment inner_segment(const BlockLoop& outer) {
   return {middle, middle + kMaterialLine * along};
 }
 
-// An edge between two blocks is one line, with the joint material of the first.
+// Edges of blocks as lines. An edge between two blocks is one line, with the joint material of the first.
 class Edges {
  public:
   void add(const BlockLoop& loop) {
@@ -73,7 +73,7 @@ std::vector<std::vector<Point>> loops_of(const BlockPolygon& block) {
   return loops;
 }
 
-// Where the edges enclose what is no block: cut, it would become one.
+// Returns points in voids enclosed by the edges, which cutting would turn into blocks.
 std::vector<MarkedPoint> voids_within(const Drawing& edges, const Blocks& blocks) {
   std::vector<Extent> extents;
   for (const BlockPolygon& block : blocks.blocks) extents.push_back(extent_of(block));
@@ -110,7 +110,7 @@ Drawing lines_of(const Blocks& blocks) {
   return drawing;
 }
 
-// The loop's edges by the corner they arrive at, as blocks have them.
+// Returns the loop's edges by their end corners, as in blocks.
 BlockLoop loop_of(const Cover& cover, const SlotRange& range) {
   BlockLoop loop;
   for (int i = 0; i < range.size; ++i) {
@@ -121,7 +121,7 @@ BlockLoop loop_of(const Cover& cover, const SlotRange& range) {
   return loop;
 }
 
-// Points find their blocks by where they lie; elements give theirs the material.
+// Blocks from the loops of a cover. Points find their blocks by position; elements give theirs the material.
 class BlocksOfCover {
  public:
   explicit BlocksOfCover(const Cover& cover) : cover_(cover) { blocks_.place = cover.place; }

@@ -1,4 +1,4 @@
-// Looks for the starts of comments as each kind of format has them.
+// Finds the starts of comments for each kind of format.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/dropped_comments.hpp"
 
@@ -26,7 +26,7 @@ std::size_t behind(std::string_view text, std::string_view mark, std::size_t at)
   return found == std::string_view::npos ? text.size() : found + mark.size();
 }
 
-// As in C++, outside of strings.
+// Comments are those of C++, outside of strings.
 Offsets in_json(std::string_view text) {
   Offsets starts;
   bool is_string = false;

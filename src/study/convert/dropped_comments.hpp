@@ -1,4 +1,4 @@
-// Comments of a file that its conversion leaves behind: no reader keeps them.
+// Counts comments that the conversion of a file drops: no reader keeps them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace keyblock::study {
 
-/// How many comments the file has, as a warning at the first; nothing where it has none, or its format knows none.
+/// Returns the number of comments as a warning at the first; empty without comments, or if the format has none.
 std::optional<Warning> dropped_comments(const formats::FileReading& file);
 
 }  // namespace keyblock::study

@@ -1,4 +1,4 @@
-// What a conversion could not carry over: two contents compared item by item, as case files of all they hold.
+// Lists the losses of a conversion: compares two contents item by item, as full case files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,19 +10,20 @@
 
 namespace keyblock::study {
 
-/// One kind of item that is not in the target, or not as it was.
+/// One kind of item that is missing or changed in the target.
 struct Loss {
   std::string item;      ///< "drawing.bolts[].stiffness", as a case file names it
-  int times = 0;         ///< how many such items
-  std::string sentence;  ///< what became of the first: "3 → nothing"
+  int times = 0;         ///< number of such items
+  std::string sentence;  ///< change of the first: "3 → nothing"
 
   bool operator==(const Loss&) const = default;
 };
 
-/// In the order of the case file. The dialect of an analysis is no item: it is what is converted.
+/// Returns the losses in the order of the case file. The dialect of an analysis is not an item, because conversion is
+/// meant to change it.
 std::vector<Loss> losses(const formats::Content& original, const formats::Content& converted);
 
-/// What a view, from which nothing can be read back, leaves out.
+/// Returns the items left out by a view, from which nothing can be read back.
 std::vector<Loss> losses(const formats::Content& original, const formats::LeftOut& left_out);
 
 }  // namespace keyblock::study

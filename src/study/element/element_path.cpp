@@ -1,4 +1,4 @@
-// Paths, and strains under prescribed stress step by step; see element_path.hpp.
+// Builds paths, and computes strains under prescribed stress step by step; see element_path.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/element/element_path.hpp"
 
@@ -21,11 +21,11 @@ constexpr std::array<std::string_view, 4> kStrains{"exx", "eyy", "gxy", "ezz"};
 constexpr std::array<std::string_view, 4> kStresses{"sxx", "syy", "sxy", "szz"};
 constexpr std::array<std::string_view, 5> kRegions{"elastic", "plane", "edge", "apex", "tension"};
 
-// Of the stress at hand: what prescribed stresses may be missed by.
+// Tolerance of prescribed stresses, relative to the current stress.
 constexpr double kReached = 1e-12;
 constexpr int kMostTries = 60;
 constexpr double kLeastPart = 1.0 / 1024;
-// Of the greatest pivot of a tangent, below which a direction bears nothing more.
+// Fraction of the greatest pivot of a tangent, below which a direction has no stiffness.
 constexpr double kNoStiffness = 1e-10;
 
 struct Step {
@@ -33,7 +33,7 @@ struct Step {
   Response response;
 };
 
-/// The free components of a leg.
+/// Returns the free components of a leg.
 std::vector<int> stressed(const ElementLeg& leg) {
   std::vector<int> free;
   for (int i = 0; i < 4; ++i)
@@ -55,7 +55,7 @@ std::optional<Step> solved(const YieldLaw& law, const YieldState& before, const 
     return missing;
   };
   step.response = respond(law, step.increment, before, size);
-  // What the strains alone would make of elastic rock is the scale where the answer itself is no stress.
+  // The stress of elastic rock under the strains alone is the scale if the resulting stress is zero.
   double scale = std::max((law.modulus() * before.elastic).norm(), (law.modulus() * step.increment).norm());
   for (const int i : free) scale = std::max(scale, std::abs(wanted(i)));
   Eigen::VectorXd missing = missing_of(step.response);
@@ -95,7 +95,7 @@ class Element {
 
   const ElementPoint& now() const { return now_; }
 
-  /// A share of the way to the end of the leg from where it `began`; false where no strain bears the stress.
+  /// Goes a fraction of the way to the end of the leg from `began`; returns false if no strain gives the stress.
   bool go(const ElementLeg& leg, const ElementPoint& began, double from, double to, double part) {
     while (from < to) {
       const double end = std::min(to, from + part);

@@ -1,4 +1,5 @@
-// A single element driven along a path of strains and stresses: the answer of a material alone.
+// Drives a single element along a path of strains and stresses, to show the response of a material alone. Theory:
+// docs/theory/09-plasticity.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,13 +13,13 @@
 
 namespace keyblock::study {
 
-/// What a component of the element is brought to by the end of a leg.
+/// Target of a component of the element at the end of a leg.
 struct DrivenComponent {
   bool is_stress = false;
   double target = 0;
 };
 
-/// From where the leg before ended, each component in proportion: xx, yy, xy (strain 2xy), zz.
+/// Leg from the end of the last one, each component in proportion: xx, yy, xy (strain 2xy), zz.
 using ElementLeg = std::array<DrivenComponent, 4>;
 
 struct ElementPath {
@@ -26,18 +27,18 @@ struct ElementPath {
   std::vector<ElementLeg> legs;
 };
 
-/// Of the strains that a path may ask for: far beyond the small strain that an element answers to.
+/// Largest strain of a path: far beyond the small strain to which an element responds.
 inline constexpr double kGreatestStrain = 10;
 
 enum class NamedPath { uniaxial, triaxial, biaxial, oedometer, shear };
 
-/// The path of a test of rock: yy is brought to each of `targets` in turn (of `shear`: 2xy). uniaxial: nothing presses
-/// the sides; triaxial: `confining` presses all sides, before and all along; biaxial: it presses two, and zz keeps its
-/// strain; oedometer and shear: the sides keep their strain.
+/// Returns the path of a rock test: yy goes to each of `targets` in turn (`shear`: 2xy). uniaxial: no pressure on the
+/// sides. triaxial: `confining` acts on all sides, before and throughout. biaxial: it acts on two sides, and zz keeps
+/// its strain. oedometer and shear: the sides keep their strain.
 ElementPath named_path(NamedPath name, const std::vector<double>& targets, double confining);
 
-/// Rows are ends of legs; columns, in any order, exx or sxx, eyy or syy, gxy or sxy, ezz or szz. A component without a
-/// column keeps its strain. Throws InputError for other columns, both of one component, or no row.
+/// Reads a path. Rows are ends of legs; columns, in any order, are exx or sxx, eyy or syy, gxy or sxy, ezz or szz. A
+/// component without a column keeps its strain. Throws InputError for other columns, both of one component, or no row.
 ElementPath read_path(const formats::CsvTable& table);
 
 struct ElementPoint {
@@ -50,15 +51,15 @@ struct ElementPoint {
 
 struct ElementCurve {
   std::vector<ElementPoint> points;
-  /// Why it ends early: no strain bears the stress asked for, or the answer is not a finite number. Empty: it does not.
+  /// Reason of an early end: no strain gives the requested stress, or the response is not finite. Empty: no early end.
   std::string failure;
 };
 
-/// `steps` a leg. A step's strains under prescribed stresses by Newton's method with the law's tangent, the least of
-/// those that a plateau leaves free; a step that finds none is halved down to 1/1024.
+/// Drives the path with `steps` per leg. Newton's method with the law's tangent finds the strains under prescribed
+/// stress. If a plateau leaves several, it takes the least. A step without a solution is halved down to 1/1024.
 ElementCurve drive(const YieldLaw& law, const ElementPath& path, int steps, double size);
 
-/// leg, exx, eyy, gxy, ezz, sxx, syy, sxy, szz, s1, s2, s3, kappa, plastic_work, region.
+/// Returns the columns leg, exx, eyy, gxy, ezz, sxx, syy, sxy, szz, s1, s2, s3, kappa, plastic_work, region.
 std::string element_csv(const ElementCurve& curve, const Units& units = {});
 
 }  // namespace keyblock::study

@@ -1,4 +1,4 @@
-// Breaks on a grid, then all unknowns at once; see curve_fit.hpp.
+// Searches breaks on a grid, then fits all unknowns at once; see curve_fit.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/fit/curve_fit.hpp"
 
@@ -19,12 +19,12 @@ namespace keyblock::study {
 namespace {
 
 constexpr std::size_t kFewestCurvePoints = 8;
-// Points on either side of a break.
+// Least number of points on either side of a break.
 constexpr std::size_t kFewestOfPart = 2;
-// Breaks tried of each kind: of curves with more points every so many.
+// Greatest number of breaks of each kind tried; curves with more points skip some.
 constexpr std::size_t kMostBreaksTried = 60;
 constexpr int kMostFitRounds = 200;
-// Of the greatest stress: what counts as no residual when kinds of curves are compared.
+// Residual, relative to the greatest stress, that counts as zero in the comparison of kinds of curves.
 constexpr double kExactFit = 1e-9;
 constexpr double kSettledFit = 1e-12;
 
@@ -32,7 +32,7 @@ struct CurveKind {
   bool has_closure = false;
   bool has_plateau = false;
 
-  /// Unknowns: E2, E1 and ε_c of a closure, strength of a plateau.
+  /// Returns the number of unknowns: E2, E1 and ε_c of a closure, strength of a plateau.
   int count() const { return 1 + (has_closure ? 2 : 0) + (has_plateau ? 1 : 0); }
 };
 
@@ -62,7 +62,7 @@ struct CurveUnknown {
   }
 };
 
-/// GSL ends the program at its errors unless it is told not to.
+/// Turns off the error handler of GSL, which would end the program.
 class QuietGsl {
  public:
   QuietGsl() : before_(gsl_set_error_handler_off()) {}
@@ -119,7 +119,7 @@ double squares(const MeasuredPairs& m, const BilinearCurve& curve) {
   return sum;
 }
 
-/// The moduli of least squares between breaks at `closed` and `yielded`.
+/// Returns the least-squares moduli between breaks at `closed` and `yielded`.
 BilinearCurve with_breaks(const MeasuredPairs& m, CurveKind kind, double closed, double yielded) {
   const auto rows = static_cast<Eigen::Index>(m.x.size());
   Eigen::MatrixXd a(rows, kind.has_closure ? 2 : 1);
@@ -199,7 +199,7 @@ std::optional<FittedCurve> fitted(const MeasuredPairs& m, CurveKind kind) {
   gsl_multifit_nlinear_driver(kMostFitRounds, kSettledFit, kSettledFit, kSettledFit, nullptr, nullptr, &why,
                               work.get());
   BilinearCurve end = problem.unknown.curve(gsl_multifit_nlinear_position(work.get()));
-  // Breaks may send it astray; the start is then the better curve, and errors are those there.
+  // Breaks may mislead the iteration; the start is then the better curve, and errors are those there.
   if (!is_usable(end, kind, m) || squares(m, end) > squares(m, *start)) {
     end = *start;
     gsl_multifit_nlinear_init(&first.vector, &functions, work.get());
@@ -218,8 +218,8 @@ std::optional<FittedCurve> fitted(const MeasuredPairs& m, CurveKind kind) {
   return f;
 }
 
-/// Schwarz's criterion of least squares, n ln(Σ r²/n) + k ln n. The place of a break counts three times: the best of
-/// many places lowers Σ r² by more than one unknown does (Ninomiya 2015).
+/// Returns Schwarz's criterion of least squares, n ln(Σ r²/n) + k ln n. The place of a break counts three times: the
+/// best of many places reduces Σ r² by more than one unknown does (Ninomiya 2015).
 double criterion(const FittedCurve& f, const MeasuredPairs& m) {
   const auto n = static_cast<double>(m.x.size());
   const double k = f.kind.count() + (f.kind.has_closure ? 2 : 0);

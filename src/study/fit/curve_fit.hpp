@@ -1,4 +1,4 @@
-// The bilinear elasto-plastic curve of uniaxial compression, fitted to a measured one.
+// Fits the bilinear elastoplastic curve of uniaxial compression to a measured one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace keyblock::study {
 
-/// σ = E1 ε up to the closure strain, E1 ε_c + E2 (ε - ε_c) beyond, no more than the strength; compression positive.
+/// Curve σ = E1 ε up to the closure strain, E1 ε_c + E2 (ε - ε_c) beyond, at most the strength; compression positive.
 struct BilinearCurve {
   double initial_modulus = 0;
   double youngs_modulus = 0;
@@ -19,7 +19,7 @@ struct BilinearCurve {
   double stress(double strain) const;
 };
 
-/// What a measured curve shows. Without closure there is one modulus, without a plateau no strength.
+/// Parameters of a measured curve. Without closure there is one modulus, without a plateau no strength.
 struct CurveFit {
   Found youngs_modulus;
   std::optional<Found> initial_modulus;
@@ -31,11 +31,11 @@ struct CurveFit {
 
 enum class CompressionSign { found, positive, negative };
 
-/// Least squares of stress. Whether the curve shows closure, and a plateau, is told by the least criterion of Schwarz
-/// (1978) among the four kinds of curve; a break has at least two points
-/// on either side. The start of each kind is the best of a grid of breaks, for which the rest is linear; then GSL's
-/// trust region of Levenberg and Marquardt. Standard errors from the Jacobian at the end. Throws InputError for fewer
-/// than 8 points, strains that do not increase, stress and strain of opposite signs, or a curve that does not rise.
+/// Fits by least squares of stress. Four kinds of curve are tried, with or without closure and plateau; a break has at
+/// least two points on either side. The least criterion of Schwarz (1978) selects among them. Each kind starts from the
+/// best of a grid of breaks, for which the rest is linear. GSL's trust region of Levenberg and Marquardt follows.
+/// Standard errors come from the final Jacobian. Throws InputError for fewer than 8 points, strains that do not
+/// increase, stress and strain of opposite signs, or a curve that does not rise.
 CurveFit fit_curve(MeasuredPairs curve, CompressionSign sign);
 
 }  // namespace keyblock::study

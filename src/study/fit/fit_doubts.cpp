@@ -1,4 +1,4 @@
-// Means of neighbours, which noise leaves small.
+// Compares means of neighbouring values, which suppress noise.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/fit/fit_doubts.hpp"
 
@@ -15,7 +15,7 @@ constexpr double kOneSided = 0.05;       // of the greatest value
 constexpr double kFall = 0.1;            // of the peak
 constexpr std::size_t kFewNeighbours = 3;
 
-/// Of every `count` neighbouring values.
+/// Returns the means of every `count` neighbouring values.
 std::vector<double> means(const std::vector<double>& values, std::size_t count) {
   std::vector<double> found;
   for (std::size_t i = 0; i + count <= values.size(); ++i) {

@@ -1,4 +1,4 @@
-// Headings or none, and Student's t; see measured.hpp.
+// Reads tables with or without headings, and applies Student's t; see measured.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/fit/measured.hpp"
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kConfidence = 0.95;
 
-// As the rows below are read.
+// Cells are numbers by the same test as in the rows below.
 bool is_number(const std::string& cell) {
   return formats::parse_real(cell).has_value();
 }
@@ -46,7 +46,7 @@ bool is_known_unit(const std::string& text) {
   return text == "%" || text == "‰" || unit_named(text).has_value();
 }
 
-// "MPa" of "Stress (axial) [MPa]" and of "Stress (MPa)": what round brackets hold need not be a unit.
+// Returns "MPa" from "Stress (axial) [MPa]" and from "Stress (MPa)": text in round brackets need not be a unit.
 std::string unit_of(const std::string& heading) {
   const auto within = [&](char open, char close) {
     const std::size_t from = heading.rfind(open), to = heading.rfind(close);

@@ -1,4 +1,4 @@
-// Measurements of rock in a table: two columns of numbers, and what a fit says of one number found from them.
+// Reads measurements of rock from a table, two columns of numbers, and states the accuracy of fitted numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,13 +10,13 @@
 
 namespace keyblock::study {
 
-/// Two columns of equal length, and the line of the file of each row.
+/// Two columns of equal length, and the line in the file of each row.
 struct MeasuredPairs {
   std::string file;
   std::vector<double> x;
   std::vector<double> y;
   std::vector<int> lines;
-  std::string x_unit = {};  ///< as its heading has it in brackets, "MPa" of "s3 [MPa]"; empty: none
+  std::string x_unit = {};  ///< as in brackets in its heading, "MPa" of "s3 [MPa]"; empty: no unit
   std::string y_unit = {};
 };
 
@@ -26,24 +26,24 @@ struct MeasuredColumn {
   std::string unit;
 };
 
-/// The column whose heading begins with this word, upper or lower case. Throws InputError where there is none or more
-/// than one, or for what is not a finite number.
+/// Returns the column whose heading begins with this word in any case. Throws InputError if there is not exactly one,
+/// or for a cell that is not a finite number.
 MeasuredColumn read_column(const formats::CsvTable& table, std::string_view word);
 
-/// Columns whose headings begin with these words, upper or lower case; of a table without headings the two there are.
-/// Throws InputError for other columns, or for what is not a finite number.
+/// Returns the columns whose headings begin with these words in any case; without headings, the only two columns.
+/// Throws InputError for other columns, or for a cell that is not a finite number.
 MeasuredPairs read_pairs(const formats::CsvTable& table, std::string_view x, std::string_view y);
 
-/// What 1 in a column of strain is: 0.01 of "%", 1e-3 of "mm/m", 1 without a unit. Throws InputError for a unit that
-/// strain does not have.
+/// Returns the strain of a value 1 in its column: 0.01 for "%", 1e-3 for "mm/m", 1 without a unit. Throws InputError
+/// for a unit that strain cannot have.
 double strain_factor(const MeasuredPairs& curve);
 
-/// The unit of stress of the second column, and of the first where `both` are stresses; empty without one. Throws
-/// InputError for a unit that stress does not have, or two different ones.
+/// Returns the unit of stress of the second column, and of the first if `both` are stresses; empty without one. Throws
+/// InputError for a unit that stress cannot have, or two different ones.
 std::string stress_unit(const MeasuredPairs& pairs, bool both);
 
-/// A number found by least squares. The interval holds it with a confidence of 95 % (Student's t), if the model is
-/// right and errors are independent; it is infinite where as many numbers are sought as measured.
+/// Number found by least squares. The interval contains it with a confidence of 95 % (Student's t), if the model is
+/// right and errors are independent. It is infinite if as many numbers are sought as measured.
 struct Found {
   double value = 0;
   double standard_error = 0;
@@ -52,7 +52,7 @@ struct Found {
 };
 Found found(double value, double standard_error, int degrees_of_freedom);
 
-/// How well a fit agrees.
+/// Agreement of a fit with the measurements.
 struct Agreement {
   std::vector<double> fitted;  ///< y of each pair
   double rms = 0;              ///< √(Σ r² / n)

@@ -1,4 +1,4 @@
-// A line and what its slope and intercept mean; see strength_fit.hpp.
+// Fits a line and interprets its slope and intercept; see strength_fit.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/fit/strength_fit.hpp"
 

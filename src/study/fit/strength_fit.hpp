@@ -1,4 +1,4 @@
-// Cohesion and friction of Mohr and Coulomb, fitted to strengths under several confining pressures.
+// Fits the cohesion and friction of Mohr and Coulomb to strengths under several confining pressures.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace keyblock::study {
 
-/// σ1 = N σ3 + q at failure, compression positive, N = (1 + sin φ)/(1 - sin φ), q = 2 c √N.
+/// Fit of σ1 = N σ3 + q at failure, compression positive, N = (1 + sin φ)/(1 - sin φ), q = 2 c √N.
 struct StrengthFit {
   Found ratio;                 ///< N
   Found compressive_strength;  ///< q
@@ -15,9 +15,9 @@ struct StrengthFit {
   Agreement agreement;
 };
 
-/// Linear least squares of σ1 (`y`) over σ3 (`x`); errors of c and φ by those of N and q, to first order. Throws
-/// InputError for fewer than 2 tests, all under one pressure, σ1 below σ3, or a line that no cohesion and friction
-/// have.
+/// Fits σ1 (`y`) over σ3 (`x`) by linear least squares; errors of c and φ follow from those of N and q to first order.
+/// Throws InputError for fewer than 2 tests, a single pressure, σ1 below σ3, or a line without valid cohesion and
+/// friction.
 StrengthFit fit_strength(const MeasuredPairs& tests);
 
 }  // namespace keyblock::study

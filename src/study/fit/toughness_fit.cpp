@@ -1,4 +1,4 @@
-// Columns in SI, a formula a row, mean and scatter; see toughness_fit.hpp.
+// Reads columns in SI, applies a formula per row, and computes mean and scatter; see toughness_fit.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/fit/toughness_fit.hpp"
 
@@ -17,13 +17,13 @@ namespace {
 constexpr double kMega = 1e6;
 constexpr double kSameProportion = 1e-9;  // of lengths that are written with decimals
 
-/// Lengths and loads of a table, in SI where they have units.
+/// Lengths and loads of a table, in SI if they have units.
 class Specimens {
  public:
   explicit Specimens(const formats::CsvTable& table) : table_(table) {}
 
   std::vector<double> lengths(std::string_view word) { return column(word, kLengthDimension, "length, such as mm"); }
-  /// Read last: all columns have units then, or none has.
+  /// Reads the loads, last of all columns: by then either all columns have units or none.
   std::vector<double> loads() {
     std::vector<double> read = column("load", kForceDimension, "force, such as kN");
     if (with_unit_ > 0 && without_unit_ > 0)
@@ -32,7 +32,7 @@ class Specimens {
   }
   bool have_units() const { return with_unit_ > 0; }
 
-  /// Refuses a specimen whose proportion lies elsewhere.
+  /// Rejects a specimen whose proportion is outside the range.
   void require(std::size_t row, const char* what, double found, double low, double high) const {
     if (found >= low * (1 - kSameProportion) && found <= high * (1 + kSameProportion)) return;
     throw InputError({table_.name, table_.rows[row].line, 1},

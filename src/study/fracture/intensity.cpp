@@ -1,4 +1,4 @@
-// A run without observers, and the integrals about its tips.
+// Runs the case without observers and evaluates the integrals about its tips.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/fracture/intensity.hpp"
 
@@ -19,7 +19,7 @@
 namespace keyblock::study {
 namespace {
 
-constexpr double kFarApart = 0.03;  // of |K|, between treatments: as much as domains may differ
+constexpr double kFarApart = 0.03;  // of |K|, between treatments: the same limit as between domains
 
 GrowthCriterion criterion_of(const Problem& problem) {
   return problem.covers && problem.covers->growth ? problem.covers->growth->criterion : GrowthCriterion::hoop_stress;
@@ -73,10 +73,10 @@ CaseIntensity intensity_by_one(ConfiguredCase made) {
   return result;
 }
 
-// Of the room about the narrowest tip: K within 0.3 % by functions, within 0.7 % by bisection.
+// Sides per room around the narrowest tip: K within 0.3 % by functions, within 0.7 % by bisection.
 constexpr double kSidesWithFunctions = 8, kSidesWithout = 320;
 
-/// The case with the other treatment of its tips.
+/// Returns the case with the other treatment of its tips.
 ConfiguredCase with_other_treatment(ConfiguredCase made, const CaseIntensity& found) {
   double room = found.tips.front().report.tip.room;
   for (const TipAtEnd& tip : found.tips) room = std::min(room, tip.report.tip.room);

@@ -1,4 +1,5 @@
-// The stress intensity of every tip of a case at the end of its run.
+// Computes the stress intensity factors of every tip of a case at the end of its run. Theory:
+// docs/theory/10-fracture.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,45 +14,44 @@
 
 namespace keyblock::study {
 
-/// The same tip by the other treatment: near-tip functions in place of a mesh bisected towards it, or that in place of
-/// functions.
+/// Same tip by the other treatment: near-tip functions instead of a mesh bisected towards it, or the reverse.
 struct OtherTreatment {
   double side = 0;  ///< of the mesh at the tip
   std::optional<TipFactors> factors;
 };
 
-/// A tip, and how near it is to going on.
+/// Tip at the end of a run, and the kink in which it would extend.
 struct TipAtEnd {
   TipReport report;
   Kink kink;
-  std::optional<double> toughness;  ///< K_Ic of the rock there; none: its material has none
+  std::optional<double> toughness;  ///< K_Ic of the rock there; empty if its material has none
   std::optional<OtherTreatment> other = {};
 };
 
-/// Whether both treatments found factors.
+/// Returns true if both treatments found stress intensity factors.
 bool has_both(const TipAtEnd& tip);
-/// Of two treatments, how far they are apart over |K| by the case's own.
+/// Returns the difference of the two treatments over |K| of the case's own.
 StressIntensity difference(const TipAtEnd& tip);
-/// Why the factors of a tip cannot be trusted, in words: of the domains, then of the two treatments; empty where
-/// nothing speaks against them.
+/// Explains why the factors of a tip are unreliable: by their domains, then by the two treatments. Empty if nothing
+/// speaks against them.
 std::string doubt_of(const TipAtEnd& tip);
 
 struct CaseIntensity {
   std::vector<TipAtEnd> tips;
   int unknowns = 0;
   double time = 0;             ///< at the end
-  bool is_in_motion = false;   ///< in time; else an equilibrium
-  std::string failure;         ///< why the run did not reach its end; empty where it did
-  bool has_functions = false;  ///< the case asks for near-tip functions
+  bool is_in_motion = false;   ///< dynamic; otherwise an equilibrium
+  std::string failure;         ///< reason why the run did not reach its end; otherwise empty
+  bool has_functions = false;  ///< the case requests near-tip functions
   int other_unknowns = 0;      ///< of the other treatment
-  std::string no_other;        ///< why there is none; empty where there is
+  std::string no_other;        ///< reason for its absence; otherwise empty
   Warnings warnings;
 };
 
-/// Steps the case to its end and takes the integrals there; growth of its cracks is left out. Then the same with the
-/// other treatment of tips, where that can be: near-tip functions on sides of an eighth of the room about the narrowest
-/// tip, or none on sides of 1/320 of it. Throws InputError for a case without bodies on covers or without a tip in
-/// them, and as `prepared_case`.
+/// Steps the case to its end without crack growth, and evaluates the integrals there. If possible, repeats it with the
+/// other treatment of tips. This is near-tip functions on sides of an eighth of the room around the narrowest tip, or
+/// no functions on sides of 1/320 of it. Throws InputError for a case without NMM bodies or without a tip in them, and
+/// as `prepared_case`.
 CaseIntensity intensity_at_end(const ConfiguredCase& made);
 
 }  // namespace keyblock::study

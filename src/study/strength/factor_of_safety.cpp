@@ -1,4 +1,4 @@
-// Which factor is tried next, and what the trials so far say.
+// Chooses the next factor to try and draws conclusions from the trials so far.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/strength/factor_of_safety.hpp"
 
@@ -18,15 +18,16 @@ namespace keyblock::study {
 namespace {
 
 constexpr double kDown = 0.8;
-constexpr double kFarthest = 16;  // times the first factor, or its part
-// Of half the scene's extent: displacements below it are none, as those of rigid blocks are.
+constexpr double kFarthest = 16;  // times the first factor, or divided by it
+// Fraction of half the scene's extent below which displacements count as zero, as for rigid blocks.
 constexpr double kNoDisplacement = 1e-5;
-// Of the same: what has come so far has slid, and stands where it lies; a reference for the knee is sought below. Where
-// trials down to a share of the factor come nearly as far it is softness, not slip.
+// Tests whether a case has slid to a new equilibrium, so that a reference for the knee is sought below. kSlid is a
+// fraction of half the scene's extent. If trials down to kWeakest of the factor move at least kAsFar as much, the cause
+// is softness, not slip.
 constexpr double kSlid = 0.01;
 constexpr double kAsFar = 0.95;
 constexpr double kWeakest = 0.45;
-// Least limit of a trial. One of a slope of 20 blocks near its factor took 34,000 systems before it was decided.
+// Least limit of a trial. One of a slope of 20 blocks near its factor took 34,000 linear systems before it was decided.
 constexpr long long kFewestSystems = 100'000;
 constexpr long long kTimesLongest = 10;
 
@@ -39,7 +40,7 @@ class FactorSearch {
     most_ = options.to.value_or(std::max(1.0, first_) * kFarthest);
   }
 
-  /// Blocks that are to be left out before the factor of the others can be found; the search ended there.
+  /// Returns the blocks to leave out before the factor of the others can be found; the search ended there.
   const std::vector<int>& loose() const { return loose_; }
 
   FactorOfSafety run() {
@@ -79,8 +80,8 @@ class FactorSearch {
     if (options_.seeks_knee && service.is_closed() && *service.falls < *bracket_of(verdict_).stands) bisect(service_);
   }
 
-  /// Goes down while the trial at `first`, though in equilibrium, is one of a case that slid before it found that. What
-  /// that trial is then.
+  /// Tries smaller factors while the equilibrium at `first` was reached only after a slide. Returns the verdict of that
+  /// trial afterwards.
   Verdict seek_reference(double first) {
     const double far = kSlid * trials_.prepared().scene.model.scale;
     double displacement = made_.at(first).told.displacement;
@@ -95,11 +96,11 @@ class FactorSearch {
 
   using Sign = std::function<Verdict(const StrengthTrial&)>;
 
-  // False where a trial is undecided.
+  // Returns false if a trial is undecided.
   bool bisect(const Sign& sign) {
     for (Bracket at = bracket_of(sign); at.width() > options_.within * (1 + 1e-9); at = bracket_of(sign)) {
       const double middle = at.middle();
-      if (middle <= *at.stands || middle >= *at.falls) return true;  // no number lies between
+      if (middle <= *at.stands || middle >= *at.falls) return true;  // no floating-point number lies between them
       if (made_at(middle) == Verdict::undecided) return false;
     }
     return true;
@@ -162,7 +163,7 @@ class FactorSearch {
     }
   }
 
-  // The states of trials that nothing will ask for again are large.
+  // States are large, so that those of trials no longer needed are dropped.
   void forget() {
     const Bracket at = bracket_of(verdict_);
     for (auto& [factor, made] : made_) {
@@ -210,14 +211,14 @@ class FactorSearch {
   Trials made_;
   std::vector<double> order_;
   std::optional<double> last_;      ///< largest factor that stands
-  std::optional<double> previous_;  ///< and the one before it was found
+  std::optional<double> previous_;  ///< largest one before `last_` was found
   std::vector<int> loose_;
   FactorOfSafety result_;
   Sign verdict_ = [](const StrengthTrial& told) { return told.verdict; };
   Sign service_ = [](const StrengthTrial& told) { return told.is_past_knee ? Verdict::falls : told.verdict; };
 };
 
-/// With what is known on either side of the trial that was not decided.
+/// Names the reason, and the known results on either side of the undecided trial.
 std::string why_undecided(const FactorOfSafety& result) {
   const StrengthTrial& last = result.trials.back();
   const Bracket& at = result.bracket;

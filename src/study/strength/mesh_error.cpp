@@ -1,4 +1,4 @@
-// One more search, from the factor found.
+// Makes one more search on a coarser mesh, from the factor found.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/strength/mesh_error.hpp"
 
@@ -50,7 +50,7 @@ MeshError mesh_error(const StrengthTrials& trials, const FactorOfSafety& found, 
     MeshError error = none("the search on a coarser mesh is stopped");
     error.is_stopped = true;
     return error;
-  } catch (const std::exception& error) {  // the factor that was found is not lost
+  } catch (const std::exception& error) {  // the factor found is not lost
     return none(fmt::format("no coarser mesh can be made ({})", error.what()));
   }
 }

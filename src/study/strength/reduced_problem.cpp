@@ -1,4 +1,4 @@
-// Materials one by one; see reduced_problem.hpp.
+// Reduces materials one by one; see reduced_problem.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/strength/reduced_problem.hpp"
 
@@ -20,7 +20,7 @@ bool has_strength(const JointMaterial& joint) {
   return joint.friction_angle_deg > 0 || joint.cohesion > 0 || joint.tensile_strength > 0;
 }
 
-// Places in the list of the materials that are not exempt.
+// Returns the places in the list of materials that are not exempt.
 template <class Material>
 std::vector<std::size_t> not_exempt(const std::vector<Material>& materials, const std::set<int>& exempt) {
   std::vector<std::size_t> places;
@@ -55,7 +55,7 @@ Problem with_reduced_strength(Problem problem, Reduced what, const Exempt& exemp
 }
 
 void require_strength(const Problem& problem, Reduced what, const Exempt& exempt) {
-  if (!problem.analysis) return;  // said when it is prepared
+  if (!problem.analysis) return;  // reported during preparation
   const Analysis& analysis = *problem.analysis;
   const auto refuse = [&](const char* expected) {
     throw InputError(analysis.place,

@@ -1,4 +1,4 @@
-// A problem with the strength of its joints, of its rock, or of both divided by a factor.
+// Divides the strength of joints, of rock, or of both by a factor.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,16 +8,16 @@
 
 namespace keyblock::study {
 
-/// Divides c, tan φ and tensile strength of the joint materials by `factor` > 0, and reduces the strengths of the block
-/// materials as `reduced` (material/reduced_strength.hpp) says. Exempt materials stay. If there are exempt regions, all
-/// materials follow once more as they were, in their order, for what lies in them.
+/// Divides c, tan φ and tensile strength of the joint materials by `factor` > 0. Strengths of block materials are
+/// reduced by `reduced` (material/reduced_strength.hpp). Exempt materials stay. If there are exempt regions, unreduced
+/// copies of all materials follow in their order, for elements inside them.
 Problem with_reduced_strength(Problem problem, Reduced what, const Exempt& exempt, double factor);
 
-/// Throws InputError if there is nothing to reduce: no block material has a strength, or no joint material has any, but
-/// for exempt ones.
+/// Throws InputError if there is nothing to reduce: except for exempt ones, no block material or no joint material has
+/// a strength.
 void require_strength(const Problem& problem, Reduced what, const Exempt& exempt);
 
-/// Whether rock that is reduced flows with ψ < φ.
+/// Returns true if reduced rock flows with ψ < φ.
 bool flows_below_friction(const Problem& problem, Reduced what, const Exempt& exempt);
 
 }  // namespace keyblock::study

@@ -1,4 +1,4 @@
-// Settings of statics, steps until something fails, what is kept for pictures.
+// Sets up statics, steps until a failure, and keeps states for pictures.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/strength/strength_trial.hpp"
 
@@ -23,10 +23,10 @@
 namespace keyblock::study {
 namespace {
 
-// Parts in which the loads of a case of motion come on where its rock may yield.
+// Greatest number of load increments that replace the steps of a dynamic case with NMM bodies.
 constexpr int kLoadParts = 10;
 // Halvings of a load step before a trial falls: the factor is bisected, not the load. Two of them take three times the
-// rounds and leave the factors of legacy_cases/strength_reduction where they are.
+// iterations and do not change the factors of legacy_cases/strength_reduction.
 constexpr int kLoadCuts = 0;
 
 bool is_constant(const TimeCurve& curve) {
@@ -44,7 +44,7 @@ bool is_on_covers(const Problem& problem) {
   return problem.covers || std::holds_alternative<Cover>(problem.geometry);
 }
 
-// Of blocks that are no slivers: one that drops into a gap says nothing of the others.
+// Slivers are left out: one that drops into a gap is not representative of the others.
 double largest_displacement(const Stepper& stepper, const State& state) {
   const Model& model = stepper.model();
   double most = 0;
@@ -76,7 +76,7 @@ double area_of(const Blocks& blocks) {
   return sum;
 }
 
-// Without some, which carry nothing; what the others carry follows them.
+// Returns the blocks without some, which carry nothing; points and bolts follow the new numbers.
 Blocks without(const Blocks& whole, const std::vector<int>& left_out) {
   Blocks rest = whole;
   rest.blocks.clear();
@@ -96,7 +96,7 @@ Blocks without(const Blocks& whole, const std::vector<int>& left_out) {
   return rest;
 }
 
-// Stress is that of the state before.
+// The stress is that of the last accepted state.
 FieldFrame field_at(FieldFrame field, const Stepper& stepper, const State& state) {
   for (const ElementIndex e : indices(stepper.model().elements)) {
     FieldElement& out = field.elements[static_cast<std::size_t>(e.value)];
@@ -122,7 +122,7 @@ StrengthState state_of(const Stepper& stepper) {
   return state;
 }
 
-/// Steps to the end of the scene, or to the first that fails.
+/// Steps to the end of the scene, or to the first failure.
 TrialOutcome stepped(std::unique_ptr<Stepper> stepper) {
   TrialOutcome made;
   while (stepper->state().step < stepper->settings().step_count && !stepper->is_done()) {
@@ -184,7 +184,7 @@ StrengthTrials::StrengthTrials(ConfiguredCase made, Reduced what, Exempt exempt)
       put_setting(made_.overrides, "steps", fmt::format("{}", steps));
     }
   }
-  // Of elastic rock: the same at every factor.
+  // The rock is elastic here, so that the mesh is the same at every factor.
   MeshByError found = with_mesh_found(made_.problem, made_.profile.name, made_.overrides);
   made_.problem = found.problem;
   ExemptCount held;
@@ -295,7 +295,7 @@ TrialOutcome StrengthTrials::run(double factor, std::optional<long long> most_sy
     return made;
   } catch (const StopRequested&) {
     if (context().is_stopped() || !most_systems || trial.systems() < *most_systems)
-      throw;  // the search, and not this trial alone
+      throw;  // stops the search, not only this trial
     TrialOutcome given_up;
     given_up.told.factor = factor;
     given_up.told.systems = trial.systems();
@@ -308,8 +308,8 @@ TrialOutcome StrengthTrials::decided(double factor) const {
   Scene scene = prepared_at(factor).scene;
   scene.load_cuts = kLoadCuts;
   TrialOutcome made = stepped(stepper_for(std::move(scene)));
-  // Of rock that yields no calculation shows more than that it finds no equilibrium. Where none does, it is contacts
-  // that do not settle, and nothing is decided.
+  // For elastoplastic rock, a search without equilibrium is the only available sign of failure. If no rock yields, the
+  // cause is contact forces that did not converge, and nothing is decided.
   if (made.told.verdict == Verdict::undecided && may_yield() && made.rock_yields) made.told.verdict = Verdict::falls;
   made.told.factor = factor;
   return made;

@@ -1,4 +1,5 @@
-// One run of statics at a factor of strength reduction: whether it stands, and what moves where it does not.
+// Makes one static run at a factor of strength reduction: decides whether it stands, and names moving blocks otherwise.
+// Theory: docs/theory/11-strength-reduction.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,28 +18,28 @@
 
 namespace keyblock::study {
 
-/// undecided: statics came to no end, so that nothing is known of the scene at this factor.
+/// Result of a trial. undecided: statics did not finish, so that nothing is known at this factor.
 enum class Verdict { stands, falls, undecided };
 
-/// A word for tables: "stands".
+/// Returns a word for tables: "stands".
 std::string name_of(Verdict verdict);
 
-/// What a table of trials says of one.
+/// Row of the table of trials.
 struct StrengthTrial {
   double factor = 1;
   Verdict verdict = Verdict::undecided;
-  bool is_balanced = false;   ///< an equilibrium with all loads on was found
-  bool is_far = false;        ///< a body lies too far from the drawing in it: see factor_of_safety.hpp
-  bool is_past_knee = false;  ///< displacements have grown, whether or not it stands: see factor_of_safety.hpp
+  bool is_balanced = false;   ///< an equilibrium under all loads was found
+  bool is_far = false;        ///< a body is too far from the drawing in it: see factor_of_safety.hpp
+  bool is_past_knee = false;  ///< displacements have grown, in equilibrium or not: see factor_of_safety.hpp
   std::string why;            ///< in a sentence, if it does not stand or is past the knee
-  /// Largest of a corner since the start; where there is no equilibrium, at the point where the search was given up.
+  /// Largest displacement of a corner since the start; without an equilibrium, at the end of the search.
   double displacement = 0;
-  CarriedBlock farthest = {};  ///< beside its width, in the equilibrium; without one its way is 0
+  CarriedBlock farthest = {};  ///< relative to its width, in the equilibrium; without one its `way` is 0
   int rounds = 0;              ///< solves of contact forces or Newton iterations
-  long long systems = 0;       ///< linear systems: the cost of the trial, whatever the machine
+  long long systems = 0;       ///< linear systems: machine-independent cost of the trial
 };
 
-/// A state as pictures show it.
+/// State as shown in pictures.
 struct StrengthState {
   Frame frame;
   FieldFrame field;
@@ -47,24 +48,24 @@ struct StrengthState {
 
 struct TrialOutcome {
   StrengthTrial told;
-  StrengthState state;                ///< the last equilibrium
-  std::optional<FieldFrame> attempt;  ///< where a trial that falls had come to, out of balance
-  bool rock_yields = false;           ///< as StepFailure has it, of the step that found no equilibrium
-  std::vector<int> restless = {};     ///< numbers, from 0, of the blocks for which there is none
+  StrengthState state;                ///< last equilibrium
+  std::optional<FieldFrame> attempt;  ///< end of a trial that falls, out of balance
+  bool rock_yields = false;           ///< as in StepFailure, for the step without equilibrium
+  std::vector<int> restless = {};     ///< numbers, from 0, of the blocks without equilibrium
 };
 
-/// A block is loose where it falls by itself and is smaller than this share of the mean area: what `slivers` warns of.
+/// Area relative to the mean below which a block that falls alone is loose: the limit of the `slivers` warning.
 inline constexpr double kLooseArea = kSliverArea;
-/// All that are left out may have this share of the area of all blocks: a tenth of the width of bracket that is sought
-/// unless asked otherwise, so that the weight that goes with them is no more than that to the factor.
+/// Greatest area of all omitted blocks over that of all blocks: a tenth of the default bracket width. The missing
+/// weight then changes the factor by no more than that.
 inline constexpr double kLooseInAll = 1e-3;
 
-/// Makes trials of one problem. Statics of profile `standard`, whatever the case asks for: a case of motion in time
-/// becomes one of equilibrium under its loads, in one step where they do not change (10 on covers).
+/// Makes trials of one problem. Statics of profile `standard` replaces the dynamics of the case: the equilibrium under
+/// its loads is sought. Constant loads take one step (10 with NMM bodies).
 class StrengthTrials {
  public:
-  /// Throws InputError for a problem that cannot be prepared, or has nothing to reduce; std::invalid_argument for a
-  /// profile or an override that is none.
+  /// Prepares the trials. Throws InputError for a problem that cannot be prepared, or has nothing to reduce;
+  /// std::invalid_argument for an invalid profile or override.
   StrengthTrials(ConfiguredCase made, Reduced what, Exempt exempt = {});
 
   const Problem& problem() const { return made_.problem; }
@@ -72,23 +73,23 @@ class StrengthTrials {
   const Exempt& exempt() const { return exempt_; }
   /// Returns true if elastoplastic rock of NMM bodies is reduced, so that the factor depends on their mesh.
   bool depends_on_mesh() const;
-  /// The same trials on a mesh whose sides are `times` as long. Throws InputError if there is no such mesh.
+  /// Returns the same trials on a mesh whose sides are `times` as long. Throws InputError if there is no such mesh.
   StrengthTrials on_coarser_mesh(double times) const;
-  /// As at the factor 1.
+  /// Returns the case at the factor 1.
   const Prepared& prepared() const { return prepared_; }
-  /// Sentences on how the case was changed to be one of statics.
+  /// Returns sentences on the changes that made the case static.
   const std::vector<std::string>& notes() const { return notes_; }
 
-  /// Whether these blocks (numbers from 0), with those left out before, may be left out: blocks of a scene without
-  /// stages that are small by both measures and carry no point and no bolt.
+  /// Returns true if these blocks (numbers from 0), with those already omitted, may be left out. They must belong to a
+  /// scene without stages, be small by both measures, and hold no point and no bolt.
   bool may_leave_out(const std::vector<int>& blocks) const;
-  /// Takes them away; a note says so. The others keep their numbers.
+  /// Removes the blocks, with a note. The others keep their numbers.
   void leave_out(const std::vector<int>& blocks);
   const std::vector<int>& left_out() const { return left_out_; }
 
-  /// From no load. Beginning at the equilibrium of another trial was tried on rock: what stands takes twice as many
-  /// rounds, what falls three times, and where ψ < φ the factor becomes another. Beyond `most_systems` linear systems
-  /// it is given up as undecided. Throws StopRequested.
+  /// Runs a trial from zero load. A start at the equilibrium of another trial was tried on rock. Stable trials then
+  /// take twice as many iterations, unstable ones three times, and the factor changes if ψ < φ. After `most_systems`
+  /// linear systems the trial is given up as undecided. Throws StopRequested.
   TrialOutcome run(double factor, std::optional<long long> most_systems = std::nullopt) const;
 
  private:

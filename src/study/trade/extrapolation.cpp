@@ -1,4 +1,4 @@
-// One order for all values, because single ones may cross zero between two runs.
+// Uses one order for all values, because single ones may cross zero between two runs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/trade/extrapolation.hpp"
 
@@ -11,15 +11,15 @@ namespace {
 
 constexpr double kLeastOrder = 0.4;
 constexpr double kGreatestOrder = 6;
-// The integrators are of first or second order: what three runs show well beyond is terms that cancel.
+// The integrators are of first or second order. A much higher order from three runs shows terms that cancel.
 constexpr double kOrderTrusted = 2;
 constexpr double kOrderOfCancelling = 2.5;
-// Ratio of |coarse - fine| to |middle - fine| at first order, 1 + 2: where differences cancel by chance, the fine run
-// may be as far off.
+// Ratio of |coarse - fine| to |middle - fine| at first order, 1 + 2. If differences cancel by chance, the fine run may
+// be off by this fraction.
 constexpr double kFallOfFirstOrder = 3;
 constexpr double kSame = 1e-12;  // relative: round-off
 
-// The limit of a + b h + c h² from h, h/2 and h/4 (Romberg 1955).
+// Returns the limit of a + b h + c h² from h, h/2 and h/4 (Romberg 1955).
 std::vector<double> without_both_orders(const std::array<std::vector<double>, 3>& values) {
   const auto& [coarse, middle, fine] = values;
   std::vector<double> limit(fine.size());

@@ -1,4 +1,4 @@
-// Frames only where values are asked for, so that what is measured are the steps.
+// Makes frames only where values are needed, so that steps dominate the measured time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/trade/measured_run.hpp"
 
@@ -49,14 +49,14 @@ std::vector<double> displacements(const Frame& frame) {
   return numbers;
 }
 
-// Quantities of all the way, not of an instant.
+// These quantities depend on all steps, not on an instant.
 bool needs_every_step(const std::vector<ExpectedValue>& expected) {
   return std::ranges::any_of(expected, [](const ExpectedValue& e) {
     return e.quantity.starts_with("greatest_") || e.quantity == "converged_share";
   });
 }
 
-// Frames as seldom as meets every expected time; every step where steps differ in size.
+// Returns the largest frame interval that meets every expected time; every step if step sizes vary.
 int frame_interval(const std::vector<ExpectedValue>& expected, const Settings& settings) {
   if (needs_every_step(expected)) return 1;
   if (settings.dynamics == Dynamics::shi && settings.step_control == StepControl::shi) return 1;
@@ -69,7 +69,7 @@ int frame_interval(const std::vector<ExpectedValue>& expected, const Settings& s
   return interval;
 }
 
-/// What a run reads off as it goes; made anew for each timing.
+/// Values that a run reads as it goes; made anew for each timing.
 class Reading {
  public:
   explicit Reading(const StudyCase& chosen) : values_(values_to_find(chosen.expected, "standard")) {}
@@ -111,8 +111,8 @@ void run_scene(const StudyCase& chosen, const Scene& scene, const RunLimits& lim
   measured.values = reading.numbers();
 }
 
-// Again until there is enough to measure; the least counts, because all that disturbs a run makes it longer. What was
-// measured before a repetition that came to no end stands.
+// Repeats the run until there is enough to measure. The least time counts, because every disturbance lengthens a run.
+// An unfinished repetition does not change earlier results.
 template <class Run>
 void best_of(const RunLimits& limits, MeasuredRun& measured, const Run& run) {
   double sum = 0;
@@ -139,7 +139,7 @@ void require_there(const StudyCase& chosen, const Model& model) {
   require_numbers(values_to_find(chosen.expected, "standard"), model, (chosen.folder / "expected.csv").string());
 }
 
-// Meshes differ in their elements: what can be compared are points.
+// Elements differ between meshes, so that only points can be compared.
 void require_points(const StudyCase& chosen, const Problem& problem, std::size_t points) {
   if (chosen.expected.empty() && points == 0 && problem.covers)
     throw InputError(problem.covers->place,
@@ -158,7 +158,7 @@ void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& meas
   require_there(chosen, model);
   require_points(chosen, made.problem, model.measured_points.size());
   measured.unknowns = prepared.requirements.unknowns;
-  // A finer mesh that was asked for is not the one there is.
+  // A finer mesh that was requested and not reached is an error here.
   for (const Warning& warning : found.warnings)
     if (warning.name == "mesh_error_not_reached") throw InputError(warning.place, warning.sentence);
   if (finding > limits.cpu_seconds) {
@@ -183,7 +183,7 @@ StudyCase study_case(const std::vector<std::string>& paths) {
   StudyCase chosen{opened(asked_case({paths, {}, {}, {}})), {}};
   const fs::path table = chosen.folder / "expected.csv";
   if (!chosen.folder.empty() && fs::exists(table)) chosen.expected = read_expected(table.string());
-  // Of many runs, not of one.
+  // The factor of safety belongs to many runs, not to one.
   std::erase_if(chosen.expected, [](const ExpectedValue& value) { return value.quantity == "factor_of_safety"; });
   return chosen;
 }

@@ -1,4 +1,4 @@
-// Runs sorted by cost; one is on the front where its error is below all before it.
+// Sorts runs by cost; a run is on the front if its error is below all before it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/trade/price.hpp"
 

@@ -1,4 +1,4 @@
-// Levels are settings as `--set` takes them.
+// Defines levels as settings in the form of `--set`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/trade/run_design.hpp"
 
@@ -20,17 +20,17 @@
 namespace keyblock::study {
 namespace {
 
-/// What the levels are made from.
+/// Data from which the levels are made.
 struct Base {
-  bool is_untouched = false;    ///< as Scene has it
-  bool has_plan = false;        ///< bodies on covers, by a case file
-  bool has_cover_file = false;  ///< or by a file of covers
+  bool is_untouched = false;    ///< as in Scene
+  bool has_plan = false;        ///< NMM bodies, by a case file
+  bool has_cover_file = false;  ///< or by a cover file
   bool has_blocks = true;
   Settings settings;
   CoverPlan plan;
   std::size_t blocks = 0;
   std::vector<double> times;  ///< of expected values
-  double step_factor = 1;     ///< by which the profile lengthens the step that is set
+  double step_factor = 1;     ///< by which the profile lengthens the given step
 
   bool is_standard() const { return settings.dynamics == Dynamics::standard; }
 };
@@ -46,7 +46,7 @@ Base base_of(const StudyCase& chosen, const std::string& profile, const std::vec
     base.plan = *problem.covers;
     base.plan.functions = functions_of(*problem.covers, problem.analysis->block_materials);
   }
-  if (base.has_plan) problem.covers->mesh.error = 0;  // says nothing of what is asked here
+  if (base.has_plan) problem.covers->mesh.error = 0;  // irrelevant here
   const Scene scene = prepared_case(made).scene;
   base.is_untouched = scene.is_untouched;
   base.settings = scene.settings;
@@ -56,8 +56,8 @@ Base base_of(const StudyCase& chosen, const std::string& profile, const std::vec
   return base;
 }
 
-// The number of steps is rounded so that the run ends at the same time and expected times stay ends of steps; nothing
-// where that leaves the case's own step.
+// Rounds the number of steps so that the run ends at the same time and expected times stay ends of steps. Empty if that
+// leaves the case's own step.
 std::vector<Override> step_overrides(const Base& base, double factor) {
   const Settings& own = base.settings;
   int whole = own.step_count;
@@ -80,11 +80,11 @@ std::string factor_name(const char* of, double factor) {
 }
 
 constexpr std::array<double, 3> kCoarser{8, 4, 2};
-// Of so many blocks there are assemblies of contacts, whose forces are solved to a tolerance.
+// Number of blocks above which contacts form assemblies, whose forces are solved to a tolerance.
 constexpr std::size_t kManyBlocks = 20;
 constexpr int kFinest = 4;  // part of the step or the side
 
-// Behind the next coarser level or, the first that is finer than the case's own, behind that.
+// Links a level to the next coarser one. The first level finer than the case's own refines that.
 void add_refinement(Axis& axis, const char* of, double factor, std::vector<Override> set) {
   if (set.empty()) return;
   Level level{factor_name(of, factor), std::move(set), 1 / factor, {}};
@@ -166,7 +166,7 @@ Axis penalty_axis(const Base& base) {
   return axis;
 }
 
-// Steps as long as their error allows, up to eight of the case's.
+// Steps are as long as their error allows, up to eight times the case's.
 Axis tolerance_axis(const Base& base) {
   Axis axis{"tolerance", {}};
   std::vector<Override> coarse = step_overrides(base, kCoarser.front());
@@ -194,8 +194,7 @@ Axis impact_axis(const Base& base) {
   return {"impact", {{"impact as a jump", {{"impact", "jump"}}}}};
 }
 
-// Residual that contact forces of assemblies may leave, over the heaviest load on a block; of fewer contacts they leave
-// none.
+// Levels of the residual of contact forces in assemblies, over the heaviest load on a block; fewer contacts leave none.
 Axis forces_axis() {
   Axis axis{"forces", {}};
   for (const char* tolerance : {"1e-3", "1e-4", "1e-9"})
@@ -223,7 +222,7 @@ std::vector<Axis> axes_of(const Base& base, int finest) {
   return axes;
 }
 
-/// Levels of different axes together, in the order of the axes.
+/// Combines levels of different axes, in the order of the axes.
 RunPlan plan_of(const std::string& profile, const std::vector<std::pair<const Axis*, const Level*>>& made) {
   RunPlan plan;
   plan.profile = profile;
@@ -308,7 +307,7 @@ std::vector<RunPlan> full_design(const StudyCase& chosen, const std::string& pro
     const std::size_t before = made.size();
     for (const Level& level : axis.levels)
       for (std::size_t i = 0; i < before; ++i) {
-        // Both choose the step, or the penalty's springs.
+        // Both axes choose the step, or both the stiffness of the springs.
         const auto chooses = [&](const char* name) {
           return std::ranges::any_of(made[i], [&](const auto& pair) { return pair.first->name == name; });
         };
@@ -335,7 +334,7 @@ std::vector<RunPlan> refinements(const StudyCase& chosen, const std::string& pro
 
 namespace {
 
-/// What refinement changes, and what the level is called: relative to the case's own under the profile of the plan.
+/// Settings of a refinement, and the name of its level relative to the case's own under the profile of the plan.
 struct Refinement {
   std::string of;  ///< "step", "side", "mesh error", "tolerance"
   std::string name;
@@ -344,7 +343,7 @@ struct Refinement {
 
 constexpr double kSameFactor = 1e-6;  // sides are written with twelve digits
 
-// Of the step or the side, over the case's own; no name where that is what comes out again.
+// Returns the name of the step or side over the case's own; empty if both are equal.
 std::string refinement_name(const char* of, double factor) {
   return std::abs(factor - 1) <= kSameFactor ? "" : factor_name(of, factor);
 }
@@ -367,7 +366,7 @@ Refinement refinement_of(const Base& own, const Base& now, int parts) {
   return {"step", refinement_name("step", factor), step_overrides(now, 1.0 / parts)};
 }
 
-// The levels that a name joins, without that of the step: of "rigid, step /4, springs" "rigid" and "springs".
+// Returns the levels joined in a name, without that of the step: "rigid" and "springs" of "rigid, step /4, springs".
 std::vector<std::string> other_levels(const std::string& name, const std::string& of) {
   std::vector<std::string> levels;
   for (const auto part : std::views::split(name, std::string_view(", "))) {

@@ -1,4 +1,4 @@
-// Runs first, then the reference that some of them give, then errors and the front.
+// Makes the runs first, then the reference from some of them, then errors and the front.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/trade/tradeoff.hpp"
 
@@ -22,7 +22,7 @@ const MeasuredRun* named(const std::vector<MeasuredRun>& runs, const std::string
   return found == runs.end() ? nullptr : &*found;
 }
 
-// The cost of the coarser one says enough.
+// The cost of the coarser run decides.
 bool is_known_to_be_over(const std::vector<MeasuredRun>& runs, const RunPlan& plan, const RunLimits& limits) {
   const MeasuredRun* coarser = plan.coarser.empty() ? nullptr : named(runs, plan.coarser);
   if (coarser == nullptr) return false;
@@ -89,18 +89,18 @@ Reference limit_reference(const std::vector<MeasuredRun>& runs, const std::vecto
   return reference;
 }
 
-// A limit known to this is resolved, where nobody asks for more.
+// Uncertainty of a resolved limit, unless a smaller one is requested.
 constexpr double kResolved = 1e-2;
-// Errors of this many times what the limit is known to are told within a factor of three: (e + u) / (e - u).
+// Errors of this many times the uncertainty u of the limit are known within a factor of three: (e + u) / (e - u).
 constexpr double kToldApart = 2;
 constexpr int kFinestOfAll = 1024;  // part of the step
-// Where this many halvings in a row do not bring the limit nearer, more will not.
+// Number of successive halvings without a better limit after which more would not help.
 constexpr int kMostInVain = 2;
 constexpr int kMostRounds = 8;
-constexpr int kMostAtOnce = 8;        // parts that a run is divided in at a time
-constexpr std::size_t kFamilies = 3;  // kinds of runs that are refined for a wish
+constexpr int kMostAtOnce = 8;        // largest division of a run at a time
+constexpr std::size_t kFamilies = 3;  // kinds of runs refined for a target
 
-/// The runs of a study as they grow.
+/// Runs of a study as they accumulate.
 class Study {
  public:
   Study(const StudyCase& chosen, const RunLimits& limits, const OnRun& on_run, const Search& search)
@@ -162,7 +162,7 @@ class Study {
     result_.front = pareto_front(result_.prices);
   }
 
-  // Halves the step of the limit until it is known to `goal`; returns how often.
+  // Halves the step of the limit until it is known to `goal`; returns the number of halvings.
   int resolve(double goal) {
     int halvings = 0;
     int in_vain = 0;
@@ -210,7 +210,7 @@ class Study {
     return is_too_fine ? std::nullopt : plan;
   }
 
-  // Refines what promises most for the wish; false where nothing is left to do for it.
+  // Refines the runs most promising for the target; returns false if nothing is left to do.
   bool go_nearer() {
     const auto choice = choice_for(result_.prices, search_.wish);
     const bool is_met = search_.wish.error && choice;
@@ -227,7 +227,7 @@ class Study {
 
   double time() const { return std::min(limits_.cpu_seconds, search_.wish.budget.value_or(limits_.cpu_seconds)); }
 
-  // By the error that refinement within the time would come to, at the order of the limit.
+  // Ranks runs by the error that refinement within the time would reach, at the order of the limit.
   std::vector<std::size_t> most_promising() const {
     const double order = std::clamp(result_.reference.order.value_or(1), 1.0, 2.0);
     std::vector<std::size_t> runs;
@@ -241,7 +241,7 @@ class Study {
     return runs;
   }
 
-  // Divided as far as time allows and the wished error asks for; nothing where that has been run.
+  // Returns the run divided as far as time and target error require; empty if that has been run.
   std::optional<RunPlan> finer(std::size_t which) const {
     const double order = std::clamp(result_.reference.order.value_or(1), 1.0, 2.0);
     const double error = error_of(result_.runs[which], result_.reference);
@@ -263,7 +263,7 @@ class Study {
   const Search& search_;
   std::vector<RunPlan> series_;  ///< the limit is taken from its last three
   std::size_t planned_ = 0;
-  std::string why_no_nearer_;  ///< the last time that the limit was to be resolved
+  std::string why_no_nearer_;  ///< at the last attempt to resolve the limit
   Tradeoff result_;
 };
 
@@ -290,7 +290,7 @@ Reference expected_reference(const std::vector<ExpectedValue>& expected, const s
   return reference;
 }
 
-// What the uncertainty rests on, runs that converge, is not there: ten times as far off is not excluded.
+// The uncertainty assumes converging runs. Without them an error ten times as large is possible.
 double Reference::guessed_below() const {
   constexpr double kMargin = 10;
   return is_resolved() ? 0 : kMargin * uncertainty;
