@@ -87,17 +87,23 @@ std::vector<LegendEntry> make_legend(const Blocks& blocks, const std::vector<std
 }
 
 void draw_scene(SvgPage& page, const PageMap& map, const Blocks& blocks) {
-  for (const BlockPolygon& block : blocks.blocks) draw_area(page, map, block);
-  const double width = edge_width(map.size(), blocks.blocks.size());
-  for (const BlockPolygon& block : blocks.blocks) {
-    draw_edges(page, map, block.outer, width);
-    for (const BlockLoop& hole : block.holes) draw_edges(page, map, hole, width);
-  }
-  for (const BlockBolt& bolt : blocks.bolts)
-    draw_bolt(page, map(bolt.segment.start), map(bolt.segment.end), state_of(bolt), bolt.name.value_or({}));
-  draw_points(page, map, blocks.fixed_points, Mark::fixed_point);
-  draw_points(page, map, blocks.loading_points, Mark::loading_point);
-  draw_points(page, map, blocks.measured_points, Mark::measured_point);
+  page.layer([&] {
+    for (const BlockPolygon& block : blocks.blocks) draw_area(page, map, block);
+    const double width = edge_width(map.size(), blocks.blocks.size());
+    for (const BlockPolygon& block : blocks.blocks) {
+      draw_edges(page, map, block.outer, width);
+      for (const BlockLoop& hole : block.holes) draw_edges(page, map, hole, width);
+    }
+  });
+  page.layer([&] {
+    for (const BlockBolt& bolt : blocks.bolts)
+      draw_bolt(page, map(bolt.segment.start), map(bolt.segment.end), state_of(bolt), bolt.name.value_or({}));
+  });
+  page.layer([&] {
+    draw_points(page, map, blocks.fixed_points, Mark::fixed_point);
+    draw_points(page, map, blocks.loading_points, Mark::loading_point);
+    draw_points(page, map, blocks.measured_points, Mark::measured_point);
+  });
 }
 
 /// How many are too small for it.

@@ -110,17 +110,23 @@ double shown_factor(double most, const Box& box, bool is_of_motion) {
   return is_of_motion ? std::max(1.0, wanted) : wanted;
 }
 
+bool are_blocks(const FieldFrame& field) {
+  return body_count(field) == field.elements.size();
+}
+
 std::string elements_in_words(const FieldFrame& field) {
   const std::size_t count = field.elements.size();
-  return body_count(field) == count ? counted(count, "block") : fmt::format("mesh, {} elements", count);
+  return are_blocks(field) ? counted(count, "block") : fmt::format("mesh, {} elements", count);
 }
 
 void draw_mesh(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place, bool filled,
                std::string_view colour = kMeshColour) {
   const double width = std::min(0.8, edge_width(map.size(), field.elements.size()));
-  for (const FieldElement& element : field.elements)
-    page.polygon(map(loops_of(element, place)),
-                 {.fill = filled ? area_colour(element.material) : "none", .stroke = colour, .stroke_width = width});
+  page.layer([&] {
+    for (const FieldElement& element : field.elements)
+      page.polygon(map(loops_of(element, place)),
+                   {.fill = filled ? area_colour(element.material) : "none", .stroke = colour, .stroke_width = width});
+  });
 }
 
 /// Places of the three panels: for tall bodies beside each other, else the field below the two others.
@@ -149,14 +155,16 @@ Panels place_panels(const Box& box) {
 }
 
 /// Without what the pictures of the run leave out.
-FieldPicture framed(FieldPicture picture) {
-  std::vector<FieldElement>& elements = picture.end.elements;
-  for (auto i = picture.left_out.rbegin(); i != picture.left_out.rend(); ++i) {
-    elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(*i));
-    if (!picture.numbers.empty()) picture.numbers.erase(picture.numbers.begin() + static_cast<std::ptrdiff_t>(*i));
-    std::erase(picture.held, *i);
-    for (std::size_t& held : picture.held)
-      if (held > *i) --held;
+FieldPicture framed(const FieldPicture& whole) {
+  FieldPicture picture = whole;
+  const std::vector<std::size_t>& left_out = whole.left_out;
+  picture.end.elements = without(whole.end.elements, left_out);
+  if (!whole.numbers.empty()) picture.numbers = without(whole.numbers, left_out);
+  picture.held.clear();
+  for (const std::size_t held : whole.held) {
+    const auto at = std::ranges::lower_bound(left_out, held);
+    if (at == left_out.end() || *at != held)
+      picture.held.push_back(held - static_cast<std::size_t>(at - left_out.begin()));
   }
   return picture;
 }
@@ -168,30 +176,31 @@ bool is_without_stress(const FieldElement& element) {
          });
 }
 
-/// Held blocks of which no stress is known, apart from all others.
-struct Told {
-  FieldFrame shown;
+/// Held blocks without stress, and the other elements if there are any such blocks.
+struct Held {
   FieldFrame held;
+  std::optional<FieldFrame> others;
 };
 
-Told told_apart(const FieldPicture& picture) {
-  Told told{picture.end, picture.end};
-  if (is_displacement(picture.shown) || picture.held.empty()) {
-    told.held.elements.clear();
-    return told;
-  }
-  told.shown.elements.clear();
-  told.held.elements.clear();
-  for (std::size_t i = 0; i < picture.end.elements.size(); ++i) {
-    const FieldElement& element = picture.end.elements[i];
-    const bool is_held = std::ranges::find(picture.held, i) != picture.held.end() && is_without_stress(element);
-    (is_held ? told.held : told.shown).elements.push_back(element);
-  }
-  return told;
+Held held_of(const FieldPicture& picture) {
+  Held found;
+  if (is_displacement(picture.shown)) return found;
+  const std::vector<FieldElement>& elements = picture.end.elements;
+  std::vector<std::size_t> held;
+  for (const std::size_t i : picture.held)
+    if (i < elements.size() && is_without_stress(elements[i])) held.push_back(i);
+  if (held.empty()) return found;
+  std::ranges::sort(held);
+  for (const std::size_t i : held) found.held.elements.push_back(elements[i]);
+  found.others.emplace().elements = without(elements, held);
+  return found;
 }
 
 void draw_held(SvgPage& page, const PageMap& map, const FieldFrame& held, const CornerPlace& place) {
-  for (const FieldElement& element : held.elements) page.polygon(map(loops_of(element, place)), {.fill = kHeldColour});
+  page.layer([&] {
+    for (const FieldElement& element : held.elements)
+      page.polygon(map(loops_of(element, place)), {.fill = kHeldColour});
+  });
 }
 
 /// Beside the scale bar.
@@ -210,39 +219,59 @@ std::string number_elements(SvgPage& page, const PageMap& map, const FieldFrame&
   return without_number_in_words(draw_block_numbers(page, numbered));
 }
 
-/// Where the colours, or lengths, are explained.
-struct KeyPlace {
-  Point corner;
-  double height = 0;
+/// The panel of the field.
+struct FieldPanel {
+  const PageMap& map;
+  const CornerPlace& place;
+  bool has_edges = false;  ///< those of blocks, over their colours
+  Point key;               ///< of colours, or lengths: its upper left corner
+  double key_height = 0;
 };
 
-/// Crosses over a pale mesh. What the panel is called is returned.
-std::string draw_stress_crosses(SvgPage& page, const PageMap& map, const FieldPicture& picture, const FieldFrame& field,
-                                const CornerPlace& place, const KeyPlace& key) {
-  draw_mesh(page, map, picture.end, place, false, kPaleMeshColour);
-  const CrossScale scale = draw_crosses(page, map, field, place, picture.scale ? picture.scale->most_stress : 0);
+/// The colour scale of patches: that of all pictures of the run if they share one.
+ColourScale colours_of(const FieldPicture& picture, const std::vector<Patch>& patches) {
+  return picture.scale ? with_ends(picture.scale->colours, patches) : scale_of(patches, map_of(picture.shown));
+}
+
+void draw_contours(SvgPage& page, const FieldPanel& panel, const FieldPicture& picture, const FieldFrame& field,
+                   const ColourScale& scale) {
+  const auto value = [&](const FieldCorner& corner) { return value_of(corner, picture.shown); };
+  for (const std::vector<Point>& line :
+       contours_of(field, value, panel.place, make_axis(scale.low, scale.high, kContours).ticks))
+    page.polyline({panel.map(line[0]), panel.map(line[1])}, {.stroke = kContourColour, .stroke_width = kContourWidth});
+}
+
+/// Crosses over a pale mesh. Returns the name of the panel.
+std::string draw_stress_crosses(SvgPage& page, const FieldPanel& panel, const FieldPicture& picture,
+                                const FieldFrame& field) {
+  draw_mesh(page, panel.map, picture.end, panel.place, false, kPaleMeshColour);
+  const double most = picture.scale ? picture.scale->most_stress : 0;
+  const CrossScale scale = draw_crosses(page, panel.map, field, panel.place, most);
+  if (panel.has_edges) draw_mesh(page, panel.map, picture.end, panel.place, false);
   if (scale.sample == 0) return "no stress";
-  draw_cross_legend(page, key.corner, scale, picture.units);
+  draw_cross_legend(page, panel.key, scale, picture.units);
   return "principal stresses in the plane";
 }
 
-std::string draw_field(SvgPage& page, const PageMap& map, const FieldPicture& picture, const CornerPlace& place,
-                       const KeyPlace& key) {
-  const Told told = told_apart(picture);
-  draw_held(page, map, told.held, place);
-  if (picture.shown == FieldShown::crosses) return draw_stress_crosses(page, map, picture, told.shown, place, key);
-  const std::vector<Patch> patches = shown_patches(told.shown, picture.shown, place);
-  const ColourScale scale =
-      picture.scale ? with_ends(picture.scale->colours, patches) : scale_of(patches, map_of(picture.shown));
+/// Draws held blocks, the field, and edges of blocks over them. Returns the name of the panel.
+std::string draw_field(SvgPage& page, const FieldPanel& panel, const FieldPicture& picture, const Held& held) {
+  const FieldFrame& field = held.others ? *held.others : picture.end;
+  if (picture.shown == FieldShown::crosses) {
+    draw_held(page, panel.map, held.held, panel.place);
+    return draw_stress_crosses(page, panel, picture, field);
+  }
+  const std::vector<Patch> patches = shown_patches(field, picture.shown, panel.place);
+  const ColourScale scale = colours_of(picture, patches);
   const bool is_there = scale.low != 0 || scale.high != 0;
-  draw_patches(page, map, patches, scale);
+  page.layer([&] {
+    draw_held(page, panel.map, held.held, panel.place);
+    draw_patches(page, panel.map, patches, scale);
+    if (is_there) draw_contours(page, panel, picture, field, scale);
+    if (panel.has_edges) draw_mesh(page, panel.map, picture.end, panel.place, false);
+  });
   if (!is_there) return caption_of(picture.shown, false);
-  const auto value = [&](const FieldCorner& corner) { return value_of(corner, picture.shown); };
-  for (const std::vector<Point>& line :
-       contours_of(told.shown, value, place, make_axis(scale.low, scale.high, kContours).ticks))
-    page.polyline({map(line[0]), map(line[1])}, {.stroke = kContourColour, .stroke_width = kContourWidth});
   draw_colour_bar(
-      page, key.corner, key.height, scale,
+      page, panel.key, panel.key_height, scale,
       {name_of(picture.shown), is_displacement(picture.shown) ? measures::kLength : measures::kStress, picture.units});
   return caption_of(picture.shown, true);
 }
@@ -291,7 +320,9 @@ FieldScale common_scale(const FieldFrame& start, FieldShown shown, bool is_of_mo
 }
 
 std::string field_picture(const FieldPicture& whole) {
-  const FieldPicture picture = framed(whole);
+  std::optional<FieldPicture> own;
+  const FieldPicture& picture = whole.left_out.empty() ? whole : own.emplace(framed(whole));
+  const Held held = held_of(picture);
   const std::size_t left_out = picture.left_out.size();
   const double factor =
       picture.scale ? picture.scale->factor
@@ -316,17 +347,20 @@ std::string field_picture(const FieldPicture& whole) {
   number_elements(page, map(1), picture.end, picture.numbers, deformed);
   caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));
   const CornerPlace place = is_true ? deformed : as_drawn;
-  const Point size = map(2).size();
+  const PageMap large = map(2);
+  const Point size = large.size();
   const Point beside{panels.corners[2].x + std::min(size.x, panels.rooms[2].x) + 14, panels.corners[2].y};
-  caption(2, draw_field(page, map(2), picture, place, {beside, std::min(size.y, kBarHeight)}));
-  if (body_count(whole.end) == whole.end.elements.size()) draw_mesh(page, map(2), picture.end, place, false);
-  for (const PointFrame& point : picture.measured) {
-    const Point at = is_true ? point.position : point.position - point.displacement;
-    const bool is_shown = at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y;
-    if (is_shown) draw_mark(page, map(2)(at), Mark::measured_point);
-  }
-  draw_scale_bar(page, {kMargin, panels.bottom + 14}, kRoom, map(2), picture.units);
-  draw_key(page, {kMargin + kRoom / 2, panels.bottom + 4}, told_apart(picture).held);
+  caption(2,
+          draw_field(page, {large, place, are_blocks(whole.end), beside, std::min(size.y, kBarHeight)}, picture, held));
+  page.layer([&] {
+    for (const PointFrame& point : picture.measured) {
+      const Point at = is_true ? point.position : point.position - point.displacement;
+      const bool is_shown = at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y;
+      if (is_shown) draw_mark(page, large(at), Mark::measured_point);
+    }
+  });
+  draw_scale_bar(page, {kMargin, panels.bottom + 14}, kRoom, large, picture.units);
+  draw_key(page, {kMargin + kRoom / 2, panels.bottom + 4}, held.held);
   return page.str();
 }
 

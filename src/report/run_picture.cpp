@@ -47,8 +47,7 @@ RunPicture framed(RunPicture picture) {
   Frame& end = picture.end;
   for (std::size_t i = 0; i < end.elements.size(); ++i)
     end.elements[i].number = number_of(end, i);  // also where others are taken away
-  for (auto i = picture.left_out.rbegin(); i != picture.left_out.rend(); ++i)
-    end.elements.erase(end.elements.begin() + static_cast<std::ptrdiff_t>(*i));
+  if (!picture.left_out.empty()) end.elements = without(end.elements, picture.left_out);
   return picture;
 }
 
@@ -85,8 +84,6 @@ void draw_end(SvgPage& page, const PageMap& map, const Frame& end, double width)
                   .stroke = has_outlines ? kInnerColour : "#333333",
                   .stroke_width = has_outlines ? width / 2 : width});
   }
-  for (const std::vector<Point>& outline : end.outlines)
-    page.polygon({map(outline)}, {.stroke = "#222222", .stroke_width = kOutlineWidth});
 }
 
 /// Materials of joints; none where all edges are of one.
@@ -131,9 +128,15 @@ void draw_start(SvgPage& page, const PageMap& map, const RunPicture& picture, do
 
 void draw_elements(SvgPage& page, const PageMap& map, const RunPicture& picture) {
   const double width = edge_width(map.size(), picture.end.elements.size());
-  draw_end(page, map, picture.end, width);
-  draw_joints(page, map, picture, picture.end.outlines.empty() ? width : kOutlineWidth);
-  draw_start(page, map, picture, width);
+  page.layer([&] { draw_end(page, map, picture.end, width); });
+  page.layer([&] {
+    for (const std::vector<Point>& outline : picture.end.outlines)
+      page.polygon({map(outline)}, {.stroke = "#222222", .stroke_width = kOutlineWidth});
+  });
+  page.layer([&] {
+    draw_joints(page, map, picture, picture.end.outlines.empty() ? width : kOutlineWidth);
+    draw_start(page, map, picture, width);
+  });
 }
 
 /// With a ring about each, which shows slivers too.
@@ -267,8 +270,8 @@ std::string run_picture(const RunPicture& whole) {
   draw_legend(page, {kMargin, kTitleHeight}, kRoom, legend);
   if (!box.empty()) {
     draw_elements(page, map, picture);
-    draw_bolts(page, map, picture);
-    draw_marks(page, map, picture.end);
+    page.layer([&] { draw_bolts(page, map, picture); });
+    page.layer([&] { draw_marks(page, map, picture.end); });
     draw_marked(page, map, picture);
     draw_numbers(page, map, picture);
     draw_scale_bar(page, {kMargin, bar_line}, std::min(layout.scene_room.x, kRoom), map, picture.units);

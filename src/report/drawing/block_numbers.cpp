@@ -72,7 +72,7 @@ NumberInside largest_inside(const Loops& loops, const std::string& words) {
       p = {p.x / text.x, p.y / text.y};
       box.include(p);
     }
-  if (box.empty()) return {};
+  if (box.empty() || std::min(box.width(), box.height()) < kLeastSize) return {};
   Best best;
   best.look_at(stretched, centroid(stretched.front()));
   Point corner = box.low;

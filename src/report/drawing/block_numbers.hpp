@@ -22,7 +22,7 @@ struct NumberedBlock {
 /// Where the text of a number stands, and how large.
 struct NumberInside {
   Point middle;
-  double size = 0;  ///< of the face; 0: it fits nowhere
+  double size = 0;  ///< of the face; 0: it fits nowhere, or cannot be read
 };
 
 /// The largest size, up to the usual one, at which `words` stand inside the loops.

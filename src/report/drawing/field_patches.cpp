@@ -22,6 +22,7 @@ constexpr double kExtreme = 0.005;  // share of patches, or of their area, beyon
 // Of the value farthest from 0: where the nearest is beyond it, 0 is not on the scale.
 constexpr double kNearShare = 0.5;
 constexpr double kBarRoom = 104;  // page units from a colour bar to the edge of the page
+constexpr double kColours = 200;  // steps of a scale: an image of few other colours has them all in its palette
 constexpr double kPalest = 0.08;  // of all colours: from white to the palest of a scale without 0
 
 using Stops = std::array<std::array<double, 3>, 5>;
@@ -50,6 +51,20 @@ std::vector<Point> contour_in(const std::array<std::pair<Point, double>, 3>& cor
   return ends;
 }
 
+/// The first of `values` in the order of `less` by which their areas sum to `share`.
+template <class Less>
+double value_at(std::vector<std::pair<double, double>>& values, double share, Less less) {
+  // The end is enough in most fields: sorting all takes ten times as long.
+  for (std::size_t count = values.size() / 32 + 1;; count = values.size()) {
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>(count);
+    std::partial_sort(values.begin(), end, values.end(), less);
+    auto value = values.begin();
+    for (double sum = value->second; sum < share && ++value != end;) sum += value->second;
+    if (value != end) return value->first;
+    if (count == values.size()) return values.back().first;
+  }
+}
+
 /// The values that all patches lie between but for those of an extreme share of the area at either end.
 std::pair<double, double> ends_by_area(const std::vector<Patch>& patches) {
   std::vector<std::pair<double, double>> values;  // with areas
@@ -60,12 +75,8 @@ std::pair<double, double> ends_by_area(const std::vector<Patch>& patches) {
     values.emplace_back(patch.value, std::abs(sum));
     whole += std::abs(sum);
   }
-  std::ranges::sort(values);
-  const auto end = [&](auto value) {
-    for (double sum = value->second; sum < kExtreme * whole; sum += value->second) ++value;
-    return value->first;
-  };
-  return {end(values.begin()), end(values.rbegin())};
+  const double low = value_at(values, kExtreme * whole, std::less<>());
+  return {low, value_at(values, kExtreme * whole, std::greater<>())};
 }
 
 }  // namespace
@@ -87,17 +98,20 @@ std::vector<std::vector<Point>> loops_of(const FieldElement& element, const Corn
 
 std::vector<Patch> patches_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place) {
   std::vector<Patch> patches;
+  patches.reserve(field.elements.size());
+  const bool are_many = field.elements.size() > kMostSplit;
   for (const FieldElement& element : field.elements) {
     const double middle = value(element.middle);
-    if (is_one_piece(element)) {
-      patches.push_back({loops_of(element, place), middle});
+    if (are_many || is_one_piece(element)) {
+      patches.emplace_back(loops_of(element, place), middle);
       continue;
     }
     const auto& loop = element.loops.front();
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const FieldCorner& a = loop[i];
       const FieldCorner& b = loop[(i + 1) % loop.size()];
-      patches.push_back({{{place(element.middle), place(a), place(b)}}, (middle + value(a) + value(b)) / 3});
+      Patch& patch = patches.emplace_back(std::vector<std::vector<Point>>(1), (middle + value(a) + value(b)) / 3);
+      patch.loops[0] = {place(element.middle), place(a), place(b)};
     }
   }
   return patches;
@@ -106,16 +120,18 @@ std::vector<Patch> patches_of(const FieldFrame& field, const CornerValue& value,
 std::vector<std::vector<Point>> contours_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place,
                                             const std::vector<double>& levels) {
   std::vector<std::vector<Point>> lines;
+  std::vector<std::pair<Point, double>> corners;
   for (const FieldElement& element : field.elements) {
     if (is_one_piece(element)) continue;
-    const auto& loop = element.loops.front();
     const auto with_value = [&](const FieldCorner& corner) { return std::pair{place(corner), value(corner)}; };
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      for (const double level : levels) {
-        std::vector<Point> line = contour_in(
-            {with_value(element.middle), with_value(loop[i]), with_value(loop[(i + 1) % loop.size()])}, level);
-        if (line.size() == 2) lines.push_back(std::move(line));
-      }
+    corners.clear();
+    std::ranges::transform(element.loops.front(), std::back_inserter(corners), with_value);
+    const auto middle = with_value(element.middle);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const std::array triangle{middle, corners[i], corners[(i + 1) % corners.size()]};
+      for (const double level : levels)
+        if (std::vector<Point> line = contour_in(triangle, level); line.size() == 2) lines.push_back(std::move(line));
+    }
   }
   return lines;
 }
@@ -139,7 +155,7 @@ double share_about_zero(const ColourScale& scale, double value) {
 std::string ColourScale::colour(double value) const {
   const Stops& stops = map == Map::rising ? kRising : kDiverging;
   const double share = map == Map::rising ? share_of(value, low, high, 0) : share_about_zero(*this, value);
-  const double at = share * (stops.size() - 1);
+  const double at = std::round(share * kColours) / kColours * (stops.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(at), stops.size() - 2);
   const double part = at - static_cast<double>(below);
   const auto mix = [&](std::size_t channel) {
@@ -193,10 +209,12 @@ double range_of(const std::vector<Patch>& patches) {
 
 void draw_patches(SvgPage& page, const PageMap& map, const std::vector<Patch>& patches, const ColourScale& scale,
                   double seam) {
-  for (const Patch& patch : patches) {
-    const std::string colour = scale.colour(patch.value);
-    page.polygon(map(patch.loops), {.fill = colour, .stroke = colour, .stroke_width = seam});
-  }
+  page.layer([&] {
+    for (const Patch& patch : patches) {
+      const std::string colour = scale.colour(patch.value);
+      page.polygon(map(patch.loops), {.fill = colour, .stroke = colour, .stroke_width = seam});
+    }
+  });
 }
 
 void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourScale& scale, const Described& quantity) {

@@ -35,7 +35,11 @@ void visit_corners(const FieldFrame& field, Visit visit) {
 Box bounds(const FieldFrame& field, const CornerPlace& place);
 std::vector<std::vector<Point>> loops_of(const FieldElement& element, const CornerPlace& place);
 
-/// One triangle of the middle and an edge; an element with holes, or of one state, is one piece of its middle's value.
+/// Elements of a field that are drawn as triangles: of more than these, a triangle has about six pixels of the page.
+inline constexpr std::size_t kMostSplit = 50'000;
+
+/// One triangle of the middle and an edge; an element with holes, of one state, or of a field with more than `kMostSplit`
+/// elements, is one piece of its middle's value.
 struct Patch {
   std::vector<std::vector<Point>> loops;
   double value = 0;

@@ -45,6 +45,19 @@ struct PlacedBlock {
 /// small part of the area. A sliver that fell out of a slope would squeeze the slope into a corner of the page.
 std::vector<std::size_t> far_small_blocks(const Box& drawn, const std::vector<PlacedBlock>& blocks);
 
+/// Members of a list without those at the places `left_out`, which ascend.
+template <class T>
+std::vector<T> without(const std::vector<T>& all, const std::vector<std::size_t>& left_out) {
+  std::vector<T> kept;
+  auto next = left_out.begin();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (next != left_out.end() && *next == i)
+      ++next;
+    else
+      kept.push_back(all[i]);
+  return kept;
+}
+
 /// "2 small blocks lie outside of the picture".
 std::string outside_in_words(std::size_t count);
 

@@ -1,12 +1,14 @@
-// Writes SVG by hand: it is a page of text, and no package is needed for it.
+// Writes SVG as text; a layer begins as text and becomes a raster once its text is too long.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/svg.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 
 #include "base/printable.hpp"
 
@@ -19,23 +21,6 @@ bool is_finite(Point p) {
 
 bool are_finite(const std::vector<Point>& points) {
   return std::ranges::all_of(points, is_finite);
-}
-
-/// A page coordinate: hundredths are finer than any screen; fmt ignores the locale.
-std::string page_number(double value) {
-  std::string text = fmt::format("{:.2f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return text == "-0" ? "0" : text;
-}
-
-std::string coordinates(const std::vector<Point>& points) {
-  std::string text;
-  for (Point p : points) {
-    if (!text.empty()) text += ' ';
-    text += fmt::format("{},{}", page_number(p.x), page_number(p.y));
-  }
-  return text;
 }
 
 std::string attributes(const Style& style) {
@@ -58,23 +43,66 @@ std::string_view name_of(Anchor anchor) {
   return "start";
 }
 
+/// A circle in a raster layer.
+std::vector<Point> corners_of(Point center, double radius) {
+  constexpr int kCorners = 24;
+  std::vector<Point> corners;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * M_PI * i / kCorners;
+    corners.push_back(center + radius * Point{std::cos(angle), std::sin(angle)});
+  }
+  return corners;
+}
+
+/// Opaque; 0 for "none".
+std::uint32_t colour_of(std::string_view text) {
+  if (text == "none") return 0;
+  std::uint32_t colour = 0;
+  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), colour, 16);
+  if (text.size() != 7 || text[0] != '#' || error != std::errc() || end != text.data() + text.size())
+    throw std::invalid_argument(fmt::format("expected a colour #rrggbb in a layer, found {}", text));
+  return colour | 0xFF000000;
+}
+
+Ink ink_of(const Style& style) {
+  Ink ink{.fill = colour_of(style.fill), .stroke = colour_of(style.stroke), .width = style.stroke_width};
+  if (style.dash.empty()) return ink;
+  const std::size_t space = style.dash.find(' ');
+  ink.dash = std::stod(std::string(style.dash));
+  ink.gap = space == std::string_view::npos ? ink.dash : std::stod(std::string(style.dash.substr(space)));
+  return ink;
+}
+
+/// Its resolution is halved until its text is short enough.
+std::string image_element(const PlacedImage& placed) {
+  if (placed.image.pixels.empty()) return {};
+  std::string data = base64(png_of(placed.image));
+  for (Image image = placed.image; data.size() > kMostImageText && image.pixels.size() > 1;) {
+    image = halved(image);
+    data = base64(png_of(image));
+  }
+  return fmt::format(
+      "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" "
+      "href=\"data:image/png;base64,{}\"/>\n",
+      page_number(placed.corner.x), page_number(placed.corner.y), page_number(placed.size.x),
+      page_number(placed.size.y), data);
+}
+
 }  // namespace
 
 void SvgPage::polygon(const std::vector<std::vector<Point>>& loops, const Style& style) {
-  std::string path;
-  for (const std::vector<Point>& loop : loops) {
-    if (loop.empty()) continue;
-    if (!are_finite(loop)) return;
-    path += fmt::format("M{}Z", coordinates(loop));
-  }
-  if (path.empty()) return;
-  body_ += fmt::format("<path fill-rule=\"evenodd\" stroke-linejoin=\"round\" d=\"{}\"{}/>\n", path, attributes(style));
+  if (!std::ranges::all_of(loops, are_finite) || std::ranges::all_of(loops, &std::vector<Point>::empty)) return;
+  if (is_raster()) return layer_->raster->draw(loops, true, ink_of(style));
+  std::string element = "<path d=\"";
+  for (const std::vector<Point>& loop : loops)
+    if (!loop.empty()) element.append("M").append(coordinates(loop)).append("Z");
+  add(element += '"', style, {loops, true});
 }
 
 void SvgPage::polyline(const std::vector<Point>& points, const Style& style) {
   if (points.size() < 2 || !are_finite(points)) return;
-  body_ +=
-      fmt::format("<polyline stroke-linejoin=\"round\" points=\"{}\"{}/>\n", coordinates(points), attributes(style));
+  if (is_raster()) return layer_->raster->draw({points}, false, ink_of(style));
+  add(fmt::format("<polyline points=\"{}\"", coordinates(points)), style, {{points}, false});
 }
 
 void SvgPage::line(Point from, Point to, const Style& style) {
@@ -83,8 +111,10 @@ void SvgPage::line(Point from, Point to, const Style& style) {
 
 void SvgPage::circle(Point center, double radius, const Style& style) {
   if (!is_finite(center)) return;
-  body_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>\n", page_number(center.x), page_number(center.y),
-                       page_number(radius), attributes(style));
+  if (is_raster()) return layer_->raster->draw({corners_of(center, radius)}, true, ink_of(style));
+  add(fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"", page_number(center.x), page_number(center.y),
+                  page_number(radius)),
+      style, {{corners_of(center, radius)}, true});
 }
 
 void SvgPage::rectangle(Point corner, double width, double height, const Style& style) {
@@ -94,22 +124,46 @@ void SvgPage::rectangle(Point corner, double width, double height, const Style& 
 }
 
 void SvgPage::text(Point anchor, std::string_view words, const TextStyle& style) {
-  if (!is_finite(anchor) || words.empty()) return;
+  if (!is_finite(anchor) || words.empty() || is_raster()) return;
   const std::string x = page_number(anchor.x);
   const std::string y = page_number(anchor.y);
-  std::string extra;
-  if (style.bold) extra += " font-weight=\"bold\"";
-  if (style.turn_deg != 0) extra += fmt::format(" transform=\"rotate({} {} {})\"", page_number(style.turn_deg), x, y);
-  body_ += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}>{}</text>\n", x, y,
-                       page_number(style.size), name_of(style.anchor), style.fill, extra, escape_xml(words));
+  std::string look = fmt::format(" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"", page_number(style.size),
+                                 name_of(style.anchor), style.fill);
+  if (style.bold) look += " font-weight=\"bold\"";
+  std::string element = fmt::format("<text x=\"{}\" y=\"{}\"", x, y);
+  if (style.turn_deg != 0) element += fmt::format(" transform=\"rotate({} {} {})\"", page_number(style.turn_deg), x, y);
+  (layer_ ? layer_->words : body_).add(element, look, fmt::format(">{}</text>", escape_xml(words)));
 }
 
 void SvgPage::begin_group(std::string_view words) {
-  body_ += fmt::format("<g><title>{}</title>\n", escape_xml(words));
+  body_.add_plain(fmt::format("<g><title>{}</title>\n", escape_xml(words)));
 }
 
 void SvgPage::end_group() {
-  body_ += "</g>\n";
+  body_.add_plain("</g>\n");
+}
+
+void SvgPage::add(std::string_view element, const Style& style, Outline&& outline) {
+  if (!layer_) return body_.add(element, attributes(style));
+  layer_->shapes.add(element, attributes(style));
+  layer_->kept.emplace_back(std::move(outline), ink_of(style));
+  if (layer_->shapes.size() <= kMostShapeText) return;
+  layer_->raster.emplace(width_, height_);
+  for (const auto& [kept, ink] : layer_->kept) layer_->raster->draw(kept.loops, kept.is_closed, ink);
+  layer_->kept = {};
+}
+
+void SvgPage::begin_layer() {
+  if (depth_++ == 0) layer_.emplace();
+}
+
+void SvgPage::end_layer() {
+  if (--depth_ > 0) return;
+  Layer layer = *std::move(layer_);
+  layer_.reset();
+  if (layer.raster) return body_.add_plain(image_element(layer.raster->image()));
+  body_.append(std::move(layer.shapes));
+  body_.append(std::move(layer.words));
 }
 
 std::string SvgPage::str() const {
@@ -118,9 +172,9 @@ std::string SvgPage::str() const {
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-      "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\">\n"
+      "font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n{2}</svg>\n",
-      width, height, body_);
+      width, height, body_.str());
 }
 
 std::string escape_xml(std::string_view text) {

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "geometry/point.hpp"
+#include "report/drawing/raster.hpp"
+#include "report/drawing/shape_text.hpp"
 
 namespace keyblock::report {
 
@@ -29,6 +34,11 @@ struct TextStyle {
   double turn_deg = 0;  ///< clockwise on the page, about the anchor
 };
 
+/// Characters of the shapes of a layer, and of the raster that replaces them above that. The first is about 6,500
+/// quadrilaterals of one style. A picture of three panels, each one large layer, stays below 2 MB.
+inline constexpr std::size_t kMostShapeText = 400'000;
+inline constexpr std::size_t kMostImageText = 600'000;
+
 /// Collects shapes in drawing order; page coordinates run right and down from the top left corner. Shapes
 /// with a coordinate that is not finite are left out.
 class SvgPage {
@@ -47,13 +57,41 @@ class SvgPage {
   void begin_group(std::string_view words);
   void end_group();
 
+  /// Calls `draw()`, which draws many shapes on the page. They become a raster if their text exceeds `kMostShapeText`;
+  /// see `Raster` for edges. Words drawn among them lie over them, and a raster has none. A layer within a layer is part
+  /// of it. Colours are "none" or "#rrggbb".
+  template <class Draw>
+  void layer(Draw draw) {
+    begin_layer();
+    draw();
+    end_layer();
+  }
+
   /// The whole document.
   std::string str() const;
 
  private:
+  struct Outline {
+    std::vector<std::vector<Point>> loops;
+    bool is_closed = false;
+  };
+  struct Layer {
+    ShapeText shapes;  ///< as long as they are no raster
+    ShapeText words;
+    std::vector<std::pair<Outline, Ink>> kept;  ///< the same shapes
+    std::optional<Raster> raster;
+  };
+
+  bool is_raster() const { return layer_ && layer_->raster; }
+  void add(std::string_view element, const Style& style, Outline&& outline);
+  void begin_layer();
+  void end_layer();
+
   double width_;
   double height_;
-  std::string body_;
+  ShapeText body_;
+  std::optional<Layer> layer_;
+  int depth_ = 0;
 };
 
 /// Text made safe for an XML document.

@@ -52,14 +52,21 @@ std::map<std::pair<int, bool>, Path> paths_of(const History& history) {
 }
 
 void draw_bodies(SvgPage& page, const PageMap& map, const Frame& start) {
-  for (const ElementFrame& element : start.elements) page.polygon(map(element.loops), {.fill = kRock, .stroke = kRock});
-  for (const std::vector<Point>& outline : start.outlines)
-    page.polygon({map(outline)}, {.stroke = kOutline, .stroke_width = 1.2});
+  page.layer([&] {
+    for (const ElementFrame& element : start.elements)
+      page.polygon(map(element.loops), {.fill = kRock, .stroke = kRock});
+  });
+  page.layer([&] {
+    for (const std::vector<Point>& outline : start.outlines)
+      page.polygon({map(outline)}, {.stroke = kOutline, .stroke_width = 1.2});
+  });
 }
 
 void draw_cracks(SvgPage& page, const PageMap& map, const FieldFrame& end) {
-  for (const CrackFrame& crack : end.cracks)
-    page.polyline(map(crack.along), {.stroke = crack.is_shear ? kShear : kPath, .stroke_width = 2});
+  page.layer([&] {
+    for (const CrackFrame& crack : end.cracks)
+      page.polyline(map(crack.along), {.stroke = crack.is_shear ? kShear : kPath, .stroke_width = 2});
+  });
 }
 
 // Displacements that cannot be seen are drawn so large that the greatest is this share of the bodies' size.
@@ -122,11 +129,15 @@ std::string crack_picture(const CrackPicture& picture) {
             factor > 1 ? fmt::format("at the end, displacements times {:.3g}", factor) : "at the end", {.size = 12});
   draw_bodies(page, map, picture.start);
   draw_cracks(page, map, picture.end);
-  for (const auto& [key, path] : paths)
-    for (const Point p : path.points) page.circle(map(p), 2.2, {.fill = kPath});
+  page.layer([&] {
+    for (const auto& [key, path] : paths)
+      for (const Point p : path.points) page.circle(map(p), 2.2, {.fill = kPath});
+  });
   const std::string crack_length = with_unit("length of the crack", measures::kLength, picture.units);
-  for (const auto& loops : elements)
-    page.polygon(end_map(loops), {.fill = kRock, .stroke = kEdge, .stroke_width = 0.3});
+  page.layer([&] {
+    for (const auto& loops : elements)
+      page.polygon(end_map(loops), {.fill = kRock, .stroke = kEdge, .stroke_width = 0.3});
+  });
   if (!factors_k.empty())
     draw_chart(page, {kMargin, chart_top}, {kPageWidth - 2 * kMargin, kChartHeight}, factors_k,
                {crack_length, with_unit("stress intensity", measures::kToughness, picture.units)});

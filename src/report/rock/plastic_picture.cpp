@@ -87,11 +87,13 @@ Layout layout_of(const Box& box) {
 
 void draw_outlines(SvgPage& page, const PageMap& map, const PlasticPicture& picture) {
   const Style edge{.stroke = "#333333", .stroke_width = edge_width(map.size(), body_count(picture.end))};
-  for (const std::vector<Point>& outline : picture.outlines) page.polygon({map(outline)}, edge);
   std::vector<int> elements(body_count(picture.end));
   for (const FieldElement& element : picture.end.elements) ++elements[static_cast<std::size_t>(element.body)];
-  for (const FieldElement& element : picture.end.elements)
-    if (elements[static_cast<std::size_t>(element.body)] == 1) page.polygon(map(loops_of(element, as_moved)), edge);
+  page.layer([&] {
+    for (const std::vector<Point>& outline : picture.outlines) page.polygon({map(outline)}, edge);
+    for (const FieldElement& element : picture.end.elements)
+      if (elements[static_cast<std::size_t>(element.body)] == 1) page.polygon(map(loops_of(element, as_moved)), edge);
+  });
 }
 
 double greatest_equivalent(const FieldFrame& field) {
@@ -104,12 +106,14 @@ double greatest_equivalent(const FieldFrame& field) {
 
 void draw_states(SvgPage& page, const PageMap& map, const FieldFrame& field, Point key) {
   std::set<std::size_t> met;
-  for (const FieldElement& element : field.elements) {
-    const std::size_t state = state_of(element);
-    met.insert(state);
-    const std::string_view colour = kStates[state].colour;
-    page.polygon(map(loops_of(element, as_moved)), {.fill = colour, .stroke = colour, .stroke_width = kSeam});
-  }
+  page.layer([&] {
+    for (const FieldElement& element : field.elements) {
+      const std::size_t state = state_of(element);
+      met.insert(state);
+      const std::string_view colour = kStates[state].colour;
+      page.polygon(map(loops_of(element, as_moved)), {.fill = colour, .stroke = colour, .stroke_width = kSeam});
+    }
+  });
   double y = key.y;
   for (const std::size_t state : met) {
     page.rectangle({key.x, y}, 14, 14, {.fill = kStates[state].colour, .stroke = "#888888", .stroke_width = 0.5});

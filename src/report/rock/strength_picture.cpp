@@ -51,7 +51,8 @@ Box box_of(const FieldFrame& field) {
 std::string heat(double share) {
   constexpr std::array<std::array<double, 3>, 4> kStops{
       {{247, 244, 238}, {253, 212, 158}, {239, 101, 72}, {127, 0, 0}}};
-  const double at = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);
+  constexpr double kColours = 200;  // as those of fields
+  const double at = std::round(std::clamp(share, 0.0, 1.0) * kColours) / kColours * (kStops.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
   const auto mix = [&](std::size_t channel) {
     return std::lround(
@@ -168,13 +169,15 @@ void draw_standing(SvgPage& page, const PageMap& map, const StrengthPicture& pic
   for (const double strain : picture.plastic_strains) most = std::max(most, strain);
   const bool has_flow = most > 0;
   const double width = std::min(0.6, edge_width(map.size(), picture.standing.elements.size()));
-  for (std::size_t e = 0; e < picture.standing.elements.size(); ++e) {
-    const FieldElement& element = picture.standing.elements[e];
-    const std::string colour =
-        has_flow ? heat(picture.plastic_strains.at(e) / most) : std::string(area_colour(element.material));
-    page.polygon(map(outline(element, 0)), {.fill = colour, .stroke = "#777777", .stroke_width = width});
-  }
-  draw_bolts(page, map, picture, true);
+  page.layer([&] {
+    for (std::size_t e = 0; e < picture.standing.elements.size(); ++e) {
+      const FieldElement& element = picture.standing.elements[e];
+      const std::string colour =
+          has_flow ? heat(picture.plastic_strains.at(e) / most) : std::string(area_colour(element.material));
+      page.polygon(map(outline(element, 0)), {.fill = colour, .stroke = "#777777", .stroke_width = width});
+    }
+  });
+  page.layer([&] { draw_bolts(page, map, picture, true); });
   page.text(caption, picture.standing_words + bolts_in_words(picture), {.size = 13, .bold = true});
   if (has_flow)
     draw_heat_bar(page, caption + Point{kBarFromCaption, -10}, fmt::format("{:.2g}", most), "plastic strain");
@@ -191,9 +194,11 @@ void draw_falling(SvgPage& page, const PageMap& map, const StrengthPicture& pict
   const auto increment = [&](std::size_t e) {
     return after.elements[e].middle.displacement - before.elements[e].middle.displacement;
   };
-  for (std::size_t e = 0; e < before.elements.size(); ++e)
-    page.polygon(map(outline(before.elements[e], 0)),
-                 {.fill = heat(length(increment(e)) / most), .stroke = "#999999", .stroke_width = width});
+  page.layer([&] {
+    for (std::size_t e = 0; e < before.elements.size(); ++e)
+      page.polygon(map(outline(before.elements[e], 0)),
+                   {.fill = heat(length(increment(e)) / most), .stroke = "#999999", .stroke_width = width});
+  });
   for (const SlipLine& line : slip_lines(before, after)) {
     const double share = std::hypot(line.slip, line.opening) / most;
     if (share < kShownSlip) continue;
@@ -206,7 +211,7 @@ void draw_falling(SvgPage& page, const PageMap& map, const StrengthPicture& pict
     const Point way = (kArrow / most) * increment(e);
     draw_arrow(page, map(before.elements[e].middle.position), {way.x, -way.y});
   }
-  draw_bolts(page, map, picture, false);
+  page.layer([&] { draw_bolts(page, map, picture, false); });
   draw_heat_bar(page, caption + Point{kBarFromCaption, -10}, "1",
                 "displacement increment over the largest; red lines: joints that slip or open");
 }
