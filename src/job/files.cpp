@@ -1,4 +1,4 @@
-// Files out.
+// Writes files through drafts that are renamed, and checks names of outputs before any work.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/files.hpp"
 
@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What a draft is called: this, the process and a count. Short, because the name of its file may be as long as names
-// can be.
+// Start of the name of a draft; the process and a count follow. It is short, because the name of the file may already
+// have the greatest length.
 constexpr std::string_view kDraft = ".keyblock_draft_";
 
 bool is_taken(const fs::path& file) {
@@ -37,7 +37,7 @@ void require_folder_of(const fs::path& file) {
     throw UsageError(fmt::format("there is no folder {} for {}", folder.string(), file.filename().string()));
 }
 
-/// Whether a file is one that a case folder is read from: all but the pictures and settings that commands write there.
+/// Returns true if a case folder reads the file: all files except the pictures and settings that commands write there.
 bool is_case_input(const fs::path& file, const fs::path& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error) || !fs::equivalent(folder, fs::absolute(file).parent_path(), error))
@@ -56,7 +56,7 @@ void require_replaceable(const fs::path& output, const std::vector<fs::path>& in
       throw UsageError(fmt::format("{} is an input; give another name", output.string()));
 }
 
-// Where a file of that name would lie, whatever links lead there.
+// Returns the place of a file of that name after all links are resolved.
 fs::path place_of(const fs::path& file) {
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(file), error);
@@ -67,7 +67,7 @@ fs::path place_of(const fs::path& file) {
   throw OutputError(fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(why)));
 }
 
-/// A new file beside `file`, which nobody had before; gone again unless it takes the name of `file`.
+/// New file next to `file`, with a unique name. It is removed unless it takes the name of `file`.
 class Draft {
  public:
   explicit Draft(const fs::path& file) : file_(file) {
@@ -97,7 +97,7 @@ class Draft {
     if (fsync(descriptor_) != 0) give_up(file_, errno);
   }
 
-  // Some file systems say only here that there was no room.
+  // Some file systems report a full disk only when the file is closed.
   void put_in_place() {
     take_permissions();
     const bool is_closed = close(descriptor_) == 0;
@@ -106,8 +106,8 @@ class Draft {
     is_in_place_ = true;
   }
 
-  // A second name is made only where there is none. Some file systems know no second names; a name is taken first
-  // there, by a file that nobody else can have made.
+  // A second name is made only if the name is free. On file systems without second names, an exclusively created file
+  // takes the name first.
   void put_where_none_is() {
     if (link(name_.c_str(), file_.c_str()) == 0) return;
     if (errno != EEXIST) {
@@ -119,11 +119,11 @@ class Draft {
     }
     if (errno != EEXIST) give_up(file_, errno);
     require_free(file_, Overwrite::no);
-    give_up(file_, EEXIST);  // there a moment ago, gone now
+    give_up(file_, EEXIST);  // existed a moment ago, does not now
   }
 
  private:
-  // Those of the file that is there; of a new one what the user's mask leaves.
+  // Keeps the permissions of an existing file; a new file has those that the user's mask leaves.
   void take_permissions() const {
     struct stat there {};
     if (lstat(file_.c_str(), &there) == 0 && S_ISREG(there.st_mode)) fchmod(descriptor_, there.st_mode & 07777);

@@ -1,4 +1,4 @@
-// Writing files the way every command does: never over a user's file unless told to, and whole or not at all.
+// Writes files for all commands: whole or not at all, and over a user's file only if the user permits it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,42 +10,43 @@ namespace keyblock {
 
 enum class Overwrite { no, yes };
 
-/// As --force says.
+/// Returns `yes` if --force was given.
 inline Overwrite overwrite_if(bool is_told) {
   return is_told ? Overwrite::yes : Overwrite::no;
 }
 
-/// Throws UsageError if something bears the name `file`, a link to nothing included, and may not be overwritten.
+/// Throws UsageError if `file` exists, even as a link to nothing, and may not be overwritten.
 void require_free(const std::filesystem::path& file, Overwrite overwrite);
 
-/// Before any work is done, so that a long one is not lost: throws UsageError where one of `outputs` is there already
-/// and may not be overwritten, and whatever --force says where it is one of `inputs` (or a file of one that is a
-/// folder, pictures and settings left out), is the same as another output, is
-/// no regular file (a device must not be replaced), or has no folder to stand in. Empty names are passed over.
+/// Checks the outputs before any work, so that no long work is lost. Throws UsageError if one of `outputs` exists and
+/// may not be overwritten. Throws even with --force if an output is one of `inputs`, or a file of an input folder other
+/// than pictures and settings. Throws also if it equals another output, is no regular file (a device must not be
+/// replaced), or has no folder. Empty names are skipped.
 void require_writable(const std::vector<std::filesystem::path>& outputs,
                       const std::vector<std::filesystem::path>& inputs, Overwrite overwrite);
 
-/// Throws UsageError if `input` lies directly in `folder`, where results will be written.
+/// Throws UsageError if `input` lies directly in `folder`, the folder of the results.
 void require_not_below(const std::filesystem::path& input, const std::filesystem::path& folder);
 
-/// Until it returns the bytes may be lost with the power. Throws OutputError if it cannot.
+/// Flushes a file or folder to the disk; before it returns, a power failure may lose the bytes. Throws OutputError on
+/// failure.
 void flush_to_disk(const std::filesystem::path& file_or_folder);
 
-/// As `write_file`, and flushed before and after the renaming: at any moment the disk holds the old file or the new
-/// one, whole. Throws UsageError if there is one and it may not be overwritten: of two that write at once one is told
-/// so.
+/// Writes like `write_file`, and flushes before and after the renaming: the disk always holds the whole old or new
+/// file. Throws UsageError if the file exists and may not be overwritten; if two programs write at once, one gets this
+/// error.
 void write_durably(const std::filesystem::path& file, const std::string& bytes, Overwrite overwrite);
 
-/// Writes a draft beside the file and renames it, so that a reader never meets half a file. A link of that name is
-/// replaced, not followed. Throws OutputError if it cannot, or if the folder is gone; UsageError if there is a file of
-/// that name by then and it may not be overwritten. A file that is replaced keeps its permissions.
+/// Writes a draft next to the file and renames it, so that a reader never sees half a file. A link of that name is
+/// replaced, not followed. Throws OutputError on failure, or if the folder is gone. Throws UsageError if a file of that
+/// name exists by then and may not be overwritten. A replaced file keeps its permissions.
 void write_file(const std::filesystem::path& file, const std::string& text, Overwrite overwrite = Overwrite::yes);
 
-/// A file that the user named: where it is a symbolic link, the file that it points to is written and the link stays.
-/// Throws as `write_file`.
+/// Writes a file that the user named. If it is a symbolic link, the file that it points to is written and the link
+/// stays. Throws like `write_file`.
 void write_output(const std::filesystem::path& file, const std::string& text, Overwrite overwrite);
 
-/// Removes drafts from `folder` that a program killed while writing left there.
+/// Removes drafts from `folder` that a killed program left there.
 void remove_drafts(const std::filesystem::path& folder);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// One list of named columns serves the table and the totals.
+// Writes table and totals of the energy balance from one list of named columns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/ledger_report.hpp"
 
@@ -46,7 +46,7 @@ const std::vector<Column> kImpulse{{"impulse_x", [](const LedgerRow& r) { return
                                    {"impulse_y", [](const LedgerRow& r) { return r.impulse.linear.y; }},
                                    {"angular_impulse", [](const LedgerRow& r) { return r.impulse.angular; }}};
 
-// What loads leave of the change of momentum since `start`: what held blocks and points gave.
+// Returns the change of momentum since `start` that loads do not explain: the impulse of fixed blocks and points.
 std::vector<Column> reactions_since(const LedgerRow& start) {
   return {{"reaction_impulse_x",
            [=](const LedgerRow& r) { return r.momentum.linear.x - start.momentum.linear.x - r.impulse.linear.x; }},
@@ -56,7 +56,7 @@ std::vector<Column> reactions_since(const LedgerRow& start) {
            [=](const LedgerRow& r) { return r.momentum.angular - start.momentum.angular - r.impulse.angular; }}};
 }
 
-// Those the ledger has anything to say in.
+// Returns the columns for which the energy balance has values.
 std::vector<Column> columns_of(const LedgerScope& scope, const LedgerRow& start) {
   std::vector<Column> columns = kStored;
   const auto append = [&](const std::vector<Column>& more) { columns.insert(columns.end(), more.begin(), more.end()); };
@@ -72,7 +72,7 @@ std::vector<Column> columns_of(const LedgerScope& scope, const LedgerRow& start)
   return columns;
 }
 
-// Relative to the largest energy, and to the largest sum of momenta by amount.
+// Closures are relative to the largest energy, and to the largest sum of the absolute momenta.
 Json closure_json(const LedgerScope& scope, const LedgerSums& sums) {
   Json closure = Json::object();
   if (!scope.has_flows) return closure;

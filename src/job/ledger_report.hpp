@@ -1,4 +1,4 @@
-// The section "ledger" of run.json.
+// Writes the section "ledger" of run.json, and ledger.csv. Theory: docs/theory/12-energy-balance.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace keyblock {
 
-/// The last row by name, how well the balances close that the ledger is meant to close, and what the table of its
-/// rows is: those of every `kept_every`-th step, extremes and the last. Sums and closures are of all steps.
+/// Returns the last row by name, the closures of the balances that should close, and a description of the table. The
+/// table has the rows of every `kept_every`-th step, the extremes and the last. Sums and closures are of all steps.
 /// Flows and impulses are sums since the start.
 nlohmann::ordered_json ledger_json(const Ledger& ledger, const LedgerSums& sums, int kept_every, const Units& units);
 
-/// The rows, under the names that `ledger_json` has for its columns.
+/// Returns the rows, with the column names of `ledger_json`.
 std::string ledger_csv(const Ledger& ledger, const LedgerSums& sums, const Units& units);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Plans the case, says in a request what it was asked, and hands both to the job that writes the folder.
+// Plans the case, records its request, and passes both to the job that writes the folder.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/recorded_run.hpp"
 

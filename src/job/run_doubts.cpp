@@ -1,4 +1,4 @@
-// Each limit with its own sentence.
+// Compares a run with each of its limits and writes one sentence per exceeded limit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_doubts.hpp"
 
@@ -30,7 +30,8 @@ std::string law_of(const Prepared& prepared, int number) {
       kSofteningStretch);
 }
 
-/// What makes energy of friction: strains of blocks are damped, those of bodies on covers only where it is asked for.
+/// Names a possible cause of spurious energy. Strains of blocks are damped; those of NMM bodies only if the case
+/// requests it.
 std::string undamped_covers(const Prepared& prepared) {
   const Settings& settings = prepared.scene.settings;
   for (const Scene* scene : scenes_of(prepared.scene))
@@ -76,8 +77,8 @@ void add_penetration(Judgement& judgement, const Prepared& prepared, double shar
                    name_of(model, number_of(last, static_cast<std::size_t>(shared.second))), shared.share, limit)});
 }
 
-// A start closes gaps and strains blocks; one that carries a block as far as this has lifted it out of another. Bodies
-// on covers bend, and a start at rest looks itself whether they are where they were drawn.
+// An initial state closes gaps and strains blocks. A displacement as large as this has lifted a block out of another.
+// NMM bodies are left out: they bend, and a static start compares their place with the drawing itself.
 void add_start(Warnings& found, const Prepared& prepared, const Frame& first, const Place& place) {
   const double limit = prepared.scene.settings.trust.penetration;
   for (std::size_t e = 0; e < first.elements.size(); ++e) {
@@ -111,7 +112,7 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
                      may_yield(prepared.scene) ? "" : law_of(prepared, number), limit)});
 }
 
-// rad: linear statics stretches what rotates by half the square of the angle, 0.5 % here.
+// rad: linear statics stretches a rotating body by half the square of the angle, 0.5 % here.
 constexpr double kLinearRotation = 0.1;
 
 void add_rotation(Warnings& remarks, const Prepared& prepared, const Frame& last, const Place& place) {
@@ -128,7 +129,7 @@ void add_rotation(Warnings& remarks, const Prepared& prepared, const Frame& last
                    name_of(prepared.scene.model, number), angle(*most), 50 * angle(*most) * angle(*most))});
 }
 
-// The square of a strain, which linear statics leaves out, is a tenth of it here.
+// Linear statics neglects the square of a strain, which is a tenth of the strain here.
 constexpr double kLinearStrain = 0.1;
 
 void add_strain(Warnings& remarks, const Prepared& prepared, const Frame& last, const Place& place) {
@@ -150,9 +151,9 @@ void add_strain(Warnings& remarks, const Prepared& prepared, const Frame& last, 
                    name_of(prepared.scene.model, number), strain(*most))});
 }
 
-// Returns the energy that came from nothing over the largest stored energy, but over no less than the work of weight
-// along a small way: the limit of 0.01 is then a lift of the whole by a millionth of a block. Blocks that slid by more
-// than this way, however slowly, are judged by the energy that they had.
+// Returns the created energy over the largest stored energy. The divisor is at least the work of weight along a small
+// displacement; the limit of 0.01 is then a lift of the scene by 1e-6 of a block. Blocks that slid farther than this,
+// even slowly, are judged by their own energy.
 double energy_created(const Prepared& prepared, const RunRecord& record, const Frame& first) {
   const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope);
   if (made <= 0) return 0;
@@ -178,10 +179,10 @@ void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& reco
            limit, undamped_covers(prepared))});
 }
 
-// Of plastic work: what the forces of steps did less than is booked of it. In a step the force has the mean of the
-// stresses at its start and end, the plastic strain is booked with that at the end: ½ (σ1 - σ0) · Δεᵖ is between them.
+// Fraction of the plastic work that the forces of steps did not do. In a step the force has the mean stress of its
+// start and end. The plastic strain is counted with the stress at the end; the difference is ½ (σ1 - σ0) · Δεᵖ.
 constexpr double kMissedPlasticWork = 0.1;
-// Of the largest energy: less plastic work than this is not worth a word.
+// Fraction of the largest energy: less plastic work than this gives no remark.
 constexpr double kLittlePlasticWork = 1e-3;
 
 void add_plastic_work(Warnings& remarks, const RunRecord& record, const Place& place) {
@@ -199,8 +200,8 @@ void add_plastic_work(Warnings& remarks, const RunRecord& record, const Place& p
                    flow.algorithmic, -100 * flow.algorithmic / flow.plastic, flow.plastic)});
 }
 
-// Of the largest energy: what contacts of bodies on covers may take as they close. These bodies rebound by their own
-// elasticity, and what goes beyond it goes with the step and the mesh.
+// Fraction of the largest energy that closing contacts of NMM bodies may dissipate. These bodies rebound by their own
+// elasticity; any further loss depends on the step and the mesh.
 constexpr double kTakenByClosing = 0.1;
 
 void add_closing(Warnings& remarks, const Prepared& prepared, const RunRecord& record, const Place& place) {
@@ -220,9 +221,9 @@ void add_closing(Warnings& remarks, const Prepared& prepared, const RunRecord& r
                    taken / largest)});
 }
 
-// Share of the steps that may be out of balance before a run is not trusted.
+// Fraction of steps that may be out of balance before a run is not trusted.
 constexpr double kUnbalancedSteps = 0.1;
-// Fewer say nothing of a run of few steps: the first ones after a start are the hardest.
+// Fewer steps are not judged in a short run: the first ones after a start are the hardest.
 constexpr int kFewestUnbalanced = 4;
 
 void add_imbalance(Warnings& found, const Prepared& prepared, const StepTotals& totals, const Place& place) {
@@ -236,7 +237,7 @@ void add_imbalance(Warnings& found, const Prepared& prepared, const StepTotals& 
                                100 * kUnbalancedSteps)});
 }
 
-// Statics: an equilibrium is an answer about the drawing only if it lies near it.
+// In statics an equilibrium answers a question about the drawing only if it lies near the drawing.
 void add_distance(Judgement& judgement, const Prepared& prepared, const RunRecord& record, const Frame& last,
                   const Place& place) {
   const Settings& settings = prepared.scene.settings;
@@ -272,7 +273,7 @@ void add_distance(Judgement& judgement, const Prepared& prepared, const RunRecor
         {"equilibrium_moved", place, fmt::format("a small loose block found another place: {}", in_words(*loose))});
 }
 
-// What a stage was to come to before the next began.
+// Warns of stages that did not reach the equilibrium required before the next stage.
 void add_stages(Warnings& found, const RunOutcome& outcome, const Place& place) {
   for (std::size_t i = 0; i < outcome.scenes.size(); ++i) {
     const SceneReport& scene = outcome.scenes[i];
@@ -284,7 +285,7 @@ void add_stages(Warnings& found, const RunOutcome& outcome, const Place& place) 
   }
 }
 
-// Under given loads a tip that cannot be judged stays where it is, and at rest each step sees one increment.
+// Under given loads a tip that cannot be judged does not extend. In statics each step sees one increment.
 void add_tips(Judgement& judgement, const Prepared& prepared, const Frame& last, const Place& place) {
   const CrackGrowth* growth = prepared.scene.growth.get();
   if (growth == nullptr || growth->plan.loads != GrowthLoads::given) return;
@@ -309,8 +310,8 @@ void add_tips(Judgement& judgement, const Prepared& prepared, const Frame& last,
   }
 }
 
-// Factors stand in the tables as if they were right, of the tips that the run began with. In rock that may yield there
-// are none, and where a tip is to go on `add_tips` tells of one without room.
+// Stress intensity factors that may be wrong stand in the tables, for the tips at the start of the run. Elastoplastic
+// rock has none. For tips that may extend, `add_tips` reports one without room.
 void add_factors(Warnings& remarks, const Prepared& prepared, const Frame& last, const Place& place) {
   const auto& continuum = prepared.scene.model.continuum;
   if (last.tips.empty() || !continuum || continuum->cracks.empty()) return;  // no table has their factors
@@ -334,7 +335,7 @@ void add_factors(Warnings& remarks, const Prepared& prepared, const Frame& last,
   }
 }
 
-// Cracks that start where the mesh cannot show the stress over the length of the rock.
+// Warns of cracks that start where the mesh does not resolve the stress over the length of the rock.
 void add_coarse_starts(Warnings& found, const CrackNotes::Start& start, const Place& place) {
   if (start.count == 0) return;
   found.push_back(
@@ -350,7 +351,7 @@ void add_coarse_starts(Warnings& found, const CrackNotes::Start& start, const Pl
                    start.length / 2)});
 }
 
-// Tips whose faces lie in one another, at the end or as they went on.
+// Warns of tips whose faces overlap, at the end or when they extended.
 void add_overlapping(Warnings& found, const Prepared& prepared, const CrackNotes::AtTip& went_on, const Frame& last,
                      const Place& place) {
   const auto put = [&](Point at, const std::string& when, double ratio) {
@@ -360,7 +361,7 @@ void add_overlapping(Warnings& found, const Prepared& prepared, const CrackNotes
                                  plain(at.x), plain(at.y), when, ratio)});
   };
   if (went_on.step > 0) return put(went_on.at, fmt::format(", which went on in step {}", went_on.step), went_on.ratio);
-  // Joints that end in a body are cracks too; those whose faces touch press on each other as contact has it.
+  // Joints that end in a body are cracks too; contact closes the faces of those.
   const auto& continuum = prepared.scene.model.continuum;
   if (!prepared.scene.is_untouched && (!continuum || continuum->cracks.empty())) return;
   const auto overlaps = [](const TipState& tip) { return tip.has_room && faces_overlap({tip.mode_1, tip.mode_2}); };
@@ -368,8 +369,8 @@ void add_overlapping(Warnings& found, const Prepared& prepared, const CrackNotes
   if (tip != last.tips.end()) put(tip->at, " at the end", tip->mode_1 / std::hypot(tip->mode_1, tip->mode_2));
 }
 
-// Share of K_I that K_II may have behind an increment. In benchmark fra-06 it comes to 0.10 with increments of 0.3,
-// whose path ends 0.2 beside that of half of them, and to 0.055 with these.
+// Largest K_II over K_I behind an increment. In benchmark fra-06 it reaches 0.10 with increments of 0.3, whose path
+// ends 0.2 from that with half of them, and 0.055 with these.
 constexpr double kMostBend = 0.08;
 
 void add_bend(Warnings& remarks, const CrackNotes::AtTip& bent, const Place& place) {

@@ -1,4 +1,4 @@
-// Why the numbers of a run that came to its end cannot be trusted.
+// Judges a completed run: compares it with its limits and gives the reasons for distrusting its numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,23 +9,23 @@
 
 namespace keyblock {
 
-/// Returns true if the energy balance of a run in time knows the work of all loads.
+/// Returns true if the energy balance of a dynamic run includes the work of all loads.
 bool keeps_energy(const RunRecord& record);
 
 struct Judgement {
   Warnings doubts;   ///< why the results are not to be trusted
-  Warnings remarks;  ///< what could not be looked at
+  Warnings remarks;  ///< checks that could not be made
 };
 
-/// One doubt for each limit of `TrustLimits` that the run went beyond, at `place`; none where it can be trusted. Depths
-/// and crushing are those of all steps, areas in common those at the end `last`; areas are held against the unloaded
-/// scene, so that what the start pressed counts, and so does how far it moved a block, `first`. Energy is looked at
-/// where the ledger is kept and the run is in time.
+/// Returns one doubt, at `place`, per limit of `TrustLimits` that the run exceeded; empty if it can be trusted. Depths
+/// and crushing are those of all steps, overlap areas those of the frame `last`. Areas are compared with the unloaded
+/// scene, so that overlap from the start counts; so does the displacement of a block by the start, `first`. Energy is
+/// judged only for dynamic runs with an energy balance.
 Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last,
                  const Place& place);
 
-/// Puts what is to be said of a run at its end into the record: warnings, remarks, doubts, how far statics came, how
-/// the motion ended. Measures, extremes and reactions are there already.
+/// Puts the final judgement of a run into the record: warnings, remarks, doubts, progress of statics, end of the
+/// motion. Measures, extremes and reactions are there already.
 void judge(RunRecord& record, const Prepared& prepared, StepWatch& watch, const Frame& first, const Frame& last,
            const Place& place);
 

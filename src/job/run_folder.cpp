@@ -1,4 +1,4 @@
-// Writes the results of one run.
+// Writes the results of one run into its folder.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_folder.hpp"
 
@@ -30,16 +30,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The list is written whole each time: of many frames not with each.
+// The list is written whole each time, so it is not written with each of many frames.
 constexpr std::chrono::milliseconds kListEvery{500};
 
-// Longer runs are not to be lost with the power.
+// Results of longer runs must survive a power failure.
 constexpr std::chrono::seconds kWorthTheDisk{3};
 
-// Rows of histories are written in lots.
+// Rows of histories are written in batches.
 constexpr std::size_t kLotOfRows = 1 << 16;
 
-// Layer JOINT_2 has those that started in shear, JOINT_1 all others.
+// Layer JOINT_2 has cracks that started in shear, JOINT_1 all others.
 std::string dxf_of(const std::vector<CrackFrame>& cracks, const Units& units) {
   formats::Content content;
   content.units = units;
@@ -120,7 +120,7 @@ RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace, Units un
       histories_(folder_ / formats::kHistoriesTable.file, histories_header(units_)),
       trace_(trace) {
   files_.require_free();
-  // A link to a folder is no folder of this run: what lies behind it is the user's.
+  // A link to a folder is not a folder of this run: its target is the user's.
   if (const fs::path frames = folder_ / kFrameFolder;
       fs::exists(fs::symlink_status(frames)) && !fs::is_directory(fs::symlink_status(frames)))
     throw UsageError(fmt::format("{} is a file or a link, not a folder", frames.string()));
@@ -132,7 +132,7 @@ RunFolder::RunFolder(fs::path folder, Trace trace, Units units)
   lock_ = FolderLock(folder_);
 }
 
-// Whatever came to stand there since the folder was looked at is another run's, or the user's.
+// Files that appeared since the folder was checked belong to another run, or to the user.
 void RunFolder::begin(const std::string& checkpoint) {
   std::error_code error;
   made_folder_ = fs::create_directories(folder_, error);
@@ -142,7 +142,7 @@ void RunFolder::begin(const std::string& checkpoint) {
     files_.remove_earlier();
   else
     files_.require_free();
-  remove_drafts(folder_);  // those of a run that was killed: no other run writes here
+  remove_drafts(folder_);  // of a killed run: no other run writes here
   if (!checkpoint.empty()) write_file(checkpoint_in(folder_), checkpoint, Overwrite::no);
   const bool made_frames = fs::create_directory(folder_ / kFrameFolder, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", (folder_ / kFrameFolder).string()));
@@ -155,13 +155,13 @@ void RunFolder::take_back() {
   frame_files_.remove();
   files_.remove_growing();
   fs::remove(checkpoint_in(folder_), error);
-  fs::remove(folder_ / kFrameFolder, error);  // unless something else lies there
+  fs::remove(folder_ / kFrameFolder, error);  // unless it holds other files
   if (made_folder_) fs::remove(folder_, error);
 }
 
 void RunFolder::drop_what_followed() {
   std::error_code error;
-  fs::remove(folder_ / kRecord, error);  // where it stands the run is over; the other results are written again
+  fs::remove(folder_ / kRecord, error);  // its presence means that the run is over; the other results are written again
   FrameFiles::remove_others(folder_, frame_files_.paths());
   remove_drafts(folder_);
   fs::create_directory(folder_ / kFrameFolder, error);
@@ -182,7 +182,7 @@ void RunFolder::write_checkpoint(const std::string& bytes) {
   has_saved_steps_ = true;
 }
 
-// The results take the place of what was saved, and reach the disk first. Those of a run of a few seconds may wait.
+// The results replace the checkpoint, and reach the disk first. Those of a run of a few seconds may wait.
 void RunFolder::remove_checkpoint() {
   if (!fs::exists(checkpoint_in(folder_))) return;
   if (has_saved_steps_ || std::chrono::steady_clock::now() - begun_ > kWorthTheDisk) {
@@ -228,7 +228,7 @@ void RunFolder::flush_histories() {
   history_rows_.clear();
 }
 
-// The list would name what is not there.
+// Without this check the list would name missing files.
 void RunFolder::write_list_of_frames() {
   try {
     frame_files_.require_there();

@@ -1,4 +1,4 @@
-// The folder a run writes into: frames as they come, tables and pictures at the end.
+// Writes the folder of a run: frames during the run, tables and pictures at the end.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -28,26 +28,26 @@ namespace keyblock {
 
 enum class Trace { no, yes };
 
-/// Tables that are written whole, at the end and from time to time before it.
+/// Tables that are written whole, at the end and at intervals before it.
 struct RunTables {
   const History& history;
   std::string steps;
-  std::string ledger;  ///< empty where no books are kept
+  std::string ledger;  ///< empty without an energy balance
 };
 
-/// What a run leaves beside its frames.
+/// Results of a run in addition to its frames.
 struct RunResults {
   std::string title;
   RunTables tables;
   const std::vector<StepReport>& steps;
   Ledger ledger;
-  const FieldFrame& field;         ///< the end
-  bool is_of_motion = true;        ///< displacements are as they are, however large; those of linear statics are not
-  std::vector<int> marked = {};    ///< elements, from 0, at which it failed
-  std::string marked_words = {};   ///< what these do
-  bool follows_by_choice = false;  ///< histories.csv was written on the way
-  std::vector<std::vector<int>> joints = {};  ///< as `report::RunPicture` has them
-  std::vector<std::string> rock_names = {};   ///< as `report::RunPicture` has them
+  const FieldFrame& field;        ///< the end
+  bool is_of_motion = true;       ///< displacements are true to scale, even large ones; those of linear statics are not
+  std::vector<int> marked = {};   ///< elements, from 0, at which it failed
+  std::string marked_words = {};  ///< their failure, in words
+  bool follows_by_choice = false;             ///< histories.csv was written during the run
+  std::vector<std::vector<int>> joints = {};  ///< in the form of `report::RunPicture`
+  std::vector<std::string> rock_names = {};   ///< in the form of `report::RunPicture`
   std::vector<std::string> joint_names = {};
   std::vector<int> idle_bolts = {};  ///< numbers, from 0, of bolts without properties
   std::vector<int> held = {};        ///< numbers, from 0, of blocks with a fixed point at the end
@@ -57,72 +57,72 @@ struct RunResults {
 
 class RunFolder {
  public:
-  /// For a new run; nothing is changed before `begin`. Tables, frames and pictures name `units`. Throws UsageError if
-  /// there is a run already that may not be overwritten.
+  /// Prepares a new run; changes nothing before `begin`. Tables, frames and pictures name `units`. Throws UsageError if
+  /// a run exists there that may not be overwritten.
   RunFolder(std::filesystem::path folder, Overwrite overwrite, Trace trace, Units units = {});
 
-  /// The folder of a run that goes on: `describe` has to follow, and then `drop_what_followed`, which changes it first.
-  /// Throws UsageError if that run still writes.
+  /// Opens the folder of a run to resume. Call `describe` next, then `drop_what_followed`, which is the first to change
+  /// the folder. Throws UsageError if that run still writes.
   RunFolder(std::filesystem::path folder, Trace trace, Units units = {});
 
-  /// Makes the folder; what an earlier run left there goes, all else stays. The first checkpoint, if the run has any,
-  /// comes before the folder of frames: wherever that stands, the run can be resumed. Throws UsageError if another has
-  /// just begun there, or still writes.
+  /// Makes the folder and removes the files of an earlier run; all else stays. The first checkpoint, if the run has
+  /// any, is written before the folder of frames: any run with that folder can be resumed. Throws UsageError if another
+  /// run has just begun there, or still writes.
   void begin(const std::string& checkpoint = {});
 
-  /// What `begin` made and the frames since, for a run whose input turns out to be unusable.
+  /// Removes the files of `begin` and all frames since, for a run whose input turns out to be unusable.
   void take_back();
 
-  /// Saves and restores frames and growing tables. Throws InputError if one that was written is gone or is another.
+  /// Saves and restores frames and growing tables. Throws InputError if a written file is gone or has changed.
   void describe(Archive& archive);
 
-  /// Removes what an interrupted run left beyond its checkpoint, and nothing that is not a run's.
+  /// Removes results of an interrupted run beyond its checkpoint, and nothing that is not a run's.
   void drop_what_followed();
 
   bool has_frames() const { return !frame_files_.is_empty(); }
 
-  /// Puts `bytes` where `checkpoint_in` says, once the frames that they count on are on the disk.
+  /// Writes `bytes` to the file of `checkpoint_in`, after the frames that they refer to are on the disk.
   void write_checkpoint(const std::string& bytes);
 
-  /// The run is over: the checkpoint goes, if there is one; of a run that took more than seconds, or began from a
-  /// checkpoint, once the results are on the disk.
+  /// Removes the checkpoint, if any, after the run. If the run took more than seconds, or began from a checkpoint, the
+  /// results are flushed to the disk first.
   void remove_checkpoint();
 
-  /// Writes at once the frame's .vtu, with `field` where that has elements, .vtp files of contacts and bolts where
-  /// there are any, and their rows of contacts.csv, joints.csv, joint_lines.csv and bolts.csv; and from time to time
-  /// fields.pvd.
+  /// Writes a frame at once: its .vtu, with `field` if that has elements, and .vtp files of contacts and bolts if there
+  /// are any. Appends their rows to contacts.csv, joints.csv, joint_lines.csv and bolts.csv. Writes fields.pvd at
+  /// intervals.
   void add(const Frame& frame, const FieldFrame& field = {}, const ContactFrames& contacts = {});
 
-  /// Says what is to become of contacts, before the first frame.
+  /// Selects the output of contacts, before the first frame.
   void choose_contacts(ContactOutput output) { frame_tables_.choose(std::move(output)); }
-  /// Of which bodies consist, before the first frame.
+  /// Sets the materials of the bodies, before the first frame.
   void choose_frames(std::vector<BlockMaterial> materials, formats::VtkCoding coding) {
     frame_files_.choose(std::move(materials), coding);
   }
   const FrameTables& frame_tables() const { return frame_tables_; }
 
-  /// Lines of histories.csv, kept for a while before they are written.
+  /// Adds lines of histories.csv, which are written in batches.
   void add_histories(const std::string& rows);
 
-  /// history.csv (`hidden`: numbers of blocks that pictures leave out), step_table.csv, ledger.csv if there is a
-  /// ledger, points.csv where points are measured.
+  /// Writes history.csv (`hidden`: numbers of blocks that pictures leave out), step_table.csv, ledger.csv if there is
+  /// an energy balance, points.csv if points are measured.
   void write_tables(const RunTables& tables, const std::vector<int>& hidden = {});
 
-  /// All tables, fields.pvd, picture.svg, field.svg; energy.svg if there is a ledger, plastic.svg where rock may yield,
-  /// reactions.svg where load steps of such rock drive an edge and, for a trace, steps.csv, blocks.csv and, where there
-  /// are rounds of Newton's method, rounds.csv. Returns the numbers, from 0, of the elements that the pictures leave
-  /// out.
+  /// Writes all tables, fields.pvd, picture.svg and field.svg; energy.svg if there is an energy balance; plastic.svg if
+  /// rock is elastoplastic. Writes reactions.svg if load steps of such rock drive an edge. For a trace, writes
+  /// steps.csv, blocks.csv and, if there are Newton iterations, rounds.csv. Returns the numbers, from 0, of the
+  /// elements that the pictures leave out.
   std::vector<int> finish(const RunResults& results);
 
-  /// run.json, last: where it stands, everything else does.
+  /// Writes run.json last: its presence means that all other files are there.
   void write_record(const std::string& json);
 
   const Frame& first_frame() const { return frames_.front(); }
   const Frame& last_frame() const { return frames_.back(); }
-  /// Of the last frame against the first.
+  /// Returns the extremes of the last frame relative to the first.
   Extremes extremes(const FieldFrame& end) const { return extremes_of(frames_.front(), frames_.back(), end); }
 
-  /// Names of what was written, in order.
+  /// Returns the names of the written files, in order.
   const std::vector<std::string>& outputs() const { return files_.names(); }
 
  private:
@@ -134,20 +134,20 @@ class RunFolder {
   std::filesystem::path folder_;
   OutputFiles files_;
   Units units_;
-  FolderLock lock_;  ///< of a new run from `begin` on
+  FolderLock lock_;  ///< of a new run: locked from `begin` on
   FrameFiles frame_files_;
   FrameTables frame_tables_;
   GrowingTable histories_;
-  std::string history_rows_;                           ///< that are not written yet
-  std::chrono::steady_clock::time_point listed_ = {};  ///< when the list of frames was written last
+  std::string history_rows_;                           ///< not written yet
+  std::chrono::steady_clock::time_point listed_ = {};  ///< last time at which the list of frames was written
   Trace trace_;
-  std::vector<Frame> frames_;  ///< for a trace all of them, else the first and the last
+  std::vector<Frame> frames_;  ///< for a trace all of them, otherwise the first and the last
   bool made_folder_ = false;
   bool has_saved_steps_ = false;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
-/// Where a run's folder has its checkpoint.
+/// Returns the path of the checkpoint in the folder of a run.
 std::filesystem::path checkpoint_in(const std::filesystem::path& folder);
 
 }  // namespace keyblock

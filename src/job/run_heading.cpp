@@ -1,4 +1,4 @@
-// Reads what run_report.cpp wrote.
+// Reads title, units and lists of elements from the record that run_report.cpp wrote.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_heading.hpp"
 
@@ -26,7 +26,7 @@ std::string text(const Json& of, const char* key) {
   return found.is_string() ? found.get<std::string>() : std::string();
 }
 
-/// From 0.
+/// Returns the numbers under a key, from 0.
 std::vector<int> numbers(const Json& of, const char* key) {
   std::vector<int> found;
   for (const Json& number : member(of, key))

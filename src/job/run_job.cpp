@@ -1,4 +1,4 @@
-// The record grows with every step; the folder with every frame.
+// Steps a run: the record grows with every step, the folder with every frame.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_job.hpp"
 
@@ -18,7 +18,7 @@
 namespace keyblock {
 namespace {
 
-// Tables are written as the run goes, and take no more than a fiftieth of its time.
+// Tables are written during the run, and take at most a fiftieth of its time.
 constexpr std::chrono::seconds kTablesEvery{5};
 constexpr int kLeastPause = 50;
 
@@ -33,7 +33,7 @@ std::vector<int> numbers_of(const std::vector<ElementIndex>& elements) {
   return numbers;
 }
 
-// As the legend of the picture has it.
+// Uses the words of the legend of the picture.
 std::string what_failed_does(const RunOutcome& outcome, const Scene& scene) {
   const char* const noun = scene.model.nodes.empty() ? "block" : "element";
   const std::string blocks = outcome.elements.size() == 1 ? fmt::format("{} {}", noun, outcome.numbers.front())
@@ -45,7 +45,7 @@ std::string what_failed_does(const RunOutcome& outcome, const Scene& scene) {
   return fmt::format("{}: {}", blocks, does);
 }
 
-// By numbers of elements, loop after loop. Edges inside a body are of no joint.
+// The list is by number of element, loop after loop. Edges inside a body belong to no joint.
 std::vector<std::vector<int>> joints_of_edges(const Model& model) {
   std::vector<std::vector<int>> joints;
   for (const ElementIndex e : indices(model.elements)) {
@@ -88,7 +88,7 @@ void RunJob::choose_outputs() {
                            [this](const ContactFrame& contact) { return followed_.follows(contact); }, frames});
 }
 
-// As often as rows of steps are kept.
+// Follows histories as often as rows of steps are kept.
 void RunJob::follow(const Stepper& stepper) {
   stepping_ = &stepper;
   if (followed_.is_empty()) return;
@@ -97,7 +97,7 @@ void RunJob::follow(const Stepper& stepper) {
   if (step % stride_of(last) == 0 || step == last) folder_.add_histories(followed_.rows(stepper, joints_));
 }
 
-// Tables that grow with each history and each measured point. They are told of before the run, which may be long.
+// Tables that grow with each history and each measured point. The warning comes before the run, which may be long.
 Warnings RunJob::large_tables() const {
   constexpr double kMegabyte = 1e6;
   constexpr double kLarge = 100;         // megabytes
@@ -153,7 +153,7 @@ RunTables RunJob::tables(const LedgerScope& scope) const {
           ledger.rows.empty() ? std::string() : ledger_csv(ledger, record_.ledger_sums, record_.units)};
 }
 
-// Whole files each time, so that a long run writes them seldom enough.
+// Whole files are written each time, so the pause before the next is long in a long run.
 void RunJob::write_tables(const LedgerScope& scope) {
   const auto begun = std::chrono::steady_clock::now();
   if (begun < tables_due_) return;
@@ -215,7 +215,7 @@ bool RunJob::run(const std::function<void(const StepReport&)>& on_step) {
 
 namespace {
 
-// In all scenes of the run.
+// Returns the bolts without properties in all scenes of the run.
 std::vector<int> idle_bolts(const Scene& first) {
   std::set<int> numbers;
   for (const Scene* scene : scenes_of(first))
@@ -226,7 +226,7 @@ std::vector<int> idle_bolts(const Scene& first) {
   return {numbers.begin(), numbers.end()};
 }
 
-// Of blocks; what an element of a body on covers carries is known.
+// Returns the fixed blocks. NMM bodies are left out: the load on one of their elements is known.
 std::vector<int> held_blocks(const Frame& end) {
   if (!end.outlines.empty()) return {};
   std::set<int> numbers;
@@ -236,7 +236,7 @@ std::vector<int> held_blocks(const Frame& end) {
 
 }  // namespace
 
-// What is to be said of the run, and whether it can be trusted.
+// Adds warnings to the record and judges the run.
 void RunJob::judge() {
   const Place& place = options_.place;
   record_.warnings = joined(record_.warnings, watch_.warnings(place));

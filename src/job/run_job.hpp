@@ -1,4 +1,4 @@
-// One run into its folder: begun or gone on with, stepped with checkpoints on the way, finished with its record.
+// Runs one case into its folder: starts or resumes it, steps it with checkpoints, writes its record at the end.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,10 +21,10 @@ struct RunJobOptions {
   std::filesystem::path folder;
   Overwrite overwrite = Overwrite::no;
   Trace trace = Trace::no;
-  double checkpoint_every = 0;  ///< seconds; 0: none but at the start and where the run is stopped
-  Place place;                  ///< of the analysis, for what is said of the whole run
+  double checkpoint_every = 0;  ///< seconds; 0: only at the start and if the run is stopped
+  Place place;                  ///< of the analysis, for warnings about the whole run
   OutputPlan outputs = {};      ///< points of histories are measured points of the scene
-  std::string shown = {};       ///< in field.svg, as RunResults has it
+  std::string shown = {};       ///< in field.svg, as in RunResults
   formats::MaterialNames names = {};
   formats::VtkCoding frames = formats::VtkCoding::raw;
   bool has_pictures = true;
@@ -32,22 +32,22 @@ struct RunJobOptions {
 
 class RunJob {
  public:
-  /// `record` holds what is known before the first step: profile, inputs, warnings, timings, frames. Touches nothing on
-  /// the disk; throws UsageError where results stand in the folder that may not be overwritten and for outputs that
-  /// cannot be, InputError for a history of what is not there. Where `saved` is given, the folder is that of the run to
-  /// go on with. Views `prepared`.
+  /// Takes in `record` the data known before the first step: profile, inputs, warnings, timings, frames. Changes
+  /// nothing on the disk. Throws UsageError for impossible outputs, or if results in the folder may not be overwritten.
+  /// Throws InputError for a history of a missing part. If `saved` is given, the folder is that of the run to resume.
+  /// Keeps a reference to `prepared`.
   RunJob(const Prepared& prepared, RunRecord record, RunRequest request, RunJobOptions options, Archive* saved);
 
-  /// Makes the folder with what was asked, or takes up what the checkpoint holds. Throws UsageError, InputError.
+  /// Makes the folder with the request, or restores the checkpoint. Throws UsageError, InputError.
   void open();
-  /// Steps that the checkpoint holds; none of a run that begins.
+  /// Returns the number of steps in the checkpoint; nothing for a new run.
   std::optional<int> steps_before() const;
 
-  /// Tells `on_step` of each step. False where it was stopped before its first step: nothing is told then, and
-  /// `--resume` begins again. Throws InputError, and leaves no folder that it made, where the start cannot be.
+  /// Calls `on_step` for each step. Returns false if the run was stopped before its first step: there is no report
+  /// then, and `--resume` begins again. Throws InputError if the run cannot start; a folder that it made is removed.
   bool run(const std::function<void(const StepReport&)>& on_step);
 
-  /// Writes all results and the record, which it returns as JSON.
+  /// Writes all results and the record; returns the record as JSON.
   std::string finish(const std::string& title, double seconds);
 
   const RunRecord& record() const { return record_; }
@@ -72,14 +72,14 @@ class RunJob {
   StepWatch watch_;
   DrawnJoints joints_;
   Followed followed_;
-  const Stepper* stepping_ = nullptr;  ///< the run is in, once a state of it was told
+  const Stepper* stepping_ = nullptr;  ///< of the run, after its first state
   History history_;
   CheckpointClock clock_;
   std::chrono::steady_clock::time_point tables_due_;
-  std::unique_ptr<Stepper> stepper_;               ///< restored; none of a run that begins
-  FieldFrame field_;                               ///< of the frame that comes next
-  ContactFrames contacts_;                         ///< likewise
-  std::vector<std::vector<int>> joints_of_edges_;  ///< of the last frame, as `report::RunPicture` has them
+  std::unique_ptr<Stepper> stepper_;               ///< restored; null in a new run
+  FieldFrame field_;                               ///< of the next frame
+  ContactFrames contacts_;                         ///< of the next frame
+  std::vector<std::vector<int>> joints_of_edges_;  ///< of the last frame, in the form of `report::RunPicture`
 };
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// A table of paths; settings and the ledger have tables of their own.
+// Looks up paths of the record in a table; settings and the energy balance have tables of their own.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_measures.hpp"
 
@@ -77,7 +77,7 @@ std::optional<Measure> measure_in_record(const std::string& path) {
   if (path.starts_with(kLedgerEnd)) return column_of(formats::kLedgerTable, path.substr(kLedgerEnd.size())).measure;
   const auto find = [](std::string_view wanted) { return std::ranges::find(kPaths, wanted, &PathMeasure::path); };
   auto found = find(path);
-  // Forces of a stage are those of the whole run.
+  // Keys of a stage are those of the whole run.
   if (found == kPaths.end() && path.starts_with(kOfStages))
     found = find(std::string_view(path).substr(kOfStages.size()));
   return found == kPaths.end() ? std::nullopt : std::optional(found->measure);

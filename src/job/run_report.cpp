@@ -1,4 +1,4 @@
-// Builds run.json.
+// Builds run.json from the record of a run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_report.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Load steps of a run that found no equilibrium, times as many.
+// Factor on the load steps of a run that found no equilibrium.
 constexpr int kMoreLoadSteps = 5;
 
 const char* word_for(RunEnd end) {
@@ -86,7 +86,7 @@ Json counts_json(const Prepared& prepared, const StepTotals& totals) {
   return counts;
 }
 
-// The rows themselves are a table of their own.
+// The rows themselves are in a table of their own.
 Json steps_json(const StepRows& steps, const Units& units) {
   return {{"table", formats::kStepTable.file},
           {"columns", step_columns(steps.rows(), units)},
@@ -181,7 +181,7 @@ Json stages_json(const std::vector<SceneReport>& scenes) {
   return stages;
 }
 
-/// Force and stress are named whichever of the three the case declares.
+/// Force and stress are named for each choice of the three declared units.
 Json json_of(const Units& units) {
   Json json = {{"length", units.length}, {"mass", units.mass}, {"time", units.time}};
   if (is_declared(measures::kForce, units)) json["force"] = unit_of(Measure{{1, 1, -2}}, units);
@@ -193,7 +193,8 @@ Json json_of(const EquilibriumWay& way) {
   return {{"share", way.share ? Json(*way.share) : Json()}, {"last_step_ratio", way.last_step_ratio}};
 }
 
-/// Advice for load steps of yielding rock without contacts. Motion is no option: it would apply all loads at once.
+/// Returns advice for load steps of elastoplastic rock without contacts. Motion is no option: it would apply all loads
+/// at once.
 std::vector<Remedy> what_to_try_under_loads(const Scene& scene) {
   std::vector<Remedy> remedies{{fmt::format("--set steps={}", kMoreLoadSteps * scene.settings.step_count),
                                 "makes the load steps shorter, which helps unless this is the limit load"}};
@@ -218,7 +219,7 @@ std::vector<Remedy> what_to_try(const Prepared& prepared, const RunOutcome& outc
   if (yields && prepared.scene.is_untouched && outcome.failure == FailureKind::no_equilibrium)
     return what_to_try_under_loads(prepared.scene);
   std::vector<Remedy> remedies{{"--set motion=dynamic", "shows the motion"}};
-  if (!yields && !prepared.scene.model.continuum)  // of blocks without strength
+  if (!yields && !prepared.scene.model.continuum)  // blocks without strength
     remedies.push_back({"--profile legacy", "starts each step from rest, as Shi's programs do"});
   return remedies;
 }
@@ -263,7 +264,7 @@ Json all_settings_json(const Settings& settings) {
   Json all = Json::object();
   for (const SettingText& setting : list(settings)) {
     Json value = setting.is_number ? Json::parse(setting.value, nullptr, false) : Json(setting.value);
-    all[setting.name] = value.is_discarded() ? Json() : value;  // infinite: no JSON
+    all[setting.name] = value.is_discarded() ? Json() : value;  // infinite: not valid in JSON
   }
   return all;
 }

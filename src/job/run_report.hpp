@@ -1,4 +1,4 @@
-// The record of a run, run.json: what went in, what was chosen, what came out. Its keys are stable.
+// Builds the record of a run, run.json: inputs, choices and results. Its keys are stable.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace keyblock {
 
-/// An input file as run.json names it.
+/// Input file as run.json names it.
 struct InputRecord {
   std::string file;
   std::string sha256;
@@ -26,67 +26,67 @@ struct InputRecord {
   std::string evidence;
 };
 
-/// Seconds of wall time.
+/// Wall time of each phase [s].
 struct Timings {
   double read = 0;
   double prepare = 0;  ///< cutting and building the model
   double run = 0;      ///< steps, and the frames written on the way
 };
 
-/// How far a static run came: `share` of the way to equilibrium, none where its steps show no sign of one.
+/// Progress of a static run: `share` of the way to equilibrium; nothing if its steps show no sign of one.
 struct EquilibriumWay {
   std::optional<double> share;
-  double last_step_ratio = 0;  ///< the last step over the one before; 0 where each step is an equilibrium
+  double last_step_ratio = 0;  ///< the last step over the one before; 0 if each step is an equilibrium
 };
 
-/// A static run that has come this far is in equilibrium.
+/// Progress from which a static run counts as in equilibrium.
 inline constexpr double kNearEquilibrium = 0.99;
 
 struct RunRecord {
   std::string profile;
-  std::string profile_because;  ///< why it is the one
-  Units units = {};             ///< that the case declares
+  std::string profile_because;  ///< reason for the choice of profile
+  Units units = {};             ///< declared by the case
   std::vector<InputRecord> inputs;
   StepTotals totals;
   StepRows steps;
-  std::vector<StepReport> traced;  ///< every step, where a trace is asked for
+  std::vector<StepReport> traced;  ///< every step, if a trace is requested
   LedgerSums ledger_sums;
   LedgerRows ledger;
   RunOutcome outcome;
   Extremes extremes;                            ///< of the last frame
-  std::optional<PlasticExtremes> plastic = {};  ///< of the last frame, where rock may yield
-  std::vector<ReactionCurve> reactions = {};    ///< of edges that load steps of such rock drive
+  std::optional<PlasticExtremes> plastic = {};  ///< of the last frame, if rock is elastoplastic
+  std::vector<ReactionCurve> reactions = {};    ///< of edges driven by load steps of elastoplastic rock
   bool is_static = false;
-  std::optional<EquilibriumWay> equilibrium_way;  ///< of static runs that came to their end
-  std::optional<EndOfMotion> motion = {};         ///< none of a run without a step
+  std::optional<EquilibriumWay> equilibrium_way;  ///< of completed static runs
+  std::optional<EndOfMotion> motion = {};         ///< empty if the run has no step
   Timings timings;
   Warnings warnings;
-  double energy_created = 0;  ///< over the largest stored energy, as `energy_limit` judges it
-  Warnings doubts;            ///< why a run that came to its end is not trusted; among `warnings` too
+  double energy_created = 0;  ///< over the largest stored energy, for comparison with `energy_limit`
+  Warnings doubts;            ///< reasons to distrust a completed run; also among `warnings`
   int record_every = 1;
   std::vector<int> left_out = {};    ///< numbers, from 0, of elements that the pictures leave out
   std::vector<int> held = {};        ///< numbers, from 0, of blocks with a fixed point at the end
   std::vector<std::string> outputs;  ///< file names in the run's folder
 };
 
-/// An option of `run`, and its effect with the verb first: "shows the motion".
+/// Option of `run`, and its effect with the verb first: "shows the motion".
 struct Remedy {
   std::string option;
   std::string what;
 };
 
-/// What to try where a run failed; empty where nothing is known to help.
+/// Returns options to try after a failed run; empty if no remedy is known.
 std::vector<Remedy> what_to_try(const Prepared& prepared, const RunOutcome& outcome);
 
 nlohmann::ordered_json inputs_json(const std::vector<InputRecord>& inputs);
 
-/// Every warning with its place.
+/// Returns every warning with its place.
 nlohmann::ordered_json warning_list_json(const Warnings& warnings);
 
-/// Warnings as name, count and the first of each.
+/// Returns name, count and first occurrence of each kind of warning.
 nlohmann::ordered_json warnings_json(const Warnings& warnings);
 
-/// Every setting by its name.
+/// Returns every setting by its name.
 nlohmann::ordered_json all_settings_json(const Settings& settings);
 
 nlohmann::ordered_json requirements_json(const Requirements& requirements);

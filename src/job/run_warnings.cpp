@@ -1,4 +1,4 @@
-// One entry a kind of step: whom it concerns and what is said.
+// Table of step warnings: for each kind of step, its condition and its message.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_warnings.hpp"
 
@@ -19,18 +19,17 @@
 namespace keyblock {
 namespace {
 
-// Penetrations beyond this many times the allowed one no longer look like contact.
+// Penetrations above this many times the allowed one no longer look like contact.
 constexpr double kDeepPenetrations = 10;
-// A sound system is solved to 1e-12 or better; beyond this a penalty is too great for double precision.
+// A sound system is solved to 1e-12 or better; above this a penalty is too great for double precision.
 constexpr double kLargeResidual = 1e-9;
-// Contact forces of dynamics `standard` are solved to this share of the load at least.
+// Contact forces of dynamics `standard` are solved at least to this fraction of the load.
 constexpr double kLargeImbalance = 1e-6;
-// A start that leaves more of its gaps than this is not the one asked for.
+// An initial state that leaves more than this fraction of its gaps differs from the requested one.
 constexpr double kLargeMisfit = 1e-6;
-// A load step that finds equilibrium only in as many parts is where little more load is borne, or where rock that bore
-// it lets go.
+// A load step that needs this many parts adds little load, or failing rock unloads in it.
 constexpr int kManyParts = 4;
-// A step that is this share of the way before it is round-off: it need not shrink any more.
+// A step below this fraction of the way before it is round-off: it need not shrink any more.
 constexpr double kNoStep = 1e-9;
 
 std::vector<std::string> start_complaints(const StartReport& start) {
@@ -48,7 +47,7 @@ std::vector<std::string> start_complaints(const StartReport& start) {
   return sentences;
 }
 
-/// Where forces are most out of balance, and among how many contacts.
+/// Names the contact with the largest imbalance, and the number of contacts.
 std::string worst_contact(const StepReport& step, const char* noun) {
   if (step.residual_element == 0) return {};
   return fmt::format(", where {} {} touches {} {} at {}, {} ({} contacts in all, {} closed)", noun,
@@ -56,14 +55,14 @@ std::string worst_contact(const StepReport& step, const char* noun) {
                      plain(step.residual_at.y), step.contacts, step.closed);
 }
 
-/// What the steps of a run are held against.
+/// Limits that the steps of a run are compared with.
 struct StepLimits {
   double time_step = 0;  ///< the shortest of the scenes
   double longest_step = 0;
   bool constant = true;
   bool cut_stays = false;
   bool is_standard = true;
-  bool is_moving = true;  ///< in time, under `standard`
+  bool is_moving = true;  ///< dynamic, under `standard`
   bool searches_pairs = true;
   const char* noun = "block";
   double allowed = 0;     ///< displacement of a step
@@ -91,7 +90,7 @@ StepLimits limits_of(const Scene& first, bool balances) {
   return limits;
 }
 
-/// Steps that are cut, or too long for what moves.
+/// Returns the kinds of steps that are cut, or too long for the motion.
 std::vector<StepKind> kinds_by_length(const StepLimits& l) {
   return {
       {"step_cut", [l](const StepReport& s) { return l.constant && s.dt < l.time_step; },
@@ -131,7 +130,7 @@ std::vector<StepKind> kinds_by_length(const StepLimits& l) {
   };
 }
 
-/// Steps whose contacts or equations are not what they should be.
+/// Returns the kinds of steps whose contacts or equations are not solved well enough.
 std::vector<StepKind> kinds_by_solution(const StepLimits& l) {
   return {
       {"unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
@@ -181,7 +180,7 @@ StepWatch::StepWatch(const Prepared& prepared) {
   const Settings& settings = prepared.scene.settings;
   const Model& model = prepared.scene.model;
   const bool is_old = settings.dynamics == Dynamics::shi;
-  // Where points are driven, each step has another equilibrium to go to.
+  // If points are driven, each step has another equilibrium.
   const bool stands_still =
       std::ranges::all_of(model.fixed_points, [](const CarriedPoint& point) { return point.curve.times.size() < 2; });
   const std::vector<const Scene*> scenes = scenes_of(prepared.scene);
@@ -232,8 +231,8 @@ Warnings StepWatch::warnings(const Place& place) const {
   return joined(std::move(warnings), far_from_equilibrium(place));
 }
 
-// Of a mode of frequency ω each step leaves the share p = 1 / (1 + (ω dt)²/2): steps shrink by p, and the sum of those
-// to come is the last times p / (1 - p).
+// Each step leaves the fraction p = 1 / (1 + (ω dt)²/2) of a mode of frequency ω. Steps shrink by p, and the sum of the
+// remaining ones is the last times p / (1 - p).
 std::optional<EquilibriumWay> StepWatch::equilibrium_way() const {
   if (balances_ && steps_ > 0) return EquilibriumWay{1, 0};
   if (!creeps_ || steps_ < 2 || way_ == 0) return std::nullopt;

@@ -1,4 +1,4 @@
-// What a reader of the results must know and would not see: said once, with the first or the worst step concerned.
+// Collects warnings about the steps of a run; each kind is reported once, for its first or worst step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,15 +15,15 @@
 
 namespace keyblock {
 
-/// A kind of step of which something is said once: of the first, or of the one that measures most.
+/// Kind of step that is reported once: the first one, or the one with the largest measure.
 struct StepKind {
   const char* name;
   std::function<bool(const StepReport&)> concerns;
   std::function<std::string(const StepReport& told, int concerned, int steps)> sentence;
-  std::function<double(const StepReport&)> measure = {};  ///< empty: the first is told
+  std::function<double(const StepReport&)> measure = {};  ///< empty: the first one counts
 };
 
-/// Watches the steps of a run as they are told.
+/// Watches the steps of a run as they are reported.
 class StepWatch {
  public:
   explicit StepWatch(const Prepared& prepared);
@@ -31,12 +31,12 @@ class StepWatch {
   void add(const StepReport& step);
   void describe(Archive& archive);
 
-  /// At the place of the analysis.
+  /// Returns the warnings, at the place of the analysis.
   Warnings warnings(const Place& place) const;
 
   BlockWatch& blocks() { return blocks_; }
   bool is_static() const { return is_static_; }
-  /// None for dynamics, for blocks under the old rules, where points are driven, and before two steps that creep.
+  /// Returns nothing for dynamics, for blocks under Shi's rules, if points are driven, and before two creeping steps.
   std::optional<EquilibriumWay> equilibrium_way() const;
 
  private:
@@ -49,20 +49,20 @@ class StepWatch {
 
   BlockWatch blocks_;
   std::vector<StepKind> kinds_;
-  std::vector<Seen> seen_;  ///< one a kind
+  std::vector<Seen> seen_;  ///< one per kind
   int steps_ = 0;
   bool is_static_ = false;
-  bool creeps_ = false;    ///< static steps, each from rest, towards one equilibrium: their last frame need not be it
+  bool creeps_ = false;    ///< static steps, each from zero velocity; the end need not be the equilibrium
   bool balances_ = false;  ///< each step is an equilibrium
   double way_ = 0;         ///< sum of the greatest displacements of the steps, over the allowed one
-  double before_ = 0;      ///< that of the last step but one
+  double before_ = 0;      ///< displacement of the step before the last
   double last_ = 0;
 };
 
-/// Of a start not as asked, and of tables that end before the run does.
+/// Warns of an initial state that differs from the requested one, and of tables that end before the run does.
 Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place);
 
-/// Of bolts that broke between two frames.
+/// Warns of bolts that broke between two frames.
 Warnings broken_bolts(const Frame& first, const Frame& last, const Place& place);
 
 }  // namespace keyblock

@@ -1,5 +1,4 @@
-// Saves and restores member by member, then compares the files, the program and the settings with those of the
-// checkpoint.
+// Saves and restores member by member, then compares files, program and settings with those of the checkpoint.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/saved_run.hpp"
 
@@ -28,7 +27,7 @@ void describe(Archive& archive, const char* name, std::vector<std::string>& text
 
 void describe(Archive& archive, RunRequest& request) {
   archive.value("program", request.program);
-  if (archive.is_restoring() && request.program != this_program())  // which may lay out all else otherwise
+  if (archive.is_restoring() && request.program != this_program())  // another build may lay out the rest differently
     archive.refuse("program", fmt::format("expected the build of keyblock that began the run, {}, found another, {}",
                                           request.program, this_program()));
   archive.value("folder", request.folder);

@@ -1,4 +1,4 @@
-// What a checkpoint holds beside the stepper: what the run was asked to do, and what it has told so far.
+// Saves the data of a checkpoint other than the stepper: the request of the run, and its reports so far.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,50 +17,50 @@
 
 namespace keyblock {
 
-/// A run's command line, and what it found behind it.
+/// Command line of a run, and the files and settings that it led to.
 struct RunRequest {
-  std::string program;         ///< `this_program` of the one that began the run
+  std::string program;         ///< `this_program` when the run began
   std::string folder;          ///< of the results, its full path
-  std::string working_folder;  ///< that names of files are taken from
+  std::string working_folder;  ///< base of relative file names
   std::vector<std::string> files;
   std::string profile;
   std::vector<std::string> sets;  ///< key=value
   int record_every = 1;
   bool has_trace = false;
   std::vector<std::string> read;            ///< every file read
-  std::vector<std::string> digests;         ///< SHA-256 of those
+  std::vector<std::string> digests;         ///< SHA-256 of each file read
   std::vector<std::string> settings;        ///< all, key=value
-  std::vector<std::string> histories = {};  ///< as the command line has them
-  std::string contacts = {};                ///< likewise
-  std::string field = {};                   ///< likewise
-  std::string unit = {};                    ///< of the drawing, likewise
-  double join = 0;                          ///< likewise
-  std::string frames = {};                  ///< how they are coded, likewise
+  std::vector<std::string> histories = {};  ///< as on the command line
+  std::string contacts = {};                ///< as on the command line
+  std::string field = {};                   ///< as on the command line
+  std::string unit = {};                    ///< of the drawing, as on the command line
+  double join = 0;                          ///< as on the command line
+  std::string frames = {};                  ///< their coding, as on the command line
   bool has_pictures = true;
 };
 
 void describe(Archive& archive, RunRequest& request);
 
-/// Version and build of the program or library that runs: another build may lay out its state otherwise, or round
-/// otherwise.
+/// Returns version and build of the running program or library: another build may lay out its state differently, or
+/// round differently.
 std::string this_program();
 
-/// What the run has told: rows of history, steps and ledger, sums of them, warnings of steps, what is followed, and its
-/// frames.
+/// Saves and restores the reports of the run: rows of history, steps and energy balance, their sums, warnings of steps,
+/// followed parts, and frames.
 void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
                    Followed& followed);
 
-/// What a run leaves at its start: the group request alone. Resumed from it, the run begins again.
+/// Returns the checkpoint written at the start: the group request alone. A run resumed from it begins again.
 std::string bytes_before_steps(RunRequest& request);
 
-/// Whether there are steps to go on from behind the request.
+/// Returns true if the checkpoint holds steps after the request.
 bool holds_steps(const Archive& saved);
 
-/// The whole checkpoint: groups request, records, folder, stepper.
+/// Returns the whole checkpoint: groups request, records, folder, stepper.
 std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
                         Followed& followed, Stepper& stepper);
 
-/// Says when the next checkpoint is due: every so many seconds, or only when the run is stopped.
+/// Decides when the next checkpoint is due: after a number of seconds, or only when the run is stopped.
 class CheckpointClock {
  public:
   explicit CheckpointClock(double every) : every_(every) {}
@@ -82,15 +82,14 @@ class CheckpointClock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// The checkpoint of a run's folder, by its full path. Throws UsageError where there is none, InputError where it
-/// cannot be used.
+/// Reads the checkpoint of a run's folder; `file` is its full path. Throws UsageError if there is none, InputError if
+/// it cannot be used.
 Archive read_checkpoint(const std::filesystem::path& file);
 
-/// Throws InputError where the checkpoint is that of another folder, whose run still stands there: not where the folder
-/// was moved.
+/// Throws InputError if the checkpoint belongs to another folder whose run still exists. A moved folder is accepted.
 void require_own(const std::filesystem::path& checkpoint, const RunRequest& saved);
 
-/// Throws InputError where a file, the program or a setting is not that of the checkpoint any more.
+/// Throws InputError if a file, the program or a setting differs from that of the checkpoint.
 void require_same(const std::filesystem::path& checkpoint, const RunRequest& saved, const RunRequest& now);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// One list of named columns.
+// Writes the table of steps from one list of named columns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/step_tables.hpp"
 

@@ -1,4 +1,4 @@
-// The rows of steps that a run keeps, as a table: step_table.csv, whose columns run.json names.
+// Writes the kept rows of steps as the table step_table.csv, whose columns run.json names.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace keyblock {
 
-/// step, time, dt, passes, redos, fallbacks, contacts, closed, penalty, greatest_penetration, displacement_ratio,
-/// residual, unsettled_contacts, with their units where the case declares them, and, of load steps of rock that may
-/// yield, parts. Passes of those are rounds of Newton's method, redos are cuts.
+/// Returns the columns: step, time, dt, passes, redos, fallbacks, contacts, closed, penalty, greatest_penetration,
+/// displacement_ratio, residual, unsettled_contacts. They have units if the case declares them. Load steps of
+/// elastoplastic rock also have `parts`; their passes are Newton iterations, their redos are cuts.
 std::vector<std::string> step_columns(const std::vector<StepReport>& rows, const Units& units);
 
-/// Under these names.
+/// Returns the rows under these column names.
 std::string step_table_csv(const std::vector<StepReport>& rows, const Units& units);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// What a history follows, and which of it comes farthest.
+// Lists the parts that a history follows and selects those that moved farthest.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/curves/most_moved.hpp"
 
@@ -15,18 +15,18 @@
 namespace keyblock {
 namespace {
 
-constexpr std::size_t kMostCurves = 6;    // more cannot be told apart in one chart
-constexpr std::size_t kMostColumns = 10;  // blocks of history.csv: with four columns each still easy to look through
+constexpr std::size_t kMostCurves = 6;    // readers cannot distinguish more in one chart
+constexpr std::size_t kMostColumns = 10;  // blocks of history.csv: with four columns each, still easy to read
 
 bool is_in(const HistoryRow& row, std::size_t point) {
   return point < row.points.size() && is_there(row.points[point]);
 }
 
-// What the rows of a history hold: measured points, blocks, or the elements of bodies, whose displacements are weighed
-// to the bodies'.
+// Parts that the rows of a history follow: measured points, blocks, or elements. Displacements of elements are averaged
+// to those of their bodies.
 struct FollowedParts {
   const char* word;
-  std::vector<std::vector<std::pair<std::size_t, double>>> parts;  ///< of each: points of a row with their shares
+  std::vector<std::vector<std::pair<std::size_t, double>>> parts;  ///< of each part: points of a row with their weights
 };
 
 FollowedParts followed_by(const History& history, const Frame& start, const FieldFrame& field) {
@@ -51,7 +51,7 @@ FollowedParts followed_by(const History& history, const Frame& start, const Fiel
   return followed;
 }
 
-/// Of some of what a history follows the displacement in a row; none where it is not there.
+/// Returns the mean displacement of a part in a row; nothing if one of its points is not in the row.
 std::optional<Point> way_of(const HistoryRow& row, const std::vector<std::pair<std::size_t, double>>& parts) {
   Point mean;
   for (const auto& [point, share] : parts) {
@@ -68,7 +68,7 @@ std::optional<double> displacement_of(const HistoryRow& row, const std::vector<s
 
 using Parts = std::vector<std::pair<std::size_t, double>>;
 
-// All of few; of many those that came farthest, the first of them first.
+// Returns all parts if there are few; otherwise those that moved farthest, the farthest first.
 std::vector<std::size_t> farthest_of(const History& history, const std::vector<Parts>& all, std::size_t most,
                                      const std::vector<int>& hidden) {
   std::vector<std::size_t> shown(all.size());
@@ -89,7 +89,7 @@ std::vector<std::size_t> shown_of(const Shown& all, const FollowedParts& followe
   return farthest_of(all.history, followed.parts, kMostCurves, are_blocks ? all.hidden : std::vector<int>());
 }
 
-// In the last row that has it.
+// Returns the place in the last row that has the whole part.
 std::optional<Point> place_of(const History& history, const Parts& parts) {
   for (auto row = history.rows.rbegin(); row != history.rows.rend(); ++row) {
     Point at;
@@ -105,7 +105,7 @@ std::optional<Point> place_of(const History& history, const Parts& parts) {
 
 }  // namespace
 
-// How far each of them has come, over time.
+// Returns one curve of displacement over time per shown part.
 std::vector<report::Curve> displacement_curves(const Shown& all) {
   const History& history = all.history;
   std::vector<report::Curve> curves;

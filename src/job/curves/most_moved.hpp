@@ -1,4 +1,4 @@
-// Curves and rows of what moves most, where nobody chose what to follow.
+// Returns curves and rows of the parts that move most, for runs whose user selected none.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,27 +14,27 @@
 
 namespace keyblock {
 
-/// What pictures and tables of a run show where nobody chose: measured points, or the blocks or bodies that move most.
+/// Parts that pictures and tables of a run show by default: measured points, or the blocks or bodies that move most.
 struct Shown {
   const History& history;
   const Frame& start;
   const FieldFrame& field;       ///< of the end
-  std::vector<int> hidden = {};  ///< numbers, from 0, of blocks that pictures leave out: of many blocks none of them
+  std::vector<int> hidden = {};  ///< numbers, from 0, of blocks left out of pictures; of many blocks none
 };
 
-/// How far each of few points, blocks or bodies has come, over time; of many those that came farthest.
+/// Returns the displacement of points, blocks or bodies over time; if there are many, of those that moved farthest.
 std::vector<report::Curve> displacement_curves(const Shown& shown);
 
-/// Of the same the numbers, where they lie at the end.
+/// Returns the numbers of the same parts, and their places at the end.
 std::vector<report::NumberedPlace> numbers_of_curves(const Shown& shown);
-/// "block whose curve is drawn".
+/// Returns "block whose curve is drawn", or the same for points and bodies.
 std::string numbered_words(const Shown& shown);
 
-/// Of the same the displacements, as lines of histories.csv.
+/// Returns the displacements of the same parts as lines of histories.csv.
 std::string most_moved_rows(const Shown& shown, const Units& units);
 
-/// Places in the rows of the history of what `history.csv` has: empty for all, measured points or few blocks; of many
-/// blocks those that came farthest, by their numbers.
+/// Returns the indices, in the rows of the history, of the parts that `history.csv` has. Empty for all: measured points
+/// or few blocks. If there are many blocks, the indices of those that moved farthest.
 std::vector<std::size_t> columns_of_history(const History& history, const std::vector<int>& hidden);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// flock on the folder itself.
+// Locks the folder itself with `flock`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/folder/folder_lock.hpp"
 

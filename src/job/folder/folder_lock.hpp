@@ -1,4 +1,4 @@
-// One run a folder at a time.
+// Locks a folder, so that only one run at a time writes into it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,13 +7,13 @@
 
 namespace keyblock {
 
-/// Held while a run writes into its folder. The kernel lets go of it when the process ends, however it ends; nothing is
-/// left in the folder.
+/// Lock of a run on the folder that it writes into. The kernel releases it when the process ends, even if it is killed.
+/// Nothing is left in the folder.
 class FolderLock {
  public:
   FolderLock() = default;
 
-  /// Throws UsageError if another run holds `folder`. File systems that know no locks are written to without one.
+  /// Throws UsageError if another run has locked `folder`. File systems without locks are written to without one.
   explicit FolderLock(const std::filesystem::path& folder);
 
   FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}

@@ -1,4 +1,4 @@
-// Names of parts of frames, and what became of them; see frame_files.hpp.
+// Names the parts of frames and tracks their files; see frame_files.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/folder/frame_files.hpp"
 
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Files of a frame, by the opening of their names and their endings; each is a part of its own for viewers.
+/// Files of a frame, given by start and ending of their names; each is a separate part for viewers.
 struct FramePart {
   std::string_view opening;
   std::string_view ending;
@@ -45,7 +45,7 @@ int part_number(const fs::path& file) {
   return static_cast<int>(part - kParts.begin());
 }
 
-/// As `frame_file` names them; whatever else lies beside them is the user's.
+/// Returns true for files that `frame_file` names; all other files there are the user's.
 bool is_frame(const fs::directory_entry& entry) {
   return part_number(entry.path()) < static_cast<int>(kParts.size()) && fs::is_regular_file(entry.symlink_status());
 }

@@ -1,4 +1,4 @@
-// The files of the frames of a run, which viewers read.
+// Writes and lists the frame files of a run, which viewers read.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,10 +20,10 @@ namespace keyblock {
 
 inline constexpr const char* kFrameFolder = "frames";
 
-/// Of a run's folder the files of the bodies, by their steps.
+/// Returns the files of the bodies in the folder of a run, by step.
 std::map<int, std::filesystem::path> frames_in(const std::filesystem::path& folder);
 
-/// What a run has written of them, in order.
+/// Frame files that a run has written, in order.
 class FrameFiles {
  public:
   explicit FrameFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -31,26 +31,26 @@ class FrameFiles {
   bool is_empty() const { return files_.empty(); }
   std::set<std::filesystem::path> paths() const;
 
-  /// The bodies with `field` where that has elements, and files of contacts, bolts and cracks where there are any.
+  /// Writes the bodies, with `field` if that has elements, and files of contacts, bolts and cracks if there are any.
   void write(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts, const Units& units);
-  /// Of which bodies consist, before the first frame: for elastic strain.
+  /// Sets the materials of the bodies, which elastic strain needs. Call it before the first frame.
   void choose(std::vector<BlockMaterial> materials, formats::VtkCoding coding) {
     materials_ = std::move(materials);
     coding_ = coding;
   }
-  /// The list of them for viewers.
+  /// Returns the list of the files for viewers.
   std::string list() const;
-  /// Throws OutputError where one is gone.
+  /// Throws OutputError if one of them is gone.
   void require_there() const;
-  /// What is written so far is on the disk.
+  /// Flushes the files written so far to the disk.
   void flush();
   void remove() const;
 
-  /// Of those below the folder of a run all but `kept`; whatever else lies beside them is the user's.
+  /// Removes all frame files in the folder of a run except `kept`; all other files there are the user's.
   static void remove_others(const std::filesystem::path& folder, const std::set<std::filesystem::path>& kept);
 
   void describe(Archive& archive);
-  /// Throws InputError where one that was written is gone or is another.
+  /// Throws InputError if a written file is gone or has changed.
   void require_unchanged(Archive& archive) const;
 
  private:

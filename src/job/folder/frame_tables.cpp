@@ -1,4 +1,4 @@
-// Rows frame by frame; see frame_tables.hpp.
+// Appends rows frame by frame; see frame_tables.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/folder/frame_tables.hpp"
 
@@ -29,7 +29,7 @@ void FrameTables::append(const Frame& frame, const ContactFrames& shown, const C
   ++framed_;
 }
 
-// The first frame with contacts says how long the tables would grow.
+// The first frame with contacts determines the expected length of the tables.
 void FrameTables::append_contacts(const Frame& frame, const ContactFrames& shown, const ContactFrames& contacts) {
   const int every = output_.every;
   if (thinned_every_ == 0 && !shown.empty()) {

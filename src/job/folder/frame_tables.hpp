@@ -1,4 +1,4 @@
-// Tables that get rows with every frame of a run: contacts, joints, joint lines and bolts.
+// Appends rows to tables with every frame of a run: contacts, joints, joint lines and bolts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,36 +19,36 @@
 
 namespace keyblock {
 
-/// Rows of contacts.csv, about 150 bytes each, up to which it has the contacts of every frame unless asked otherwise.
+/// Most rows of contacts.csv, about 150 bytes each, with which it has the contacts of every frame by default.
 inline constexpr double kMostContactRows = 500000;
 
-/// Which contacts of which frames go into tables and into the part of contacts for viewers.
+/// Selects the contacts and frames for the tables and for the contact part of the viewer files.
 struct ContactOutput {
   ContactTables which = ContactTables::automatic;
   int every = 1;                                            ///< frames
-  std::function<bool(const ContactFrame&)> is_chosen = {};  ///< where those of histories are asked for
-  int frames = 1;                                           ///< that are expected
+  std::function<bool(const ContactFrame&)> is_chosen = {};  ///< if contacts of histories are requested
+  int frames = 1;                                           ///< expected
 };
 
 class FrameTables {
  public:
   FrameTables(const std::filesystem::path& folder, const Units& units);
 
-  /// Before the first frame.
+  /// Call it before the first frame.
   void choose(ContactOutput output) { output_ = std::move(output); }
-  /// Of the coming frame, what viewers and contacts.csv are to have.
+  /// Returns the contacts of the next frame that viewers and contacts.csv get.
   ContactFrames shown(const ContactFrames& contacts) const;
-  /// The rows of a frame, `shown` being those of `contacts` that are asked for.
+  /// Appends the rows of a frame; `shown` are the requested ones of `contacts`.
   void append(const Frame& frame, const ContactFrames& shown, const ContactFrames& contacts);
 
-  /// The tables of contacts have those of every n-th frame, because they would have `expected_rows` with all.
+  /// Returns n if the tables have the contacts of every n-th frame only, because all frames would need `expected_rows`.
   int thinned_every() const { return std::max(thinned_every_, 1); }
   double expected_rows() const { return expected_rows_; }
 
-  /// Saves the same as GrowingTable.
+  /// Drops, flushes and saves like GrowingTable.
   void drop_what_followed();
   void flush() const;
-  /// Names of those that have rows.
+  /// Returns the names of the tables that have rows.
   std::vector<std::string> names() const;
   void describe(Archive& archive);
 
@@ -63,7 +63,7 @@ class FrameTables {
   GrowingTable bolts_;
   ContactOutput output_;
   int framed_ = 0;         ///< frames so far
-  int thinned_every_ = 0;  ///< 0: there was no contact yet
+  int thinned_every_ = 0;  ///< 0: no contact yet
   double expected_rows_ = 0;
 };
 

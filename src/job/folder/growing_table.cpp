@@ -1,4 +1,4 @@
-// Appends through a stream that is closed each time, so that whoever reads meets all rows so far.
+// Appends through a stream that is closed each time, so that readers see all rows so far.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/folder/growing_table.hpp"
 

@@ -1,4 +1,4 @@
-// A table that a run appends to as it goes, and cuts back to what its checkpoint knows if the run goes on.
+// Appends rows to a table during a run. A resumed run cuts the table back to the state of its checkpoint.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// The file is there from the first row on.
+/// Table file that exists from its first row on.
 class GrowingTable {
  public:
   GrowingTable(std::filesystem::path file, std::string header) : file_(std::move(file)), header_(std::move(header)) {}
@@ -20,16 +20,17 @@ class GrowingTable {
   const std::filesystem::path& file() const { return file_; }
   bool has_begun() const { return size_ > 0; }
 
-  /// Whole lines; nothing for none. Throws OutputError.
+  /// Appends whole lines; does nothing if there are none. Throws OutputError.
   void append(const std::string& rows);
 
-  /// Size and checksum of what was written so far. Restoring throws InputError if the file no longer begins with that.
+  /// Saves size and checksum of the rows written so far. Restoring throws InputError if the file no longer begins with
+  /// them.
   void describe(Archive& archive);
 
-  /// Removes what was written after `describe`, or all of the file if nothing was restored.
+  /// Removes rows written after `describe`, or the whole file if nothing was restored.
   void drop_what_followed();
 
-  /// Throws OutputError.
+  /// Flushes the file to the disk. Throws OutputError.
   void flush() const;
 
  private:
@@ -38,7 +39,7 @@ class GrowingTable {
   std::filesystem::path file_;
   std::string header_;
   std::size_t size_ = 0;  ///< bytes written
-  Sha256 digest_;         ///< of them
+  Sha256 digest_;         ///< of the bytes written
 };
 
 }  // namespace keyblock

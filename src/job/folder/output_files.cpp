@@ -1,4 +1,4 @@
-// Writes files, and knows those of earlier runs by their record.
+// Writes files, and finds those of earlier runs by their record.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/folder/output_files.hpp"
 
@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What a run may leave in its folder, beside its tables, and all that it may leave.
+// Files that a run may leave in its folder next to its tables.
 constexpr std::array<std::string_view, 10> kOtherFiles{kRecord,      kFrameList,    "picture.svg", "energy.svg",
                                                        "field.svg",  "plastic.svg", kReactionFile, "cracks.svg",
                                                        "cracks.dxf", kCheckpoint};
-// What is written as the run goes: a run that was killed leaves it without a record.
+// Tables written during the run: a killed run leaves them without a record.
 constexpr std::array<const formats::RunTable*, 9> kGrowing{
     &formats::kContactsTable, &formats::kJointsTable,    &formats::kJointLinesTable,
     &formats::kBoltsTable,    &formats::kHistoriesTable, &formats::kHistoryTable,
@@ -55,7 +55,8 @@ void OutputFiles::require_free() const {
   keyblock::require_free(folder_ / kFrameFolder, overwrite_);
 }
 
-// By its record; a run that was killed before it wrote one left its frames and checkpoint alone.
+// Reads the names from the record. A run killed before it wrote one left only its checkpoint and
+// growing tables.
 std::set<std::string> OutputFiles::written_before() const {
   std::set<std::string> names{kRecord, kCheckpoint};
   if (!fs::is_regular_file(folder_ / kRecord)) {

@@ -1,4 +1,4 @@
-// What a run writes into its folder by name: which names are its own, and what an earlier run left there.
+// Tracks the files of a run by name: its own ones, and those that an earlier run left in the folder.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,41 +19,41 @@ inline constexpr const char* kReactionFile = "reactions.svg";
 
 class OutputFiles {
  public:
-  /// Nothing is changed before `remove_earlier`. Throws UsageError where `folder` is a file.
+  /// Changes nothing on the disk before `remove_earlier`. Throws UsageError if `folder` is a file.
   OutputFiles(std::filesystem::path folder, Overwrite overwrite);
 
   Overwrite overwrite() const { return overwrite_; }
 
-  /// Throws UsageError where a run has written here that may not be overwritten.
+  /// Throws UsageError if a run has written here that may not be overwritten.
   void require_free() const;
 
-  /// Removes what an earlier run wrote, by its record. Throws UsageError where that is not possible.
+  /// Removes the files of an earlier run, by its record. Throws UsageError if that is not possible.
   void remove_earlier();
 
-  /// Removes what is written as a run goes.
+  /// Removes the tables that grow during a run.
   void remove_growing();
 
-  /// Over the files of this process, and over others where that is allowed. Throws OutputError.
+  /// Writes over the files of this process, and over others if that is permitted. Throws OutputError.
   void write(std::string_view file, const std::string& text);
 
-  /// Another class has written it.
+  /// Records a file that another class has written.
   void name(std::string_view file) { names_.emplace_back(file); }
 
-  /// The names begin anew: they are in the same order whatever was written on the way.
+  /// Clears the names, so that their order does not depend on files written during the run.
   void forget_names() { names_.clear(); }
 
   bool is_own(std::string_view file) const { return own_.contains(std::string(file)); }
 
-  /// In the order of writing.
+  /// Returns the names in the order of writing.
   const std::vector<std::string>& names() const { return names_; }
 
  private:
   std::set<std::string> written_before() const;
 
   std::filesystem::path folder_;
-  Overwrite overwrite_;  ///< of what stands there before; a run that goes on meets its own files
+  Overwrite overwrite_;  ///< of files that existed before; a resumed run meets its own files
   std::vector<std::string> names_;
-  std::set<std::string> own_;  ///< written by this process, and so its to write again
+  std::set<std::string> own_;  ///< written by this process, which may write them again
 };
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Kinetic energy of a block over its mass against the work of weight, loads and strains; tension against weight.
+// Compares the kinetic energy of a block over its mass with the work of weight, loads and strains; tension with weight.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/verdict/block_watch.hpp"
 
@@ -17,18 +17,18 @@
 namespace keyblock {
 namespace {
 
-// Levers and chains of falling masses pass energy on to lighter blocks: ten times the speed of what drives them is more
-// than rock does.
+// Levers and chains of falling masses transfer energy to lighter blocks. Ten times the speed of their driver is more
+// than rock reaches.
 constexpr double kPassedOn = 100;
-// Loads may do all of their work on one block; books of work are of first order in the step.
+// Loads may do all of their work on one block; the energy balance is of first order in the step.
 constexpr double kBooks = 2;
-// Share of the size of a block: a speed that lifts it by less does not count.
+// Fraction of the size of a block: a speed that lifts it by less does not count.
 constexpr double kLift = 1e-3;
-// Rotation within a step, rad, that contacts give: the places of a lever as long as the block are then unresolved.
+// Rotation within a step, rad, due to contacts: the places of a lever as long as the block are then unresolved.
 constexpr double kTurned = 0.5;
-// Share of its weight that a hanging block has as tension.
+// Tension over weight above which a block counts as hanging.
 constexpr double kHangs = 0.5;
-// Share of its size: a block that would fall by less in the time of the run is not yet seen to hang.
+// Fraction of its size: a block that would fall by less during the run is not judged.
 constexpr double kFall = 0.01;
 
 struct BlockMotion {
@@ -51,7 +51,7 @@ double kinetic_over_mass(const BlockMotion& motion, const Moments& start) {
   return (v.x * v.x + v.y * v.y + motion.spin * motion.spin * (start.xx + start.yy) / start.area) / 2;
 }
 
-// At most: the square of all stresses.
+// Bounds the strain energy from above by the square of all stresses.
 double strain_over_mass(const Stress& s, const BlockMaterial& material) {
   const double squares = s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + 2 * s.xy * s.xy;
   return squares * (1 + material.poissons_ratio) / (2 * material.youngs_modulus * material.density);
@@ -115,7 +115,7 @@ void BlockWatch::add(const Stepper& stepper) {
   if (has_ledger) look_at_speeds(stepper, weights);
 }
 
-// Sources are at least those that no block has of its own, which few are faster than.
+// Sources are at least those of the scene, which no block owns; few blocks are faster than these.
 void BlockWatch::look_at_speeds(const Stepper& stepper, const std::vector<Point>& weights) {
   const Model& model = stepper.model();
   const State& state = stepper.state();
@@ -184,7 +184,7 @@ void BlockWatch::add(const Frame& frame, const ContactFrames& contacts, const Mo
   std::set<int> held;
   for (const PointFrame& point : frame.fixed_points) held.insert(point.element);
   for (const auto& [number, block] : hanging) {
-    const bool is_wedged = pressed[number] > kHangs * length(weights[number]);  // other blocks may bear it
+    const bool is_wedged = pressed[number] > kHangs * length(weights[number]);  // other blocks may carry it
     if (held.contains(number) || is_wedged || !(block.share > kHangs)) continue;
     const auto i = static_cast<std::size_t>(number);
     if (i >= hung_.size()) hung_.resize(i + 1, 0);

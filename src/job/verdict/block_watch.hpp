@@ -1,4 +1,4 @@
-// Watches single blocks through a run: sums over a scene hide a small one.
+// Watches single blocks during a run: sums over a scene hide a small one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,41 +13,43 @@
 
 namespace keyblock {
 
-/// Looks for blocks that move faster than anything could make them move, for blocks that contacts turn by a large angle
-/// within a step, and, under the rules of Shi's programs, for blocks that hang on contacts without tensile strength.
+/// Finds blocks that move faster than any source of energy permits, and blocks that contacts rotate by a large angle
+/// within a step. Under the rules of Shi's programs, it also finds blocks that hang on contacts without tensile
+/// strength.
 class BlockWatch {
  public:
-  /// At the start and after every step; the row of the ledger of that instant follows at the start, and precedes later.
+  /// Call both at the start and after every step. The row of the energy balance follows at the start, and precedes
+  /// later.
   void add(const Stepper& stepper);
   void add(const LedgerRow& row);
-  /// With every frame: its contacts, and its model.
+  /// Call it with every frame: its contacts, and its model.
   void add(const Frame& frame, const ContactFrames& contacts, const Model& model, const Settings& settings);
   void describe(Archive& archive);
 
-  /// One doubt for each of these, at `place`. `keeps_energy`: the work of loads was known.
+  /// Returns one doubt per kind, at `place`. `keeps_energy`: the work of loads is known.
   Warnings doubts(const Settings& settings, bool keeps_energy, const Place& place) const;
 
  private:
-  /// The block whose kinetic energy exceeded its sources most.
+  /// Block whose kinetic energy exceeded its sources most.
   struct Thrown {
-    double excess = 0;  ///< kinetic energy over what weight, loads and strains can give
+    double excess = 0;  ///< kinetic energy over that available from weight, loads and strains
     int number = 0;     ///< from 0
     int step = 0;
     Point at;
-    double speed = 0;      ///< that its kinetic energy amounts to [length/time]
-    double accounted = 0;  ///< speed that its sources give [length/time]
+    double speed = 0;      ///< equivalent of its kinetic energy [length/time]
+    double accounted = 0;  ///< speed available from its sources [length/time]
   };
-  /// The block that turned most in a step beside what its spin at the start of the step accounts for.
+  /// Block with the largest rotation in a step beyond that of its spin at the start of the step.
   struct Turned {
     double angle = 0;  ///< rad
     int number = 0;
     int step = 0;
     Point at;
   };
-  /// The block of the last frame that hung most, of those that hung in more than half of the frames.
+  /// Block of the last frame with the largest tension, among those that hung in more than half of the frames.
   struct Hanging {
-    double share = 0;  ///< tension that it hangs on, over its weight
-    double fall = 0;   ///< over its size, in the time of the run if nothing bore it
+    double share = 0;  ///< tension on it, over its weight
+    double fall = 0;   ///< free fall during the run, over its size
     int number = 0;
     int other = 0;
     Point at;
@@ -58,18 +60,18 @@ class BlockWatch {
   void look_at_speeds(const Stepper& stepper, const std::vector<Point>& weights);
 
   // Energies over mass [length²/time²].
-  double begun_ = 0;     ///< greatest kinetic energy at the start, or of what is driven
+  double begun_ = 0;     ///< greatest kinetic energy at the start, or of driven bodies
   double fallen_ = 0;    ///< greatest work of its weight on a block
   double released_ = 0;  ///< greatest loss of strain energy of a block
   double work_ = 0;      ///< of loads on all blocks, and of bolts and springs that were tight at the start [energy]
   bool has_row_ = false;
   std::vector<double> strained_;  ///< by number, greatest strain energy so far
-  std::vector<double> kinetic_;   ///< of the step at hand, by element
+  std::vector<double> kinetic_;   ///< of the current step, by element
   Thrown worst_;
   std::vector<double> rotations_;  ///< by number, at the end of the last step (rad)
   std::vector<double> spins_;      ///< by number, there [1/time]
   Turned turned_;
-  int frames_ = 0;            ///< but the start
+  int frames_ = 0;            ///< without the start
   std::vector<double> hung_;  ///< by number, frames in which the block hung
   Hanging last_;
 };

@@ -1,4 +1,4 @@
-// Energies come from the ledger, speeds and places from the last frame.
+// Judges the end of motion: energies come from the energy balance, speeds and places from the last frame.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/verdict/end_of_motion.hpp"
 
@@ -15,9 +15,9 @@
 namespace keyblock {
 namespace {
 
-// Share of the size of a block, in as much time as the last tenth of the steps took: no block moves visibly.
+// Fraction of the size of a block, in the time of the last tenth of the steps: no block moves visibly.
 constexpr double kVisible = 1e-3;
-// Share of the whole way, in the last tenth of static steps that each begin at rest: they have come to the end of it.
+// Fraction of the whole way in the last tenth of static steps, each from zero velocity: the motion has ended.
 constexpr double kEndOfWay = 1e-3;
 
 double speed_of(const ElementFrame& element) {

@@ -1,4 +1,4 @@
-// Says how a run ended in the terms of mechanics: at rest, in motion or in equilibrium, and how far and how fast.
+// Reports the end of a run in terms of mechanics: at rest, in motion or in equilibrium, with displacement and speed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,37 +17,37 @@ struct RunRecord;
 
 /// Kinetic energy over the largest stored energy, below which a scene is at rest.
 inline constexpr double kRestEnergy = 1e-6;
-/// The last share of the steps in which it has to be below.
+/// Fraction of the steps, at the end, during which it must be below.
 inline constexpr double kRestSteps = 0.1;
 
 enum class MotionState {
-  at_rest,          ///< in time: came to rest
-  moving,           ///< in time: still moves
+  at_rest,          ///< dynamic: came to rest
+  moving,           ///< dynamic: still moves
   equilibrium,      ///< statics: found
   no_equilibrium,   ///< statics: the search failed
-  not_equilibrium,  ///< statics, each step from rest: the steps had not come to it
+  not_equilibrium,  ///< statics from zero velocity: not reached yet
 };
 
-/// "at_rest", "moving", "equilibrium", "no_equilibrium", "not_equilibrium": words of run.json.
+/// Returns the word of run.json: "at_rest", "moving", "equilibrium", "no_equilibrium", "not_equilibrium".
 std::string_view word_for(MotionState state);
 
-/// The end of a run. Numbers from 0.
+/// End of a run. Numbers from 0.
 struct EndOfMotion {
   MotionState state = MotionState::at_rest;
-  /// In time: greatest kinetic energy in the last tenth of the steps over the largest stored energy; none without a
-  /// ledger.
+  /// Dynamic runs: greatest kinetic energy in the last tenth of the steps over the largest stored energy. Empty without
+  /// an energy balance.
   std::optional<double> kinetic_share = {};
   double speed = 0;  ///< greatest of a vertex at the end [length/time]
-  int fastest = 0;   ///< number of the element that has it
+  int fastest = 0;   ///< number of its element
   Point fastest_at = {};
-  double least_share_of_way = 0;  ///< statics from rest: share of the way in the last tenth of the steps
+  double least_share_of_way = 0;                   ///< statics: fraction of the way in the last tenth of the steps
   std::optional<std::size_t> farthest_point = {};  ///< place of the measured point that moved farthest, in the frame
   double farthest_point_way = 0;                   ///< its displacement [length]
 };
 
-/// Judges the end of the run: `last` is its last frame. Rest: the kinetic energy was below 1e-6 of the largest stored
-/// energy in the last tenth of the steps, and no block would move by a thousandth of its size in as much time again.
-/// The largest stored energy counts as no less than `work_of_weight` of `first`.
+/// Judges the end of the run; `last` is its last frame. At rest, the kinetic energy was below 1e-6 of the largest
+/// stored energy in the last tenth of the steps. In addition, no block would move by a thousandth of its size in the
+/// same time again. The largest stored energy counts as at least `work_of_weight` of `first`.
 EndOfMotion end_of_motion(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last);
 
 /// Returns the state with the greatest speed, without a full stop: "still moving: block 2 near …".
@@ -56,11 +56,11 @@ std::string state_in_words(const Prepared& prepared, const RunRecord& record, co
 /// Returns the largest displacement: "block 27 near (16.8, 12.8): 0.775 mm; measured point 1: 0.754 mm".
 std::string farthest_in_words(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end);
 
-/// Two sentences without a full stop: the state with the greatest speed; the greatest displacement. Lengths and speeds
-/// name their units where the case declares them.
+/// Returns two sentences without a full stop: the state with the greatest speed; the greatest displacement. Lengths and
+/// speeds name their units if the case declares them.
 std::vector<std::string> sentences(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end);
 
-/// `outcome.motion` of run.json.
+/// Returns `outcome.motion` of run.json.
 nlohmann::ordered_json motion_json(const Prepared& prepared, const RunRecord& record, const EndOfMotion& end);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Sums weights over the elements that can move.
+// Sums the weights of the elements that can move.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/verdict/energy_scale.hpp"
 

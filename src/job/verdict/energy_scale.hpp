@@ -1,4 +1,4 @@
-// The least energy that a scene is measured by: blocks that stand store next to nothing.
+// Computes the least energy that a scene is compared with: blocks at rest store almost none.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,13 +7,13 @@
 
 namespace keyblock {
 
-// Blocks that stand store next to nothing but the strain of their weight, the less the stiffer they are, and a share of
-// that says nothing of their motion: energies are held against no less than the work of all weights over this share of
-// the size of the mean block.
+// Fraction of the size of the mean block. Blocks at rest store only the strain energy of their weight, which decreases
+// with their stiffness. A fraction of it does not measure their motion. Energies are therefore compared with at least
+// the work of all weights over this displacement.
 inline constexpr double kWayOfWeight = 1e-4;
 
-/// Work of the weight of all free elements of `first` over `kWayOfWeight` of the size of the mean block, per unit
-/// thickness [energy].
+/// Returns the work of the weight of all free elements of `first` over `kWayOfWeight` of the size of the mean block,
+/// per unit thickness [energy].
 double work_of_weight(const Prepared& prepared, const Frame& first);
 
 }  // namespace keyblock
