@@ -1,4 +1,4 @@
-// Folder, then settings file, then what was asked beside them.
+// Reads the folder, then the settings file, then adds the settings of the request.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/asked_case.hpp"
 
@@ -23,7 +23,7 @@ void put_files(AskedCase& asked, const std::vector<std::string>& paths) {
   }
   const CaseFolder folder = the_case_in(paths.front());
   const fs::path whole = whole_path(folder.folder);
-  asked.name = (whole.parent_path().filename() / whole.filename()).string();  // cases share names as "coarse"
+  asked.name = (whole.parent_path().filename() / whole.filename()).string();  // cases share names such as "coarse"
   asked.folder = folder.folder;
   asked.file = read_case_file(folder);
   asked.files = folder.inputs();

@@ -1,4 +1,4 @@
-// A case as somebody asks for it: files or a folder, settings, profile; and the same, read.
+// Turns a request for a case (files or a folder, settings, profile) into its files and choices, and reads them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-/// A request, before any file is read. Settings below override those above.
+/// Request for a case, before any file is read. Settings of later members override those of earlier ones.
 struct CaseRequest {
   std::vector<std::string> paths;  ///< the files of a case, or its folder
   std::string settings_file;       ///< empty: none
@@ -21,7 +21,7 @@ struct CaseRequest {
   formats::DrawingChoices choices = {};
 };
 
-/// The files and choices that a request stands for.
+/// Files and choices of a request.
 struct AskedCase {
   std::string name;                 ///< for tables
   std::filesystem::path folder;     ///< of the case; empty if files were given
@@ -31,7 +31,7 @@ struct AskedCase {
   std::string profile;              ///< of the command line or the settings file; empty: none
   std::vector<Override> common;     ///< of the settings file, then of the command line
 
-  /// All settings of a run in that profile: those of `case.json`, then `common`.
+  /// Returns all settings of a run in that profile: those of `case.json`, then `common`.
   std::vector<Override> overrides(const std::string& under) const;
 };
 
@@ -39,12 +39,12 @@ struct AskedCase {
 /// that cannot be read.
 AskedCase asked_case(const CaseRequest& request);
 
-/// A case that was read.
+/// Case whose files were read.
 struct OpenCase : AskedCase {
   formats::Case input;
 };
 
-/// Reads the files of the case. Throws InputError as `formats::load_case` does.
+/// Reads the files of the case. Throws InputError like `formats::load_case`.
 OpenCase opened(AskedCase asked);
 
 }  // namespace keyblock

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kNotRun = "not run: ";
 
-/// A value of the file and the key it stands under, for messages.
+/// Value of the file and its key, for messages.
 struct CaseValue {
   const CaseFolder& folder;
   const std::string& file;
@@ -34,7 +34,7 @@ struct CaseValue {
     constexpr std::size_t kMost = 200;
     std::string found = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (found.size() > kMost) {
-      std::size_t end = kMost;  // of a whole character
+      std::size_t end = kMost;  // end of a whole character
       while (end > 0 && (static_cast<unsigned char>(found[end]) & 0xC0) == 0x80) --end;
       found = found.substr(0, end) + " …";
     }
@@ -73,7 +73,7 @@ bool takes(const std::string& name, const std::string& value) {
   }
 }
 
-// A setting that is off or on may be false or true.
+// A setting that takes off or on may be false or true.
 std::string setting_text(const CaseValue& object, const std::string& name) {
   const Json& value = object.json.at(name);
   if (value.is_number()) return value.dump();
@@ -91,7 +91,8 @@ std::vector<Override> overrides_of(const CaseValue& object) {
   return overrides;
 }
 
-// A wrong one is told here, with its key. One of a variant is told when that is run: it leaves the other runs.
+// Wrong settings are reported here, with their key. Those of a variant are reported when it runs: the other runs
+// remain.
 std::vector<Override> checked(const CaseValue& object) {
   std::vector<Override> overrides = overrides_of(object);
   for (const auto& [name, value] : overrides) {
@@ -183,7 +184,7 @@ Json parsed(const std::string& path) {
   }
 }
 
-// A name in the list stands for the list in that file. `outer`: the files that lead here.
+// A name in the list includes the list of that file. `outer`: the files that include this one.
 std::vector<Variant> variants_of(const CaseValue& list, std::vector<std::string> outer = {}) {
   if (!list.json.is_array()) list.refuse("a list");
   std::vector<Variant> variants;

@@ -1,4 +1,4 @@
-// What a case folder says of its runs beyond the old files: `case.json`.
+// Reads `case.json`: settings, variants and search of a case folder, in addition to the files of Shi's formats.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Layout, every key optional:
@@ -9,8 +9,8 @@
 //    "variants": [{"name": "10 ms, rigid", "profile": "standard", "set": {"SETTING": "VALUE"},
 //                  "tolerance": 2e-3, "reason": "why this tolerance"}],
 //    "legacy": "not run: REASON", "standard": "not run: REASON"}
-// A text in the list of variants names a file, relative to the folder, with a list of more, so that cases can share
-// them. A value is text or a number. A file that a setting names is looked for in the case folder.
+// A text in the list of variants names a file with further variants, relative to the folder, so that cases can share
+// them. A value is text or a number. A file named by a setting is searched in the case folder.
 #pragma once
 
 #include <map>
@@ -24,30 +24,31 @@
 
 namespace keyblock {
 
-/// A run beside the plain one, held against the same expected values.
+/// Run in addition to the plain one, compared with the same expected values.
 struct Variant {
   std::string name;
   std::string profile;
   std::vector<Override> set;        ///< on top of the case's own for this profile
-  std::optional<double> tolerance;  ///< absolute, in place of that of every expected value
+  std::optional<double> tolerance;  ///< absolute; replaces that of every expected value
   std::string reason;               ///< of that tolerance
 };
 
 struct CaseFile {
-  std::string path;  ///< for messages; set whether or not the file is there
+  std::string path;  ///< for messages; set even if the file does not exist
   std::string about;
-  bool is_slow = false;                              ///< left out unless all cases are asked for
+  bool is_slow = false;                              ///< skipped unless all cases are requested
   std::map<std::string, std::vector<Override>> set;  ///< by profile; those of both profiles come first
-  std::map<std::string, std::string> not_run;        ///< by profile: why it is not
+  std::map<std::string, std::string> not_run;        ///< by profile: the reason
   std::vector<Variant> variants;
   std::optional<ReductionAsked> reduction;
 
-  /// The settings of the plain run under `profile`: what the file sets for legacy or standard, whichever it varies.
+  /// Returns the settings of the plain run under `profile`: those for `legacy` or `standard`, also for profiles that
+  /// vary one of them.
   std::vector<Override> overrides(const std::string& profile) const;
 };
 
-/// The case file of the folder; an empty one where there is none. Throws InputError naming file and key for a key that
-/// is none, or a value of the wrong kind.
+/// Reads the case file of the folder; empty if it does not exist. Throws InputError with file and key for an unknown
+/// key, or a value of the wrong kind.
 CaseFile read_case_file(const CaseFolder& folder);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Walks folders for cases.
+// Searches folders for cases, recursively.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/case_folder.hpp"
 
@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A link that leads to a folder around it.
+/// Returns true for a link to a folder that contains it.
 bool leads_up(const fs::directory_entry& entry) {
   if (!entry.is_symlink()) return false;
   const fs::path target = fs::canonical(entry.path()), from = fs::canonical(entry.path().parent_path());
@@ -23,7 +23,7 @@ bool leads_up(const fs::directory_entry& entry) {
 
 void visit(const fs::path& folder, const fs::path& root, std::vector<CaseFolder>& cases) {
   const bool has_expected = fs::exists(folder / "expected.csv");
-  const bool is_of_a_run = fs::exists(folder / "run.json");  // its trace is no expected one
+  const bool is_of_a_run = fs::exists(folder / "run.json");  // its trace is not an expected one
   const bool has_trace = !is_of_a_run && fs::exists(folder / "steps.csv") && fs::exists(folder / "blocks.csv");
   if (has_expected || has_trace) {
     const fs::path relative = folder.lexically_relative(root);
@@ -76,7 +76,7 @@ std::vector<CaseFolder> find_cases(const std::vector<std::string>& paths) {
 
 CaseFolder the_case_in(const std::string& path) {
   const std::vector<CaseFolder> folders = find_cases({path});
-  // Below a case may lie results of its runs.
+  // Results of runs may lie below a case.
   const auto itself =
       std::ranges::find_if(folders, [&](const CaseFolder& folder) { return fs::equivalent(folder.folder, path); });
   if (itself != folders.end()) return *itself;

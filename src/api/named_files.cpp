@@ -1,4 +1,4 @@
-// One line a setting that names a file.
+// Reads the files that settings name, one line per setting.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/named_files.hpp"
 

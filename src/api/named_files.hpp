@@ -1,4 +1,4 @@
-// Settings that name a file: read where files may be read, and put into the problem.
+// Reads files that settings name, and puts their content into the problem.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,13 +10,13 @@
 
 namespace keyblock {
 
-/// The value of a setting that stands in a file in `folder`: if it names a file, the path of that from the working
-/// folder (an absolute name stays); else the value itself.
+/// Returns the value of a setting read from a file in `folder`. If it names a file, returns its path from the working
+/// folder (an absolute name stays); otherwise the value itself.
 std::string from_folder(const std::filesystem::path& folder, const std::string& name, const std::string& value);
 
-/// The problem with the table that the setting `body_acceleration_file` names, if one does: an override names it from
-/// the working folder, the choices of a case file from the folder of that file, where the name becomes that from the
-/// working folder. Throws InputError if the file is missing or wrong.
+/// Returns the problem with the table of the file in the setting `body_acceleration_file`, if there is one. An override
+/// names it relative to the working folder. A case file names it relative to its own folder; the name is then changed
+/// to that from the working folder. Throws InputError if the file is missing or wrong.
 Problem with_named_files(Problem problem, const std::vector<Override>& overrides);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// One step after the other.
+// Performs the steps of planning in order: profile, settings, files and mesh, scene, look ahead.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/plan.hpp"
 
@@ -18,7 +18,7 @@ namespace keyblock {
 
 namespace {
 
-// Throws InputError that names `case.json` if a setting of that file cannot be.
+// Throws InputError that names `case.json` if a setting of that file is impossible.
 void require_those_of_file(const ConfiguredCase& made, Problem problem) {
   if (made.of_file.empty()) return;
   try {

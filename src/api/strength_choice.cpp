@@ -1,4 +1,4 @@
-// Words to polygons; elements and edges by where their middle lies.
+// Parses words into polygons; finds elements and edges by the place of their centroid or middle.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/strength_choice.hpp"
 
@@ -78,7 +78,7 @@ void copy_behind(PerMaterial<T>& choice, int count) {
     if (material < count) choice.own[material + count] = value;
 }
 
-// Elements on covers are the last ones of a model; the continuum has its own list of them.
+// Elements of NMM bodies are the last ones of a model; the continuum has its own list of them.
 void exempt_elements(Continuum& continuum, const std::vector<bool>& is_exempt, int materials) {
   std::vector<int> numbers;
   for (std::size_t e = 0; e < continuum.manifold.elements.size(); ++e) {

@@ -1,4 +1,5 @@
-// Chooses whose strength a search reduces: joints, rock or both, without exempt materials and regions.
+// Selects the strengths that a search reduces: joints, rock or both, without exempt materials and regions. Theory:
+// docs/theory/11-strength-reduction.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,29 +14,29 @@
 
 namespace keyblock {
 
-/// Whose strength is divided.
+/// Parts whose strength is divided.
 enum class Reduced { joints, rock, both };
 
-/// A word for tables: "joints", "rock", "both".
+/// Returns a word for tables: "joints", "rock", "both".
 std::string name_of(Reduced what);
 
-/// Throws std::invalid_argument for a word that is none.
+/// Throws std::invalid_argument for another word.
 Reduced reduced_of(const std::string& name);
 
-/// A search for the factor of safety as somebody asks for it; what is left open is taken from `case.json`, else usual.
+/// Requested search for the factor of safety. Missing values are taken from `case.json`, otherwise from the defaults.
 struct ReductionAsked {
   std::optional<Reduced> what;
   std::optional<double> from, to;
   std::optional<double> within;          ///< width of the bracket
-  std::vector<std::string> exempt = {};  ///< as `exempt_of` reads them
+  std::vector<std::string> exempt = {};  ///< in the form that `exempt_of` reads
 
-  static constexpr double kWithin = 0.01;  ///< unless asked otherwise
+  static constexpr double kWithin = 0.01;  ///< default
 };
 
-/// What `given` leaves open is that of `of_case`; then joints, and the usual width.
+/// Completes `given` from `of_case`, then with joints and the default width.
 ReductionAsked completed(ReductionAsked given, const std::optional<ReductionAsked>& of_case);
 
-/// A polygon in the undeformed scene, in its unit of length.
+/// Polygon in the undeformed scene, in its unit of length.
 struct ExemptRegion {
   std::string words;  ///< as the user wrote it
   std::vector<Point> outline;
@@ -57,10 +58,10 @@ Exempt exempt_of(const std::vector<std::string>& words);
 /// Throws InputError if a material does not exist, or if a region is given for a case with stages.
 void require_exempt(const Exempt& exempt, const Problem& problem);
 
-/// Numbers of parts that a region holds.
+/// Number of parts inside a region.
 struct ExemptCount {
-  std::size_t elements = 0;  ///< blocks or elements of NMM bodies whose centroid it holds
-  std::size_t edges = 0;     ///< edges with a joint material whose middle it holds
+  std::size_t elements = 0;  ///< blocks or elements of NMM bodies with centroid inside
+  std::size_t edges = 0;     ///< edges with a joint material and middle inside
 };
 
 /// Gives the elements and joint edges inside the regions other materials: number n becomes n + `block_materials`, or

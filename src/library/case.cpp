@@ -1,4 +1,4 @@
-// Reads a case, changes values of it by way of its case file, writes it.
+// Reads a case, changes its values through its case file, writes it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -18,7 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// One case file is handed on as it stands; with comments, trailing commas or as YAML, as strict JSON of the same values.
+// A single case file is returned unchanged. If it has comments or trailing commas, or is YAML, it becomes strict JSON
+// of the same values.
 std::string text_of(const Case::Data& data) {
   const study::Conversion made =
       study::convert(data.open.input.files, study::target_named(formats::kKeyblockCase.name), study::Faults::none);
@@ -40,7 +41,7 @@ Json::json_pointer pointer_in(const Json& json, std::string_view pointer) {
       fmt::format("expected a pointer to a value of the case, such as /analysis/time_step, found {}", pointer));
 }
 
-// Files of an old program stay such, with the rules that go with them.
+// Files of Shi's programs keep their formats, with the rules that belong to them.
 Case::Data changed(const Case::Data& before, const std::string& text) {
   Case::Data after{before.open, {}};
   formats::FileReading file;
@@ -59,7 +60,7 @@ Case::Data changed(const Case::Data& before, const std::string& text) {
   return after;
 }
 
-// Throws Error: a file that exists is no fault of a setting.
+// Throws Error: an existing file is not a wrong setting.
 void require_nothing_there(const std::filesystem::path& file) {
   try {
     require_free(file, Overwrite::no);

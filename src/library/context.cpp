@@ -1,4 +1,4 @@
-// The context of the library behind that of the caller.
+// Implements the public Context by that of the program.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "library/parts.hpp"
 
@@ -6,7 +6,7 @@ namespace keyblock::api {
 inline namespace v1 {
 
 Context::Context(int threads) : state_(std::make_shared<State>()) {
-  constexpr int kMost = 256;  // as --threads
+  constexpr int kMost = 256;  // as for --threads
   if (threads < 0 || threads > kMost) throw SettingError("expected 0 to 256 threads, found " + std::to_string(threads));
   state_->context.use_threads(threads);
 }

@@ -1,11 +1,11 @@
-// Hands out the columns of one instant.
+// Returns the columns of one instant.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "library/parts.hpp"
 
 namespace keyblock::api {
 namespace {
 
-/// The column of a part; an empty one if the part has no rows.
+/// Returns a column of a part; empty if the part has no rows.
 template <class T>
 Column<T> column_of(const formats::FrameColumns& frame, std::string_view part_name, std::string_view name) {
   const formats::FramePart& part = frame.part(part_name);

@@ -1,4 +1,4 @@
-// The data of the opaque types of the public header, and its errors.
+// Defines the data of the opaque types of the public header, and converts errors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -49,10 +49,10 @@ inline std::vector<Warning> public_warnings(const Warnings& warnings) {
   return all;
 }
 
-/// The files and choices of a case under choices of the caller.
+/// Returns the files and choices of a case under choices of the caller.
 AskedCase asked_under(const Case& of, const Choices& choices);
 
-/// Does `work`; what it throws comes out as the errors of the public header.
+/// Calls `work`; converts its exceptions to those of the public header.
 template <class Work>
 auto guarded(const Work& work) {
   try {

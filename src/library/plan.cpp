@@ -1,4 +1,4 @@
-// A case made ready by the one way there is (`planned`).
+// Prepares a case for its first step by `planned`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "library/parts.hpp"
 #include "settings/settings_table.hpp"

@@ -1,4 +1,4 @@
-// Steps at the call of whoever made the run; the same watch and judgement as `keyblock run`.
+// Steps a run on request of the caller, with the checks and the judgement of `keyblock run`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run.hpp"
 

@@ -1,4 +1,4 @@
-// Factor of safety and stress intensity, as `keyblock fos` and `keyblock sif` have them.
+// Computes factor of safety and stress intensity factors, as `keyblock fos` and `keyblock sif` do.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 
-/// For a study that the rules of the old programs cannot answer.
+/// Configures a case for a study that the rules of Shi's programs cannot answer.
 ConfiguredCase for_study(const Case& of, const Choices& choices) {
   return configured(asked_under(of, choices), of.data().open.input.problem, OldFiles::standard);
 }
