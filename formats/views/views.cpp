@@ -1,4 +1,4 @@
-// A frame at rest made of whatever geometry there is, and rows of it.
+// Makes a frame at rest from the available geometry, and rows of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/views.hpp"
 
@@ -135,7 +135,7 @@ std::string write_csv(const Content& content) {
 constexpr std::array<std::string_view, 7> kNeverShown{"units",  "covers", "analysis", "motion",
                                                       "tracks", "run",    "outputs"};
 
-// Everything but the part that the view takes.
+// Lists everything except the part that the view writes.
 LeftOut all_but(std::string_view part) {
   LeftOut left_out{{kNeverShown.begin(), kNeverShown.end()}, 0};
   for (const std::string_view geometry : {"drawing", "blocks", "cover"})

@@ -1,4 +1,4 @@
-// Walks around blocks with holes as VTK wants it, and lays out the file.
+// Chains blocks with holes into the closed polygons that VTK requires, and lays out the file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/vtk.hpp"
 
@@ -15,7 +15,7 @@
 namespace keyblock::formats {
 namespace {
 
-/// Rows of corners.
+/// Row indices of corners.
 using Chain = std::vector<std::size_t>;
 
 std::vector<Point> places_of(const FramePart& corners) {
@@ -27,7 +27,7 @@ std::vector<Point> places_of(const FramePart& corners) {
   return places;
 }
 
-/// Walks from the chain to the nearest vertex of the hole, round it, and back.
+/// Inserts a hole into the chain: from the nearest vertex of the chain to the hole, round it, and back.
 Chain bridged(const Chain& chain, const Chain& hole, const std::vector<Point>& places) {
   std::size_t leave = 0;
   std::size_t enter = 0;
@@ -43,10 +43,10 @@ Chain bridged(const Chain& chain, const Chain& hole, const std::vector<Point>& p
   return joined;
 }
 
-/// The corners of all polygons, one after the other.
+/// Corners of all polygons, in order.
 struct Polygons {
   Chain corners;
-  std::vector<std::int32_t> offsets;  ///< where each ends
+  std::vector<std::int32_t> offsets;  ///< end of each polygon
 };
 
 Polygons polygons_of(const FrameColumns& frame, const std::vector<Point>& places) {

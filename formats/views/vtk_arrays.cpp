@@ -1,4 +1,4 @@
-// Takes numbers out of columns and narrows them to seven digits where that is enough.
+// Copies numbers from columns, and narrows them to seven digits if that suffices.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/vtk_arrays.hpp"
 
@@ -11,7 +11,7 @@
 namespace keyblock::formats {
 namespace {
 
-/// A column, or one component of it.
+/// Column, or one component of it.
 struct ColumnSource {
   const FrameColumn* column;
   std::optional<std::size_t> component;  ///< of a tensor
@@ -28,7 +28,7 @@ std::optional<ColumnSource> source_of(const FramePart& part, std::string_view na
   return std::nullopt;
 }
 
-/// Calls `use` with the first of the `width` numbers of each row that is written.
+/// Calls `use` with the first of the `width` numbers of each written row.
 template <class T, class Use>
 void for_rows(std::span<const T> numbers, std::size_t width, std::span<const std::size_t> order, const Use& use) {
   if (order.empty())

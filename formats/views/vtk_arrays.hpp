@@ -12,10 +12,10 @@
 
 namespace keyblock::formats {
 
-/// Which columns a section takes.
+/// Columns that a section takes.
 enum class ArraysOf {
-  rows,  ///< all but those of shape `ends`
-  ends,  ///< those alone: two vectors per row
+  rows,  ///< all except those of shape `ends`
+  ends,  ///< only those of shape `ends`: two vectors per row
 };
 
 /// Adds the arrays that `table` declares and `part` has, in the order of the table; headings name `units`. A tensor

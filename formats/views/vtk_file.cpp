@@ -1,4 +1,4 @@
-// Arrays of numbers in VTK's XML files; see vtk_file.hpp.
+// Writes and reads arrays of numbers in VTK's XML files; see vtk_file.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/vtk_file.hpp"
 
@@ -23,7 +23,7 @@ static_assert(std::endian::native == std::endian::little, "bytes are written as 
 constexpr std::array<std::string_view, 3> kNames{"raw", "zlib", "text"};
 constexpr std::string_view kOpening = "<AppendedData encoding=\"raw\">";
 constexpr std::string_view kPacker = "vtkZLibDataCompressor";
-constexpr std::size_t kPackedAtOnce = 1 << 15;  // of bytes that zlib packs at once, as VTK does
+constexpr std::size_t kPackedAtOnce = 1 << 15;  // bytes per block of zlib, as in VTK
 constexpr std::size_t kWord = sizeof(std::uint64_t);
 
 template <class T>
@@ -51,7 +51,7 @@ void append_word(std::string& bytes, std::uint64_t value) {
   bytes.append(word.data(), kWord);
 }
 
-// Level 1: most of what packs well packs at once.
+// Level 1: compressible data reach most of their compression at once.
 std::string packed(std::span<const std::uint8_t> bytes) {
   uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
@@ -61,7 +61,7 @@ std::string packed(std::span<const std::uint8_t> bytes) {
   return packed;
 }
 
-/// Reads words and bytes from a place on.
+/// Reads words and bytes from a given place on.
 class Bytes {
  public:
   Bytes(std::string_view bytes, std::size_t at, const Place& place) : bytes_(bytes), at_(at), place_(place) {}
@@ -86,7 +86,7 @@ class Bytes {
   const Place& place_;
 };
 
-// `of_all`: bytes of all arrays, as they are packed. What packs better than this holds no frame.
+// `of_all`: packed bytes of all arrays. An array that packs better than this does not hold a frame.
 std::string unpacked(Bytes& bytes, std::size_t of_all, const Place& place) {
   const std::uint64_t blocks = bytes.word();
   const std::uint64_t size = bytes.word();

@@ -1,4 +1,4 @@
-// Files of VTK's PolyData.
+// Writes contacts, bolts and cracks as files of VTK's PolyData.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/vtk_parts.hpp"
 
@@ -14,10 +14,10 @@
 namespace keyblock::formats {
 namespace {
 
-/// Points of as many vertices, or of as many lines of two points, which are the cells.
+/// Cells of a file: vertices, or lines of two points each.
 struct Cells {
   std::string_view word;  ///< Verts, Lines
-  std::int32_t size;      ///< points of each
+  std::int32_t size;      ///< points per cell
   std::size_t count;
 };
 

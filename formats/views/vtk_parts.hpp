@@ -1,12 +1,13 @@
-// Contacts and bolts of a frame for viewers such as ParaView (write only): files of points and lines beside the blocks.
+// Writes contacts, bolts and cracks of a frame for viewers such as ParaView, as points and lines in addition to the
+// blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// .vtp: VTK XML PolyData (vtk_file.hpp), the time in the field TimeValue. Contacts are vertices with point data block,
-// other, joint_material (from 1), state (0 open, 1 stick, 2 slide), gap, slip, normal_force, shear_force, and as
-// vectors normal (Float32), force (on `block`; `other` has the opposite): signs as in formats/text/contact_csv.hpp.
-// Bolts are lines with cell data bolt (from 1), force (tension positive), is_broken (0, 1). Faces of cracks are lines
-// where they are now, with cell data crack (from 1), side (0 the right one of the way along the crack, 1 the left one),
-// is_shear (0, 1: it started in shear) and point data displacement.
+// .vtp: VTK XML PolyData (vtk_file.hpp), with the time in the field TimeValue. Contacts are vertices with point data
+// block, other, joint_material (from 1), state (0 open, 1 stick, 2 slide), gap, slip, normal_force, shear_force. Their
+// vectors are normal (Float32) and force (on `block`; `other` has the opposite), with the signs of
+// formats/text/contact_csv.hpp. Bolts are lines with cell data bolt (from 1), force (tension positive), is_broken (0,
+// 1). Faces of cracks are lines in their current position. Their cell data are crack (from 1), side (0 right, 1 left
+// along the crack), is_shear (0, 1: it started in shear); displacement is point data.
 #pragma once
 
 #include <string>
@@ -17,7 +18,7 @@
 
 namespace keyblock::formats {
 
-/// Each needs at least one row of its part.
+/// Precondition of all three: the part has at least one row.
 std::string contacts_vtp(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
 std::string bolts_vtp(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
 std::string cracks_vtp(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);

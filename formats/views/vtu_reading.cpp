@@ -1,4 +1,4 @@
-// Arrays of the one piece; chains that walk to holes and back become loops again.
+// Reads arrays of the one piece; turns chains around holes back into loops.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/vtu_reading.hpp"
 
@@ -24,11 +24,11 @@ bool is_same(const FieldCorner& a, const FieldCorner& b) {
   return a.position == b.position && a.displacement == b.displacement;
 }
 
-/// What `vtu` joined: from a corner to one of a hole, round the hole, and back to both. The shortest such walk has no
-/// other within it.
+/// Walk that `vtu` inserted: from a corner to a corner of a hole, round the hole, and back to both. The shortest walk
+/// contains no other.
 struct Walk {
-  std::size_t first = 0;  ///< the corner that it leaves
-  std::size_t last = 0;   ///< the same, when it is back
+  std::size_t first = 0;  ///< the corner at which it begins
+  std::size_t last = 0;   ///< the same corner, at its end
 };
 
 std::optional<Walk> shortest_walk(const Corners& chain) {
@@ -59,14 +59,14 @@ Point middle_of(const std::vector<Corners>& loops) {
     std::vector<Point> drawn;
     for (const FieldCorner& corner : loop) drawn.push_back(corner.position);
     if (loops.size() == 1) return centroid(drawn);
-    const double part = area(drawn);  // of holes below 0
+    const double part = area(drawn);  // negative for holes
     sum = sum + part * centroid(drawn);
     whole += part;
   }
   return whole == 0 ? loops[0][0].position : (1 / whole) * sum;
 }
 
-/// The numbers of an array; those of a text know their places.
+/// Numbers of an array; those of a text know their places.
 class VtuArray {
  public:
   VtuArray(const Element& element, std::string_view name, const VtkParts& parts)
@@ -91,13 +91,13 @@ class VtuArray {
   std::size_t size() const { return numbers_.size(); }
   double operator[](std::size_t i) const { return numbers_[i]; }
 
-  /// Throws InputError unless it has so many.
+  /// Throws InputError unless the array has `count` numbers.
   VtuArray&& of(std::size_t count) && {
     if (size() != count)
       throw InputError(place_, fmt::format("expected {} numbers in the array {}, found {}", count, name_, size()));
     return std::move(*this);
   }
-  /// A whole number from `least` to `most`.
+  /// Returns a whole number from `least` to `most`. Throws InputError for others.
   int whole(std::size_t i, int least, int most) const {
     const double value = numbers_[i];
     if (!is_whole(value) || value < least || value > most)
@@ -157,7 +157,7 @@ class VtuReader {
     if (const auto found = child_of(parent, name)) return *found;
     throw InputError(parent.place(), fmt::format("expected {} of a frame that a run wrote (.vtu), found none", name));
   }
-  // "stress_xx [Pa]" is found by "stress_xx".
+  // "stress_xx" finds "stress_xx [Pa]".
   std::optional<VtuArray> array_in(const Element& parent, std::string_view name) const {
     for (const Element& child : parent.children()) {
       const auto title = child.attribute("Name");
@@ -170,7 +170,7 @@ class VtuReader {
     throw InputError(parent.place(), fmt::format("expected the array {}, found none", name));
   }
 
-  /// "Pa" of "stress_xx [Pa]".
+  /// Returns "Pa" for "stress_xx [Pa]".
   static std::string unit_in(const Element& parent, std::string_view name) {
     for (const Element& child : parent.children()) {
       const auto title = child.attribute("Name");
@@ -252,7 +252,7 @@ class VtuReader {
   VtkParts parts_;
   Document document_;
   Corners corners_;          ///< of all elements
-  bool has_stress_ = false;  ///< of their own; else they have that of their element
+  bool has_stress_ = false;  ///< of the corners; otherwise they have that of their element
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Frames read back from the .vtu files that a run left, to draw them anew. Not a general reader of VTK: arrays are
-// coded and named as `vtu` does it, or as text, as earlier versions wrote them.
+// Reads frames from the .vtu files of a run, to draw them again. It is not a general reader of VTK: arrays have the
+// coding and names of `vtu`, or are text, as earlier versions wrote them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,13 +13,13 @@
 namespace keyblock::formats {
 
 struct VtuFrame {
-  FieldFrame field;          ///< without its step, which the file does not tell
+  FieldFrame field;          ///< without its step, which is not in the file
   std::vector<int> numbers;  ///< of the elements for the whole run, from 0
-  Units units = {};          ///< by what the arrays are called: "stress_xx [Pa]"; empty where they name none
+  Units units = {};          ///< from the names of arrays: "stress_xx [Pa]"; empty if they have none
 };
 
-/// Elements with displacement and stress at corners and middle; the stress of a block is that of all its corners.
-/// Plastic states and cracks are left in the file. Throws InputError.
+/// Reads elements with displacement and stress at corners and middle; the stress of a block is that of all its corners.
+/// Ignores plastic states and cracks. Throws InputError.
 VtuFrame read_vtu(const Source& source);
 
 }  // namespace keyblock::formats
