@@ -191,6 +191,7 @@ Held held_of(const FieldPicture& picture) {
     if (i < elements.size() && is_without_stress(elements[i])) held.push_back(i);
   if (held.empty()) return found;
   std::ranges::sort(held);
+  held.erase(std::ranges::unique(held).begin(), held.end());  // a block may have several fixed points
   for (const std::size_t i : held) found.held.elements.push_back(elements[i]);
   found.others.emplace().elements = without(elements, held);
   return found;

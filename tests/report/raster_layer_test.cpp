@@ -1,4 +1,4 @@
-// Many shapes of a layer become an image with the same areas; few remain shapes, in their sequence.
+// Tests layers of pages: many shapes become an image with the same areas, few remain shapes in their sequence.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -111,7 +111,7 @@ double filled_area(const PlacedImage& placed) {
   return static_cast<double>(filled) / static_cast<double>(placed.image.pixels.size()) * placed.size.x * placed.size.y;
 }
 
-/// A page that is one raster of `loops`, after shapes that only fill the layer.
+/// A page with one raster of `shapes`. Shapes without an area fill the layer first.
 std::string page_of(const std::vector<Loops>& shapes, const Style& style) {
   SvgPage page(300, 200);
   page.layer([&] {

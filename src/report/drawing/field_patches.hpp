@@ -38,8 +38,8 @@ std::vector<std::vector<Point>> loops_of(const FieldElement& element, const Corn
 /// Elements of a field that are drawn as triangles: of more than these, a triangle has about six pixels of the page.
 inline constexpr std::size_t kMostSplit = 50'000;
 
-/// One triangle of the middle and an edge; an element with holes, of one state, or of a field with more than `kMostSplit`
-/// elements, is one piece of its middle's value.
+/// One triangle of the middle and an edge. An element with holes, of one state, or of a field with more than
+/// `kMostSplit` elements is one piece with the value of its middle.
 struct Patch {
   std::vector<std::vector<Point>> loops;
   double value = 0;

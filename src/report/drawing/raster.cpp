@@ -1,4 +1,5 @@
-// Scan conversion: each edge crosses the centres of some rows; between an odd and an even crossing of a row is the area.
+// Converts areas row by row: edges cross the centres of rows, and the area lies between a crossing and the next one.
+// The second area of a row begins at the third crossing, which leaves holes open (even-odd rule).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/raster.hpp"
 

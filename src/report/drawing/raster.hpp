@@ -33,9 +33,10 @@ class Raster {
  public:
   Raster(double width, double height);
 
-  /// Draws a shape with corners on the page. Areas follow the even-odd rule: a pixel is inside if its centre is. An edge
-  /// thinner than a pixel is one pixel wide; its opacity is its width in pixels. Unless it is dashed, it fades out if
-  /// its closed shape is smaller than eight pixels, and is left out below four. So is an edge of the colour of its area.
+  /// Draws a shape with corners on the page. Areas follow the even-odd rule: a pixel is inside if its centre is. An
+  /// edge thinner than a pixel is one pixel wide; its opacity is its width in pixels. Unless it is dashed, it fades out
+  /// if its closed shape is smaller than eight pixels, and is left out below four. An edge of the colour of its area is
+  /// left out too.
   void draw(const std::vector<std::vector<Point>>& loops, bool is_closed, const Ink& ink);
 
   /// What was drawn, cut to its bounds.

@@ -57,9 +57,9 @@ class SvgPage {
   void begin_group(std::string_view words);
   void end_group();
 
-  /// Calls `draw()`, which draws many shapes on the page. They become a raster if their text exceeds `kMostShapeText`;
-  /// see `Raster` for edges. Words drawn among them lie over them, and a raster has none. A layer within a layer is part
-  /// of it. Colours are "none" or "#rrggbb".
+  /// Calls `draw()`, which draws many shapes on the page. They become a raster if their text exceeds
+  /// `kMostShapeText`; see `Raster` for edges. Words drawn among them lie over them, and a raster has none. A layer
+  /// within a layer is part of it. Colours are "none" or "#rrggbb"; others throw std::invalid_argument.
   template <class Draw>
   void layer(Draw draw) {
     begin_layer();
