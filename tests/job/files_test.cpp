@@ -1,4 +1,4 @@
-// Files out: whole or not at all, over nothing but what may be overwritten, and never over an input.
+// Files are written whole or not at all, only over files that may be overwritten, and never over an input.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/files.hpp"
 
@@ -20,7 +20,7 @@ using support::fresh_folder;
 using support::read_text;
 using support::write_text;
 
-/// What a UsageError says; empty where there is none.
+/// The text of a UsageError; empty if there is none.
 std::string complaint(const std::function<void()>& about) {
   try {
     about();
@@ -99,7 +99,7 @@ TEST(Files, a_folder_that_is_gone_is_told) {
   EXPECT_THROW(flush_to_disk(fresh_folder("files") + "/none"), OutputError);
 }
 
-// A link is replaced, but for an output that the user names, where its file is.
+// A link is replaced; if the user named it as an output, the file behind it is.
 TEST(Files, links_are_replaced_or_followed) {
   for (const bool is_output : {false, true}) {
     const Files files;
@@ -136,7 +136,7 @@ TEST(Files, a_name_is_taken_by_a_file_a_folder_or_a_link_to_nothing) {
   EXPECT_EQ(overwrite_if(false), Overwrite::no);
 }
 
-TEST(Files, an_output_is_no_input_by_whatever_name) {
+TEST(Files, an_output_is_no_input_under_another_name) {
   const Files files;
   fs::create_symlink("in.geo", files.folder + "/link.geo");
   fs::create_hard_link(files.input, files.folder + "/hard.geo");
@@ -148,8 +148,8 @@ TEST(Files, an_output_is_no_input_by_whatever_name) {
   EXPECT_NO_THROW(require_writable({files.other}, {files.input}, Overwrite::yes));
 }
 
-// Of a case folder all files count as inputs but those that commands write there.
-TEST(Files, files_of_a_case_folder_are_inputs_but_for_pictures_and_settings) {
+// All files of a case folder count as inputs, except those that commands write there.
+TEST(Files, files_of_a_case_folder_are_inputs_except_pictures_and_settings) {
   const Files files;
   EXPECT_NE(complaint([&] { require_writable({files.other}, {files.folder}, Overwrite::yes); }), "");
   for (const std::string name : {"/a.svg", "/a.settings", "/a.html"}) {

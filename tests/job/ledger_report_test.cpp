@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 const Units kMetres{"m", "kg", "s"};
 
-/// A body of 2 kg falls from rest for a second at 10 m/s², of which the ledger loses 1 %, and is pushed along by 3 N s.
+/// A body of 2 kg falls for a second at 10 m/s² and is pushed along by 3 N s. The ledger loses 1 % of its energy.
 Ledger fall() {
   LedgerRow start, end;
   start.stored.gravity = 500;

@@ -1,4 +1,4 @@
-// What is said of the steps of a run, of its end and of its bolts, from reports made by hand.
+// Warnings about the steps of a run, about its end and its bolts, from reports made by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_warnings.hpp"
 
@@ -13,7 +13,8 @@
 namespace keyblock::run_warnings_test {
 namespace {
 
-/// Two free blocks of 1 m, a gap of 1 m between them: steps of 0.01, in which a displacement of 0.5 of the half width 1.5 is allowed.
+/// Two free blocks of 1 m, a gap of 1 m between them. A step of 0.01 allows a displacement of half of 1.5, which is
+/// half the width of both.
 Prepared two_blocks(const std::function<void(Settings&)>& change = {}) {
   Blocks blocks;
   blocks.blocks = {support::rectangle({0, 0}, {1, 1}), support::rectangle({2, 0}, {3, 1})};
@@ -34,7 +35,7 @@ StepReport step(int number) {
   return report;
 }
 
-/// All that is said of steps that differ from a sound one.
+/// All warnings about steps that differ from a sound one.
 Warnings said(const Prepared& prepared, const std::vector<std::function<void(StepReport&)>>& changes) {
   StepWatch watch(prepared);
   int number = 0;
@@ -51,7 +52,7 @@ std::string sentence(const Warnings& warnings, const std::string& name) {
   return found == warnings.end() ? std::string() : found->sentence;
 }
 
-/// Whether all of these stand in a text: what counts and measures of a sentence, not its words.
+/// Whether all of these stand in a text: the counts and numbers of a sentence, not its words.
 testing::AssertionResult tells(const std::string& text, const std::vector<std::string>& parts) {
   for (const std::string& part : parts)
     if (text.find(part) == std::string::npos) return testing::AssertionFailure() << part << " is not in: " << text;
@@ -85,7 +86,7 @@ TEST(RunWarnings, a_kind_is_told_once_with_its_first_step_and_its_place) {
   EXPECT_TRUE(tells(found[0].sentence, {"step 2", "1.23 times", "2 of 4 steps"}));
 }
 
-// 1.5 m, half the width of both blocks and the gap, times the ratio of 0.5 is what a step allows; blocks are 1 m wide.
+// A ratio of 2 is a displacement of 1.5 m; blocks are 1 m wide.
 TEST(RunWarnings, a_block_that_may_have_passed_another_is_told) {
   const Warnings found = said(two_blocks(), {[](StepReport& s) { s.displacement_ratio = 2; }});
   EXPECT_TRUE(tells(sentence(found, "step_passes_blocks"), {"step 1", " 1.5", "(1)", "1 of 1"}));

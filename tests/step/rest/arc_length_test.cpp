@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kModulus = 1000, kLoad = 400;  // of the whole scene, force per length
 
-/// A unit square of four triangles under plane stress without lateral strain (ν = 0), free to slide along its left and
-/// lower edges, pressed from above.
+/// A unit square of four triangles under plane stress, pressed from above. It slides freely along its left and lower
+/// edges, and ν = 0: there is no lateral strain.
 Continuum pressed_bar(double load) {
   BodyGraph graph;
   graph.materials = {0};
@@ -36,9 +36,8 @@ Continuum pressed_bar(double load) {
   return bar;
 }
 
-/// The share of the load that the bar bears at the stretch λ: with Green's strain E = (λ² - 1)/2 the nominal stress is
-/// λ E (λ² - 1)/2, that of the shallow truss of von Mises too, whose bars have λ = height over first height. It is
-/// greatest at λ = 1/√3.
+/// The share of the load that the bar carries at the stretch λ. With Green's strain (λ² - 1)/2 the nominal stress is
+/// E λ (λ² - 1)/2, greatest at λ = 1/√3. The shallow truss of von Mises has the same curve over its height.
 double share_at(double stretch) {
   return kModulus * stretch * (1 - stretch * stretch) / (2 * kLoad);
 }
@@ -103,7 +102,7 @@ TEST(ArcLength, each_point_says_how_it_came_from_the_one_before) {
   }
 }
 
-// By the last way it knows which way is on: told that it came up, it goes down again to where it began.
+// The last step gives the direction of the next: reversed, the path leads back to where it began.
 TEST(ArcLength, a_path_that_is_turned_round_leads_back) {
   LoadedBodies bodies(pressed_bar(kLoad));
   const PathPoint start = start_of(bodies);
@@ -126,7 +125,7 @@ TEST(ArcLength, a_path_that_is_turned_round_leads_back) {
   EXPECT_GT(before, 1 / std::sqrt(3));
 }
 
-// Of the first strains u = -(load/E) y at the nodes of all covers; held edges give way by a ten-thousandth of that.
+// Elastic answer: u = -(load/E) y at the nodes of all covers. Held edges give way by a ten-thousandth of that.
 TEST(ArcLength, the_length_of_the_loads_is_that_of_the_elastic_answer) {
   LoadedBodies bodies(pressed_bar(kLoad));
   const PathPoint start = start_of(bodies);
@@ -157,8 +156,8 @@ TEST(ArcLength, without_loads_there_is_no_path) {
   EXPECT_EQ(rounds.end, RoundsEnd::off_path);
 }
 
-// On the path nothing beyond the limit load is borne, and by the load alone no equilibrium is found there.
-TEST(ArcLength, loads_beyond_the_limit_are_not_borne) {
+// The path never passes the limit load, and control by load finds no equilibrium beyond it.
+TEST(ArcLength, loads_beyond_the_limit_have_no_equilibrium) {
   LoadedBodies bodies(pressed_bar(kLoad));
   const PathPoint start = start_of(bodies);
   const double limit = share_at(1 / std::sqrt(3));

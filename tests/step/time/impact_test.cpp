@@ -114,9 +114,9 @@ Blocks on_its_corner(double angle) {
   return blocks;
 }
 
-/// How a rigid body that meets a fixed plane y = 0 with one point goes on: restitution e of the normal velocity, and
-/// friction that sticks if the cone has room, else is the most that it can be, against the slip. `arm` is that of the
-/// point from the centroid.
+/// Returns the velocity of a rigid body after one of its points met the fixed plane y = 0: restitution e of the normal
+/// velocity; friction sticks if the cone has room, else it is on the cone, against the slip. `arm` leads from the
+/// centroid to the point.
 Eigen::Vector3d struck_by_plane(double mass, double inertia, Point arm, const Eigen::Vector3d& v, double e, double mu) {
   Eigen::Matrix<double, 2, 3> g;
   g << 0, 1, arm.x, 1, 0, -arm.y;  // normal, then along x
