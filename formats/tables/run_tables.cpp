@@ -1,4 +1,4 @@
-// The tables, column by column; csv.hpp, contact_csv.hpp and tips_csv.hpp say what they hold.
+// Declares the tables, column by column; csv.hpp, contact_csv.hpp and tips_csv.hpp describe their content.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/tables/run_tables.hpp"
 
@@ -228,7 +228,7 @@ constexpr std::array kOfBolts{Column("bolt", m::kNumber), Column("force", m::kFo
 constexpr std::array kOfCracks{Column("displacement", m::kLength), Column("crack", m::kNumber),
                                Column("side", m::kNumber), Column("is_shear", m::kNumber)};
 
-// "x#" for "x12".
+// Returns true for "x12" if the column is "x#".
 bool is_of(const Column& column, std::string_view name) {
   const std::size_t mark = column.name.find('#');
   if (mark == std::string_view::npos) return column.name == name;
@@ -241,7 +241,7 @@ bool is_of(const Column& column, std::string_view name) {
 
 std::string heading_of(const RunTable& table, const Column& column, std::string_view name, const Units& units) {
   const bool is_said = column.measure.angle.empty() ? is_declared(column.measure, units) : units != Units{};
-  // Letters never stood at stresses.
+  // Stresses never had letters.
   const bool has_letters = table.has_letters && column.measure != m::kStress;
   const bool has_unit = has_letters || is_said || column.measure == m::kDegrees;
   return has_unit ? with_unit(name, column.measure, units) : std::string(name);

@@ -1,4 +1,4 @@
-// What every column of a run's tables, and every array of its frames, measures: the one list of them.
+// Declares the physical quantity of every column of a run's tables, and of every array of its frames, in one list.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace keyblock::formats {
 
-/// A column cannot be declared without what it measures.
+/// Column of a table. It cannot be declared without its physical quantity.
 struct Column {
   constexpr Column(std::string_view of_name, Measure of_measure) : name(of_name), measure(of_measure) {}
 
@@ -18,11 +18,11 @@ struct Column {
   Measure measure;
 };
 
-/// A file of the folder; of frames the arrays of one part.
+/// File of the run's folder, or the arrays of one part of its frames.
 struct RunTable {
   std::string_view file;
   std::span<const Column> columns;
-  bool has_letters = false;  ///< [L], [T], [F] in headings where the case does not declare its units
+  bool has_letters = false;  ///< [L], [T], [F] in headings if the case does not declare its units
 };
 
 extern const RunTable kHistoryTable;
@@ -44,16 +44,16 @@ extern const RunTable kContactArrays;  ///< points of a frame's contacts
 extern const RunTable kCrackArrays;    ///< lines of its cracks, and their corners
 extern const RunTable kBoltArrays;     ///< lines of a frame's bolts
 
-/// All of them, in the order above.
+/// Returns all tables, in the order above.
 std::span<const RunTable* const> run_tables();
 
-/// The declared column of this name, "x12" under "x#". Throws std::logic_error where there is none.
+/// Returns the declared column of this name; "x12" finds "x#". Throws std::logic_error if there is none.
 const Column& column_of(const RunTable& table, std::string_view name);
 
-/// "x12 [mm]": the name with its unit. Where the case declares none, degrees are named all the same.
+/// Returns the name with its unit: "x12 [mm]". Degrees are named even if the case does not declare units.
 std::string heading(const RunTable& table, std::string_view name, const Units& units);
 
-/// Headings of these columns, or of all, with commas between them.
+/// Returns the headings of these columns, or of all, separated by commas.
 std::string headings(const RunTable& table, std::span<const std::string_view> names, const Units& units);
 std::string headings(const RunTable& table, const Units& units);
 

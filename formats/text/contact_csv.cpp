@@ -1,4 +1,4 @@
-// Appends cells; the columns of contacts and bolts.
+// Writes rows of contacts, joints and bolts cell by cell.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/contact_csv.hpp"
 

@@ -1,4 +1,4 @@
-// Writes rows by appending cells; reads by one pass over the characters.
+// Writes rows cell by cell; reads in one pass over the characters.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/csv.hpp"
 
@@ -23,7 +23,7 @@ void append_row(std::string& text, std::initializer_list<double> values) {
   }
 }
 
-/// Takes a table apart, one row at a time.
+/// Splits a table into rows, one at a time.
 class CsvScanner {
  public:
   explicit CsvScanner(const Source& source) : source_(source), text_(source.text) {
@@ -31,7 +31,8 @@ class CsvScanner {
     line_start_ = text_.data();
   }
 
-  /// LF, CRLF and a lone CR end a line. The next row that is not an empty line; without cells at the end of the text.
+  /// Returns the next row that is not an empty line; a row without cells at the end of the text. LF, CRLF and a lone CR
+  /// end a line.
   CsvRow next_row() {
     while (skip_line_end()) {
     }
@@ -96,7 +97,7 @@ class CsvScanner {
   int line_ = 1;
 };
 
-// How many columns at the end of a table are of rock that may yield.
+// Number of columns at the end of a table that elastoplastic rock adds.
 constexpr std::size_t kPlasticColumns = 10;
 
 std::string headings_of(const RunTable& table, bool has_plastic, const Units& units) {
@@ -132,9 +133,9 @@ void append_totals(std::string& text, const std::optional<PlasticTotals>& plasti
   if (plastic->work) text += format_real(*plastic->work);
 }
 
-/// How many columns of each kind the rows of a history have.
+/// Number of columns of each kind in the rows of a history.
 struct HistoryColumns {
-  std::vector<std::size_t> points;  ///< their places in a row
+  std::vector<std::size_t> points;  ///< their indices in a row
   std::size_t bolts = 0;
   std::size_t reactions = 0;
   std::size_t driven = 0;

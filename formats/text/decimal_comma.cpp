@@ -1,4 +1,4 @@
-// Judges each run of characters without white space that holds a comma.
+// Judges each run of characters without white space that contains a comma.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/decimal_comma.hpp"
 
@@ -22,7 +22,7 @@ bool drop_one_of(std::string_view& text, std::string_view characters) {
   return has;
 }
 
-/// Digits, perhaps in groups of thousands behind `group`; none at all is a number too (`,5`).
+/// Drops digits, perhaps with groups of thousands after `group`. There may be no digits, as in `,5`.
 void drop_whole_part(std::string_view& text, char group) {
   const std::size_t first = leading_digits(text);
   const bool may_be_grouped = first > 0 && first <= kGroup && text.front() != '0';
@@ -31,7 +31,7 @@ void drop_whole_part(std::string_view& text, char group) {
     text.remove_prefix(1 + kGroup);
 }
 
-/// Whether the whole text is one number in the writing that has these two characters.
+/// Returns true if the whole text is one number with these characters as group separator and decimal point.
 bool is_one_number(std::string_view text, char group, char point) {
   drop_one_of(text, "+-");
   drop_whole_part(text, group);
@@ -57,12 +57,12 @@ Commas commas_in(std::string_view run) {
   return is_one_number(run, '.', ',') || is_one_number(run, ',', '.') ? Commas::either : Commas::parting;
 }
 
-/// Whether white space alone parts numbers on the line where one of them stands whose comma may be a decimal one.
+/// Returns true if only white space separates numbers on a line with a number whose comma may be decimal.
 bool mix(Commas a, Commas b) {
   return (a == Commas::either && b == Commas::none) || (a == Commas::none && b == Commas::either);
 }
 
-/// The first run whose commas may be part of a number; empty where they are known to part numbers.
+/// Returns the first run whose commas may be part of a number; empty if they are known to separate numbers.
 std::string_view find_doubtful(std::string_view text) {
   std::string_view doubtful;
   bool commas_part = false;

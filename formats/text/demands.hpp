@@ -1,4 +1,4 @@
-// The limits that input values must keep, with the words messages use; shared by every format.
+// Declares the limits of input values, with the words of messages; all formats share them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,7 +15,7 @@ inline constexpr Demand kFrictionAngle{[](double v) { return v >= 0 && v < 90; }
 inline constexpr Demand kPoissonPlaneStress{[](double v) { return v >= 0 && v <= 0.5; }, "0 to 0.5"};
 inline constexpr Demand kPoissonPlaneStrain{[](double v) { return v >= 0 && v < 0.5; },
                                             "at least 0 and below 0.5 in plane strain"};
-/// More steps than the upper limit no run could finish.
+/// No run could finish more steps than the upper limit.
 inline constexpr Demand kStepCount{[](double v) { return v >= 1 && v <= 1e8 && is_whole(v); },
                                    "a whole number from 1 to 100000000"};
 inline constexpr Demand kAtLeastOne{[](double v) { return v >= 1 && is_whole(v); }, "a whole number, 1 or more"};

@@ -1,4 +1,4 @@
-// Looks up keys of a JSON object and holds their values against what is demanded.
+// Looks up keys of a JSON object and checks their values.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/json_fields.hpp"
 

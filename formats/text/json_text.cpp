@@ -1,4 +1,4 @@
-// Listens to nlohmann's parser and counts the characters it takes.
+// Receives the events of nlohmann's parser and counts the characters that it reads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/json_text.hpp"
 
@@ -14,19 +14,19 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr std::size_t kDeepest = 12;  // a case file takes 8
+constexpr std::size_t kDeepest = 12;  // a case file needs 8
 constexpr std::size_t kLongest = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t kQuoted = 40;      // characters of what was found that a message shows
-constexpr std::size_t kLeastOfNode = 2;  // characters that a value takes with what parts it from the next
+constexpr std::size_t kQuoted = 40;      // characters of the found text in a message
+constexpr std::size_t kLeastOfNode = 2;  // least characters of a value and its separator
 constexpr std::string_view kBetween = " \t\r\n,:";
 
-/// Line ends and tabs; within a string they are a fault, between values one stands for any number of them.
+/// Line ends and tabs. Within a string they are an error; between values any number of them counts as one.
 bool is_control_space(char c) {
   return c == '\n' || c == '\r' || c == '\t';
 }
 
-/// Characters of the text for the parser, counted as they are taken. Of a run of line ends it gets one: its messages
-/// repeat what it has passed over, eight characters a line end.
+/// Characters of the text for the parser, counted as it reads them. It gets one line end per run of them: its messages
+/// repeat the characters before, with eight per line end.
 struct CountedCharacters {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -58,7 +58,7 @@ bool is_of_number(char c) {
   return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E';
 }
 
-// Behind a string, or a comment, that begins at `at`; `at` where neither does.
+// Returns the place after a string or comment that begins at `at`; `at` if neither does.
 std::size_t behind_opaque(std::string_view text, std::size_t at) {
   if (text[at] == '"') {
     for (++at; at < text.size() && text[at] != '"'; ++at)
@@ -73,11 +73,11 @@ std::size_t behind_opaque(std::string_view text, std::size_t at) {
   return at;
 }
 
-// With spaces for the commas behind the last value of a list, so that all places stay; nothing where there is none.
+// Replaces commas after the last value of a list by spaces, so that all places stay; returns nothing if there are none.
 std::optional<std::string> without_last_commas(std::string_view text) {
   std::optional<std::string> changed;
   constexpr std::size_t kNone = std::string_view::npos;
-  std::size_t comma = kNone;  // the last thing met, if it is one behind a value
+  std::size_t comma = kNone;  // the last token, if it is a comma after a value
   bool follows_value = false;
   for (std::size_t at = 0; at < text.size();) {
     if (const std::size_t end = behind_opaque(text, at); end != at) {
@@ -107,7 +107,7 @@ std::string clipped(std::string_view text) {
 
 }  // namespace
 
-/// The parser's listener: appends a node a value.
+/// Listener of the parser: appends one node per value.
 class JsonReader {
  public:
   JsonReader(JsonText& into, std::string_view text) : into_(into), text_(text), reached_(text.data()) {
@@ -138,7 +138,7 @@ class JsonReader {
 
   bool parse_error(std::size_t, const std::string& last, const nlohmann::json::exception& error) {
     const std::size_t at = std::min(next_start(), text_.size());
-    // 406: a number that no double holds.
+    // 406: a number outside the range of a double.
     const bool is_number = error.id == 406;
     const std::string found = at == text_.size() ? "the end of the file" : "\"" + clipped(text_.substr(at)) + "\"";
     const bool is_hash = last.ends_with('#');
@@ -154,20 +154,20 @@ class JsonReader {
   }
 
  private:
-  // A digit, a comma and another digit before the place, as in 0,001.
+  // Finds a digit, a comma and another digit before the place, as in 0,001.
   bool is_behind_comma(std::size_t at) const {
     const auto is_digit = [&](std::size_t i) { return i < text_.size() && text_[i] >= '0' && text_[i] <= '9'; };
     while (at > 0 && is_digit(at - 1)) --at;
     return is_digit(at) && at > 1 && text_[at - 1] == ',' && is_digit(at - 2);
   }
 
-  // The parser shows control characters as <U+000A>, but line ends within a value as they are.
+  // The parser shows control characters as <U+000A>, but line ends within a value unchanged.
   static std::string without_line_ends(std::string text) {
     std::erase_if(text, [](unsigned char c) { return c < ' '; });
     return text;
   }
 
-  // Where the next value begins: behind what separates values, and behind comments.
+  // Returns the start of the next value, after separators and comments.
   std::size_t next_start() const {
     std::size_t at = last_;
     for (;;) {
@@ -230,7 +230,7 @@ class JsonReader {
   JsonText& into_;
   std::string_view text_;
   const char* reached_;
-  std::size_t last_ = 0;  ///< behind the last value
+  std::size_t last_ = 0;  ///< end of the last value
   std::vector<std::size_t> open_;
 };
 

@@ -1,4 +1,4 @@
-// A JSON text whose values know their place; nlohmann's parser stays behind this file.
+// Reads a JSON text into values that know their place; hides nlohmann's parser.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,7 +18,7 @@ class JsonText;
 
 enum class JsonKind : std::uint8_t { null, no, yes, number, string, array, object };
 
-/// One value of a text. Views it: keep the text alive.
+/// Value of a text. Refers to the text, which must outlive it.
 class JsonValue {
  public:
   JsonValue(const JsonText& text, std::size_t node) : text_(&text), node_(node) {}
@@ -26,11 +26,11 @@ class JsonValue {
   JsonKind kind() const;
   Place place() const;
   std::size_t file_size() const;    ///< bytes of the whole text
-  const Units& units() const;       ///< that the text declares
+  const Units& units() const;       ///< declared by the text
   double number() const;            ///< of a number
   std::string_view string() const;  ///< of a string
 
-  /// What stands in an array, in order; for an object its keys and values in turn.
+  /// Iterates over the items of an array, in order; for an object over its keys and values in turn.
   class Iterator {
    public:
     Iterator(const JsonText& text, std::size_t node) : text_(&text), node_(node) {}
@@ -45,13 +45,13 @@ class JsonValue {
   Iterator begin() const { return {*text_, node_ + 1}; }
   Iterator end() const;
 
-  /// The value of a key of an object; nothing where it is absent.
+  /// Returns the value of a key of an object; nothing if it is absent.
   std::optional<JsonValue> member(std::string_view key) const;
 
-  /// Throws InputError at an object that lacks a key: `expected …, found none`.
+  /// Throws InputError at an object without a required key: `expected …, found none`.
   [[noreturn]] void fail_missing(std::string_view expected) const;
 
-  /// Throws InputError here: `expected …, found …`, with what stands here.
+  /// Throws InputError at this value: `expected …, found …`, with the text found here.
   [[noreturn]] void fail(std::string_view expected) const;
 
  private:
@@ -61,23 +61,22 @@ class JsonValue {
   std::size_t node_;
 };
 
-/// A well-formed JSON text; comments as in C++ are passed over, and so is a comma behind the last of a list. Two words
-/// of memory a value. Views the source: keep it alive.
+/// Well-formed JSON text. Comments as in C++ are skipped, and so is a comma after the last item of a list. A value
+/// takes two words of memory. Refers to the source, which must outlive it.
 class JsonText {
  public:
-  /// Views the source: keep that alive. Throws InputError at the place where the text stops being well-formed, or nests
-  /// deeper than any case file does.
+  /// Throws InputError at the place where the text stops being well-formed, or nests deeper than any case file does.
   explicit JsonText(const Source& source);
 
-  /// Without values yet, for a reader of another language (case_file/yaml_text.hpp).
+  /// Makes a text without values, for a reader of another language (case_file/yaml_text.hpp).
   struct Unread {};
   JsonText(const Source& source, Unread /*unread*/);
 
   JsonValue root() const { return {*this, 0}; }
 
-  /// Puts a number where a string stood.
+  /// Replaces a string by a number.
   void replace(const JsonValue& string, double number);
-  /// The units of its numbers, once they are read.
+  /// Sets the units of its numbers, after they are read.
   void declare(const Units& units) { units_ = units; }
 
  private:
@@ -90,7 +89,7 @@ class JsonText {
     std::uint64_t kind : 8;
     union {
       double number;
-      std::uint64_t end;  ///< of an array or object: the node behind its last
+      std::uint64_t end;  ///< of an array or object: the node after its last
       struct {
         std::uint32_t length;
         std::uint32_t first;  ///< in `strings_`
@@ -100,8 +99,8 @@ class JsonText {
 
   TextMap map_;
   std::size_t size_;         ///< of the text
-  std::vector<Node> nodes_;  ///< each before what stands in it
-  std::string strings_;      ///< one behind the other, escapes resolved
+  std::vector<Node> nodes_;  ///< each before its items
+  std::string strings_;      ///< concatenated, escapes resolved
   Units units_;
 };
 

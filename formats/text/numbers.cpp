@@ -1,4 +1,4 @@
-// Locale-free conversion of reals through std::from_chars and std::to_chars.
+// Converts reals independently of the locale, by std::from_chars and std::to_chars.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/numbers.hpp"
 

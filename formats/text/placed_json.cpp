@@ -1,4 +1,4 @@
-// Copies the values of a JSON text into a tree, and makes such trees of options.
+// Copies the values of a JSON text into a tree, and makes such trees from options.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/placed_json.hpp"
 
@@ -18,13 +18,13 @@ using Kind = PlacedJson::Kind;
 
 PlacedJson placed(const JsonValue& value, const Place& place);
 
-/// `list` with the values that stand in it.
+/// Returns `list` with the values inside it.
 PlacedJson list_of(const JsonValue& value, PlacedJson list) {
   for (const JsonValue item : value) list.items.push_back(placed(item, item.place()));
   return list;
 }
 
-/// `object` with its keys and their values, each at the place of its key.
+/// Returns `object` with its keys and their values, each at the place of its key.
 PlacedJson object_of(const JsonValue& value, PlacedJson object) {
   for (auto i = value.begin(); i != value.end(); ++i) {
     const JsonValue name = *i;

@@ -1,4 +1,4 @@
-// The numbers that files are full of, digits and a point, eight characters at a time.
+// Reads the most common numbers of files, digits and a point, eight characters at a time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,7 +15,7 @@ namespace plain {
 inline constexpr std::array<double, 9> kPowersOfTen{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
 inline constexpr std::uint64_t kZeros = 0x3030303030303030;  // eight digits 0
 
-/// Eight characters as one number, the first of them lowest.
+/// Loads eight characters as one number, the first of them lowest.
 inline std::uint64_t eight_characters(const char* at) {
   std::uint64_t eight = 0;
   std::memcpy(&eight, at, sizeof eight);
@@ -23,14 +23,14 @@ inline std::uint64_t eight_characters(const char* at) {
   return eight;
 }
 
-/// In each of eight characters something but zero where it is no digit. Digits have 3 as upper half, also after 6 is
-/// added; what that carries out of a character which is none reaches only later ones.
+/// Returns a number with non-zero bits in each of eight characters that is not a digit. Digits have 3 as upper half,
+/// also after 6 is added. A carry from a non-digit reaches only later characters.
 constexpr std::uint64_t no_digits(std::uint64_t eight) {
   constexpr std::uint64_t kUpper = 0xF0F0F0F0F0F0F0F0, kSix = 0x0606060606060606;
   return ((eight & kUpper) ^ kZeros) | (((eight + kSix) & kUpper) ^ kZeros);
 }
 
-/// The number that eight digits make: neighbours are joined to pairs, pairs to fours, fours to the whole, in all lanes
+/// Returns the value of eight digits: neighbours are joined to pairs, pairs to fours, fours to the whole, in all lanes
 /// at once. A byte of zeros counts as digit 0.
 constexpr std::uint64_t value_of(std::uint64_t digits) {
   std::uint64_t lanes = digits & 0x0F0F0F0F0F0F0F0F;
@@ -39,16 +39,17 @@ constexpr std::uint64_t value_of(std::uint64_t digits) {
   return (lanes * (1 + (std::uint64_t{10000} << 32))) >> 32;
 }
 
-/// Below 2⁵³; the processor has no conversion for unsigned numbers.
+/// Converts a number below 2⁵³; the processor has no conversion for unsigned numbers.
 constexpr double as_double(std::uint64_t whole) {
   return static_cast<double>(static_cast<std::int64_t>(whole));
 }
 
 }  // namespace plain
 
-/// The word of a text from `first` to `last`, not empty, no digit behind it, where it is a plain number of usual
-/// length: 1 to 7 digits, and a point and 1 to 8 digits or none. The same bits as `parse_real`, several times sooner.
-/// False, and nothing written, for every other word and for some near the ends of the text.
+/// Reads the word of a text from `first` to `last`, which is not empty and has no digit after it. It accepts plain
+/// numbers of usual length: 1 to 7 digits, and optionally a point and 1 to 8 digits. The result has the same bits as
+/// that of `parse_real`, and is several times faster. Returns false and writes nothing for other words and for some
+/// near the ends of the text.
 ///
 /// One rounding of two exact doubles gives the nearest double (Clinger 1990, How to read floating point numbers
 /// accurately).

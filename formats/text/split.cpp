@@ -1,4 +1,4 @@
-// A text is cut at line ends into parts, one a thread; their words are joined as if one had found them all.
+// Cuts a text at line ends into parts, one per thread; joins their words as if one thread had found all.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/split.hpp"
 
@@ -19,18 +19,18 @@ namespace {
 
 constexpr std::size_t kWordsAMark = 32;
 
-/// A stretch of text and its words, as one thread finds them.
+/// Part of a text and its words, as one thread finds them.
 struct Part {
   std::size_t first = 0;
   std::size_t last = 0;
   std::vector<std::uint64_t> bits = {};
   std::size_t word_count = 0;
   std::vector<Tokens::Mark> marks = {};  ///< words counted from the first of this part
-  double* numbers = nullptr;             ///< room for as many as there are words; null where none are wanted
+  double* numbers = nullptr;             ///< space for one number per word; null if none are required
   std::size_t number_count = 0;          ///< of the leading words that are numbers
 };
 
-/// The number a word is, to `value`; false where it is none.
+/// Converts a word to `value`; returns false if it is not a number.
 bool read_number(std::string_view text, std::size_t first, std::size_t last, double& value) {
   if (read_plain_real(text, first, last, value)) return true;
   const auto number = parse_real(text.substr(first, last - first));
@@ -38,10 +38,10 @@ bool read_number(std::string_view text, std::size_t first, std::size_t last, dou
   return number.has_value();
 }
 
-/// Hands the words of a part to `take`, by first character and the one behind the last.
+/// Passes each word of a part to `take`: its first character and the one after its last.
 template <typename Take>
 void for_each_word(const Part& part, Take take) {
-  std::array<std::size_t, kBlock + 1> edges{};  // where words begin and end, by turns
+  std::array<std::size_t, kBlock + 1> edges{};  // starts and ends of words, alternately
   std::size_t count = 0;
   std::uint64_t before = 0;
   for (std::size_t i = 0; i < part.bits.size(); ++i) {
@@ -50,7 +50,7 @@ void for_each_word(const Part& part, Take take) {
     before = part.bits[i];
     std::size_t k = 0;
     for (; k + 1 < count; k += 2) take(edges[k], edges[k + 1]);
-    if (k < count) edges[0] = edges[k];  // this word goes on in the next block
+    if (k < count) edges[0] = edges[k];  // this word continues in the next block
     count -= k;
   }
   if (count > 0) take(edges[0], part.last);
@@ -69,8 +69,8 @@ void find_words(Part& part, std::string_view text) {
   part.number_count = static_cast<std::size_t>(number - part.numbers);
 }
 
-/// Up to `count` parts of about the same length. Each but the first begins behind a line end, where no word and no
-/// comment goes on.
+/// Returns up to `count` parts of about the same length. Each except the first begins after a line end, where no word
+/// and no comment continues.
 std::vector<Part> parts_of(std::string_view text, std::size_t first, std::size_t last, std::size_t count) {
   std::vector<Part> parts;
   const std::size_t length = (last - first) / count + 1;
@@ -83,15 +83,15 @@ std::vector<Part> parts_of(std::string_view text, std::size_t first, std::size_t
   return parts;
 }
 
-/// Appends what was found in a part, in order; numbers only as long as no other word stands before them. Where all
-/// words are numbers they stand in their place already.
+/// Appends the words and numbers of a part, in order; numbers only if no other word precedes them. If all words are
+/// numbers, they are in place already.
 void join(Tokens& tokens, const Part& part, std::size_t& number_count) {
   for (const Tokens::Mark& mark : part.marks) tokens.marks.push_back({tokens.word_count + mark.word, mark.offset});
   if (number_count == tokens.word_count) number_count += part.number_count;
   tokens.word_count += part.word_count;
 }
 
-/// Room for the numbers of each part behind those that are there; none where these have ended.
+/// Reserves space for the numbers of each part after the existing ones; none if those have ended.
 void make_room(Tokens& tokens, std::vector<Part>& parts) {
   std::size_t count = tokens.numbers.size();
   if (count < tokens.word_count) return;

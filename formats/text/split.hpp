@@ -1,4 +1,4 @@
-// Splitting of a text into words and numbers, of a long one on several threads.
+// Splits a text into words and numbers, a long one on several threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,13 +8,13 @@
 
 namespace keyblock::formats {
 
-/// The tokens of a text, the same for any number of `threads`; 0: as many as its length is worth.
+/// Returns the tokens of a text, the same for any number of `threads`; 0: chosen by its length.
 Tokens tokenise(const Source& source, std::size_t threads = 0);
 
-/// Adds the words of a piece of `tokens.text`, which lies behind those that are there.
+/// Adds the words of a piece of `tokens.text` that lies after the existing ones.
 void add_words(Tokens& tokens, std::size_t first, std::size_t size);
 
-/// Reads a text through a reader of its tokens.
+/// Reads a text with a reader of tokens.
 template <Reading (*ReadTokens)(const Tokens&, const ReadHint&)>
 Reading read_split(const Source& source, const ReadHint& hint) {
   return ReadTokens(tokenise(source), hint);

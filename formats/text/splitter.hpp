@@ -1,4 +1,4 @@
-// Where the words of a text begin and end.
+// Finds the starts and ends of the words of a text.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,10 +10,10 @@ namespace keyblock::formats {
 
 enum class Syntax {
   native,  ///< white space and commas separate; `#` `%` `!` `;` `//` start a comment to the end of the line
-  xml,     ///< white space, commas and semicolons separate; no comments (the XML reader has dropped them)
+  xml,     ///< white space, commas and semicolons separate; no comments (dropped by the XML reader)
 };
 
-/// What a character does between words. A slash is ordinary but where a second follows.
+/// Role of a character between words. A slash is ordinary unless a second follows.
 enum class Role : unsigned char { ordinary, separator, comment, slash };
 using Roles = std::array<Role, 256>;
 
@@ -27,7 +27,7 @@ constexpr Roles roles_of(Syntax syntax) {
   roles[kDosEndOfFile] = Role::separator;
   if (syntax == Syntax::xml) {
     set(";", Role::separator);
-    roles[0] = Role::separator;  // the XML reader ends each piece so, in place
+    roles[0] = Role::separator;  // the XML reader ends each piece with it, in place
   } else {
     set("#%!;", Role::comment);
     set("/", Role::slash);
@@ -46,10 +46,10 @@ constexpr bool is_line_end(char c) {
 class Splitter {
  public:
   Splitter(std::string_view text, Syntax syntax) : Splitter(text, syntax == Syntax::xml ? kXmlRoles : kNativeRoles) {}
-  /// `roles` outlives it.
+  /// `roles` must outlive the object.
   Splitter(std::string_view text, const Roles& roles) : text_(text), roles_(roles) {}
 
-  /// The start of the first word from `at` on; the end of the text where there is none.
+  /// Returns the start of the first word from `at` on; the end of the text if there is none.
   std::size_t word_start(std::size_t at) const {
     for (; at < text_.size(); ++at) {
       const Role role = role_at(at);
@@ -67,7 +67,7 @@ class Splitter {
     return at;
   }
 
-  /// Ordinary, separator or comment.
+  /// Returns ordinary, separator or comment.
   Role role_at(std::size_t at) const {
     const Role role = roles_[static_cast<unsigned char>(text_[at])];
     if (role != Role::slash) return role;

@@ -1,4 +1,4 @@
-// One line a tip; see tips_csv.hpp.
+// Writes one line per crack tip; see tips_csv.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/tips_csv.hpp"
 

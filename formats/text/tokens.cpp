@@ -1,4 +1,4 @@
-// The places of words, and the cursor that names what it expected and what it found.
+// Finds the places of words, and reads tokens with messages that name the expected and the found text.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/tokens.hpp"
 
@@ -16,8 +16,8 @@ namespace keyblock::formats {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kLongestQuote = 40;  // of an unexpected word in a message
-constexpr std::size_t kStretch = 256;      // of text between two marks of its map
+constexpr std::size_t kLongestQuote = 40;  // longest quote of an unexpected word in a message
+constexpr std::size_t kStretch = 256;      // length of text between two marks of its map
 
 constexpr Roles kRunRoles = [] {
   Roles roles = kNativeRoles;

@@ -1,4 +1,4 @@
-// Numbers that know their place in a text, and the one cursor every reader walks over them with.
+// Holds numbers that know their place in a text, and the cursor with which every reader walks over them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,8 +17,8 @@
 
 namespace keyblock::formats {
 
-/// Offsets of a text to line and column (bytes, both from 1). LF, CRLF and a lone CR all end a line. Views the text:
-/// lines are counted when a place is asked for, from the nearest place before that is known.
+/// Converts offsets of a text to line and column (bytes, both from 1). LF, CRLF and a lone CR all end a line. Refers to
+/// the text. Lines are counted on request, from the nearest known place before.
 class TextMap {
  public:
   TextMap(FileName file, std::string_view text) : file_(std::move(file)), text_(text) {}
@@ -26,7 +26,7 @@ class TextMap {
   const FileName& file() const { return file_; }
 
  private:
-  /// Where a stretch of the text begins: its line, and the offset at which that line begins.
+  /// Start of a part of the text: its line, and the offset at which that line begins.
   struct Mark {
     std::size_t line;
     std::size_t line_start;
@@ -35,17 +35,17 @@ class TextMap {
 
   FileName file_;
   std::string_view text_;
-  mutable std::mutex guard_;         ///< of the marks: threads that read one text may fail at once
-  mutable std::vector<Mark> marks_;  ///< one a stretch of text, as far as places were asked for
+  mutable std::mutex guard_;         ///< for the marks: threads that read one text may fail at once
+  mutable std::vector<Mark> marks_;  ///< one per part of the text, up to the last requested place
 };
 
-/// The text without its UTF-8 byte order mark.
+/// Returns the text without its UTF-8 byte order mark.
 std::string_view without_bom(std::string_view text);
 
-/// The word in quotes as it may stand in a message: short, and printable whatever the file holds.
+/// Returns the word in quotes for a message: short, and printable even if the file is not.
 std::string in_quotes(std::string_view word);
 
-/// A list that `resize` does not fill: its numbers are written by several threads.
+/// Allocator of a list that `resize` does not fill: several threads write its numbers.
 template <typename T>
 struct Unfilled : std::allocator<T> {
   template <typename U>
@@ -56,11 +56,11 @@ struct Unfilled : std::allocator<T> {
 };
 using Numbers = std::vector<double, Unfilled<double>>;
 
-/// A text as a leading run of numbers and whatever follows it. Views the text: keep that alive. Little more than one
-/// double a token, because files of a hundred megabytes are read through it: only every so many-th word's offset is
-/// kept.
+/// Text as leading numbers and the words after them. Refers to the text, which must outlive it. It takes little more
+/// than one double per token, because files of a hundred megabytes are read through it: only the offset of every n-th
+/// word is kept.
 struct Tokens {
-  /// A word and the offset it begins at; no piece of text begins between it and the next mark.
+  /// Word and the offset at which it begins; no piece of text begins between it and the next mark.
   struct Mark {
     std::size_t word = 0;
     std::size_t offset = 0;
@@ -74,29 +74,29 @@ struct Tokens {
   Numbers numbers = {};        ///< the leading words that are finite numbers
   std::vector<Mark> marks = {};
 
-  /// The offset of a word, index below `word_count`; found from the mark before it.
+  /// Returns the offset of a word, index below `word_count`, counted from the mark before it.
   std::size_t start_of(std::size_t index) const;
   std::string_view word(std::size_t index) const;
-  /// First word that is no number; `pen=0.1*g0` in mf13, `nan` anywhere.
+  /// Returns the first word that is not a number, such as `pen=0.1*g0` in mf13, or `nan`.
   std::optional<std::string_view> junk() const;
   Place place_of(std::size_t index) const;
 };
 
-/// The first run of characters from `at` on that only white space and comments of a native text part: commas belong to
-/// it. Empty where none is left.
+/// Returns the first run of characters from `at` on that only white space and comments of a native text separate:
+/// commas belong to it. Empty if none is left.
 std::string_view next_run(std::string_view text, std::size_t at);
 
 inline bool is_whole(double value) {
   return value >= -2147483647 && value <= 2147483647 && static_cast<double>(static_cast<int>(value)) == value;
 }
 
-/// What a number must satisfy, and the words by which a message says so.
+/// Condition on a number, and its words in a message.
 struct Demand {
   bool (*holds)(double value);
   std::string_view wording;
 };
 
-/// The record being read, for messages: "line 3 of 30".
+/// Record that is being read, for messages: "line 3 of 30".
 struct Record {
   std::string_view noun;
   std::size_t number = 0;  ///< from 1; 0: the record is the only one
@@ -106,7 +106,7 @@ struct Record {
 /// Walks over tokens by name. Every failure is `expected NAME of RECORD, found …` at the token.
 class Cursor {
  public:
-  /// `end_name` says what running out of tokens is called: "end of file", "end of element".
+  /// `end_name` names the end of the tokens in messages: "end of file", "end of element".
   explicit Cursor(const Tokens& tokens, std::string_view end_name = "end of file")
       : tokens_(tokens), end_name_(end_name) {}
 
@@ -131,16 +131,15 @@ class Cursor {
     ++position_;
     return static_cast<int>(value);
   }
-  /// An integer ≥ 0 that announces as many records; refused where fewer words than that follow, so that
-  /// nothing is ever allocated for records that cannot exist.
+  /// Reads an integer ≥ 0 that announces a number of records. Throws InputError if fewer words follow: no memory is
+  /// allocated for records that cannot exist.
   int next_count(std::string_view name);
-  /// The same where a part of something already counted is announced: `whole` in words, "the number of
-  /// lines".
+  /// Does the same for a part of a quantity that was counted before: `whole` in words, "the number of lines".
   int next_count_up_to(int limit, std::string_view whole, std::string_view name);
-  /// A number counted from 1 in the file, given from 0.
+  /// Reads a number counted from 1 in the file; returns it from 0.
   int next_index(std::string_view name) { return next_integer(name) - 1; }
 
-  /// Passes over numbers that something else reads; no further than they go.
+  /// Skips numbers that another reader reads, at most to their end.
   void skip(std::size_t count) { position_ += std::min(count, numbers_left()); }
 
   std::size_t position() const { return position_; }
@@ -149,7 +148,7 @@ class Cursor {
   Place place() const { return tokens_.place_of(position_); }
   /// Throws InputError at the next token.
   [[noreturn]] void fail(std::string_view expected) const;
-  /// What stands behind the last record: surplus numbers and trailing text, each as a warning.
+  /// Returns a warning each for surplus numbers and for trailing text after the last record.
   Warnings remainder() const;
 
  private:

@@ -1,4 +1,5 @@
-// Sixteen characters are compared at once; a block with a letter, a sign of a comment or a control goes the slow way.
+// Compares sixteen characters at once; a block with a letter, a comment sign or a control character takes the slow
+// path.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/word_bits.hpp"
 
@@ -11,17 +12,17 @@
 namespace keyblock::formats {
 namespace {
 
-using Sixteen = unsigned char __attribute__((vector_size(16)));  // of GCC and Clang, for whatever processor
+using Sixteen = unsigned char __attribute__((vector_size(16)));  // vector type of GCC and Clang, for any processor
 using Lanes = std::uint64_t __attribute__((vector_size(16)));
 
-/// A bit for each of sixteen characters that are all ones or all zeros.
+/// Returns one bit per character, of sixteen that are all ones or all zeros.
 std::uint64_t bits_of(Sixteen characters) {
   const auto bits = [](std::uint64_t lane) { return (lane & 0x0101010101010101) * 0x0102040810204080 >> 56; };
   const auto lanes = reinterpret_cast<Lanes>(characters);
   return bits(lanes[0]) | bits(lanes[1]) << 8;
 }
 
-/// The bits of a block that holds nothing but numbers without exponents, white space and commas; false for any other.
+/// Finds the bits of a block of numbers without exponents, white space and commas; returns false for any other.
 bool find_usual(const char* block, std::uint64_t& words) {
   if constexpr (std::endian::native != std::endian::little) return false;
   Sixteen usual = ~Sixteen{};
@@ -38,7 +39,7 @@ bool find_usual(const char* block, std::uint64_t& words) {
   return (lanes[0] & lanes[1]) == ~std::uint64_t{0};
 }
 
-/// The same of any characters; `in_comment` goes on from block to block.
+/// Finds the bits of any characters; `in_comment` continues from block to block.
 std::uint64_t find_by_role(std::string_view text, std::size_t first, const Splitter& splitter, bool& in_comment) {
   std::uint64_t words = 0;
   for (std::size_t at = first; at < std::min(first + kBlock, text.size()); ++at) {

@@ -1,4 +1,4 @@
-// One bit a character, set where it belongs to a word: 64 characters at once, no branch a word.
+// Computes one bit per character, set if it belongs to a word: 64 characters at once, no branch per word.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,12 +11,13 @@
 
 namespace keyblock::formats {
 
-inline constexpr std::size_t kBlock = 64;  // characters whose bits one number holds, the first of them lowest
+inline constexpr std::size_t kBlock = 64;  // characters per number of bits, the first of them lowest
 
-/// The bits of a text that begins outside of words and comments; none behind its end.
+/// Returns the bits of a text that begins outside words and comments; zero after its end.
 std::vector<std::uint64_t> word_bits(std::string_view text, Syntax syntax);
 
-/// The bits of the characters at which a word begins, or behind which one ends; `before`: those of the block before.
+/// Returns the bits of the characters at which a word begins, or after which one ends; `before`: those of the block
+/// before.
 constexpr std::uint64_t edge_bits(std::uint64_t bits, std::uint64_t before) {
   return bits ^ (bits << 1 | before >> (kBlock - 1));
 }
