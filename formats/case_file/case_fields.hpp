@@ -1,5 +1,5 @@
-// The keys of a case file, once for reading, writing and the schema: each `describe` names the fields of one struct to
-// a visitor. To add a field: one line here; where a file lacks it, it keeps its default.
+// Declares the keys of a case file once for reading, writing and the schema: each `describe` passes the fields of one
+// struct to a visitor. A new field takes one line here; if a file lacks it, it keeps its default.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,12 +12,12 @@
 
 namespace keyblock::formats {
 
-/// What a visitor F is handed: const where it writes. A visitor has `real`, `integer` (with the demand that a value
-/// must meet), `index` (from 1 in the file, from 0 inside), `formula` (a number or a text), `flag`, `word` (of an
-/// enumeration), `text`, `mass_by` (what may stand in place of a unit of mass); `optional_real`, `optional_integer`;
-/// `row` (a struct as an array), `object`, `optional_object`, `optional_row`; `rows`, `objects` and `lists` (of rows)
-/// of vectors, with how many they hold at least where the list is needed; `curve`, `curves` (rows of time and value)
-/// and `pairs` (an object of words).
+/// Type that a visitor F receives: const if it writes. Functions of a visitor for values: `real`, `integer` (with the
+/// condition on the value), `index` (from 1 in the file, from 0 inside), `formula` (a number or a text). Also `flag`,
+/// `word` (of an enumeration), `text`, `mass_by` (units that may replace a unit of mass), `optional_real`,
+/// `optional_integer`. For structs: `row` (a struct as an array), `object`, `optional_object`, `optional_row`. For
+/// vectors: `rows`, `objects` and `lists` (of rows), with their least size if the list is required. For curves: `curve`,
+/// `curves` (rows of time and value); for words: `pairs` (an object of words).
 template <class F, class T>
 using In = std::conditional_t<F::is_writing, const T, T>;
 
@@ -48,7 +48,7 @@ inline constexpr std::array<std::string_view, 3> kGrowthLoads{"automatic", "scal
 inline constexpr std::array<std::string_view, 4> kContactTables{"automatic", "all", "chosen", "none"};
 inline constexpr std::array<std::string_view, 2> kRotations{"first_order", "exact"};
 
-inline constexpr double kDefaultEdgeNodeRatio = 0.001;  // as that of DXF files and joint sets
+inline constexpr double kDefaultEdgeNodeRatio = 0.001;  // as in DXF files and joint sets
 
 template <class F>
 void describe(F& f, In<F, Point>& point) {
@@ -229,7 +229,7 @@ void describe(F& f, In<F, Strength>& strength) {
   f.word("surface", strength.surface, kYieldSurfaces);
   f.word("matching", strength.matching, kConeMatchings);
   describe(f, strength.values);
-  // What it does not name stays as it is.
+  // Values that it does not name stay unchanged.
   f.optional_object("after", strength.change, StrengthChange{.values = strength.values});
 }
 
@@ -610,7 +610,7 @@ void describe(F& f, In<F, MeasuredTrack>& track) {
   f.rows("rows", track.rows, 0);
 }
 
-/// Everything but the version, which comes first.
+/// Describes all keys except the version, which comes first.
 template <class F>
 void describe(F& f, In<F, Content>& content) {
   f.name("$schema");

@@ -1,4 +1,4 @@
-// The table, in the order of case_fields.hpp.
+// Declares the table of meanings, in the order of case_fields.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/case_meanings.hpp"
 

@@ -1,4 +1,4 @@
-// What the keys of a case file mean, for the schema.
+// Declares the meanings of the keys of a case file, for the schema.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace keyblock::formats {
 
-/// A key, with the key that it stands under where that decides ("units.length"; "case" is the whole file), and its
-/// meaning with the unit: L length, M mass, T time, F force, all per unit thickness.
+/// Key and its meaning with the unit: L length, M mass, T time, F force, all per unit thickness. If the meaning depends
+/// on it, the key above stands first ("units.length"; "case" is the whole file).
 struct CaseMeaning {
   std::string_view key;
   std::string_view meaning;
@@ -16,7 +16,7 @@ struct CaseMeaning {
 
 std::span<const CaseMeaning> case_meanings();
 
-/// The meaning of `key` under `parent`; empty where the table has none.
+/// Returns the meaning of `key` under `parent`; empty if the table has none.
 std::string_view meaning_of(std::string_view parent, std::string_view key);
 
 }  // namespace keyblock::formats

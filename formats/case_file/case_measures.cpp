@@ -1,5 +1,5 @@
-// The table: a key, with the key that it stands under where that decides. A number of the schema without a row here
-// fails a test.
+// Declares the table of quantities: a key, with the key above it if the quantity depends on it. A number of the schema
+// without a row here fails a test.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/case_measures.hpp"
 

@@ -1,4 +1,4 @@
-// Values with the demands they must meet, and the complaints about those that do not.
+// Reads values, checks them, and reports those that violate their conditions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/case_reading.hpp"
 
@@ -16,13 +16,13 @@
 namespace keyblock::formats {
 namespace {
 
-// Bytes a byte of the file: an empty curve takes more than a reader may hold of the two characters it stands in.
+// Bytes per byte of the file: an empty curve needs more memory than a reader may take for its two characters.
 constexpr std::size_t kMostOfEmptyCurves = 12;
 
-// As Shi's samples have it.
+// as in Shi's samples
 constexpr double kDisplacementRatioOfToday = 0.01;
 
-// What a setting measures; those of meshes are the keys of `mesh`.
+// Returns the quantity of a setting; those of meshes are keys of `mesh`.
 std::optional<Measure> measure_of_choice(const std::string& name) {
   constexpr std::string_view kMesh = "mesh.";
   if (name.starts_with(kMesh)) return measure_of("mesh", name.substr(kMesh.size()));
@@ -39,21 +39,22 @@ bool takes(const std::string& name, const std::string& value) {
   }
 }
 
-// Of a setting that is off or on; another is told what the file has. One that takes any text takes this too.
+// Returns the word for a setting that takes off or on; for others the text of the file. A setting that takes any text
+// takes that one too.
 std::string text_of_flag(const std::string& name, bool flag) {
   const std::string text = flag ? "true" : "false";
   const std::string word = flag ? "on" : "off";
   return takes(name, word) && !takes(name, text) ? word : text;
 }
 
-// As it is written for a whole number, so that settings that count read it.
+// Whole numbers are written without a point, so that settings that count can read them.
 std::string text_of_number(double value) {
   constexpr double kMostWhole = 1e15;  // below it a double holds every whole number
   const bool is_whole = std::abs(value) < kMostWhole && value == std::trunc(value);
   return is_whole ? fmt::format("{:.0f}", value == 0 ? 0.0 : value) : format_real(value);
 }
 
-// A setting may be a word in quotes, a number or true and false; other pairs are words.
+// A setting may be a word in quotes, a number, or true and false; other pairs are words.
 std::string text_of_pair(const JsonValue& value, std::string_view list, const std::string& name) {
   if (value.kind() == JsonKind::string) return std::string(value.string());
   if (list != kSettings) value.fail(fmt::format("{} of {}: a word in quotes", name, list));

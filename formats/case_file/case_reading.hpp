@@ -1,4 +1,4 @@
-// The visitor that fills structs from a case file: unknown keys and missing values are errors at their place.
+// Fills structs from a case file as a visitor: unknown keys and missing values are errors at their place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -25,19 +25,19 @@ class CaseReading : public NumberFields {
 
   using NumberFields::NumberFields;
 
-  /// Where an analysis begins whose keys say nothing: as in version 1 of the layout, or as in version 2.
+  /// Selects the defaults of an analysis: those of version 1 of the layout, or after this call those of version 2.
   void take_defaults_of_today() { is_of_today_ = true; }
   Analysis start_of_analysis() const;
 
   void flag(std::string_view name, bool& value);
   void text(std::string_view name, std::string& value);
-  /// Of a row, which may lack it.
+  /// Reads the name at the end of a row, which may lack it.
   void name_at_end(std::string_view name, Rare<std::string>& value);
-  /// A unit of force, or of stress, from which that of mass follows.
+  /// Reads a unit of force or stress, from which that of mass follows.
   void mass_by(std::string_view force, std::string_view stress, Units& units);
-  /// A word by which other parts of the file refer to this one; nothing else keeps it.
+  /// Accepts a word by which other parts of the file refer to this one; it is not stored.
   void name(std::string_view name);
-  /// What a material of the library is, where the key names one: values beside it overrule it.
+  /// Takes the values of a library material, if the key names one; values next to it override them.
   template <class Material>
   void of_library(std::string_view name, Material& material) {
     std::string wanted;
@@ -45,7 +45,7 @@ class CaseReading : public NumberFields {
     if (wanted.empty()) return;
     if (const std::string why = take_from_library(wanted, from_.units(), material); !why.empty()) value_->fail(why);
   }
-  /// An object, or the name of a file that holds it.
+  /// Reads an object, or the name of a file that holds it.
   template <class T>
   void object_or_file(std::string_view name, std::optional<T>& value, std::string& file, Place& place) {
     if (!take(name)) return;
@@ -110,7 +110,7 @@ class CaseReading : public NumberFields {
   void pairs(std::string_view name, std::vector<std::pair<std::string, std::string>>& pairs);
 
  private:
-  static constexpr std::size_t kMostRoom = 12;  // over the size of the file, that is made for a list at once
+  static constexpr std::size_t kMostRoom = 12;  // over the size of the file, reserved at once for a list
 
   template <class T>
   static void fill(const JsonValue& from, std::string_view noun, T& value) {
@@ -126,7 +126,7 @@ class CaseReading : public NumberFields {
   template <class T>
   void fill_list(const JsonValue& from, std::string_view name, JsonKind kind, std::vector<T>& values) {
     if (from.kind() != JsonKind::array) from.fail(fmt::format("{}: an array", name));
-    // Items whose text is about as long as they are large: a vector that doubles would hold three times as much.
+    // Reserves space if the items take about as much memory as text; a growing vector would hold three times as much.
     if (const std::size_t size = size_of(from); size * sizeof(T) <= kMostRoom * from.file_size()) values.reserve(size);
     for (const JsonValue item : from) {
       if (item.kind() != kind)

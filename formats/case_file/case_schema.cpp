@@ -1,5 +1,4 @@
-// The visitor that writes down the layout itself, as JSON Schema: what `describe` names can be checked by other
-// programs too.
+// Writes the layout as JSON Schema, as a visitor: other programs can check the keys that `describe` names.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -18,13 +17,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What the library says need not be given.
+// Values of the library need not be given.
 constexpr const char* kLike = "like";
-// A number and a unit, as `quantity_in` takes them apart.
+// Number and unit, as `quantity_in` splits them.
 constexpr const char* kValueWithUnit = R"(^-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)? *[^ ]+ *$)";
 constexpr const char* kPerCent = R"(^-?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)? *[%‰] *$)";
 
-/// Describes one struct: as an object with keys, or as a row, whose places are named.
+/// Describes one struct: as an object with keys, or as a row with named places.
 class CaseSchema {
  public:
   static constexpr bool is_writing = false;
@@ -126,7 +125,7 @@ class CaseSchema {
     add(name, {{"type", "object"}, {"additionalProperties", {{"type", value}}}});
   }
 
-  /// `parent`: the key whose value this is.
+  /// `parent`: key of this value.
   template <class T>
   static Json object_of(std::string_view parent) {
     const CaseSchema parts = of<T>(parent);
@@ -151,7 +150,7 @@ class CaseSchema {
   static Json row_of(std::string_view parent) {
     return row_of(of<T>(parent));
   }
-  /// Every place of a row is needed but for a name at its end.
+  /// Every place of a row is required except a name at its end.
   static Json row_of(const CaseSchema& parts) {
     Json places = Json::array();
     for (const auto& [name, schema] : parts.keys_.items()) {
@@ -173,7 +172,7 @@ class CaseSchema {
   }
   static Json list_of(Json item) { return {{"type", "array"}, {"items", std::move(item)}}; }
 
-  /// A number whose default is none of the permitted values is needed.
+  /// A number without a permitted default is required.
   template <class Number>
   void add_number(std::string_view name, const char* type, const Demand& demand, Number value, bool has_default) {
     Json number = number_of(name, type);
@@ -183,7 +182,7 @@ class CaseSchema {
       required_.emplace_back(name);
     add(name, std::move(number), demand.wording == kAny.wording ? std::string_view{} : demand.wording);
   }
-  /// As the reader has it: where a number has a unit, a text with one may stand.
+  /// Matches the reader: a number with a unit may be a text with a number and a unit.
   Json number_of(std::string_view name, const char* type) const {
     if (takes_per_cent(parent_, name)) return {{"type", {type, "string"}}, {"pattern", kPerCent}};
     if (!takes_unit(parent_, name)) return {{"type", type}};
@@ -215,13 +214,13 @@ void name_units(Json& units) {
   name("length", kLengthUnits);
   name("mass", kMassUnits);
   name("time", kTimeUnits);
-  // Or a product, as `convert` writes it where the case declares a force instead.
+  // A product is allowed too: `convert` writes one if the case declares a force instead.
   Json& mass = units["properties"]["mass"];
   mass["anyOf"] = Json::array({{{"enum", mass["enum"]}}, {{"pattern", "·"}}});
   mass.erase("enum");
 }
 
-// What version 2 does without.
+// Removes the requirements that version 2 does not have.
 void leave_to_version_1(Json& schema, const std::string& key) {
   Json& required = schema["properties"]["analysis"]["required"];
   Json others = Json::array();

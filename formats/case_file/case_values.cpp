@@ -1,4 +1,4 @@
-// One walk over the file with the name of the key at hand.
+// Replaces names by numbers in one walk over the file, with the name of the current key.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/case_values.hpp"
 
@@ -21,13 +21,13 @@ constexpr std::array<std::string_view, 1> kJointFields{"joint_material"};
 constexpr std::array<std::string_view, 1> kBoltFields{"bolt"};
 constexpr std::array<std::string_view, 1> kBoltRows{"removed_bolts"};
 constexpr std::size_t kNameOfLine = 8;  // place of the name in a row of a bolt between two points
-constexpr std::size_t kNameOfBolt = 9;  // likewise between two blocks
-// Lists of rows, and which of their places is a material.
+constexpr std::size_t kNameOfBolt = 9;  // the same between two blocks
+// Lists of rows, and the index of the material in a row.
 constexpr std::array<std::string_view, 2> kBlockRows{"material_lines", "materials"};
 constexpr std::array<std::string_view, 6> kJointRows{"joints", "outer",         "holes",
                                                      "cuts",   "loop_vertices", "joint_materials"};
 
-constexpr std::array<std::string_view, 2> kTexts{kSettings, "layers"};  // whose texts are no names of materials
+constexpr std::array<std::string_view, 2> kTexts{kSettings, "layers"};  // their texts are not names of materials
 
 template <std::size_t N>
 bool is_one_of(const std::array<std::string_view, N>& names, std::string_view name) {
@@ -44,7 +44,7 @@ class Values {
     joints_ = names_in(*analysis, "joint_materials");
   }
 
-  /// `key`: of the value, or of the lists that it stands in.
+  /// `key`: of the value, or of the lists around it.
   void walk(const JsonValue& value, std::string_view key) {
     if (value.kind() == JsonKind::object) {
       for (auto i = value.begin(); i != value.end(); ++i) {
@@ -69,7 +69,7 @@ class Values {
   MaterialNames names() const { return {rocks_, joints_}; }
 
  private:
-  // Of the geometry first, then of the stages, as their numbers go.
+  // Bolts of the geometry come first, then those of the stages, in the order of their numbers.
   void name_bolts(const JsonValue& root) {
     name_bolts_of(root.member("drawing"), kNameOfLine);
     name_bolts_of(root.member("blocks"), kNameOfBolt);
@@ -101,7 +101,7 @@ class Values {
     if (!materials || materials->kind() != JsonKind::array) return names;
     std::size_t count = 0;
     for (const JsonValue material : *materials) {
-      ++count;  // those without a name take no room until one has a name
+      ++count;  // those without a name take no memory until one has a name
       if (material.kind() != JsonKind::object) continue;
       const std::optional<JsonValue> name = material.member("name");
       if (!name || name->kind() != JsonKind::string) continue;
@@ -119,7 +119,7 @@ class Values {
     if (is_one_of(kBoltFields, key)) return put_number(value, bolts_, "bolt");
   }
 
-  /// Beside the material of a row stand numbers, with units perhaps: what is one is left to the reader.
+  /// Numbers, possibly with units, stand next to the material of a row: the reader handles those.
   void put_in_row(const JsonValue& value, std::string_view key) {
     if (is_one_of(kBoltRows, key)) return put_number(value, bolts_, "bolt");
     const bool is_name = std::ranges::find(rocks_, value.string()) != rocks_.end() ||

@@ -1,4 +1,4 @@
-// What people may write where a case file holds numbers of materials or bolts: their names.
+// Replaces names of materials or bolts in a case file by their numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,14 +7,14 @@
 
 namespace keyblock::formats {
 
-/// The key of settings by name, in `run` and in stages.
+/// Key of settings by name, in `run` and in stages.
 inline constexpr std::string_view kSettings = "set";
 
-/// Turns names of materials and bolts into the numbers that they stand for, counted from 1. Throws InputError for a
-/// name that none has, or two. Values with units are the reader's (CaseReading::real). Returns the names of materials.
+/// Replaces names of materials and bolts by their numbers, counted from 1. Throws InputError for an unknown or
+/// ambiguous name. Values with units are left to the reader (CaseReading::real). Returns the names of materials.
 MaterialNames resolve_names(JsonText& text);
 
-/// Whether a field may be a name for which `resolve_names` puts a number.
+/// Returns true if a field may be a name that `resolve_names` replaces by a number.
 bool takes_name(std::string_view field);
 
 }  // namespace keyblock::formats

@@ -1,4 +1,4 @@
-// Numbers by the shortest text that reads back the same; words escaped by nlohmann's writer.
+// Writes numbers as the shortest text that reads back the same; nlohmann's writer escapes words.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/case_writing.hpp"
 

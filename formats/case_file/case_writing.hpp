@@ -1,4 +1,4 @@
-// The visitor that writes structs as a case file: objects by lines, rows on one line each, empty lists left out.
+// Writes structs as a case file, as a visitor: objects by lines, rows on one line each, without empty lists.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

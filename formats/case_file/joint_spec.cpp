@@ -74,7 +74,7 @@ TunnelSection tunnel_of(const PlacedJson& value) {
   return tunnel;
 }
 
-/// The scatter and the law of a length, its own or the set's.
+/// Reads the scatter and the distribution of a length, its own or those of the set.
 class LengthReader {
  public:
   explicit LengthReader(const JsonFields& fields)
@@ -97,7 +97,7 @@ class LengthReader {
   std::size_t law_;
 };
 
-/// Scatter of the dip as a share of 90 degrees, if a set has a `scatter` alone.
+/// Returns the scatter of the dip as a fraction of 90 degrees, also if a set has only `scatter`.
 double dip_scatter_of(const JsonFields& fields, double scatter) {
   if (!fields.has("dip_scatter_deg")) return fields.real("dip_scatter", kShare, scatter);
   if (fields.has("dip_scatter"))

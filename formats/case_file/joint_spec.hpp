@@ -1,8 +1,9 @@
-// The file that says which outline, tunnels and joint sets a drawing is made from.
+// Reads the specification of a random drawing: outline, tunnels and joint sets.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A JSON object of our own (the input of the old line programs is not known); lengths in one unit, angles in degrees,
-// materials from 1. Every key may be left out but those marked *; others are refused.
+// The file is a JSON object of this program's own layout (the input of Shi's line programs is not known). Lengths have
+// one unit, angles are in degrees, materials count from 1. Every key is optional except those marked *; unknown keys
+// are rejected.
 //   rectangle | slope   the outline, one of them*
 //     rectangle  width* height* x y         (x, y) the lower left corner, 0
 //     slope      height* angle*             of the face, above 0 to 90
@@ -18,10 +19,10 @@
 //                                           trace they go through
 //                scatter                    0 to 1: standard deviation over the mean of spacing, trace, gap, and over
 //                                           90 degrees of the dip: 0.1 lets the dip scatter by 9 degrees; 0
-//                spacing_scatter trace_scatter gap_scatter   where one differs
-//                dip_scatter_deg            standard deviation of the dip in degrees, 0 to 90; or dip_scatter, a share
-//                                           of 90 degrees
-//                distribution               of spacing, trace and gap: normal, lognormal (as if left out), exponential
+//                spacing_scatter trace_scatter gap_scatter   if one differs
+//                dip_scatter_deg            standard deviation of the dip in degrees, 0 to 90; or dip_scatter, a
+//                                           fraction of 90 degrees
+//                distribution               of spacing, trace and gap: normal, lognormal (default), exponential
 //                spacing_distribution trace_distribution gap_distribution
 //                joint                      joint material: the number of the set in the list
 //                seed                       that of the file
@@ -37,7 +38,7 @@
 
 namespace keyblock::formats {
 
-/// Throws InputError for a key that is unknown or lacks, and for a value that cannot be.
+/// Throws InputError for an unknown or missing key, and for an impossible value.
 JointScene joint_scene_of(const PlacedJson& specification);
 
 }  // namespace keyblock::formats

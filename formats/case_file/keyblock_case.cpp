@@ -1,4 +1,4 @@
-// Reads, checks references of, and writes the case file; keys in case_fields.hpp.
+// Reads and writes the case file and checks its references; keys in case_fields.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/keyblock_case.hpp"
 
@@ -41,7 +41,7 @@ Recognition recognise(const Source& source) {
   throw InputError(place, fmt::format("expected {}, found {}", expected, found));
 }
 
-// A number, from 0, of one of `count` things.
+// Throws unless the number, from 0, is that of one of `count` items.
 void require_one_of(int index, std::size_t count, std::string_view noun, const Place& place) {
   if (index < 0 || static_cast<std::size_t>(index) >= count)
     fail(place, fmt::format("the number of a {}, 1 to {}", noun, count), static_cast<long long>(index) + 1);
@@ -54,7 +54,7 @@ void check(const Units& units, const Place& place) {
           place, fmt::format("expected {} of units: one of {}, found \"{}\"", name, fmt::join(known, ", "), unit));
   };
   require("length", units.length, kLengthUnits);
-  // One that follows from a force may be a product.
+  // A mass that follows from a force may be a product.
   const std::optional<Unit> mass = unit_named(units.mass);
   const bool is_product = mass && mass->dimension == Dimension{1, 0, 0} && units.mass.find("·") != std::string::npos;
   if (!is_product) require("mass", units.mass, kMassUnits);
@@ -85,7 +85,7 @@ void check(const Blocks& blocks) {
     for (const int block : {bolt.first_block, bolt.second_block}) require_one_of(block, count, "block", bolt.place);
 }
 
-// The first slot stands again behind the last one.
+// The first slot is repeated after the last one.
 void require_slots(const SlotRange& range, std::size_t count, std::string_view noun, const Place& place) {
   require_one_of(range.first, count, noun, place);
   if (range.size < static_cast<int>(kFewestCorners) ||
@@ -107,7 +107,7 @@ void check(const Cover& cover) {
       require_one_of(point.element, cover.elements.size(), "element", point.place);
 }
 
-// Compiled and thrown away: what cannot be understood is named where it stands.
+// Compiles the formula only to report errors at its place.
 void check(const Formula& formula, std::span<const std::string_view> variables) {
   if (!is_number(formula)) Compiled(formula, variables);
 }
@@ -121,7 +121,7 @@ void require_points(const std::vector<Point>& points, std::size_t fewest, std::s
 }
 
 constexpr double kHalfTurn = 180;
-// Of the mesh's scale: nodes that are moved further take whole triangles with them.
+// Relative to the mesh's scale: nodes that are moved further invert whole triangles.
 constexpr double kMostSnapping = 0.1;
 
 void check(const MeshPlan& mesh, const Place& covers) {
@@ -226,7 +226,7 @@ void check(const Analysis& analysis) {
                                                    material.poissons_ratio));
 }
 
-// Where the profile and each setting stand.
+// Stores the places of the profile and of each setting.
 void place_choices(RunChoices& choices, const JsonValue& run) {
   if (const auto profile = run.member("profile")) choices.profile_place = profile->place();
   const auto settings = run.member("set");
@@ -237,7 +237,7 @@ void place_choices(RunChoices& choices, const JsonValue& run) {
   }
 }
 
-// Where each row of a table of layers stands.
+// Stores the place of each row of a table of layers.
 void place_layers(LayerTable& layers, const JsonValue& from) {
   for (auto i = from.begin(); i != from.end(); ++i) {
     layers.places.push_back((*i).place());
@@ -263,7 +263,7 @@ Warnings take_default_ratio(Drawing& drawing, const JsonValue& from) {
            fmt::format("no edge_node_ratio is given, {} is taken", kDefaultEdgeNodeRatio)}};
 }
 
-// Weightless rock is seldom meant.
+// Warns of weightless rock, which is seldom intended.
 Warnings weightless_materials(const Analysis& analysis, const JsonValue& from) {
   Warnings warnings;
   const auto materials = from.member("block_materials");
@@ -275,7 +275,7 @@ Warnings weightless_materials(const Analysis& analysis, const JsonValue& from) {
   return warnings;
 }
 
-// What version 2 takes where nothing is said, once for the whole file.
+// Sets the defaults of version 2 for missing keys, with one warning for the whole file.
 Warnings take_defaults_of_today(Content& content, const JsonValue& from) {
   Analysis& analysis = *content.analysis;
   std::vector<std::string> taken;
@@ -296,7 +296,7 @@ Warnings take_defaults_of_today(Content& content, const JsonValue& from) {
   return {{"defaults_taken", from.place(), fmt::format("defaults taken: {}", fmt::join(taken, ", "))}};
 }
 
-// The units first: values are converted into them before fields are read.
+// Units come first: values are converted into them before fields are read.
 MaterialNames resolve(JsonText& text) {
   if (const auto declared = text.root().member("units"); declared && declared->kind() == JsonKind::object) {
     CaseReading fields(*declared, "units");
@@ -309,7 +309,7 @@ MaterialNames resolve(JsonText& text) {
   return resolve_names(text);
 }
 
-// Strain at which cracks close, above which it is no strain of rock.
+// Largest plausible closure strain of cracks in rock.
 constexpr double kLargeClosure = 0.1;
 
 Warnings doubtful_strengths(const Analysis& analysis) {
@@ -327,7 +327,7 @@ Warnings doubtful_strengths(const Analysis& analysis) {
   return warnings;
 }
 
-// Corners of the outer loop and of holes: areas and pictures are made of them.
+// Requires enough corners in the outer loop and in holes: areas and pictures need them.
 void check(const std::vector<Frame>& frames, const JsonValue& from) {
   auto frame_from = from.begin();
   for (const Frame& frame : frames) {

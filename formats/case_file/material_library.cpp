@@ -1,8 +1,10 @@
+// Declares the tables of the library and their sources.
 // Young's modulus and Poisson's ratio of intact rock: means of Kulhawy (1978), as in AASHTO (2002), Standard
-// Specifications for Highway Bridges, section 4.4.8; a mass of jointed rock is softer. Density: usual values of the
-// rock, rounded. Friction of flat, unweathered joints: middle of the range of basic friction angles of dry surfaces,
-// Barton & Choubey (1977), The shear strength of rock joints in theory and practice, table 1; rough joints have more,
-// filled and wet ones less. Neither cohesion nor tension is given to any.
+// Specifications for Highway Bridges, section 4.4.8; jointed rock is softer.
+// Density: usual values of the rock, rounded.
+// Friction of flat, unweathered joints: middle of the range of basic friction angles of dry surfaces, Barton & Choubey
+// (1977), The shear strength of rock joints in theory and practice, table 1. Rough joints have more, filled and wet
+// ones less. No joint has cohesion or tensile strength.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/material_library.hpp"
 

@@ -1,4 +1,4 @@
-// Numbers with the demands they must meet, and the complaints about those that do not.
+// Reads numbers, checks them, and reports those that violate their conditions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/number_fields.hpp"
 

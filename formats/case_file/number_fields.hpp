@@ -1,4 +1,4 @@
-// Numbers of a case file: with units, which are converted, counted from 1, or as expressions.
+// Reads numbers of a case file: with units, which are converted, counted from 1, or as expressions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace keyblock::formats {
 
-/// The fields of one JSON value that are numbers. A value is in the units of the case, or a text that names its unit
-/// and is converted to them. Throws InputError at the place of one that does not meet its demand.
+/// Reads the numeric fields of one JSON value. A value is in the units of the case, or a text that names its unit and
+/// is converted to them. Throws InputError at the place of a value that violates its condition.
 class NumberFields : public TakenFields {
  public:
   using TakenFields::TakenFields;
@@ -37,13 +37,13 @@ class NumberFields : public TakenFields {
   void require_measurable(std::string_view name, double value) const;
 
  protected:
-  /// A number and the name of a unit, which no expression is: x, y and functions are none.
+  /// Returns true for a number with the name of a unit. Expressions do not match: x, y and functions are not units.
   static bool is_quantity(std::string_view text);
 
-  /// 0.01 of "1 %", 0.001 of "1 ‰".
+  /// Returns 0.01 for "1 %", 0.001 for "1 ‰".
   static std::optional<double> share_in(std::string_view text);
 
-  /// The number that a text stands for, in the units of the case; `or_else`: what else may stand there.
+  /// Returns the number of a text, in the units of the case; `or_else`: other permitted input, for messages.
   static double converted_at(const JsonValue& value, std::string_view name, const std::optional<Measure>& of,
                              std::string_view or_else);
 };

@@ -1,4 +1,4 @@
-// Walks the tree of values and hands it to the JSON writer.
+// Walks the tree of values and passes it to the JSON writer.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/strict_json.hpp"
 

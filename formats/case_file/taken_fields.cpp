@@ -1,4 +1,4 @@
-// Keys asked for, taken in turn, and what is left over; see taken_fields.hpp.
+// Takes requested keys in turn and reports the remaining ones; see taken_fields.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/taken_fields.hpp"
 

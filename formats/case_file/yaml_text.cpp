@@ -1,4 +1,4 @@
-// Listens to the events of yaml-cpp's parser.
+// Receives the events of yaml-cpp's parser and appends nodes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/yaml_text.hpp"
 
@@ -17,7 +17,7 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr std::size_t kDeepest = 12;  // a case file takes 8
+constexpr std::size_t kDeepest = 12;  // a case file needs 8
 constexpr std::size_t kLongest = std::numeric_limits<std::uint32_t>::max();
 constexpr std::string_view kMark = "keyblock:";
 constexpr const char* kPlain = "?";  // the tag of a plain scalar
@@ -34,7 +34,7 @@ bool looks_like_number(std::string_view text) {
 
 }  // namespace
 
-/// Appends a node a value; keys of maps are strings.
+/// Appends one node per value; keys of maps are strings.
 class YamlReader final : public YAML::EventHandler {
  public:
   YamlReader(JsonText& into, std::string_view text) : into_(into), text_(text) {

@@ -1,4 +1,4 @@
-// Makes columns of a list of rows.
+// Makes columns from a list of rows.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,7 +16,7 @@ namespace keyblock::formats {
 
 using Components = std::array<double, 4>;  ///< xx, yy, xy, zz
 using Ends = std::array<Point, 2>;
-enum class Digits { all, seven };  ///< that a viewer needs
+enum class Digits { all, seven };  ///< required by a viewer
 
 /// Adds columns to a part, one value of a function per row. Refers to both.
 template <class Row>
@@ -37,7 +37,7 @@ class ColumnFiller {
     fill<1>(name, RowShape::number, digits, [&](const Row& row, double* to) { *to = value(row); });
   }
 
-  /// `value` gives a Point.
+  /// `value` returns a Point.
   template <class Value>
   void xy(std::string_view name, const Value& value, Digits digits = Digits::all) const {
     fill<2>(name, RowShape::xy, digits, [&](const Row& row, double* to) {
@@ -47,7 +47,7 @@ class ColumnFiller {
     });
   }
 
-  /// `value` gives Components.
+  /// `value` returns Components.
   template <class Value>
   void tensor(std::string_view name, const Value& value, Digits digits = Digits::all) const {
     fill<4>(name, RowShape::tensor, digits, [&](const Row& row, double* to) {
@@ -56,7 +56,7 @@ class ColumnFiller {
     });
   }
 
-  /// `value` gives Ends.
+  /// `value` returns Ends.
   template <class Value>
   void ends(std::string_view name, const Value& value) const {
     fill<4>(name, RowShape::ends, Digits::all, [&](const Row& row, double* to) {

@@ -27,7 +27,7 @@ void add_plastic(const ColumnFiller<Row>& fill) {
   fill.real("equivalent_plastic_strain", [](const Row& r) { return r.plastic.value_or(PlasticState{}).equivalent; });
 }
 
-/// How many fixed points each block has, by its number.
+/// Returns the number of fixed points of each block, by its number.
 std::unordered_map<int, int> fixed_points_by_block(const Frame& frame) {
   std::unordered_map<int, int> counts;
   for (const PointFrame& point : frame.fixed_points) ++counts[point.element];
@@ -40,7 +40,7 @@ FramePart blocks_of(const Frame& frame, const FieldFrame& field) {
   const ColumnFiller fill(part, frame.elements);
   const auto fixed = fixed_points_by_block(frame);
   fill.integer("block", [&](E, std::size_t i) { return number_of(frame, i) + 1; });
-  // Only where something was cut off: elsewhere the numbers are those of the blocks.
+  // Written only if parts were cut off: otherwise the numbers are those of the blocks.
   if (std::ranges::any_of(frame.elements, [](E e) { return e.origin >= 0 && e.origin != e.number; }))
     fill.integer("origin", [&](E, std::size_t i) { return origin_of(frame, i) + 1; });
   if (!field.elements.empty() && !field.is_of_blocks)

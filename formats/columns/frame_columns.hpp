@@ -34,7 +34,7 @@
 
 namespace keyblock::formats {
 
-/// What the numbers of a row are.
+/// Meaning of the numbers of a row.
 enum class RowShape { number, xy, tensor, ends };
 
 std::size_t width_of(RowShape shape);
@@ -55,31 +55,31 @@ struct FramePart {
   std::size_t rows = 0;
   std::vector<FrameColumn> columns;
 
-  /// nullptr if the part has no such column.
+  /// Returns nullptr if the part has no such column.
   const FrameColumn* find(std::string_view column) const;
   /// Throws std::invalid_argument if the part has no such column.
   const FrameColumn& at(std::string_view column) const;
 };
 
-/// All parts of one instant; those without rows are there too, without columns.
+/// All parts of one instant; those without rows are present, without columns.
 struct FrameColumns {
   int step = 0;
   double time = 0;
-  double load_factor = 1;  ///< by which crack growth multiplies the loads
+  double load_factor = 1;  ///< factor of crack growth on the loads
   std::vector<FramePart> parts;
 
   /// Throws std::invalid_argument if there is no such part.
   const FramePart& part(std::string_view name) const;
 };
 
-/// `field`: the same instant within the elements; without elements there are no columns of it.
+/// Returns the columns of a frame. `field`: the same instant within the elements; without elements it adds no columns.
 FrameColumns columns_of(const Frame& frame, const ContactFrames& contacts, const FieldFrame& field = {});
 
-/// The same frame with more columns of blocks, and of corners with stress: principal_stress_greatest and _least in the
-/// plane, principal_axis (unit, of the greatest); where rock may yield mean_stress, von_mises_stress, lode_angle
-/// (degree; material/stress_invariants.hpp); where `materials` are given (by their numbers in the frame) elastic_strain, the
-/// strain of Hooke's law for the intact rock. Out of the plane it is 0 in plane strain without plastic strain,
-/// -nu (sxx + syy) / E in plane stress.
+/// Adds derived columns of blocks, and of corners with stress: principal_stress_greatest and _least in the plane,
+/// principal_axis (unit, of the greatest). Elastoplastic rock adds mean_stress, von_mises_stress, lode_angle (degree;
+/// material/stress_invariants.hpp). If `materials` are given (by their numbers in the frame), adds elastic_strain by
+/// Hooke's law of the intact rock. Out of the plane it is 0 in plane strain without plastic strain, -nu (sxx + syy) / E
+/// in plane stress.
 FrameColumns with_derived(FrameColumns frame, std::span<const BlockMaterial> materials = {});
 
 }  // namespace keyblock::formats
