@@ -1,4 +1,4 @@
-// The DXF format record: recognition, reading, and the edge-node ratio.
+// Implements the DXF format: recognition, reading, and the edge-node ratio.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf.hpp"
 
@@ -21,7 +21,7 @@ Recognition recognise(const Source& source) {
   return {Recognition::Fit::exact, "it opens with group 0 SECTION"};
 }
 
-/// The comment that the writer leaves.
+/// Finds the comment of the writer.
 const DxfGroup* ratio_in(const DxfDocument& document) {
   for (const DxfGroup& comment : document.comments())
     if (comment.value.starts_with(kDxfRatioComment)) return &comment;
@@ -43,7 +43,7 @@ double edge_node_ratio(const DxfDocument& document, const Place& file, Warnings&
   return kDxfEdgeNodeRatio;
 }
 
-/// The one section of that name; null where there is none.
+/// Returns the only section of that name; null if there is none.
 const DxfSection* find_section(const DxfDocument& document, std::string_view name) {
   const DxfSection* found = nullptr;
   for (const DxfSection& section : document.sections()) {
@@ -76,7 +76,7 @@ Reading read(const Source& source, const ReadHint& hint) {
   made.drawing.place = {source.name};
   warnings = joined(joined(std::move(warnings), made.warnings), definitions.unused(document).warnings());
   warnings = joined(std::move(warnings), join_ends(made.drawing, hint.drawing.join));
-  // What this program wrote is taken as it is, however its lines cross.
+  // Drawings written by this program are not clipped, even if their lines cross.
   if (!ratio_in(document)) warnings = joined(std::move(warnings), clip_joints(made.drawing));
   Reading reading{{std::move(made.drawing), {}, {}}, std::move(warnings)};
   reading.content.names = std::move(made.names);

@@ -17,16 +17,16 @@
 namespace keyblock::formats {
 namespace {
 
-// A joint that loses less than this share of its length at its ends is left as it was drawn.
+// A joint that loses less than this fraction of its length at its ends stays unchanged.
 constexpr double kUncut = 1e-9;
-// Products of joints and boundary lines beyond this are not tried, about a second.
+// Larger products of joints and boundary lines, about a second of work, are not tried.
 constexpr double kMostPairs = 2e8;
 
 std::string at(Point p) {
   return fmt::format("({}, {})", plain(p.x, 6), plain(p.y, 6));
 }
 
-// Share of the longest boundary line: a wider gap is a side that is not drawn. Joining would make another shape.
+// Fraction of the longest boundary line: a wider gap is a missing side. Joining would make another shape.
 constexpr double kJoinable = 0.1;
 
 double longest_side(const Drawing& drawing) {
@@ -58,7 +58,7 @@ bool lies_in(const Outline& inner, const Outline& outer) {
   return &inner != &outer && std::ranges::all_of(inner, [&](Point p) { return side(outer, p) != Side::outside; });
 }
 
-/// Each outermost loop first, then the loops in it that hole points empty.
+/// Returns the outermost loops, each followed by the loops inside it that hole points empty.
 std::vector<std::vector<Outline>> regions_of(const std::vector<Outline>& loops, const Drawing& drawing) {
   const auto is_within = [&](const Outline& loop) {
     return std::ranges::any_of(loops, [&](const Outline& other) { return lies_in(loop, other); });

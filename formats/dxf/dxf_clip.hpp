@@ -1,4 +1,4 @@
-// Joints that run beyond the boundary of a drawing, cut off at it.
+// Cuts off joints that extend beyond the boundary of a drawing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,10 +6,10 @@
 
 namespace keyblock::formats {
 
-/// Keeps of every joint what lies inside a closed chain of boundary lines, and outside every chain within one that has
-/// a hole point in it; joints along the boundary go, for it is there already. What is changed is told in one warning.
-/// Boundary lines drawn twice count once. Where an end of a boundary line is loose, or three meet, nothing is cut off,
-/// and a warning says where, and how wide the gap is.
+/// Keeps the part of every joint inside a closed chain of boundary lines, and outside every inner chain with a hole
+/// point in it. Joints along the boundary are removed, because they repeat it. One warning reports the changes.
+/// Boundary lines drawn twice count once. If a boundary line has a loose end, or three meet, nothing is cut off. A
+/// warning then names the place, and the width of the gap.
 Warnings clip_joints(Drawing& drawing);
 
 }  // namespace keyblock::formats

@@ -1,4 +1,4 @@
-// Takes the section BLOCKS apart.
+// Splits the section BLOCKS into definitions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_definitions.hpp"
 

@@ -1,4 +1,4 @@
-// The blocks that a DXF file defines and an INSERT draws.
+// Holds the blocks that a DXF file defines and an INSERT draws.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,29 +17,29 @@ namespace keyblock::formats {
 struct DxfShapes;
 
 struct DxfDefinition {
-  Point base;                                         ///< what an INSERT puts at its place
+  Point base;                                         ///< point that an INSERT moves to its place
   std::span<const DxfRecord> records;                 ///< between BLOCK and ENDBLK
-  std::shared_ptr<const DxfShapes> shapes = nullptr;  ///< once an INSERT asked for them
+  std::shared_ptr<const DxfShapes> shapes = nullptr;  ///< after an INSERT has drawn them
   bool is_open = false;                               ///< its records are being read
   double base_height = 0;                             ///< z of the base point
 };
 
 class DxfDefinitions {
  public:
-  /// Of the section BLOCKS; null: none. Throws InputError where a base point is no number.
+  /// Reads the section BLOCKS; null: no definitions. Throws InputError if a base point is not a number.
   DxfDefinitions(const DxfDocument& document, const DxfSection* blocks);
 
-  /// Null where there is none of that name.
+  /// Returns null if there is none of that name.
   DxfDefinition* find(std::string_view name);
 
-  /// Points that all INSERT together may draw, and depth to which definitions may hold one another.
+  /// Largest number of points that all INSERT together may draw, and largest depth of nested definitions.
   static constexpr std::size_t kMostPoints = 500'000;
   static constexpr int kDeepest = 16;
 
   std::size_t points = 0;  ///< drawn so far
   int depth = 0;           ///< of the definition that is being read
 
-  /// Entities of definitions that no INSERT drew.
+  /// Returns the entities of definitions that no INSERT drew.
   DxfSkipped unused(const DxfDocument& document) const;
 
  private:

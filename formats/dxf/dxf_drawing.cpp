@@ -1,4 +1,4 @@
-// Gives every shape of a DXF file the part in the drawing that its layer says.
+// Assigns every shape of a DXF file the part in the drawing that its layer names.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_drawing.hpp"
 
@@ -25,7 +25,7 @@ constexpr int kMostNamed = 1000;   // materials: no legend lists more
 constexpr int kMostColours = 256;  // the AutoCAD colour index; the last is that of the layer
 constexpr int kByLayer = 256;
 
-/// Each material is named after the first layer that holds it; joints before outlines, which share their numbers.
+/// Names each material after its first layer; joints come before outlines, which share their numbers.
 MaterialNames names_of_layers(const std::map<std::string_view, DxfLayer>& layers) {
   MaterialNames all;
   const auto put = [&](std::vector<std::string>& names, DxfRole role) {
@@ -42,7 +42,7 @@ MaterialNames names_of_layers(const std::map<std::string_view, DxfLayer>& layers
   return all;
 }
 
-/// Counts curves and the chords that they became.
+/// Counts curves and their chords.
 class ChordCount {
  public:
   void add(const DxfShape& shape) {
@@ -53,7 +53,7 @@ class ChordCount {
     chords_ += shape.chords;
   }
 
-  /// One, or none.
+  /// Returns at most one warning.
   Warnings warnings() const {
     if (curves_ == 0) return {};
     const std::string of_others =
@@ -111,15 +111,15 @@ class DrawingMaker {
     }
   }
 
-  /// By the table, then by its own name, then by the row for all others.
+  /// Looks up the table, then the name of the layer, then the row for all other layers.
   std::optional<DxfLayer> part_of(std::string_view layer) {
     if (const auto named = parts_.named(layer)) return named;
     if (const auto own = layer_of(layer)) return own;
     return parts_.other();
   }
 
-  /// Layers by table and names; those without a known word get the first joint materials not yet taken, but for
-  /// drawings of the old Windows program: there the colour says the joint material.
+  /// Assigns parts to layers by table and names. Layers without a known word get the first unused joint materials.
+  /// Drawings of the old Windows program are an exception: their colour gives the joint material.
   void name_layers() {
     find_marks();
     std::set<int> taken;
@@ -164,7 +164,7 @@ class DrawingMaker {
                                 fmt::format("on {} of the table nothing lies in the drawing", fmt::join(names, ", "))});
   }
 
-  /// The convention of the old Windows program, known by its marks on layers that name nothing.
+  /// Detects the convention of the old Windows program by its marks on layers without a known name.
   void find_marks() {
     const auto is_mark = [&](const DxfShape& shape) { return shape.mark != 0 && !part_of(shape.layer); };
     const auto first = std::ranges::find_if(shapes_.shapes, is_mark);
@@ -193,7 +193,7 @@ class DrawingMaker {
     skip(shape);
   }
 
-  /// A bolt drawn twice, either way round, is one.
+  /// A bolt drawn twice, in either direction, counts once.
   void drop_repeated_bolts() {
     const auto ends = [](const BoltLine& bolt) {
       const auto [a, b] = bolt.segment;
@@ -211,7 +211,7 @@ class DrawingMaker {
     shapes_.skipped.add(fmt::format("{} on layer {}", shape.type, in_quotes(shape.layer)), shape.place);
   }
 
-  /// Bolts are straight: a circle, an arc or a closed outline among them is a plate or a head as it is drawn.
+  /// Bolts are straight: a circle, an arc or a closed outline among them is a symbol of a plate or a head.
   static bool is_symbol(const DxfShape& shape) { return shape.curves > 0 || shape.is_closed; }
 
   void skip_symbol(const DxfShape& shape) {
@@ -240,7 +240,7 @@ class DrawingMaker {
     for (std::size_t i = 0; i < sides; ++i) add_line(shape, side(shape, i), layer);
   }
 
-  /// Room for `more` and an eighth: doubling would hold thrice the list for a moment.
+  /// Reserves space for `more` and an eighth: doubling would temporarily hold three times the list.
   template <typename List>
   static void make_room(List& list, std::size_t more) {
     if (list.size() + more > list.capacity())
@@ -288,8 +288,8 @@ class DrawingMaker {
       skip(shape);
   }
 
-  /// Sides are joints of the material that the layer of their VERTEX names, else of the first; a point inside gives the
-  /// block material. A clockwise loop inside the one before it is a hole of that.
+  /// Makes each side a joint of the material that the layer of its VERTEX names, otherwise of the first. A point inside
+  /// gives the block material. A clockwise loop inside the previous one is a hole of it.
   void add_block(const DxfShape& shape, const DxfLayer& layer) {
     for (std::size_t i = 0; i < shape.points.size(); ++i) {
       const auto own = i < shape.side_layers.size() ? part_of(shape.side_layers[i]) : std::nullopt;

@@ -1,4 +1,4 @@
-// DXF shapes to a drawing, layer by layer.
+// Converts DXF shapes to a drawing, layer by layer.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,15 +8,15 @@
 
 namespace keyblock::formats {
 
-/// The drawing, without its edge-node ratio, and what was said about layers, curves and skipped entities. Coordinates
-/// are multiplied by `scale`; InputError where one leaves the range of numbers.
+/// Drawing without its edge-node ratio, and the warnings about layers, curves and skipped entities. Coordinates are
+/// multiplied by `scale`; InputError if one leaves the range of numbers.
 struct DxfDrawing {
   Drawing drawing;
   Warnings warnings;
   MaterialNames names = {};  ///< of layers
 };
 
-/// `layers`: a table whose rows were checked.
+/// Makes the drawing. `layers`: a table whose rows were checked.
 DxfDrawing drawing_of(DxfShapes shapes, double scale, const LayerTable& layers = {});
 
 }  // namespace keyblock::formats

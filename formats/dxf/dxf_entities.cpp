@@ -1,4 +1,4 @@
-// Reads LINE, LWPOLYLINE, POLYLINE, curves, POINT and INSERT; all else is listed as skipped.
+// Reads LINE, LWPOLYLINE, POLYLINE, curves, POINT and INSERT; lists all others as skipped.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_entities.hpp"
 
@@ -19,12 +19,12 @@
 namespace keyblock::formats {
 namespace {
 
-// Over the extent of a drawing, or over the height of its plane if greater: heights that differ by less are one, the
-// rounding of drawing programs.
+// Relative to the extent of a drawing, or to the height of its plane if greater. A smaller difference of heights is a
+// rounding error of drawing programs.
 constexpr double kLevel = 1e-9;
 
 enum PolylineFlag { kClosed = 1, kMesh = 16, kPolyface = 64 };
-constexpr int kSplineFrame = 16;  // of a VERTEX: it steers the curve and is none of its points
+constexpr int kSplineFrame = 16;  // of a VERTEX: a control point, not a point of the curve
 
 class EntityReader {
  public:
@@ -94,7 +94,7 @@ class EntityReader {
     result_.unread_layers.insert(of_.layer_of(record));
   }
 
-  /// Curves lie in a plane of their own, seen from below where its normal points down.
+  /// Mirrors curves whose plane is seen from below, because its normal points down.
   void add_in_plane(DxfShape shape, int side) {
     if (side < 0) {
       for (Point& p : shape.points) p.x = -p.x;
@@ -104,7 +104,7 @@ class EntityReader {
     result_.shapes.push_back(std::move(shape));
   }
 
-  /// Points in world coordinates, whatever side their plane is seen from.
+  /// Adds points in world coordinates, for either side of their plane.
   void add_in_world(DxfShape shape, const DxfRecord& record) {
     add_in_plane(std::move(shape), std::abs(of_.side_seen(record)));
   }
@@ -148,7 +148,7 @@ class EntityReader {
     add_polyline(std::move(shape), corners, record);
   }
 
-  /// The records up to SEQEND, which is passed.
+  /// Returns the records up to SEQEND, which is skipped.
   std::span<const DxfRecord> next_vertices(const DxfRecord& polyline) {
     const std::size_t first = at_;
     while (at_ < records_.size() && records_[at_].head.value == "VERTEX") ++at_;
@@ -180,7 +180,7 @@ class EntityReader {
     add_polyline(std::move(shape), corners, record);
   }
 
-  /// Vertices that repeat the one before them begin no side.
+  /// Vertices that repeat the previous one begin no side.
   void add_polyline(DxfShape shape, const std::vector<DxfCorner>& corners, const DxfRecord& record) {
     const bool is_closed = shape.is_closed;
     shape.points.reserve(corners.size());
@@ -223,8 +223,8 @@ class EntityReader {
     return *definition.shapes;
   }
 
-  /// The shapes of a block, from its base point to the point of the INSERT. What lies on layer 0 comes to the layer of
-  /// the INSERT, what has no colour gets its colour.
+  /// Reads the shapes of a block, from its base point to the point of the INSERT. Shapes on layer 0 move to the layer
+  /// of the INSERT; shapes without a colour get its colour.
   void read_insert(const DxfRecord& record) {
     const DxfGroup* name = record.find(2);
     if (name == nullptr)
@@ -265,7 +265,7 @@ class EntityReader {
   DxfShapes result_;
 };
 
-/// The height of the plane in which most shapes lie level; of two the one nearer to 0.
+/// Returns the height of the plane with most level shapes; if two have equally many, of the one nearer to 0.
 double height_of_most(const std::vector<DxfShape>& shapes, double level) {
   std::vector<double> heights;
   for (const DxfShape& shape : shapes)

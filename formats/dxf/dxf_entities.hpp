@@ -1,4 +1,4 @@
-// The entities of a DXF file as chains of points.
+// Reads the entities of a DXF file as chains of points.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace keyblock::formats {
 
-/// What one entity draws, in the unit of the file. Views the document.
+/// Shape of one entity, in the unit of the file. Refers to the document.
 struct DxfShape {
   std::string_view type;
   std::string_view layer;
@@ -28,28 +28,28 @@ struct DxfShape {
   std::vector<Point> points;                  ///< curves as chords
   std::vector<std::string_view> side_layers;  ///< POLYLINE: layer of the VERTEX at which each side begins
   std::optional<std::array<double, 3>> bolt;  ///< extended data: stiffness, strength, pre-tension
-  std::uint32_t curves = 0;                   ///< arcs, circles, ellipses, splines and bulges in it
-  std::uint32_t chords = 0;                   ///< that they became
-  double low = 0;                             ///< z of its lowest point; not a number where its plane is tilted
-  double high = 0;                            ///< likewise of its highest
-  int colour = 0;                             ///< group 62; 0 where it has none of its own
-  char mark = 0;  ///< F, L, M or H: a text of that letter alone, at its point; 0 for all else
+  std::uint32_t curves = 0;                   ///< arcs, circles, ellipses, splines and bulges
+  std::uint32_t chords = 0;                   ///< number of chords of the curves
+  double low = 0;                             ///< z of its lowest point; not a number if its plane is tilted
+  double high = 0;                            ///< z of its highest point
+  int colour = 0;                             ///< group 62; 0 if it has no colour of its own
+  char mark = 0;                              ///< F, L, M or H: a text of that letter alone, at its point; otherwise 0
 };
 
 struct DxfShapes {
   std::vector<DxfShape> shapes;
   DxfSkipped skipped;
-  std::set<std::string_view> unread_layers = {};  ///< on which something is skipped
-  DxfHidden hidden = {};                          ///< left out because it is not seen in the drawing program
+  std::set<std::string_view> unread_layers = {};  ///< layers with skipped entities
+  DxfHidden hidden = {};                          ///< left out because the drawing program does not show it
   Warnings warnings;
 };
 
-/// The shapes of the section ENTITIES that `layers` shows. Throws InputError where an entity lacks a value or has a
-/// wrong one, where a block is drawn within itself, and where INSERT would draw more than `DxfDefinitions` allows.
+/// Returns the shapes of the section ENTITIES that `layers` shows. Throws InputError for a missing or wrong value, a
+/// block drawn within itself, or more points from INSERT than `DxfDefinitions` allows.
 DxfShapes read_entities(const DxfDocument& document, std::span<const DxfRecord> records, DxfDefinitions& definitions,
                         const DxfVisibility& layers);
 
-/// Keeps the shapes of one level plane, the one with most of them, and lists the others as skipped.
+/// Keeps the shapes of the level plane with most of them, and lists the others as skipped.
 void keep_one_plane(DxfShapes& shapes);
 
 }  // namespace keyblock::formats

@@ -17,7 +17,7 @@ constexpr int kGreatestCode = 1071;
 constexpr int kExtendedData = 1000;  // codes from here on belong to applications
 constexpr int kComment = 999;
 
-/// The line that begins at an offset, and where the next one begins.
+/// Line that begins at an offset, and the start of the next one.
 struct Line {
   std::string_view text;  ///< without white space at its ends
   std::size_t offset = 0;

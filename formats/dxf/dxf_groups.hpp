@@ -1,4 +1,4 @@
-// A DXF text as group codes with values that know their place, and as sections of records.
+// Reads a DXF text as group codes with values that know their place, and as sections of records.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,22 +14,22 @@
 
 namespace keyblock::formats {
 
-/// A line with a number and the line below it. Views the text.
+/// Line with a number and the line below it. Refers to the text.
 struct DxfGroup {
   int code = 0;
   std::string_view value;  ///< without white space at its ends
 };
 
-/// An entity, a table entry, …: its type (the value of group 0) and the groups up to the next group 0.
+/// Entity, table entry, …: its type (the value of group 0) and the groups up to the next group 0.
 struct DxfRecord {
   DxfGroup head;
   std::span<const DxfGroup> groups;
 
-  /// The first group with this code that is no extended data.
+  /// Returns the first group with this code that is not extended data.
   const DxfGroup* find(int code) const;
 };
 
-/// The records between SECTION and ENDSEC; groups before the first record (HEADER has no others).
+/// Records between SECTION and ENDSEC; groups before the first record (HEADER has no others).
 struct DxfSection {
   DxfGroup head;
   std::string_view name;
@@ -37,21 +37,22 @@ struct DxfSection {
   std::vector<DxfRecord> records;
 };
 
-/// A DXF text taken apart. Views the source: keep that alive.
+/// DXF text split into groups and sections. Refers to the source, which must outlive it.
 class DxfDocument {
  public:
-  /// Throws InputError where a group code is none, a value or the end of a section is missing.
+  /// Throws InputError if a group code is not a number, or a value or the end of a section is missing.
   explicit DxfDocument(const Source& source);
 
   const std::vector<DxfSection>& sections() const { return sections_; }
   const std::vector<DxfGroup>& comments() const { return comments_; }  ///< groups 999
-  /// Of what follows the end of the file, or where that end is missing.
+  /// Warnings about text after the end of the file, or about a missing end.
   const Warnings& warnings() const { return warnings_; }
   Place place(const DxfGroup& group) const {
     return map_.place(static_cast<std::size_t>(group.value.data() - text_.data()));
   }
 
-  /// The value as a finite number, as a whole number; InputError "expected NAME (group CODE) of OWNER, found …".
+  /// Returns the value as a finite number, as a whole number; InputError "expected NAME (group CODE) of OWNER, found
+  /// …".
   double real(const DxfGroup& group, std::string_view name, std::string_view owner) const;
   int integer(const DxfGroup& group, std::string_view name, std::string_view owner) const;
 
@@ -70,7 +71,7 @@ class DxfDocument {
   Warnings warnings_;
 };
 
-/// Whether the first group that is no comment is 0 SECTION.
+/// Returns true if the first group that is not a comment is 0 SECTION.
 bool opens_as_dxf(std::string_view text);
 
 }  // namespace keyblock::formats

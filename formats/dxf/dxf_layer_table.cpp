@@ -1,4 +1,4 @@
-// Reads the words of parts, and the table line by line.
+// Parses the words of parts, and the table line by line.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_layer_table.hpp"
 
@@ -59,7 +59,7 @@ std::optional<int> number_of(std::string_view digits) {
   return number;
 }
 
-/// What the words say; nothing where they name no part.
+/// Returns the part of the words; nothing if they name none.
 std::optional<DxfLayer> part_of(std::string_view words) {
   const std::string text = lower(trimmed(words));
   const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
@@ -96,7 +96,7 @@ Recognition recognise_table(const Source& source) {
   return {Recognition::Fit::exact, "its first line is layer,part"};
 }
 
-/// A name in front of the last comma, with quotes or without.
+/// Returns a name before the last comma, with or without quotes.
 std::string unquoted(std::string_view text) {
   text = trimmed(text);
   if (text.size() < 2 || text.front() != '"' || text.back() != '"') return std::string(text);

@@ -1,4 +1,4 @@
-// Reads the names of DXF layers; rule in the header.
+// Reads the names of DXF layers; the rule is in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_layers.hpp"
 
@@ -38,7 +38,7 @@ bool begins_with(std::string_view name, std::string_view word) {
          std::equal(word.begin(), word.end(), name.begin(), [&](char w, char n) { return same(n, w); });
 }
 
-/// The digits a name ends in; with the sign where that follows an underscore, as the writer puts it.
+/// Returns the digits at the end of a name; with the sign if it follows an underscore, as the writer puts it.
 std::string_view last_number(std::string_view name) {
   std::size_t at = name.size();
   while (at > 0 && std::isdigit(static_cast<unsigned char>(name[at - 1])) != 0) --at;
@@ -46,7 +46,7 @@ std::string_view last_number(std::string_view name) {
   return name.substr(at);
 }
 
-/// The digits behind the word, or behind a blank, hyphen or underscore that follows it.
+/// Returns the digits after the word, or after a blank, hyphen or underscore that follows it.
 std::string_view first_number(std::string_view behind) {
   if (!behind.empty() && std::string_view(" _-").find(behind.front()) != std::string_view::npos)
     behind.remove_prefix(1);

@@ -1,4 +1,4 @@
-// The list of kinds that are left out of a DXF file.
+// Lists the kinds of entities that are left out of a DXF file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_skipped.hpp"
 

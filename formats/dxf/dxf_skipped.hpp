@@ -1,4 +1,4 @@
-// What of a DXF file is left out, counted by kind.
+// Counts the entities of a DXF file that are left out, by kind.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,12 +12,12 @@
 
 namespace keyblock::formats {
 
-/// Entities left out, by kind, in the order in which the kinds are met.
+/// Entities left out, by kind, in the order in which the kinds occur.
 class DxfSkipped {
  public:
   void add(std::string_view kind, const Place& place);
   void add_all(const DxfSkipped& other);
-  /// One a kind: its name, how many, the first place.
+  /// Returns one warning per kind: its name, count and first place.
   Warnings warnings() const;
 
  private:

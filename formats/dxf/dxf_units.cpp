@@ -1,4 +1,4 @@
-// $INSUNITS of the header: the table of units.
+// Converts $INSUNITS of the header by a table of units.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_units.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 struct Unit {
   std::string_view name;
-  std::string_view length;  ///< in a case file; empty: not known there
+  std::string_view length;  ///< in a case file; empty: unknown there
   double metres;
 };
 

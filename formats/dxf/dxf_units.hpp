@@ -1,4 +1,4 @@
-// The unit of a DXF file: from its header as a factor, and to its header as a number.
+// Converts the unit of a DXF file: from its header to a factor, and to its header as a number.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,22 +10,22 @@
 
 namespace keyblock::formats {
 
-/// What coordinates are multiplied with to the unit `length`, and the warning that says so. 1 and no unit where the
-/// file names none ($INSUNITS absent or 0) and where its number is unknown.
+/// Factor that converts coordinates to the unit `length`, and the warning about it. 1 and no unit if the file names
+/// none ($INSUNITS absent or 0) or has an unknown number.
 struct DxfUnit {
   double factor = 1;
-  std::string length = {};  ///< of the coordinates so multiplied, as a case file names it
+  std::string length = {};  ///< of the converted coordinates, as a case file names it
   Warnings warnings = {};
 };
 
-/// `wanted` as a case file names it; metres where it is empty or no unit of DXF. `overruling`, where it is not empty,
-/// counts in place of the file's own.
+/// Returns the conversion to `wanted`, as a case file names it; to metres if it is empty or not a unit of DXF. If
+/// `overruling` is not empty, it replaces the unit of the file.
 DxfUnit unit_of(const DxfDocument& document, std::string_view wanted, std::string_view overruling = {});
 
-/// Units that may overrule that of a file, as case files name them.
+/// Returns the units that may override that of a file, as case files name them.
 std::vector<std::string> dxf_unit_names();
 
-/// $INSUNITS of a length unit as a case file names it; 0 for any other.
+/// Returns $INSUNITS of a length unit as a case file names it; 0 for any other.
 int dxf_unit_number(std::string_view length);
 
 }  // namespace keyblock::formats

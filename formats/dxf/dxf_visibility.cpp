@@ -1,4 +1,4 @@
-// Reads the table LAYER; rule in the header.
+// Reads the table LAYER; the rule is in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_visibility.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr int kFrozenBit = 1;  // bit of group 70
 constexpr std::size_t kMostHiddenListed = 10;
 
-/// Names of layers do not differ by case.
+/// Folds the case: names of layers do not differ by it.
 std::string folded_layer(std::string_view name) {
   std::string text(name);
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });

@@ -1,4 +1,4 @@
-// Layers of a DXF file that are switched off or frozen: what lies on them is not seen in the drawing program.
+// Finds layers of a DXF file that are off or frozen: the drawing program does not show their entities.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,11 +14,12 @@ namespace keyblock::formats {
 /// Reads the records LAYER of the section TABLES: group 62 below 0 is off, bit 1 of group 70 is frozen.
 class DxfVisibility {
  public:
-  /// A layer that the table names is shown. Throws InputError where a flag or a colour is no whole number.
+  /// Shows every layer that the table `shown` names. Throws InputError if a flag or a colour is not a whole number.
   DxfVisibility(const DxfDocument& document, const LayerTable& shown);
 
   bool is_hidden(std::string_view layer) const;
-  /// A frozen layer of an INSERT hides all of its block, one that is off what takes its layer from the INSERT.
+  /// Returns true for a frozen layer. On an INSERT it hides the whole block; a layer that is off hides only the parts
+  /// that take the layer of the INSERT.
   bool is_frozen(std::string_view layer) const;
 
  private:
@@ -26,7 +27,7 @@ class DxfVisibility {
   std::set<std::string> frozen_;
 };
 
-/// Entities left out because they are not seen: counted, with their layers.
+/// Entities left out because they are hidden: their number and their layers.
 struct DxfHidden {
   std::size_t count = 0;
   std::set<std::string> layers = {};
@@ -34,7 +35,7 @@ struct DxfHidden {
 
   void add(std::string_view layer, const Place& place);
   void add_all(const DxfHidden& other);
-  /// One, or none.
+  /// Returns at most one warning.
   Warnings warnings() const;
 };
 

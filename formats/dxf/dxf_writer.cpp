@@ -18,7 +18,7 @@ namespace {
 constexpr int kColours = 6;  // 1 red, 2 yellow, 3 green, 4 cyan, 5 blue, 6 magenta; 7 is black or white
 constexpr int kPlain = 7;
 
-/// Collects entities and the layers they lie on.
+/// Collects entities and their layers.
 class EntityWriter {
  public:
   void line(const std::string& layer, const Segment& segment, const std::string& extended_data = "") {
@@ -42,7 +42,7 @@ class EntityWriter {
     text_ += fmt::format("0\n{}\n8\n{}\n", type, layer);
   }
 
-  /// Numbered layers take the colours in turn, the others are plain.
+  /// Numbered layers use the colours in turn, the others are plain.
   static int colour_of(std::string_view layer) {
     const std::size_t at = layer.rfind('_');
     if (at == std::string_view::npos || layer.starts_with("BOUNDARY")) return kPlain;

@@ -1,4 +1,4 @@
-// Chords of arcs; see dxf_curves.hpp.
+// Computes chords of arcs; see dxf_curves.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/curves/dxf_curves.hpp"
 
@@ -8,7 +8,7 @@
 namespace keyblock::formats {
 
 int chord_count(double sweep) {
-  // The middle of a chord of angle a misses its arc by r (1 - cos(a / 2)). The margin keeps a full circle at 32.
+  // The distance of a chord of angle a from its arc is r (1 - cos(a / 2)). The margin keeps a full circle at 32 chords.
   const double greatest_angle = 2 * std::acos(1 - kSagittaRatio);
   return std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / greatest_angle - 1e-9)));
 }
@@ -30,8 +30,8 @@ std::vector<Point> ellipse_points(Point centre, Point major, Point minor, double
 std::vector<Point> bulge_points(Point start, Point end, double bulge) {
   if (bulge == 0) return {};
   const double sweep = 4 * std::atan(bulge);
-  // The centre lies to the left of the chord by (1 - b²) / (4 b) of its length: r cos(sweep / 2) with r = c / (2
-  // sin(sweep / 2)).
+  // The centre lies left of the chord, at (1 - b²) / (4 b) of its length: r cos(sweep / 2) with r = c / (2 sin(sweep /
+  // 2)).
   const Point chord = end - start;
   const Point centre = start + 0.5 * chord + ((1 - bulge * bulge) / (4 * bulge)) * Point{-chord.y, chord.x};
   const Point arm = start - centre;

@@ -1,4 +1,4 @@
-// De Boor's algorithm, chords by halving, and the natural cubic spline; see dxf_spline.hpp.
+// Evaluates splines by de Boor's algorithm, halves chords, and computes the natural cubic spline; see dxf_spline.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/curves/dxf_spline.hpp"
 
@@ -14,7 +14,7 @@
 namespace keyblock::formats {
 namespace {
 
-/// A point times its weight, and the weight.
+/// Point multiplied by its weight, and the weight.
 struct Weighted {
   Point point;
   double weight = 1;
@@ -24,7 +24,7 @@ Weighted mixed(double share, const Weighted& a, const Weighted& b) {
   return {(1 - share) * a.point + share * b.point, (1 - share) * a.weight + share * b.weight};
 }
 
-/// The piece between two knots in which a parameter lies: the index of the knot before it.
+/// Returns the piece between two knots that contains a parameter: the index of the knot before it.
 std::size_t piece_of(const Nurbs& curve, double parameter) {
   const auto first = curve.knots.begin() + curve.degree;
   const auto last = curve.knots.begin() + static_cast<std::ptrdiff_t>(curve.controls.size());
@@ -34,7 +34,7 @@ std::size_t piece_of(const Nurbs& curve, double parameter) {
   return static_cast<std::size_t>(after - curve.knots.begin()) - 1;
 }
 
-/// Chords of one curve.
+/// Computes the chords of one curve.
 class Halving {
  public:
   explicit Halving(const Nurbs& curve) : curve_(curve) {
@@ -52,7 +52,7 @@ class Halving {
   }
 
  private:
-  // A curve that turns back within a piece may cross its chord: a piece begins in as many parts as it can turn.
+  // A curve with a turning point within a piece may cross its chord: each piece begins with a part per possible turn.
   void add_piece(double from, double to) {
     const int parts = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(1, curve_.degree - 1))));
     for (int i = 0; i < parts; ++i) {
@@ -84,7 +84,7 @@ class Halving {
   std::vector<Point> points_;
 };
 
-/// Slopes of the natural spline at its points: one tridiagonal system (Thomas).
+/// Computes the slopes of the natural spline at its points: one tridiagonal system (Thomas).
 std::vector<Point> slopes_at(const std::vector<Point>& points, const std::vector<double>& steps) {
   const std::size_t n = points.size();
   std::vector<double> upper(n, 0);
@@ -136,7 +136,7 @@ std::vector<Point> spline_points(const Nurbs& curve) {
   return Halving(curve).points();
 }
 
-// Each piece as a Bézier curve: knots of multiplicity 3 between them.
+// Each piece is a Bézier curve: knots of multiplicity 3 between them.
 Nurbs spline_through(const std::vector<Point>& points) {
   std::vector<double> steps;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) steps.push_back(distance(points[i], points[i + 1]));

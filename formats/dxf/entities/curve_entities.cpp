@@ -1,4 +1,4 @@
-// Reads the groups of curves; their chords are made by curves/.
+// Reads the groups of curves; curves/ computes their chords.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/entities/curve_entities.hpp"
 
@@ -15,8 +15,8 @@ namespace keyblock::formats {
 namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
-constexpr double kFull = 1e-4;       // rad: an ellipse that lacks less is whole, as files with few digits write it
-constexpr double kSamePoint = 1e-9;  // over the size of a spline: its ends are one point
+constexpr double kFull = 1e-4;       // rad: an ellipse that lacks less is full, as files with few digits write it
+constexpr double kSamePoint = 1e-9;  // over the size of a spline: its ends coincide
 enum SplineFlag { kClosedSpline = 1 };
 
 void add_chords(DxfShape& shape, std::size_t chords) {
@@ -29,12 +29,12 @@ void close_chain(DxfShape& shape) {
   shape.is_closed = true;
 }
 
-/// The points of a SPLINE as its groups list them.
+/// Reads the points of a SPLINE from its groups.
 class SplineReader {
  public:
   SplineReader(const DxfDocument& document, const DxfRecord& record) : document_(document), record_(record) {}
 
-  /// Every point, and the lowest and highest z in `shape`.
+  /// Reads every point, and the lowest and highest z into `shape`.
   void read(DxfShape& shape) {
     for (const DxfGroup& group : record_.groups) {
       if (group.code >= 1000) break;
@@ -48,7 +48,7 @@ class SplineReader {
     if (waiting_ != nullptr) complain();
   }
 
-  /// Takes the control points, else the fit points; nothing if neither makes a curve.
+  /// Returns the control points, otherwise the fit points; empty if neither makes a curve.
   std::vector<Point> points(bool is_closed) {
     if (is_sound(curve_)) return spline_points(curve_);
     const auto end = std::ranges::unique(fit_).begin();
@@ -88,7 +88,7 @@ class SplineReader {
   const DxfRecord& record_;
   Nurbs curve_;
   std::vector<Point> fit_;
-  std::vector<Point>* waiting_ = nullptr;  ///< the list whose last point lacks its y
+  std::vector<Point>* waiting_ = nullptr;  ///< list whose last point lacks its y
   bool has_height_ = false;
 };
 

@@ -1,4 +1,4 @@
-// CIRCLE, ARC, ELLIPSE and SPLINE of a DXF file as chains of chords.
+// Reads CIRCLE, ARC, ELLIPSE and SPLINE of a DXF file as chains of chords.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,11 +7,12 @@
 
 namespace keyblock::formats {
 
-/// In the plane of the entity, which is seen from the side of its normal.
+/// Returns the shape in the plane of the entity, seen from the side of its normal.
 DxfShape circle_of(const DxfRecordValues& values, const DxfRecord& record);
 DxfShape arc_of(const DxfRecordValues& values, const DxfRecord& record);
 
-/// In world coordinates, whatever the normal. A spline whose knots, points or weights make no curve has no points.
+/// Returns the shape in world coordinates, for any normal. A spline whose knots, points or weights make no curve has no
+/// points.
 DxfShape ellipse_of(const DxfDocument& document, const DxfRecordValues& values, const DxfRecord& record);
 DxfShape spline_of(const DxfDocument& document, const DxfRecordValues& values, const DxfRecord& record);
 

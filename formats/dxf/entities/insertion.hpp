@@ -1,4 +1,4 @@
-// Places the shapes of a block where an INSERT draws them: scaled, turned, moved, in rows and columns.
+// Places the shapes of a block where an INSERT draws them: scaled, rotated, moved, in rows and columns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace keyblock::formats {
 
 struct DxfInsertion {
-  /// Throws InputError where a value is wrong.
+  /// Throws InputError if a value is wrong.
   DxfInsertion(const DxfRecordValues& values, const DxfRecord& record, const DxfDefinition& definition);
 
   Point placed(Point p, int column, int row) const {
@@ -21,8 +21,8 @@ struct DxfInsertion {
   Point at;
   double x = 1, y = 1, z = 1;  ///< scales
   double cosine = 1, sine = 0;
-  double height = 0;  ///< that is added to z
-  Point array;        ///< distance of columns, of rows, before turning
+  double height = 0;  ///< added to z
+  Point array;        ///< distance of columns, of rows, before the rotation
   int columns = 1, rows = 1;
 };
 

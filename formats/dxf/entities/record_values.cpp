@@ -10,7 +10,7 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr double kUpright = 1e-9;  // tilts below this are the rounding of drawing programs
+constexpr double kUpright = 1e-9;  // smaller tilts are rounding errors of drawing programs
 constexpr std::string_view kApplication = "KEYBLOCK";
 
 }  // namespace
