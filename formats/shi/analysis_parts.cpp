@@ -1,4 +1,4 @@
-// Reads and writes the parts that native analysis files share.
+// Reads and writes the common parts of native analysis files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/shi/analysis_parts.hpp"
 
@@ -15,8 +15,8 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr double kPenaltyFactor = 50;  // of the old programs, over the largest Young's modulus
-constexpr double kEndOfTime = 100000;  // of the rows that they insert themselves
+constexpr double kPenaltyFactor = 50;  // of Shi's programs, over the largest Young's modulus
+constexpr double kEndOfTime = 100000;  // last time in rows that Shi's programs insert
 
 int next_material_count(Cursor& cursor, std::string_view name) {
   const Place place = cursor.place();
@@ -98,7 +98,7 @@ Warnings next_contact_stiffness(Cursor& cursor, Analysis& analysis) {
 
 std::vector<BlockMaterial> next_block_materials(Cursor& cursor, int count,
                                                 void (*next_head)(Cursor& cursor, BlockMaterial& material)) {
-  constexpr std::size_t kFewestNumbers = 13;  // of a record: four at its head, stress, its gradient and the velocity
+  constexpr std::size_t kFewestNumbers = 13;  // per record: four at its head, stress, its gradient and the velocity
   std::vector<BlockMaterial> materials;
   materials.reserve(std::min(static_cast<std::size_t>(std::max(0, count)), cursor.numbers_left() / kFewestNumbers));
   for (int i = 0; i < count; ++i) {

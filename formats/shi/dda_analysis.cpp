@@ -1,4 +1,4 @@
-// Reads and writes Berkeley's and Shi's native analysis files; layout in the header.
+// Reads and writes Berkeley's and Shi's native analysis files; the layout is in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/shi/dda_analysis.hpp"
 
@@ -22,7 +22,7 @@ constexpr std::int64_t kBlockMaterialSize = 13;
 constexpr std::int64_t kJointMaterialSize = 3;
 constexpr Demand kRowCount{[](double v) { return is_whole(v) && (v == 0 || v >= 2); }, "0, or 2 and more"};
 
-/// Numbers taken by the materials a head announces; nothing where the head cannot be one.
+/// Numbers of the materials that a head announces; nothing if it cannot be a head.
 struct Materials {
   std::int64_t blocks, joints;
 
@@ -37,8 +37,8 @@ std::optional<Materials> materials_of(std::span<const double> numbers) {
   return Materials{static_cast<std::int64_t>(numbers[2]), static_cast<std::int64_t>(numbers[3])};
 }
 
-/// Whether block materials can stand from `at` on: mass, E and nu have possible values. The numbers must be
-/// there.
+/// Returns true if block materials may stand from `at` on: mass, E and nu have possible values. Precondition: the
+/// numbers exist.
 bool block_materials_at(std::span<const double> numbers, std::int64_t at, std::int64_t count) {
   for (std::int64_t i = 0; i < count; ++i) {
     const auto material = numbers.subspan(at + kBlockMaterialSize * i);
@@ -47,7 +47,8 @@ bool block_materials_at(std::span<const double> numbers, std::int64_t at, std::i
   return true;
 }
 
-/// More numbers than Berkeley's file has, and no block material where its first would stand: Shi's file, if any.
+/// Returns true for more numbers than in Berkeley's file and no block material at its first place: only Shi's file
+/// fits.
 bool is_like_shi(std::span<const double> numbers, const Materials& materials) {
   const auto have = static_cast<std::int64_t>(numbers.size());
   return have > 6 + materials.size() && !block_materials_at(numbers, 6, materials.blocks);
@@ -70,7 +71,7 @@ Recognition recognise_berkeley(const Tokens& tokens) {
                                     format_real(tokens.numbers[0]))};
 }
 
-/// Whether the rows behind `points` flags, the first at `flags`, can be curves: times increase within each.
+/// Returns true if the rows after `points` flags, the first at `flags`, may be curves: times increase within each.
 bool times_increase(std::span<const double> numbers, std::int64_t flags, std::int64_t points) {
   std::int64_t time = flags + points;
   for (const double flag : numbers.subspan(flags, points)) {
@@ -82,7 +83,7 @@ bool times_increase(std::span<const double> numbers, std::int64_t flags, std::in
   return true;
 }
 
-/// Every number of points that turns the count equation of Shi's file into the count the file has.
+/// Returns every number of points with which the count equation of Shi's file gives the count of the file.
 std::vector<int> possible_point_counts(std::span<const double> numbers) {
   const auto materials = materials_of(numbers);
   const auto have = static_cast<std::int64_t>(numbers.size());
@@ -129,10 +130,10 @@ Reading read_berkeley(const Source& source, const ReadHint&) {
   return {{{}, {}, std::move(analysis)}, cursor.remainder()};
 }
 
-/// How many of the points with a flag are fixed and how many carry loads.
+/// Number of points with a flag, and of those that are fixed; the others are loaded.
 struct CurveCounts {
   int points = 0;
-  std::optional<int> fixed;  ///< absent: not known without the geometry
+  std::optional<int> fixed;  ///< absent: unknown without the geometry
 };
 
 CurveCounts curve_counts(const Tokens& tokens, const ReadHint& hint) {
@@ -183,7 +184,7 @@ std::vector<TimeCurve> next_curves(Cursor& cursor, int points) {
   return curves;
 }
 
-/// Curves to the two lists of the analysis. Without the geometry this is possible only where none has rows.
+/// Assigns curves to the two lists of the analysis. Without the geometry this is possible only if none has rows.
 Analysis with_curves(Analysis analysis, const std::vector<TimeCurve>& curves, const CurveCounts& counts) {
   if (counts.fixed) {
     analysis.fixed_point_motions.assign(curves.begin(), curves.begin() + *counts.fixed);
@@ -234,7 +235,7 @@ std::string write_berkeley(const Content& content) {
   return controls_text(analysis) + materials_text(analysis);
 }
 
-/// The curves as the file has room for them: one a point of the geometry where its points are known.
+/// Returns the curves in the form of the file: one per point of the geometry if its points are known.
 std::vector<TimeCurve> curves_to_write(std::vector<TimeCurve> curves, std::optional<int> points) {
   if (points) curves.resize(static_cast<std::size_t>(*points));
   for (TimeCurve& curve : curves) curve = with_two_rows(std::move(curve));

@@ -1,4 +1,4 @@
-// Reads and writes the block file; layout in the header.
+// Reads and writes the block file; the layout is in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/shi/dda_blocks.hpp"
 
@@ -39,14 +39,14 @@ std::optional<Head> head_of(std::span<const double> numbers) {
   return head;
 }
 
-/// Numbers a point takes: 4 or 3, from the total; nothing where neither fits.
+/// Returns the numbers per point, 4 or 3, from the total; nothing if neither fits.
 std::optional<int> point_size(const Head& head, std::size_t numbers) {
   for (const int size : {4, 3})
     if (head.before_points() + size * head.points() == static_cast<std::int64_t>(numbers)) return size;
   return std::nullopt;
 }
 
-/// Whether the blocks' slot ranges follow each other as the writer lays them out and fill the slots.
+/// Returns true if the blocks' slot ranges follow each other, as the writer lays them out, and fill the slots.
 bool ranges_follow(std::span<const double> numbers, const Head& head) {
   double expected_start = 1;
   for (std::int64_t block = 0; block < head.blocks; ++block) {
@@ -162,7 +162,7 @@ std::vector<BlockPoint> next_points(Cursor& cursor, std::string_view noun, int c
   return points;
 }
 
-/// Points the cutting program found in no block carry block 0: they are dropped, each with a warning.
+/// Points that the cutting program found in no block have block 0: they are dropped, each with a warning.
 Warnings outside_warnings(const std::vector<BlockPoint>& points, std::string_view noun) {
   Warnings warnings;
   for (const BlockPoint& point : points)
@@ -172,13 +172,13 @@ Warnings outside_warnings(const std::vector<BlockPoint>& points, std::string_vie
   return warnings;
 }
 
-/// A load without a block is no odd input but a lost load, and would shift the curves of those behind it.
+/// A load without a block would be lost, and would shift the curves of the following points: it is an error.
 void refuse_outside(const std::vector<BlockPoint>& loading_points) {
   for (const BlockPoint& point : loading_points)
     if (point.block < 0) throw InputError(point.place, "expected a loading point within a block, found one in block 0");
 }
 
-/// Slots between those of blocks may hold anything; in a block's own a fraction is no joint material.
+/// Only slots of blocks are checked: a fraction there is not a joint material. Other slots may hold any number.
 Warnings fraction_warnings(const Tokens& tokens, const Head& head) {
   Warnings warnings;
   for (std::int64_t block = 0; block < head.blocks; ++block) {
@@ -235,7 +235,7 @@ Head next_head(Cursor& cursor) {
   return head;
 }
 
-/// The file's content as it stands: points in block 0 are still there, joint materials where they were found.
+/// Reads the content unchanged: with points in block 0, and joint materials at their places in the file.
 Blocks next_blocks(Cursor& cursor, const Head& head, int point_numbers) {
   const int block_count = static_cast<int>(head.blocks);
   const int slot_count = static_cast<int>(head.slots);
@@ -315,7 +315,7 @@ std::string points_text(const std::vector<BlockPoint>& points, std::optional<int
   return text;
 }
 
-/// Everything but the points.
+/// Writes all content except the points.
 std::string text_before_points(const Content& content) {
   if (!content.blocks) throw std::invalid_argument("a block file needs blocks");
   const Blocks& blocks = *content.blocks;

@@ -1,4 +1,5 @@
-// The block file: what Shi's cutting program hands to his analysis program (`blck`, `block.in`, `*.blk`).
+// Reads and writes the block file, which Shi's cutting program passes to his analysis program (`blck`, `block.in`,
+// `*.blk`).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Numbers in this order, line breaks without meaning. [S] public source, [C] its comments.
@@ -9,11 +10,11 @@
 //   nBolts × x1 y1 x2 y2 n1 n2 e t f  ends, carrying blocks, stiffness, strength, pre-tension              [S]
 //   (nF + nL + nMe) × type x y block  type: 0 fixed, 1 measured, 2 loading                                 [S]
 //                     or x y block                                                                         [C]
-// Total: 6 + 3 nBlocks + 3 oo + 9 nBolts + (4 or 3) points. Slots of a block: its vertices counter-clockwise, the first
-// again, then three of scratch: (0, greatest radius, area), (0, Sx, Sy), (0, x, y of the centroid). In slot p stands
-// the material of the edge that arrives there from p − 1 (Berkeley). Whether another program meant the edge that leaves
-// is found out from the edges two blocks share: both must give them one material.
-// The file cannot hold holes of blocks; only outer loops are written, and the caller says so.
+// Total: 6 + 3 nBlocks + 3 oo + 9 nBolts + (4 or 3) points. Slots of a block are its vertices counter-clockwise, the
+// first again, then three of scratch: (0, greatest radius, area), (0, Sx, Sy), (0, x, y of the centroid). Slot p has
+// the material of the edge that arrives there from p − 1 (Berkeley). Another program may mean the edge that leaves. The
+// edges that two blocks share decide: both must give them one material. The file cannot hold holes of blocks; only
+// outer loops are written, and the caller warns.
 #pragma once
 
 #include "formats/format.hpp"
@@ -21,6 +22,6 @@
 namespace keyblock::formats {
 
 extern const Format kDdaBlocks;         ///< reads both kinds of points, writes those of 4 numbers
-extern const Format kDdaBlocksOfThree;  ///< never chosen for a file: to write points of 3 numbers
+extern const Format kDdaBlocksOfThree;  ///< for writing points of 3 numbers; never chosen for reading
 
 }  // namespace keyblock::formats

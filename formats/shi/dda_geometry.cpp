@@ -1,4 +1,4 @@
-// Reads and writes the native geometry file; layout in the header.
+// Reads and writes the native geometry file; the layout is in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/shi/dda_geometry.hpp"
 
@@ -17,7 +17,7 @@
 namespace keyblock::formats {
 namespace {
 
-/// The parts in which known files differ.
+/// Parts in which known files differ.
 struct Layout {
   int head = 9;  ///< 8: no count of hole points
   int bolt = 7;
@@ -26,7 +26,7 @@ struct Layout {
   bool operator==(const Layout&) const = default;
 };
 
-/// The counts of the head, and what a layout makes of them.
+/// Counts of the head, and the resulting totals of a layout.
 struct Head {
   std::int64_t lines, boundaries, material_lines, bolts, fixed, loading, measured, holes;
 
@@ -47,14 +47,14 @@ std::optional<Head> head_of(std::span<const double> numbers, int head_size) {
   return Head{counts[0], counts[1], counts[2], counts[3], counts[4], counts[5], counts[6], counts[7]};
 }
 
-/// Material numbers stand where a wrong layout would find coordinates; called only where the total fits.
+/// Checks material numbers, where a wrong layout has coordinates. Precondition: the total fits.
 bool materials_are_whole(std::span<const double> numbers, const Head& head, const Layout& layout) {
   for (std::int64_t i = 0; i < head.lines + head.material_lines; ++i)
     if (!is_whole(numbers[layout.head + 5 * i + 4])) return false;
   return true;
 }
 
-/// Fixed records of 2 numbers are not believed where the first record repeats a point, as 4 numbers do.
+/// Rejects fixed records of 2 numbers if the first record repeats a point, as records of 4 numbers do.
 bool repeats_first_fixed_point(std::span<const double> numbers, const Head& head, const Layout& layout) {
   const std::int64_t at = head.before_fixed(layout);
   if (at + 4 > static_cast<std::int64_t>(numbers.size())) return false;
@@ -79,7 +79,7 @@ std::optional<Layout> variant_of(std::span<const double> numbers) {
   return std::nullopt;
 }
 
-/// How many loading, measured and hole points a file lacks that ends cleanly among them; else 0.
+/// Returns the number of missing loading, measured and hole points if the file ends cleanly among them; otherwise 0.
 std::int64_t points_missing(const Tokens& tokens) {
   const auto head = head_of(tokens.numbers, 9);
   if (!head || tokens.junk()) return 0;
@@ -192,7 +192,7 @@ std::vector<FixedLine> next_fixed_lines(Cursor& cursor, std::size_t count, int n
   return lines;
 }
 
-/// `present`: how many of the announced points the file still holds.
+/// `present`: number of announced points that the file still holds.
 std::vector<MarkedPoint> next_points(Cursor& cursor, std::string_view noun, std::size_t count, std::size_t present) {
   std::vector<MarkedPoint> points;
   points.reserve(std::min(count, present));

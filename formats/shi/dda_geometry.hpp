@@ -1,4 +1,4 @@
-// The native geometry (line) file: what Shi's cutting program reads.
+// Reads and writes the native geometry (line) file, the input of Shi's cutting program.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Numbers in this order, line breaks without meaning. [D] shown by data, [S] by public source, [R] inferred.
@@ -11,9 +11,9 @@
 //   nF    × x1 y1 x2 y2     a point repeats its coordinates                                            [S][D]
 //   nL, nMe, nH × x y                                                                                  [S]
 // Total: 9 + 5 (nJ + nM) + 7 nBolt + 4 nF + 2 (nL + nMe + nH).
-// Variants read with a warning where only they give the file's total [R]: fixed points of 2 numbers; bolts of
-// 0, 4 (ends only) or 9 numbers (ends, two block numbers, e t f); no nH; points missing at the end of the
-// file.
+// Variants are read, with a warning, only if no other layout gives the file's total [R]. They are fixed points of 2
+// numbers; bolts of 0, 4 (ends only) or 9 numbers (ends, two block numbers, e t f); no nH; points missing at the end of
+// the file.
 #pragma once
 
 #include "formats/format.hpp"

@@ -25,8 +25,8 @@ double half_size(const std::vector<BlockPolygon>& blocks) {
   return std::max(high.x - low.x, high.y - low.y) / 2;
 }
 
-/// Gives points that lie within a tolerance of each other one number, by a grid of cells of that size. Cell
-/// numbers stay doubles: a scene may be too wide for integers.
+/// Gives points within a tolerance of each other one number, by a grid of cells of that size. Cell numbers stay
+/// doubles: a scene may be too wide for integers.
 class PointNumbers {
  public:
   explicit PointNumbers(double tolerance) : tolerance_(tolerance > 0 ? tolerance : 1) {}

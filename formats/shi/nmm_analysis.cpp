@@ -1,4 +1,4 @@
-// Reads and writes the analysis file of the manifold program; layout in the header.
+// Reads and writes the analysis file of the manifold program; the layout is in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/shi/nmm_analysis.hpp"
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kUsualOverRelaxation = 1.5;  // files hold 1.4 to 1.9
 
-/// E and nu of each material stand where they would if `loads` loading points come before, and the file holds them all.
+/// Returns true if E and nu of each material fit after `loads` loading points, and the file holds them all.
 bool materials_follow(std::span<const double> n, std::size_t loads) {
   if (static_cast<double>(n.size()) < 7 + 2 * static_cast<double>(loads) + 14 * n[2]) return false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(n[2]); ++i) {
@@ -30,7 +30,7 @@ bool materials_follow(std::span<const double> n, std::size_t loads) {
   return true;
 }
 
-/// The number of loading points that gives the file's total; nothing where none does.
+/// Returns the number of loading points that gives the file's total; nothing if none does.
 std::optional<std::size_t> loads_by_total(std::span<const double> n) {
   const auto is_count = [](double v) { return is_whole(v) && v >= 0; };
   if (n.size() < 7 || !kShare.holds(n[0]) || !std::ranges::all_of(n.subspan(1, 3), is_count) || n[2] < 1) return {};

@@ -1,4 +1,4 @@
-// Reads and writes the cover file; layout in the header.
+// Reads and writes the cover file; the layout is in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/shi/nmm_cover.hpp"
 
@@ -21,8 +21,8 @@ namespace keyblock::formats {
 namespace {
 
 constexpr std::size_t kHeadSize = 8;
-constexpr std::size_t kManyNumbers = 1000000;  // some milliseconds of work: worth a thread
-constexpr std::size_t kFewElements = 20000;    // whose places take some hundredths of a second
+constexpr std::size_t kManyNumbers = 1000000;  // some milliseconds of work: enough for a thread
+constexpr std::size_t kFewElements = 20000;    // their places take some hundredths of a second
 constexpr int kSlotsAnElement = 4;             // three corners and the first again
 
 struct Head {
@@ -35,7 +35,7 @@ struct Head {
   }
 };
 
-/// A polygon takes 3 vertices and its first again; a block file differs by a 1 in the eighth place.
+/// A polygon has 3 vertices and its first again; a block file differs by a 1 in the eighth place.
 std::optional<Head> head_of(std::span<const double> n) {
   if (n.size() < kHeadSize) return std::nullopt;
   if (!std::ranges::all_of(n.first(kHeadSize), [](double v) { return is_whole(v) && v >= 0; })) return std::nullopt;
@@ -44,7 +44,7 @@ std::optional<Head> head_of(std::span<const double> n) {
   return Head{count(0), count(1), count(2), count(3), count(4), count(5), count(6), count(7)};
 }
 
-/// The number of elements with which the head would fit the file, where it is the head's only fault.
+/// Returns the number of elements with which the head would fit the file, if it is the only error of the head.
 std::optional<int> fitting_elements(std::span<const double> n) {
   constexpr std::size_t kElementSize = 6;
   if (n.size() < kHeadSize || !is_whole(n[0]) || n[0] < 1 || !is_whole(n[4])) return std::nullopt;
@@ -72,7 +72,7 @@ Recognition recognise(const Tokens& tokens) {
   return {head->total() < have ? Fit::surplus : Fit::damaged, evidence};
 }
 
-/// Walks over a cover file. Every list is as long as its count, which the words of the file have already borne out.
+/// Reads a cover file. Every list is as long as its count, which the words of the file have confirmed.
 class CoverReader {
  public:
   explicit CoverReader(const Tokens& tokens) : tokens_(tokens), cursor_(tokens) {}
@@ -114,7 +114,8 @@ class CoverReader {
                              head_.slots / kSlotsAnElement, head_.slots, head_.elements));
   }
 
-  /// The positions, most of a long file, on a thread of their own. An error is told of the list that stands first.
+  /// Reads the positions, most of a long file, on a separate thread. The error of the first list in the file is
+  /// reported.
   void read_lists() {
     CoverReader positions = *this;
     const std::size_t count = 2 * (static_cast<std::size_t>(head_.slots) + static_cast<std::size_t>(head_.covers));
@@ -147,7 +148,7 @@ class CoverReader {
 
   int next_index_of(int count, std::string_view name) { return cursor_.next_integer_between(1, count, name) - 1; }
 
-  /// `least_element` 0: a point that sits in no element is left out; 1: it is refused.
+  /// `least_element` 0: a point in no element is left out; 1: it is rejected.
   void read_points(std::string_view noun, int count, int least_element, std::vector<CoverPoint>& points) {
     reserve_large(points, static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
@@ -165,7 +166,7 @@ class CoverReader {
     }
   }
 
-  /// At least 3 corners, and room for the first again.
+  /// Requires at least 3 corners, and space for the first again.
   SlotRange next_range(int slots, std::string_view first_name, std::string_view last_name) {
     const int first = cursor_.next_integer_between(1, slots - 3, first_name);
     const int last = cursor_.next_integer_between(first + 2, slots - 1, last_name);
@@ -192,7 +193,7 @@ class CoverReader {
     }
   }
 
-  /// Keeps the places of few elements only: those of all would take longer than reading them.
+  /// Stores the places only if there are few elements: for all it would take longer than reading them.
   void place_elements() {
     const std::size_t points = cover_points();
     const bool are_few = cover_.elements.size() <= kFewElements;
@@ -244,7 +245,7 @@ Reading read_tokens(const Tokens& tokens, const ReadHint&) {
   return reading;
 }
 
-/// Element numbers of points stand as reals, as in every file known.
+/// Writes element numbers of points as reals, as in every known file.
 void write_points(std::string& text, const std::vector<CoverPoint>& points) {
   for (const CoverPoint& point : points)
     fmt::format_to(std::back_inserter(text), "{} {} {}.000000\n", format_real(point.position.x),

@@ -1,4 +1,4 @@
-// The cover file of Shi's manifold program: the cut mesh that `mc` hands to `mf` (`cvNN`).
+// Reads and writes the cover file of Shi's manifold program: the cut mesh that `mc` passes to `mf` (`cvNN`).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Numbers in this order, line breaks without meaning; all shown by data [D].
@@ -11,7 +11,7 @@
 //   nE × c1 c2 c3             physical covers of each element
 //   nLoop × start end         first and last slot among the loop vertices; end + 1 repeats the first
 //   nLV × v j                 vertex slot, and joint material of the edge from here to the next
-// Total: 8 + 3 (nF + nL + nM) + 6 nE + 2 (nV + nC + nLoop + nLV). Elements stand in any order of their slots.
+// Total: 8 + 3 (nF + nL + nM) + 6 nE + 2 (nV + nC + nLoop + nLV). Elements are in any order of their slots.
 #pragma once
 
 #include "formats/format.hpp"
