@@ -1,4 +1,4 @@
-// Reads the blocks of a measured-point file; layout in the header.
+// Reads the blocks of a measured-point file; the layout is in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/berkeley_measured.hpp"
 
@@ -29,7 +29,7 @@ Recognition recognise_measured(const Source& source) {
   return {Recognition::Fit::exact, "it begins with measpoint"};
 }
 
-/// Walks from block to block; the numbers within one are tokens of their own.
+/// Reads block after block; the numbers within one are separate tokens.
 class MeasuredReader {
  public:
   explicit MeasuredReader(const Source& source)
@@ -65,7 +65,7 @@ class MeasuredReader {
     return track;
   }
 
-  /// The number in `measpoint12 = [`.
+  /// Returns the number in `measpoint12 = [`.
   int next_number(std::size_t open) const {
     const std::size_t first = at_ + kMark.size();
     Tokens tokens{map_, text_.substr(0, text_.find('=', first)), Syntax::xml, open};

@@ -1,4 +1,4 @@
-// Reads the frames of a replay file; layout in the header.
+// Reads the frames of a replay file; the layout is in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/berkeley_replay.hpp"
 
@@ -26,7 +26,7 @@ struct Head {
   std::int64_t frame() const { return 3 * (slots + 1) + 9 * bolts + 4 * (points() + 1); }
 };
 
-/// The slot ranges must follow each other and fill the slots: no other file does so behind a row too many.
+/// The slot ranges must follow each other and fill the slots: no other file does so after a surplus row.
 std::optional<Head> head_of(std::span<const double> n) {
   if (n.size() < static_cast<std::size_t>(kHeadSize)) return std::nullopt;
   for (const double number : n.first(kHeadSize))
@@ -110,7 +110,7 @@ class ReplayReader {
 
   std::vector<Point> next_slots() {
     skip(3);
-    std::vector<Point> slots;  // grows as the file bears out: its first frame may be cut
+    std::vector<Point> slots;  // grows as the file confirms: its first frame may be cut
     for (std::int64_t i = 0; i < head_.slots; ++i) {
       skip(1);
       const double x = cursor_.next_real("x of a vertex slot");

@@ -1,9 +1,9 @@
-// Accelerations of the blocks in time, as of an earthquake: a table beside the files of a case.
+// Reads accelerations of the blocks over time, such as those of an earthquake: a table next to the files of a case.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Layout: CSV with a header and the columns `time`, `ax`, `ay`, in any order; others are passed over. Times increase
-// from row to row; the acceleration is linear between rows, and before the first and after the last row that of the
-// nearest one. Units are those of the input: [T], [L/T²].
+// Layout: CSV with a header and the columns `time`, `ax`, `ay`, in any order; others are ignored. Times increase from
+// row to row. The acceleration is linear between rows; before the first and after the last row it is constant. Units
+// are those of the input: [T], [L/T²].
 #pragma once
 
 #include "formats/format.hpp"
@@ -11,7 +11,7 @@
 
 namespace keyblock::formats {
 
-/// Throws InputError, with the cell, where a column is missing, a value is no number, times do not increase, or there
+/// Throws InputError, with the cell, if a column is missing, a value is not a number, times do not increase, or there
 /// is no row.
 TimeCurve read_body_acceleration(const Source& source);
 

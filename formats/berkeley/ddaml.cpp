@@ -1,4 +1,4 @@
-// Finds the geometry and the analysis of a DDAML document and has each read; has both written.
+// Finds the geometry and the analysis of a DDAML document, and has them read and written.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/ddaml.hpp"
 

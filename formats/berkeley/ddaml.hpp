@@ -1,4 +1,4 @@
-// DDAML, the XML geometry and analysis files of Berkeley's DDA program.
+// Reads and writes DDAML, the XML geometry and analysis files of Berkeley's DDA program.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Root `DDA` with `Geometry` and `Analysis`, one or both, any prefix and namespace; a root `Geometry` or

@@ -1,4 +1,4 @@
-// Reads controls, materials and loads of a DDAML analysis; elements in the header.
+// Reads controls, materials and loads of a DDAML analysis; the elements are in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/ddaml_analysis.hpp"
 
@@ -27,7 +27,7 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// The controls a file should state, and what is taken where it does not. The warning is `default_NAME`.
+/// Controls that a file should state, and their defaults. The warning is `default_NAME`.
 struct Default {
   std::string_view element;
   std::string_view value;
@@ -44,7 +44,7 @@ constexpr std::array<std::string_view, 4> kManyTimes{"Blockmaterial", "Jointprop
                                                      "Loadpointlist"};
 constexpr std::array<std::string_view, 2> kPassedOver{"Mintimestep", "Writevertices"};
 
-/// Values of elements and attributes, with the warnings that reading them gives.
+/// Reads values of elements and attributes, and collects warnings.
 class ElementValues {
  public:
   Warnings take_warnings() { return std::move(warnings_); }
@@ -55,7 +55,7 @@ class ElementValues {
 
   void pass_over(const Element& element) { add_warning(warnings_, ignored(element)); }
 
-  /// Of parts that may stand once; `taken`: which of several counts.
+  /// Warns of elements that may occur only once; `taken`: which of several counts.
   void warn_of_repeated(const Element& element, std::string_view taken) {
     std::set<std::string_view> names;
     for (const Element& child : element.children())
@@ -86,8 +86,7 @@ class ElementValues {
     return value;
   }
 
-  /// The choice an attribute makes among words, the first of which is taken for anything else, with a
-  /// warning.
+  /// Returns the index of an attribute's word; for any other word the first, with a warning.
   std::size_t choice_of(const Element& element, std::string_view attribute,
                         const std::vector<std::string_view>& words) {
     const auto found = element.attribute(attribute);
@@ -173,7 +172,7 @@ class AnalysisReader {
   };
   static const std::array<Handler, 19> kHandlers;
 
-  /// Before the materials, whichever comes first: plane strain narrows Poisson's ratio.
+  /// Read before the materials in every order of elements: plane strain narrows Poisson's ratio.
   void read_plane(const std::vector<Element>& children) {
     for (const Element& child : children)
       if (child.name() == "Planestrain") analysis_.plane_strain = values_.flag_of(child);
@@ -240,7 +239,7 @@ class AnalysisReader {
       values_.warn("default_pfactor", element.place(), "Autopenalty has no pfactor; taken as 50");
   }
 
-  void pass_over(const Element&) {}  // Planestrain: read ahead of the rest
+  void pass_over(const Element&) {}  // Planestrain: read before the other elements
 
   void read_step_count(const Element& element) {
     analysis_.step_count = values_.attribute_integer(element, "timesteps", kStepCount);

@@ -1,15 +1,14 @@
-// The `Analysis` element of DDAML.
+// Reads the `Analysis` element of DDAML.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 //   Numtimesteps timesteps, Maxtimestep maxtimestep, Maxdisplacement maxdisplacement   required
-//   Analysistype type       dynamic, else static; default static, with a warning
+//   Analysistype type       dynamic, otherwise static; default static, with a warning
 //   Rotation type           linear; secondorder and exact are both exact; default linear, with a warning
 //   Gravity flag            yes: Berkeley's gravity phase, which is skipped; default no, with a warning
 //   Gravaccel value         length / time²; default 9.81, with a warning
-//   Autotimestep flag       default no, with a warning; likewise Planestrain flag
+//   Autotimestep flag       default no, with a warning; the same for Planestrain flag
 //   Autopenalty flag, pfactor   pfactor × largest E is the starting penalty, flag only lets it change; default 50 with
-//                               a
-//                           warning: Berkeley's own default, 0, leaves contacts without stiffness
+//                               a warning: Berkeley's own default, 0, leaves contacts without stiffness
 //   Opencloselimit or OCLimit maxopenclose   default 8
 //   Saveinterval step       1 if absent, 10 if empty or 0
 //   AConstants > Openclose, Opencriteria, NormSpringPen, AngleOverlap, ShearNormRatio value
@@ -20,8 +19,8 @@
 //                           program uses Ivelocity as stress gradient too and Istrain hardly at all (legacy-rules 16.1)
 //   Jointproperties > Friction, Cohesion, Tensile
 //   Boltproperties          stiffness, strength, pre-tension
-//   Loadpointlist > Loadpoint numpoints ≥ 2   t px py; …   one curve a loading point, in order
-// Mintimestep, Writevertices and MinReflineFactor say nothing a rerun needs and are passed over in silence.
+//   Loadpointlist > Loadpoint numpoints ≥ 2   t px py; …   one curve per loading point, in order
+// A rerun does not need Mintimestep, Writevertices and MinReflineFactor; they are ignored without a warning.
 #pragma once
 
 #include "formats/xml/xml_document.hpp"

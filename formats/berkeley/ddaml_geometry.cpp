@@ -1,4 +1,4 @@
-// Reads the lists of a DDAML geometry; elements in the header.
+// Reads the lists of a DDAML geometry; the elements are in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/ddaml_geometry.hpp"
 

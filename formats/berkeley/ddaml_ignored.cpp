@@ -1,4 +1,4 @@
-// Names of the warnings; see ddaml_ignored.hpp.
+// Names the warnings about skipped elements; see ddaml_ignored.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/ddaml_ignored.hpp"
 

@@ -1,4 +1,4 @@
-// What a DDAML file holds and Keyblock passes over.
+// Warns of content of a DDAML file that Keyblock skips.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace keyblock::formats {
 
-/// The warning that an element is skipped; it is named after what is skipped where that is known.
+/// Returns the warning that an element is skipped; the code of the warning names known elements.
 Warning ignored(const Element& element);
 
 }  // namespace keyblock::formats

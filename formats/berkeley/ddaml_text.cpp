@@ -31,8 +31,8 @@ bool is_same(const BoltProperties& a, const BoltProperties& b) {
   return a.stiffness == b.stiffness && a.strength == b.strength && a.pretension == b.pretension;
 }
 
-/// Native files give each bolt its properties, DDAML gives it a type: those that state some get types behind the
-/// others.
+/// Bolts have their own properties in native files, but a type in DDAML. Bolts with properties get types after the
+/// existing ones.
 void give_bolts_types(Content& content) {
   for (BoltLine& bolt : content.drawing->bolts) {
     const BoltProperties own{bolt.stiffness, bolt.strength, bolt.pretension};
@@ -153,7 +153,7 @@ class Writer {
     line("</Jointproperties>");
   }
 
-  /// The format asks for two rows and more: a constant or no load is written as two.
+  /// The format requires at least two rows: a constant or zero load is written as two.
   static std::string load_text(const TimeCurve& curve) {
     TimeCurve rows = curve;
     if (rows.times.empty()) rows.times.push_back(0), rows.values.push_back({});
@@ -166,7 +166,7 @@ class Writer {
 
   static std::string_view yes_or_no(bool flag) { return flag ? "yes" : "no"; }
 
-  /// Native files state weights: gravity as Berkeley's program takes it from them.
+  /// Native files state weights: gravity is the value that Berkeley's program derives from them.
   static double gravity_of(const Analysis& analysis) {
     if (analysis.gravity || analysis.block_materials.empty()) return analysis.gravity.value_or(0);
     return analysis.block_materials.front().unit_weight / analysis.block_materials.front().density;

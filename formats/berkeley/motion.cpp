@@ -1,4 +1,4 @@
-// Reads both motion formats; layouts in the header.
+// Reads both motion formats; the layouts are in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/motion.hpp"
 
@@ -19,7 +19,7 @@ std::size_t line_end(std::string_view text, std::size_t at) {
   return std::min(text.find('\n', at), text.size());
 }
 
-/// Where a shake file's lines end, and its pieces as tokens of their own.
+/// Line ends of a shake file, and its pieces as separate tokens.
 class Shake {
  public:
   explicit Shake(const Source& source)
@@ -28,7 +28,7 @@ class Shake {
         second_(line_end(text_, std::min(first_ + 1, text_.size()))),
         map_(std::make_shared<const TextMap>(source.name, text_)) {}
 
-  /// The first line is a title; nothing in it is a comment.
+  /// The first line is a title; it contains no comment.
   Tokens title() const { return tokens_between(0, first_, Syntax::xml); }
   Tokens second_line() const { return tokens_between(first_, second_, Syntax::native); }
   Tokens values() const { return tokens_between(second_, text_.size(), Syntax::native); }
@@ -59,7 +59,7 @@ bool holds_eight_a_line(const Tokens& values) {
 
 Recognition recognise_shake(const Source& source) {
   const std::string_view text = without_bom(source.text);
-  if (parse_real(text.substr(0, text.find_first_of(" \t\r\n")))) return {};  // most files: spare the rest of a long one
+  if (parse_real(text.substr(0, text.find_first_of(" \t\r\n")))) return {};  // most files: avoids splitting a long one
   const Shake shake(source);
   const Numbers head = shake.second_line().numbers;
   if (!shake.title().junk() || head.empty()) return {};
@@ -69,7 +69,7 @@ Recognition recognise_shake(const Source& source) {
   return {Recognition::Fit::exact, fmt::format("its second line announces the {} values that follow, 8 a line", have)};
 }
 
-/// The first line holds two numbers: what tells it from an analysis with as many steps.
+/// Returns true if the first line has two numbers, unlike an analysis with as many steps.
 bool has_head_of_two(const Tokens& tokens) {
   if (tokens.numbers.size() < 3) return false;
   const std::size_t end = line_end(tokens.text, tokens.start_of(0));

@@ -1,4 +1,4 @@
-// Token equations and marks of the files that are recognised only; layouts in the header.
+// Recognises files by token equations and marks, without reading them; the layouts are in the header.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/recognised_only.hpp"
 
@@ -28,7 +28,7 @@ Recognition recognise_disk(const Tokens& tokens) {
 
 constexpr std::array<std::string_view, 11> kAfterBlock{
     "size", "create", "tolerance", "cut", "zone", "gridpoint", "fix", "contact", "property", "mechanical", "history"};
-// Beside BLOCK these tell UDEC from a text that has such a word by chance.
+// Together with BLOCK these distinguish UDEC from a text that contains such a word by chance.
 constexpr std::array<std::string_view, 20> kUdecCommands{
     "round", "crack", "jset",   "jregion", "split", "tunnel", "voronoi",  "arc",   "property", "prop",
     "bound", "grav",  "insitu", "insit",   "gen",   "change", "boundary", "cycle", "gravity",  "hist"};
@@ -47,7 +47,7 @@ bool follows_block(const std::string& word) {
 }
 
 Recognition recognise_udec(const Source& source) {
-  constexpr std::size_t kHead = 1 << 16;  // a deck draws its block near its head
+  constexpr std::size_t kHead = 1 << 16;  // a deck draws its block near its start
   std::istringstream lines{source.text.substr(0, kHead)};
   std::string text;
   int block_line = 0;

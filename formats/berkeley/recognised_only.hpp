@@ -1,4 +1,4 @@
-// Files that are recognised but not read, so that the refusal can name them.
+// Recognises files that it does not read, so that the error can name them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Extended 1.5: first word begins `#!0xDDA`.
