@@ -1,4 +1,4 @@
-// Reading of several files in the order they need each other, and their pairing.
+// Reads several files in the order of their dependencies, and pairs them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case.hpp"
 
@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 6> kMismatches{"joint_material_clamped", 
                                                       "bolt_type_clamped",      "bolts_without_properties",
                                                       "surplus_load_curves",    "loading_points_without_load"};
 
-/// What the file is, with the geometry beside it if known.
+/// Chooses the format of a file, with the geometry next to it if known.
 void choose(FileReading& file, GeometryKind geometry) {
   file.choice.reset();
   file.error.reset();
@@ -47,7 +47,7 @@ void read_into(FileReading& file, const ReadHint& hint) {
   }
 }
 
-/// Whether the file is, or may be, an analysis that cannot be told or read without the geometry.
+/// Returns true if the file is, or may be, an analysis that cannot be recognised or read without the geometry.
 bool needs_geometry(const FileReading& file) {
   if (!file.choice) return !file.source.text.empty();
   const Format* format = file.choice->format;
@@ -56,7 +56,7 @@ bool needs_geometry(const FileReading& file) {
   return format == &kDdaAnalysisShi || format == &kNmmAnalysis || is_poor_analysis;
 }
 
-/// Chosen, and read if nothing beside it is needed: both from one splitting of its text.
+/// Chooses the format and reads the file if it needs no other; splits its text once for both.
 FileReading open(const std::string& path) {
   FileReading file{path, {}, {}, {}, {}};
   try {
@@ -70,7 +70,8 @@ FileReading open(const std::string& path) {
   return file;
 }
 
-/// The numbers stay unknown where points were dropped: the analysis file still has their flags.
+/// Returns the counts of the geometry. They stay unknown if points were dropped: the analysis file still has their
+/// flags.
 ReadHint hint_of(const Reading& reading) {
   const Content& content = reading.content;
   const auto is_dropped_point = [](const Warning& warning) { return warning.name == "point_outside_blocks"; };
@@ -79,7 +80,8 @@ ReadHint hint_of(const Reading& reading) {
   return counted_points(content);
 }
 
-/// The rows of a file behind those of the files before. False, with the error of the file, where one names no part.
+/// Appends the rows of a file to those of the files before. Returns false, with the error of the file, if a row has an
+/// unknown part.
 bool take_layers(FileReading& file, LayerTable& all) {
   const LayerTable& layers = file.reading->content.layers;
   try {
@@ -97,7 +99,7 @@ bool is_dxf(const FileReading& file) {
   return file.choice && file.choice->format == &kDxf;
 }
 
-/// Choices of the command line overrule those of the case file.
+/// Choices of the command line override those of the case file.
 DrawingChoices with_choices_of(std::vector<FileReading>& files, DrawingChoices choices) {
   for (FileReading& file : files) {
     if (!file.reading) continue;
@@ -115,7 +117,8 @@ DrawingChoices with_choices_of(std::vector<FileReading>& files, DrawingChoices c
   return choices;
 }
 
-/// Joins lines of drawings that are no DXF file: those did it before their joints were cut off at the boundary.
+/// Joins lines of drawings other than DXF files. DXF drawings were joined before their joints were cut off at the
+/// boundary.
 void join_drawings(std::vector<FileReading>& files, double distance, const DrawingChoices& asked) {
   const auto has_drawing = [](const FileReading& file) { return file.reading && file.reading->content.drawing; };
   if (!asked.unit.empty() && std::ranges::none_of(files, is_dxf))
@@ -129,8 +132,8 @@ void join_drawings(std::vector<FileReading>& files, double distance, const Drawi
           joined(std::move(file.reading->warnings), join_ends(*file.reading->content.drawing, distance));
 }
 
-/// Drawing programs' files are read again in the length unit, and with the layers, that other files declare: a table of
-/// layers alone before those of a case file.
+/// Reads files of drawing programs again in the length unit, and with the layers, that other files declare. A separate
+/// table of layers precedes those of a case file.
 void read_drawings_again(std::vector<FileReading>& files, const DrawingChoices& choices) {
   ReadHint hint;
   hint.drawing = choices;
@@ -159,7 +162,7 @@ void read_drawings_again(std::vector<FileReading>& files, const DrawingChoices& 
   throw InputError(second, fmt::format("expected one {}, found a second; the first is {}", noun, first.file.text()));
 }
 
-/// A drawing that a case file names from its own folder, unless it was given beside it.
+/// Opens a drawing that a case file names, relative to its own folder, unless it was given too.
 void open_named_drawings(std::vector<FileReading>& files) {
   namespace fs = std::filesystem;
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -229,7 +232,7 @@ Problem with_content(Problem problem, const Content& content) {
   return problem;
 }
 
-/// Says why a drawing has no lines: the warnings of its reader name what was left out.
+/// Explains a drawing without lines: the warnings of its reader name the parts left out.
 InputError with_what_was_left_out(const InputError& error, const Problem& problem, const Warnings& warnings) {
   constexpr std::array<std::string_view, 3> kReasons{"dxf_hidden_layers", "dxf_skipped", "dxf_layer_not_there"};
   const auto* drawing = std::get_if<Drawing>(&problem.geometry);

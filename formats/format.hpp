@@ -1,4 +1,4 @@
-// The record every file format fills in: how it is recognised, read and written.
+// Declares the record that every file format fills in: its recognition, reading and writing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -23,29 +23,29 @@
 
 namespace keyblock::formats {
 
-/// A file in memory: the name it is reported under, and its bytes.
+/// File in memory: its name for messages, and its bytes.
 struct Source {
   std::string name;
   std::string text;
 };
 
-/// What layers of a drawing (DXF) are, where their names do not say it: pairs of a layer and a part in words. Whoever
-/// reads the drawing reads the words.
+/// Parts of layers of a drawing (DXF) whose names do not give them: pairs of a layer and a part in words. The reader of
+/// the drawing parses the words.
 struct LayerTable {
   std::vector<std::pair<std::string, std::string>> rows;
-  std::vector<Place> places = {};  ///< one a row
+  std::vector<Place> places = {};  ///< one per row
 
   bool operator==(const LayerTable& other) const { return rows == other.rows; }
 };
 
-/// The names of materials, or of the layers of a drawing that hold them, by number from 0. Empty: no name.
+/// Names of materials, or of the layers of a drawing that hold them, by number from 0. Empty: no name.
 struct MaterialNames {
   std::vector<std::string> rocks;
   std::vector<std::string> joints;
 };
 
-/// What a file can hold. DDAML may hold a drawing and an analysis in one file. `motion` is a horizontal acceleration as
-/// a multiple of gravity.
+/// Content of a file. DDAML may hold a drawing and an analysis in one file. `motion` is a horizontal acceleration as a
+/// multiple of gravity.
 struct Content {
   std::optional<Drawing> drawing;
   std::optional<Blocks> blocks;
@@ -61,14 +61,14 @@ struct Content {
   std::vector<Stage> stages = {};
   LayerTable layers = {};
   std::optional<double> join = std::nullopt;  ///< of a case file: `DrawingChoices` of its drawing
-  std::string drawing_unit = {};              ///< likewise
-  std::string drawing_file = {};              ///< of a case file that names one, as it names it
+  std::string drawing_unit = {};              ///< from a case file, too
+  std::string drawing_file = {};              ///< from a case file, in its words
   Place drawing_file_place = {};
-  MaterialNames names = {};  ///< for pictures; references to them are numbers by now
-  bool is_own_case = false;  ///< of a case file of Keyblock, not of an old program
+  MaterialNames names = {};  ///< for pictures; references to them are already numbers
+  bool is_own_case = false;  ///< from a case file of Keyblock, not of Shi's or Berkeley's programs
 };
 
-/// What reading gives: the content and everything odd that was met on the way.
+/// Result of reading: the content and the warnings.
 struct Reading {
   Content content;
   Warnings warnings;
@@ -84,21 +84,21 @@ struct DrawingChoices {
   bool operator==(const DrawingChoices&) const = default;
 };
 
-/// What the geometry says that an analysis file cannot be read without: Shi's holds a flag and a curve for
-/// each fixed and each loading point, but neither number, the manifold program's a load for each loading point. A
-/// drawing knows its fixed points only after cutting.
+/// Counts of the geometry without which an analysis file cannot be read. Shi's file holds a flag and a curve for each
+/// fixed and each loading point, but neither number. The file of the manifold program holds a load for each loading
+/// point. A drawing knows its fixed points only after cutting.
 struct ReadHint {
   std::optional<int> fixed_points;
   std::optional<int> loading_points;
   GeometryKind geometry = GeometryKind::unknown;
-  std::string length = "";  ///< the unit that other files declare, to which a file of another is brought; empty: metres
-  LayerTable layers = {};   ///< likewise: what its layers are
+  std::string length = "";  ///< declared by other files; others are converted to it; empty: metres
+  LayerTable layers = {};   ///< declared by other files: the parts of its layers
   DrawingChoices drawing = {};
 };
 
-/// How sure a format is that a file is its own, and from what it concludes so (one sentence for the user).
-/// `damaged`: it begins like one, but the counts do not fit; its reader will say where. `surplus`: more
-/// numbers than the counts ask for. `variant`: exact by a known variant of the layout.
+/// Confidence of a format that a file belongs to it, and the evidence (one sentence for the user). `damaged`: the file
+/// begins like one, but the counts do not fit; its reader reports the place. `surplus`: more numbers than the counts
+/// require. `variant`: exact by a known variant of the layout.
 struct Recognition {
   enum class Fit { none, damaged, surplus, variant, exact };
   Fit fit = Fit::none;
@@ -107,17 +107,17 @@ struct Recognition {
 
 struct Tokens;
 
-/// One format. A missing function means "cannot"; a format is recognised by a mark in its text or by its numbers, of
-/// which the registry makes one list for all formats. `read` throws InputError; `write` throws
-/// std::invalid_argument where the content lacks the part it writes.
+/// File format. A missing function means "cannot". A format is recognised by a mark in its text or by its numbers; the
+/// registry splits these once for all formats. `read` throws InputError; `write` throws std::invalid_argument if the
+/// content lacks the part that it writes.
 struct Format {
   std::string_view name;   ///< stable identifier, e.g. "dda-geometry"
-  std::string_view title;  ///< one line for people
+  std::string_view title;  ///< one line for users
   Recognition (*recognise)(const Source&) = nullptr;
   Reading (*read)(const Source&, const ReadHint&) = nullptr;
   std::string (*write)(const Content&) = nullptr;
   Recognition (*recognise_numbers)(const Tokens&) = nullptr;
-  Reading (*read_tokens)(const Tokens&, const ReadHint&) = nullptr;  ///< as `read`, of a text already split
+  Reading (*read_tokens)(const Tokens&, const ReadHint&) = nullptr;  ///< like `read`, for a text that is already split
 };
 
 }  // namespace keyblock::formats

@@ -1,4 +1,4 @@
-// The table; the samples were made for this project and are read by a test.
+// Declares the table; the samples were made for this project, and a test reads them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/knowledge.hpp"
 

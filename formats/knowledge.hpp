@@ -1,4 +1,4 @@
-// How well each layout is known, and a small sample of it, for people who hold an old file in their hands.
+// Describes how well each layout is known, with a small sample, for users who have an old file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,10 +11,10 @@ namespace keyblock::formats {
 struct Knowledge {
   std::string_view format;    ///< its name
   std::string_view evidence;  ///< data, public source, or inferred
-  std::string_view sample;    ///< empty where the layout is lost
+  std::string_view sample;    ///< empty if the layout is lost
 };
 
-/// Every format has one.
+/// Returns the entry of a format; every format has one.
 const Knowledge& knowledge_of(const Format& format);
 
 }  // namespace keyblock::formats

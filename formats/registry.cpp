@@ -1,5 +1,5 @@
-// The list of formats and the choice by content. To add a format: 1) write its file pair beside this one, 2) add
-// its record to the list below, 3) a row to README.md.
+// Lists the formats and chooses one by content. To add a format: 1) write its file pair next to this one, 2) add its
+// record to the list below, 3) add a row to README.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/registry.hpp"
 
@@ -35,7 +35,7 @@
 namespace keyblock::formats {
 namespace {
 
-/// In the order of trial: by a mark first, then by the strength of the token equation.
+/// Formats in the order of trial: by a mark first, then by the strength of the token equation.
 constexpr std::array<const Format*, 20> kFormats{
     &kKeyblockCase,
     &kDdaExtended,
@@ -73,8 +73,8 @@ bool is_binary(char c) {
   return (byte < 0x20) & !is_white & (byte != 0x1a);
 }
 
-/// The first byte from `at` on and before `last` that no text holds; npos where there is none. Counted piece by piece:
-/// compilers make that fast.
+/// Returns the first byte from `at` on and before `last` that no text contains; npos if there is none. It counts piece
+/// by piece, which compilers make fast.
 std::size_t find_binary(std::string_view text, std::size_t at, std::size_t last) {
   constexpr std::size_t kPiece = 4096;
   for (; at < last; at += kPiece) {
@@ -113,7 +113,7 @@ void refuse_other_files(const Source& source) {
   if (text[first] == '<' && is_html(text)) refuse(TextMap(source.name, text).place(first), "an HTML page");
 }
 
-/// Long files of bytes that are refused by their first ones are not read on: a disk image may be larger than memory.
+/// Long files that are rejected for their first bytes are not read further: a disk image may be larger than memory.
 constexpr std::size_t kHead = 1 << 16;
 
 bool no_text_begins_with(const std::string& head) {
@@ -139,7 +139,7 @@ std::string describe_file(const Choice& choice) {
   return fmt::format("{} ({})", choice.format->title, choice.recognition.evidence);
 }
 
-/// An analysis that no dialect of DDA accounts for to the last number.
+/// Returns true for an analysis whose numbers no dialect of DDA explains completely.
 bool is_poor_dda_analysis(const Choice& choice) {
   const bool is_dda = choice.format == &kDdaAnalysisBerkeley || choice.format == &kDdaAnalysisShi;
   return is_dda && choice.recognition.fit != Recognition::Fit::exact;
@@ -193,7 +193,7 @@ const Tokens& Opened::tokens() {
 
 Choice Opened::recognise(GeometryKind geometry) {
   if (Recognition measured = kBerkeleyMeasured.recognise(source_); measured.fit == Recognition::Fit::exact)
-    return {&kBerkeleyMeasured, std::move(measured)};  // it may hold zero bytes, which elsewhere mean a binary file
+    return {&kBerkeleyMeasured, std::move(measured)};  // it may hold zero bytes, which in other files mean binary data
   refuse_other_files(source_);
   const std::vector<Choice> found = choices(source_, tokens());
   const auto has_mark = [](const Choice& choice) { return choice.format->recognise != nullptr; };
@@ -219,7 +219,7 @@ Choice Opened::recognise(GeometryKind geometry) {
 Reading Opened::read_as(const Choice& choice, const ReadHint& hint) {
   if (choice.format->read_tokens) return choice.format->read_tokens(tokens(), hint);
   if (choice.format->read) {
-    tokens_.reset();  // this reader splits the text in its own way
+    tokens_.reset();  // this reader splits the text itself
     return choice.format->read(source_, hint);
   }
   throw InputError({source_.name}, fmt::format("expected a file this version reads, found {}: recognised, not yet read",

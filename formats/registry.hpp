@@ -1,4 +1,4 @@
-// The list of every format, the choice among them for a given file, and reading through that choice.
+// Lists all formats, chooses the one of a file, and reads through it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,31 +10,31 @@
 
 namespace keyblock::formats {
 
-/// Every format, in the order of trial.
+/// Returns all formats, in the order of trial.
 std::span<const Format* const> all_formats();
 
-/// The format of that name; null if there is none.
+/// Returns the format of that name; null if there is none.
 const Format* find_format(std::string_view name);
 
-/// A file on disk. Throws InputError if it is no readable regular file.
+/// Loads a file from disk. Throws InputError if it is not a readable regular file.
 Source load(const std::string& path);
 
-/// The same, but of a long file whose first bytes no text begins with, and which will be refused for that, these alone:
-/// a disk image may be larger than memory.
+/// Does the same. If no text begins with the first bytes of a long file, loads only these, for the error message: a
+/// disk image may be larger than memory.
 Source load_text(const std::string& path);
 
-/// The format chosen for a file, and from what.
+/// Format chosen for a file, and its evidence.
 struct Choice {
   const Format* format = nullptr;
   Recognition recognition;
 };
 
-/// A file whose numbers are split once, for the choice and for reading. Views the source: keep that alive where it is.
+/// File whose numbers are split once, for the choice and for reading. Refers to the source, which must outlive it.
 class Opened {
  public:
   explicit Opened(const Source& source) : source_(source) {}
 
-  /// As `formats::recognise` and `formats::read_as`.
+  /// Equals `formats::recognise` and `formats::read_as`.
   Choice recognise(GeometryKind geometry = GeometryKind::unknown);
   Reading read_as(const Choice& choice, const ReadHint& hint = {});
 
@@ -45,10 +45,10 @@ class Opened {
   std::optional<Tokens> tokens_;
 };
 
-/// An exact fit wins, then a variant, then surplus numbers, then what the file begins like; among equals the
-/// order of trial, which is that of strength. Throws InputError for an empty, binary or HTML file, for one
-/// that fits nothing, and for an analysis file that fits Shi's dialect and the NMM one alike, whose equations
-/// are equally weak, where the geometry beside it is not known to decide.
+/// Chooses an exact fit first, then a variant, then surplus numbers, then a similar beginning; among equals the order
+/// of trial, which is that of strength. Throws InputError for an empty, binary or HTML file, and for one that fits
+/// nothing. Throws it also for an analysis file that fits Shi's dialect and the NMM one equally, if the geometry does
+/// not decide.
 Choice recognise(const Source& source, GeometryKind geometry = GeometryKind::unknown);
 
 /// Reads by `recognise`. Throws InputError, also for formats that are recognised only.

@@ -1,4 +1,4 @@
-// Parsing in place, so that every name and value pugixml hands out is an offset into the text.
+// Parses in place, so that every name and value of pugixml is an offset into the text.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/xml/xml_document.hpp"
 
@@ -13,14 +13,14 @@
 namespace keyblock::formats {
 namespace {
 
-/// Line ends and references stay as they are: nothing moves within the buffer, so offsets stay true.
+/// Line ends and references stay unchanged: nothing moves within the buffer, so offsets stay valid.
 constexpr unsigned kParseFlags = pugi::parse_cdata;
 
 std::string_view local_name(std::string_view name) {
   return name.substr(name.rfind(':') + 1);  // npos + 1 is 0
 }
 
-/// pugixml stops one character short of the end of a text that breaks off.
+/// pugixml stops one character before the end of an incomplete text.
 [[noreturn]] void refuse(const DocumentText& text, const pugi::xml_parse_result& result) {
   const std::size_t size = text.buffer.size();
   const auto offset = static_cast<std::size_t>(result.offset);
@@ -29,8 +29,8 @@ std::string_view local_name(std::string_view name) {
                    fmt::format("expected well-formed XML, found a fault: {}", result.description()));
 }
 
-/// What pugixml holds for a text, at most: a node an element and a node a text behind any tag, an attribute an equals
-/// sign.
+/// Bounds the memory of pugixml for a text: one node per element and one per text after any tag, one attribute per
+/// equals sign.
 std::size_t most_bytes(std::string_view text) {
   constexpr std::size_t kNode = 64, kAttribute = 40;
   std::size_t nodes = 0, attributes = 0;
@@ -42,15 +42,14 @@ std::size_t most_bytes(std::string_view text) {
   return kNode * nodes + kAttribute * attributes;
 }
 
-/// Files of Berkeley's programs take 2 to 8 bytes for each byte; one that consists almost entirely of tags would take
-/// 32.
+/// Files of Berkeley's programs need 2 to 8 bytes per byte; a file of almost only tags would need 32.
 void refuse_tags_only(const Source& source) {
   constexpr std::size_t kMostBytesAByte = 12, kAtLeast = 1 << 16;
   if (most_bytes(source.text) > kMostBytesAByte * source.text.size() + kAtLeast)
     throw InputError({source.name}, "expected an XML file with values, found almost nothing but tags");
 }
 
-/// pugixml takes them; XML has each attribute of an element once.
+/// pugixml accepts them; XML permits each attribute of an element once.
 void refuse_repeated_attributes(const pugi::xml_node root, const DocumentText& text) {
   pugi::xml_node node = root;
   while (node) {

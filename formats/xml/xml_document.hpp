@@ -1,4 +1,4 @@
-// An XML text whose elements, attributes and numbers know their place; pugixml stays behind this file.
+// Reads an XML text whose elements, attributes and numbers know their place; hides pugixml.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,10 +14,10 @@
 
 namespace keyblock::formats {
 
-/// What a reader of the numbers of an element finds behind the last.
+/// Name for the end of the numbers of an element, in messages.
 inline constexpr std::string_view kEndOfElement = "end of element";
 
-/// Text of a document, and the mapping of its characters to line and column.
+/// Text of a document, and the conversion of its characters to line and column.
 struct DocumentText {
   std::string buffer;  ///< parsed in place: pugixml's pointers are offsets into it
   std::shared_ptr<const TextMap> map;
@@ -25,13 +25,13 @@ struct DocumentText {
   std::optional<std::size_t> offset_of(const char* position) const;
 };
 
-/// The value of an attribute.
+/// Value of an attribute.
 struct Attribute {
   std::string_view value;
   Place place;
 };
 
-/// An element. Names are local: `Berkeley:Joint` is `Joint`, whatever the namespace. Views its document.
+/// Element of a document. Names are local: `Berkeley:Joint` is `Joint` in any namespace. Refers to its document.
 class Element {
  public:
   Element(pugi::xml_node node, const DocumentText& text) : node_(node), text_(&text) {}
@@ -40,9 +40,9 @@ class Element {
   Place place() const;
   std::vector<Element> children() const;
   std::optional<Attribute> attribute(std::string_view name) const;
-  /// The words of the element's own text and of all text below it.
+  /// Returns the words of the element's own text and of all text below it.
   Tokens tokens() const;
-  /// The words of an attribute; throws InputError where the element lacks it.
+  /// Returns the words of an attribute. Throws InputError if the element lacks it.
   Tokens attribute_tokens(std::string_view name) const;
 
  private:
@@ -50,7 +50,7 @@ class Element {
   const DocumentText* text_;
 };
 
-/// A well-formed XML text. No document type definition is loaded, no entity expanded.
+/// Well-formed XML text. No document type definition is loaded, no entity expanded.
 class Document {
  public:
   /// Throws InputError at the place where the text stops being well-formed.
@@ -61,7 +61,7 @@ class Document {
  private:
   void refuse_second_root() const;
 
-  std::unique_ptr<DocumentText> text_;  // elements point at it: it must not move
+  std::unique_ptr<DocumentText> text_;  // elements refer to it: it must not move
   pugi::xml_document document_;
 };
 
