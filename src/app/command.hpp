@@ -1,4 +1,4 @@
-// What a command of the program is: a name, a sentence, and a function that adds its options.
+// Declares the commands of the program: name, sentence, and a function that adds the options.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,11 +10,10 @@
 
 namespace keyblock {
 
-/// The work a command does once its options are read. Throws InputError for bad input (printed by main, exit
-/// 3).
+/// Work of a command after its options are read. Throws InputError for bad input (printed by main, exit code 3).
 using Action = std::function<ExitCode()>;
 
-/// A row of the table in main.cpp. `configure` adds options to the subcommand and returns the work.
+/// Row of the table in main.cpp. `configure` adds options to the subcommand and returns the work.
 struct Command {
   const char* name;
   const char* sentence;
@@ -22,10 +21,10 @@ struct Command {
   const char* examples;  ///< lines for its help
 };
 
-/// `--threads`, which takes effect as it is read.
+/// Adds `--threads`, which takes effect when it is read.
 void add_thread_option(CLI::App& options);  // thread_option.cpp
 
-/// `check` of a folder of cases: a verdict a line, or catalogue.json; the exit code of the worst.
+/// Checks a folder of cases: one verdict per line, or catalogue.json. Returns the exit code of the worst case.
 ExitCode check_folder(const std::string& folder, const std::string& profile,
                       bool as_json);  // batch/check_folder.cpp
 

@@ -1,4 +1,4 @@
-// Takes options out of CLI11's own tables; see described_options.hpp.
+// Reads options from CLI11's own tables; see described_options.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/described_options.hpp"
 
@@ -11,7 +11,7 @@
 namespace keyblock {
 namespace {
 
-// CLI11 keeps the words of a check in the name of the type alone: "TEXT:{joints,rock,both}".
+// CLI11 keeps the words of a check only in the name of the type: "TEXT:{joints,rock,both}".
 std::vector<std::string> words_in(std::string_view type) {
   std::vector<std::string> words;
   const std::size_t open = type.find('{');
@@ -21,13 +21,13 @@ std::vector<std::string> words_in(std::string_view type) {
   while (!type.empty()) {
     const std::size_t comma = type.find(',');
     const std::string_view word = type.substr(0, comma);
-    words.emplace_back(word.substr(0, word.find("->")));  // of a word for a number
+    words.emplace_back(word.substr(0, word.find("->")));  // of a word that maps to a number
     type = comma == std::string_view::npos ? std::string_view() : type.substr(comma + 1);
   }
   return words;
 }
 
-// "INT:INT in [1 - 256]", or a check that numbers are positive.
+// Parses "INT:INT in [1 - 256]", or a check that numbers are positive.
 std::string range_in(const std::string& type) {
   const std::size_t open = type.find("in [");
   if (open == std::string::npos) return type.ends_with(":POSITIVE") ? "above 0" : "";
@@ -36,7 +36,7 @@ std::string range_in(const std::string& type) {
   return dash == std::string::npos ? range : range.substr(0, dash) + " to " + range.substr(dash + 3);
 }
 
-// The type that an option was declared with, or the name of the option where CLI11 says no more than TEXT.
+// Returns the declared type of an option, or its name if CLI11 has only TEXT.
 std::string value_of(const DescribedOption& option, const std::string& type) {
   if (!option.words.empty()) return fmt::format("{}", fmt::join(option.words, "|"));
   const std::string kind = type.substr(0, type.find(':'));

@@ -1,4 +1,4 @@
-// The exit codes of the program, one meaning each.
+// Declares the exit codes of the program, each with one meaning.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,11 +6,11 @@ namespace keyblock {
 
 enum class ExitCode {
   ok = 0,
-  check_failed = 1,       ///< it ran, but a check did not hold
+  check_failed = 1,       ///< it ran, but a check failed
   usage = 2,              ///< the command line
   unreadable = 3,         ///< input that cannot be read or used
-  numerical_failure = 4,  ///< the computation could not go on; the state is saved
-  limit = 5,              ///< a limit of processor time or memory ended it; what was reached is saved
+  numerical_failure = 4,  ///< the computation could not continue; the state is saved
+  limit = 5,              ///< a limit of processor time or memory ended it; results so far are saved
   stopped = 130,          ///< by the user
 };
 

@@ -1,4 +1,4 @@
-// One option, one entry: name and value on the left, the sentence on the right.
+// Writes one entry per option: name and value on the left, the sentence on the right.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/help_format.hpp"
 

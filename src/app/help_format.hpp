@@ -1,4 +1,4 @@
-// What --help prints of options: names with what they take, and sentences beside them, broken into lines.
+// Formats the options in --help: names with their values, and sentences next to them, broken into lines.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace keyblock {
 
-/// In place of CLI11's own lines, which name the checks of a value and all options that exclude one another.
+/// Replaces CLI11's own lines, which name the checks of a value and all options that exclude one another.
 class HelpFormat : public CLI::Formatter {
  public:
   std::string make_option(const CLI::Option* option, bool is_positional) const override;

@@ -1,4 +1,4 @@
-// The program: one table of commands; prints every error and picks the exit code.
+// Runs the program from one table of commands; prints every error and selects the exit code.
 // To add a command: 1) write `commands/NAME_command.cpp`, 2) declare its `configure_NAME` in
 // command.hpp, 3) add a row to the table below, 4) run its help text in tests/commands_test.cpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
@@ -78,7 +78,7 @@ constexpr std::array<Command, 20> kCommands{{
     {"version", "print version, commit and compiler", configure_version, "keyblock version"},
 }};
 
-// CLI11 says no more than that a command is needed.
+// CLI11 reports only that a command is missing.
 void require_known(const std::string& command) {
   if (command.starts_with('-') || std::ranges::find(kCommands, command, &Command::name) != kCommands.end()) return;
   std::vector<const char*> names;
@@ -87,13 +87,13 @@ void require_known(const std::string& command) {
                                nearest_words(command, {names.begin(), names.end()})));
 }
 
-// As `ulimit -v` or a batch sets it.
+// Detects a limit such as that of `ulimit -v` or of a batch.
 bool has_memory_limit() {
   rlimit limit{};
   return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
-// An option of which the name is the beginning, "--out", or the nearest; empty where there is none.
+// Returns an option that begins with the name, "--out", or the nearest; empty if there is none.
 std::string meant_by(const std::string& name, const std::vector<std::string>& known) {
   constexpr std::size_t kLeast = 4;  // with the hyphens
   const auto begins = [&](const std::string& option) { return name.size() >= kLeast && option.starts_with(name); };
@@ -101,7 +101,7 @@ std::string meant_by(const std::string& name, const std::vector<std::string>& kn
   return found == known.end() ? nearest(name, known) : *found;
 }
 
-// CLI11 names what it did not expect, and no more.
+// CLI11 names only the unexpected argument.
 void suggest_option(const CLI::App& program, const std::vector<std::string>& arguments) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   std::vector<std::string> known;
@@ -125,7 +125,7 @@ std::string with_examples(const char* examples) {
   return text + "\n";
 }
 
-// `help` stands for --help, `help COMMAND` for that of the command, nothing at all for `help`.
+// Replaces `help` by --help, `help COMMAND` by the help of the command, and no arguments by `help`.
 std::vector<std::string> as_asked(std::vector<std::string> arguments) {
   if (arguments.empty() || arguments == std::vector<std::string>{"help"}) return {"--help"};
   if (arguments.front() == "help") arguments = {arguments[1], "--help"};
@@ -152,7 +152,7 @@ int run_program(const std::vector<std::string>& arguments) {
     options->callback([&chosen, action] { chosen = *action; });
   }
   try {
-    program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // the last one first
+    program.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // in reverse order
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) suggest_option(program, arguments);
     std::ostringstream messages;
@@ -166,8 +166,8 @@ int run_program(const std::vector<std::string>& arguments) {
   return static_cast<int>(code);
 }
 
-// The first file opened would otherwise take the place of a stream that is closed, and what is printed would go into
-// it. What cannot be said is not said; what cannot be printed is an error once it is asked for.
+// If a standard stream is closed, the first opened file would receive its output. Messages are then dropped; missing
+// output is an error when it is required.
 void fill_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
@@ -180,7 +180,7 @@ ExitCode out_of_memory(const char* for_what) {
   return is_limited ? ExitCode::limit : ExitCode::numerical_failure;
 }
 
-// Of the system: threads need memory, and tables write to standard output.
+// Handles errors of the system: threads need memory, and tables are written to standard output.
 ExitCode code_of(const std::system_error& error) {
   if (error.code() == std::errc::resource_unavailable_try_again) return out_of_memory("another thread");
   if (std::ferror(stdout) != 0)
@@ -195,7 +195,7 @@ ExitCode code_of(const std::system_error& error) {
 
 int main(int argc, char** argv) {
   keyblock::fill_closed_streams();
-  // A file that grows beyond its limit is one that cannot be written, and is told as such.
+  // A file that grows beyond its limit gives the error of a file that cannot be written.
   std::signal(SIGXFSZ, SIG_IGN);
   keyblock::print_messages_plainly();
   try {

@@ -1,4 +1,4 @@
-// The library's own checks print the bounds of a double.
+// Checks option values. The checks of CLI11 would print the bounds of a double.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_checks.hpp"
 

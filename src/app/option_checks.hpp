@@ -1,4 +1,4 @@
-// What options accept, refused in the words of all other messages.
+// Checks the values of options, with the wording of all other messages.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace keyblock {
 
-/// Refuse what is no such finite number.
+/// Rejects values that are not such finite numbers.
 CLI::Validator above_zero();
 CLI::Validator zero_or_above();
 
-/// Refuses all other words, and asks whether the nearest was meant.
+/// Rejects all other words, and suggests the nearest.
 CLI::Validator one_word_of(const std::vector<std::string>& words);
 
 }  // namespace keyblock

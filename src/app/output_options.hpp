@@ -1,5 +1,5 @@
-// `--history`, `--contacts`, `--field`, `--frames` and `--no-pictures`: what a run follows, which contacts it writes,
-// what its pictures show, and how its frames are coded, on top of what its case file says.
+// Adds `--history`, `--contacts`, `--field`, `--frames` and `--no-pictures`: histories, contacts, quantity in pictures
+// and coding of frames, in addition to the case file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace keyblock {
 
-/// `--history`, `--contacts`, `--field`, `--frames`, `--no-pictures`.
+/// Adds the options and returns them in this order: `--history`, `--contacts`, `--field`, `--frames`, `--no-pictures`.
 std::array<CLI::Option*, 5> add_output_options(CLI::App& options, OutputOptions& chosen);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Looks at endings alone, in capitals or not.
+// Compares endings only, regardless of case.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/picture_name.hpp"
 

@@ -7,8 +7,8 @@
 #ifdef KEYBLOCK_CHECKS_PROCESSOR
 namespace {
 
-// Before anything else of the program: constructors of lower numbers are the compiler's own. Nothing here may use what
-// other files compile too.
+// Runs before all other code of the program: constructors with lower numbers belong to the compiler. Code shared with
+// other files must not be used here.
 [[gnu::constructor(101)]] void require_processor() {
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) return;

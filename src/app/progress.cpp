@@ -19,12 +19,12 @@ namespace {
 
 constexpr double kTerminalSeconds = 0.2;  // between two renewals on a terminal
 constexpr double kLogSeconds = 5;         // between two lines in a log
-constexpr double kPatience = 2;           // without a step, until the elapsed time is shown
-constexpr double kLeastShare = 0.02;      // of a search, from which on its end is estimated
-constexpr double kForecastSeconds = 2;    // of stepping, or so many steps, after which the total time is estimated
+constexpr double kPatience = 2;           // seconds without a step until the elapsed time is shown
+constexpr double kLeastShare = 0.02;      // fraction of a search from which its end is estimated
+constexpr double kForecastSeconds = 2;    // seconds of stepping, or this many steps, before the total time is estimated
 constexpr int kForecastSteps = 20;
 constexpr double kLeastLeft = 0.5;  // seconds, which would be rounded to 0
-constexpr double kLongRun = 20;     // seconds left, below which no estimate is shown
+constexpr double kLongRun = 20;     // seconds left; below this no estimate is shown
 
 double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
@@ -66,7 +66,7 @@ ProgressLine::~ProgressLine() {
   finish();
 }
 
-// The rest of a search is estimated from the time that its part so far took.
+// The remaining time of a search is estimated from that of its completed part.
 std::string ProgressLine::words_of_waiting(Clock::time_point now) const {
   const Headway way = context_.headway();
   std::string words = step_ == steps_done_ ? fmt::format("initial state and step {}", step_ + 1)

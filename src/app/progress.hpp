@@ -15,13 +15,13 @@
 
 namespace keyblock {
 
-/// "40 s", "12 min", "3.5 h", "2.1 days".
+/// Returns "40 s", "12 min", "3.5 h", "2.1 days".
 std::string time_in_words(double seconds);
 
-/// Prints "step 120/300  t = 0.12 s  about 1 s left": on a terminal one line that is renewed, elsewhere a line every
+/// Prints "step 120/300  t = 0.12 s  about 1 s left": on a terminal one line that is renewed, otherwise a line every
 /// few seconds. During long steps, and during the search for an equilibrium, it shows the elapsed time and, if known,
-/// the share done. --verbose adds step size and iterations, and an estimate of the time of all steps. Silent with
-/// --quiet.
+/// the completed fraction. --verbose adds step size and iterations, and an estimate of the time of all steps. Silent
+/// with --quiet.
 class ProgressLine {
  public:
   /// `steps_done`: by an earlier part of the run. `cheaper`: a setting that makes steps cheaper, or empty; the estimate
@@ -51,9 +51,9 @@ class ProgressLine {
   Clock::time_point started_;
   Clock::time_point shown_;
   StepPace pace_;
-  Clock::time_point forecast_from_;  ///< when the first step was made
-  Clock::time_point stepped_;        ///< when the last step was made
-  int step_;                         ///< the last that was made
+  Clock::time_point forecast_from_;  ///< time of the first step
+  Clock::time_point stepped_;        ///< time of the last step
+  int step_;                         ///< last completed step
   Context context_;                  ///< of the run
   bool line_open_ = false;
   bool is_forecast_ = false;

@@ -1,4 +1,4 @@
-// How long a step takes, from when steps were made: the last ones count, for the first may be the hardest.
+// Estimates the time per step from the last steps: the first may be the hardest.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace keyblock {
 
-/// Steps count from the first that is made here, seconds from before it, so that the first one holds the search for the
-/// start.
+/// Time per step. Steps count from the first one made here, seconds from before it: the first step includes the search
+/// for the initial state.
 class StepPace {
  public:
   void made(int step, double seconds) {
@@ -18,7 +18,7 @@ class StepPace {
     later_ = last_;
   }
 
-  /// Of the latter half to three quarters of the steps made.
+  /// Returns the mean over the latter half to three quarters of the steps made.
   double seconds_a_step() const { return (last_.seconds - earlier_.seconds) / std::max(1, last_.step - earlier_.step); }
 
  private:

@@ -1,4 +1,4 @@
-// The handler does no more than remember, and say so.
+// Handles signals: the handler only records the request and prints a line.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/stop_request.hpp"
 
@@ -20,8 +20,8 @@ std::atomic<const Context*> listening = nullptr;
 std::atomic<int> last_signal = 0;
 std::atomic<std::int64_t> first_asked = 0;
 
-// Programs that pass a signal on may send it twice at once, as `timeout` does: only one that comes later is a second
-// one.
+// Programs that forward a signal may send it twice at once, as `timeout` does: only a later one counts as a second
+// request.
 constexpr std::int64_t kLater = 1'000;  // milliseconds
 
 constexpr std::string_view kStopping = "stopping; a second request ends the program at once\n";
@@ -32,7 +32,7 @@ std::int64_t milliseconds() {
   return 1'000 * static_cast<std::int64_t>(now.tv_sec) + now.tv_nsec / 1'000'000;
 }
 
-// What is done here is safe in a handler. The limit of processor time signals every second.
+// Only calls that are safe in a handler. The limit of processor time sends a signal every second.
 extern "C" void remember_signal(int signal) {
   const int error = errno;
   last_signal = signal;
@@ -53,10 +53,10 @@ extern "C" void remember_signal(int signal) {
 }  // namespace
 
 void listen_for_stops() {
-  static const Context& of_first = *new Context(context());  // signals may come until the last moment
+  static const Context& of_first = *new Context(context());  // signals may arrive until the very end
   listening = &of_first;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU})
-    if (std::signal(signal, remember_signal) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup asks for
+    if (std::signal(signal, remember_signal) == SIG_IGN) std::signal(signal, SIG_IGN);  // as nohup requires
 }
 
 bool is_at_time_limit() {

@@ -1,4 +1,5 @@
-// `keyblock version`; the only file that knows the commit, so that no other is built anew for one.
+// `keyblock version`: prints version and commit. Only this file knows the commit, so that no other is rebuilt for a new
+// one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/version.hpp"
 

@@ -1,4 +1,4 @@
-// Which program this is.
+// Names the version of this program.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace keyblock {
 
-/// "keyblock 0.2.0, commit 0123abc, g++ 12.2.0"; the commit is that which was built, with a + where files differed from
-/// it, and left out where the sources came without their history.
+/// Returns "keyblock 0.2.0, commit 0123abc, g++ 12.2.0". The commit is that of the build, with a + if files differed
+/// from it; it is left out if the sources had no history.
 std::string version_words();
 
 }  // namespace keyblock

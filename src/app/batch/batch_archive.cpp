@@ -1,4 +1,4 @@
-// Reads every file once, in parallel.
+// Reads every file of the archive once, in parallel.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/batch_archive.hpp"
 

@@ -1,4 +1,4 @@
-// `keyblock batch`: every case of an archive checked, run or converted, with a journal to go on from and a catalogue.
+// `keyblock batch`: checks, runs or converts every case of an archive, with a journal for resuming and a catalogue.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -48,7 +48,7 @@ struct BatchOptions {
   int threads = 0;  ///< 0: as many as cores
   int largest_mebibytes = kLargestMebibytes;
   ChildLimits limits;
-  std::vector<std::string> row_files;  ///< of one job, whose row is asked for and nothing else
+  std::vector<std::string> row_files;  ///< of one job; only its row is printed
   bool may_overwrite = false;
   bool as_json = false;
   bool is_resumed = false;
@@ -67,8 +67,7 @@ int thread_count(const BatchOptions& options) {
   return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// journal.jsonl, open at its end; a line is written by one call, so that a sudden end leaves at most the last one
-/// torn.
+/// Opens journal.jsonl at its end. A line is written by one call, so that a sudden end damages at most the last one.
 class JournalFile {
  public:
   explicit JournalFile(const fs::path& file) : name_(file.string()) {
@@ -94,8 +93,8 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
   return !below.empty() && *below.begin() != "..";
 }
 
-/// What an earlier batch left in the folder; empty where none did. Throws UsageError where results could meet other
-/// files.
+/// Returns the journal of an earlier batch in the folder; empty if there is none. Throws UsageError if results could
+/// overwrite other files.
 study::Journal journal_in(const BatchPlan& plan) {
   if (lies_in(plan.root, plan.folder))
     throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", plan.root.string()));
@@ -108,7 +107,7 @@ study::Journal journal_in(const BatchPlan& plan) {
   return journal;
 }
 
-/// Of an earlier batch: beside a new journal they would pass for its own.
+/// Removes the results of an earlier batch: next to a new journal they would look like its own.
 void remove_results(const fs::path& folder, const study::Journal& journal) {
   std::error_code ignored;
   for (const auto& [job, row] : journal.rows) {
@@ -116,13 +115,13 @@ void remove_results(const fs::path& folder, const study::Journal& journal) {
     if (!lies_in(folder / own, folder / "jobs")) continue;
     fs::remove_all(folder / own, ignored);
     for (fs::path parent = own.parent_path(); parent.has_parent_path(); parent = parent.parent_path())
-      fs::remove(folder / parent, ignored);  // unless something else lies there
+      fs::remove(folder / parent, ignored);  // unless it holds other files
   }
   fs::remove(folder / "jobs", ignored);
   for (const char* name : {"catalogue.csv", "catalogue.json", "catalogue.html"}) fs::remove(folder / name);
 }
 
-/// What is done already, where this batch goes on with an earlier one of the same task. Leaves whole lines on the disk.
+/// Returns the completed rows if this batch resumes an earlier one of the same task. Leaves whole lines on the disk.
 study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan) {
   const std::string task = plan.task_text();
   study::Journal journal = journal_in(plan);
@@ -143,7 +142,7 @@ study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan)
   return journal;
 }
 
-/// Says now and then how far the batch is, and how much time is left if the other jobs take as long.
+/// Reports the progress of the batch at intervals, and the time left if the other jobs take as long.
 class Reports {
  public:
   explicit Reports(std::size_t jobs) : jobs_(jobs) {}
@@ -163,7 +162,7 @@ class Reports {
   Clock::time_point shown_ = begun_;
 };
 
-/// Does what the journal does not hold yet, and writes it there.
+/// Does the jobs that are missing in the journal, and writes their rows.
 void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree& archive, study::Journal& journal) {
   std::vector<const study::BatchJob*> open_jobs;
   for (const study::BatchJob& job : archive.jobs)
@@ -174,7 +173,7 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree&
   Reports reports(open_jobs.size());
   std::mutex guard;
   for_each_in_parallel(open_jobs.size(), thread_count(options), [&](std::size_t i) {
-    const Context own;  // a stop lets jobs end that have begun
+    const Context own;  // on a stop, jobs that have begun still finish
     const Under under(own);
     const study::BatchJob& job = *open_jobs[i];
     const Clock::time_point start = Clock::now();
@@ -190,7 +189,7 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree&
   });
 }
 
-/// What a batch with limits asks of a process a job: the journal of a batch of that job alone.
+/// Prints the row that a batch with limits requests of one process per job: the journal of a batch of that job alone.
 ExitCode print_row(const BatchOptions& options) {
   const auto depth = options.is_check ? study::CheckDepth::plan
                      : options.is_run ? study::CheckDepth::outlook
@@ -202,7 +201,7 @@ ExitCode print_row(const BatchOptions& options) {
   return ExitCode::ok;
 }
 
-// Rows come from the journal's lines, done now or before, so that both give the same bytes.
+// Rows come from the journal's lines, new or old, so that both give the same bytes.
 std::vector<CatalogueRow> rows_of(const FileTree& archive, const study::Journal& journal) {
   std::vector<CatalogueRow> rows;
   for (const study::BatchJob& job : archive.jobs) {
@@ -224,14 +223,14 @@ void write_catalogue(const BatchPlan& plan, const std::vector<CatalogueRow>& row
 ExitCode run_batch(const BatchOptions& options) {
   if (!options.row_files.empty()) return print_row(options);
   const BatchPlan plan = plan_of(options);
-  listen_for_stops();  // a stopped batch goes on from its journal
+  listen_for_stops();  // a stopped batch can resume from its journal
   const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options));
   if (!archive.passed_over.empty()) spdlog::warn("passed over: {}", study::sentence_of(archive.passed_over));
   study::Journal journal = begun_journal(options, plan);
   do_jobs(options, plan, archive, journal);
   std::error_code is_no_matter;
   fs::remove_all(plan.checks_folder(), is_no_matter);
-  // Asked during the last job, a stop leaves nothing undone.
+  // A stop requested during the last job leaves no job undone.
   const bool is_done = std::ranges::all_of(archive.jobs, [&](const study::BatchJob& job) {
     return journal.find(job.name, archive.files_of(job)) != nullptr;
   });
@@ -271,7 +270,7 @@ Action configure_batch(CLI::App& app) {
   app.add_option("--largest-file", options->largest_mebibytes, "files larger than N MiB are listed, not read")
       ->capture_default_str()
       ->check(above_zero());
-  app.add_option("--row", options->row_files)->group("");  // not for people: in no help text
+  app.add_option("--row", options->row_files)->group("");  // internal: not in the help
   app.add_flag("--resume", options->is_resumed, "continue the batch in FOLDER; jobs with changed files are repeated");
   app.add_flag("--force", options->may_overwrite, "start the batch in FOLDER again");
   app.add_flag("--json", options->as_json, "also print catalogue.json on standard output");

@@ -1,5 +1,5 @@
-// Carries out jobs; results of a run or conversion go to jobs/NAME in the results' folder, what an earlier try left is
-// removed.
+// Performs jobs. Results of a run or conversion go to jobs/NAME in the folder of results; files of an earlier attempt
+// are removed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/batch_work.hpp"
 
@@ -49,7 +49,7 @@ void doubt(CatalogueRow& row, const std::string& message) {
   row.outcome = "warnings";
 }
 
-/// The last line of the log that speaks of an error.
+/// Returns the last line of the log with an error.
 std::string error_in(const fs::path& log) {
   std::istringstream lines(formats::load(log.string()).text);
   std::string last;
@@ -82,7 +82,7 @@ std::vector<std::string> with_inputs(const std::string& verb, const BatchPlan& p
   return arguments;
 }
 
-/// A child with what it prints beside its results.
+/// Runs a child process with its output in files next to its results.
 ChildEnd run_logged(const BatchPlan& plan, const fs::path& folder, const std::string& name,
                     const std::vector<std::string>& arguments) {
   return run_child(arguments, plan.limits, folder / (name + ".out"), folder / (name + ".log"));
@@ -108,7 +108,7 @@ CatalogueAnswer run_in(const BatchPlan& plan, const study::BatchJob& job, const 
   return answer;
 }
 
-// Expected values speak of the case that bears its folder's name.
+// Expected values belong to the case with the name of its folder.
 bool is_the_case_of_its_folder(const BatchPlan& plan, const study::BatchJob& job) {
   const fs::path folder = study::place_of(plan.root, job.files.front()).parent_path();
   if (!fs::exists(folder / "expected.csv")) return false;
@@ -155,7 +155,7 @@ CatalogueRow check_here(const BatchPlan& plan, const study::BatchJob& job,
   return study::check_job(plan.root, job, files, depth_of(plan.task), plan.profile);
 }
 
-/// The same in a process of its own, `batch --row`, which prints a journal of this job alone.
+/// Checks in a separate process, `batch --row`, which prints a journal of this job alone.
 CatalogueRow check_in_child(const BatchPlan& plan, const study::BatchJob& job,
                             const std::vector<report::CatalogueFile>& files) {
   const fs::path folder = plan.checks_folder() / job.name;
@@ -177,7 +177,7 @@ CatalogueRow check_in_child(const BatchPlan& plan, const study::BatchJob& job,
   return row;
 }
 
-/// What the target cannot hold makes a warning of a job that was fine.
+/// Adds a warning to a successful job if the target format cannot hold all content.
 void add_losses(CatalogueRow& row, const std::string& report) {
   const auto json = nlohmann::json::parse(report, nullptr, false);
   if (!json.is_object() || !json.contains("losses") || json["losses"].empty()) return;

@@ -1,4 +1,4 @@
-// What a batch does with one job: checks it, here or, with limits, in a process; runs or converts it in processes.
+// Performs one job of a batch: checks it, here or in a process with limits; runs or converts it in processes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,18 +17,18 @@ enum class BatchTask { check, run, convert };
 struct BatchPlan {
   BatchTask task = BatchTask::check;
   std::filesystem::path root;    ///< the archive
-  std::filesystem::path folder;  ///< for the results
-  std::string profile;           ///< empty: those of a comparison, legacy and standard; for a check the default
-  std::string format;            ///< to convert to
+  std::filesystem::path folder;  ///< for results
+  std::string profile;           ///< empty: legacy and standard for a comparison, the default for a check
+  std::string format;            ///< target of a conversion
   ChildLimits limits;
 
-  /// Everything that decides over a row beside the files: two batches of one task give the same rows.
+  /// Returns all choices that determine a row apart from the files: two batches of one task give the same rows.
   std::string task_text() const;
-  /// Where processes that check a job leave what they print, until the batch ends.
+  /// Returns the folder for the output of checking processes, until the batch ends.
   std::filesystem::path checks_folder() const;
 };
 
-/// The finished row. Throws OutputError where results cannot be written.
+/// Returns the finished row. Throws OutputError if results cannot be written.
 report::CatalogueRow do_job(const BatchPlan& plan, const study::BatchJob& job,
                             const std::vector<report::CatalogueFile>& files);
 

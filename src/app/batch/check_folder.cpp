@@ -1,4 +1,4 @@
-// `keyblock check FOLDER`: every job of a folder looked at, one verdict a line, nothing written.
+// `keyblock check FOLDER`: checks every job of a folder and prints one verdict per line; writes no files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>

@@ -1,4 +1,5 @@
-// Fork, limits, exec, wait. Between fork and exec only what is safe there: other threads may hold any lock.
+// Starts a process by fork, limits, exec and wait. Between fork and exec only safe calls are made: other threads may
+// hold any lock.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/child_process.hpp"
 
@@ -20,7 +21,7 @@
 namespace keyblock {
 namespace {
 
-constexpr int kCannotStart = 126;  // 127 is the loader's, where a limit leaves no room for libraries
+constexpr int kCannotStart = 126;  // 127 belongs to the loader, if a limit leaves no memory for libraries
 
 struct Plan {
   std::vector<char*> arguments;
@@ -35,14 +36,14 @@ bool send_to(const std::string& file, int descriptor) {
   return opened >= 0 && dup2(opened, descriptor) >= 0;
 }
 
-// A run that is asked to end still writes what it has reached: so many seconds, and a tenth of its time.
+// A run that is stopped still writes its results so far: it gets this many seconds, or a tenth of its time if longer.
 constexpr rlim_t kLeastGrace = 5;
 
 rlim_t grace(rlim_t seconds) {
   return std::max(kLeastGrace, seconds / 10);
 }
 
-// The first limit asks the process to end, the second, above it, ends it.
+// The first limit requests the process to end; the second, above it, kills it.
 bool limit(int resource, rlim_t first, rlim_t second) {
   const rlimit both{first, second};
   return setrlimit(static_cast<__rlimit_resource>(resource), &both) == 0;

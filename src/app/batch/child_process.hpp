@@ -1,4 +1,4 @@
-// Another run of this program, with limits, its output in files.
+// Runs this program again as a child process, with limits and with its output in files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,12 +14,12 @@ struct ChildLimits {
 };
 
 struct ChildEnd {
-  int exit_code = 0;             ///< 128 + the signal where one ended it
+  int exit_code = 0;             ///< 128 + the signal if one ended it
   bool ran_out_of_time = false;  ///< killed at the limit, or stopped there with its results written
 };
 
-/// This program with those arguments, until it ends. It stands in a process group of its own, so that Ctrl-C at the
-/// terminal does not reach it, and ends when the calling thread does. Throws OutputError where it cannot be started.
+/// Runs this program with `arguments` until it ends. It has its own process group, so that Ctrl-C at the terminal does
+/// not reach it. It ends when the calling thread does. Throws OutputError if it cannot be started.
 ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits& limits,
                    const std::filesystem::path& output, const std::filesystem::path& messages);
 

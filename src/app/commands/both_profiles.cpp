@@ -39,7 +39,7 @@ bool has_run(const ProfileAnswer& answer) {
   return answer.refused.empty();
 }
 
-// A run that failed in its first step has no values to compare.
+// A run that failed in its first step has no values for a comparison.
 bool has_values(const ProfileAnswer& answer) {
   return has_run(answer) && answer.record.outcome.steps > 0;
 }
@@ -48,12 +48,12 @@ bool is_static(const Settings& settings) {
   return settings.dynamics == Dynamics::standard && settings.standard.motion != MotionRule::dynamic;
 }
 
-// Returns true if every step starts from rest.
+// Returns true if every step starts from zero velocity.
 bool creeps(const Settings& settings) {
   return !is_static(settings) && settings.velocity_carry_over.common == 0;
 }
 
-/// A quantity of both runs, and the size below which it says nothing.
+/// Quantity of both runs, and the size below which it is ignored.
 struct Pair {
   const char* what;
   double one;

@@ -15,7 +15,7 @@ namespace keyblock {
 struct ProfileAnswer {
   std::string profile;
   std::string folder;
-  std::string refused;  ///< why it was not run, and nothing below is known; empty if it was
+  std::string refused;  ///< reason for not running it, with no values below; empty if it ran
   ExitCode code = ExitCode::ok;
   RunRecord record;
   Settings settings;
@@ -36,7 +36,7 @@ std::vector<std::string> reasons(const ProfileAnswer& one, const ProfileAnswer& 
 std::string side_by_side(const ProfileAnswer& one, const ProfileAnswer& other, const Units& units);
 nlohmann::ordered_json side_by_side_json(const ProfileAnswer& one, const ProfileAnswer& other);
 
-/// Returns the exit code of the first run; 1 if only the second went wrong.
+/// Returns the exit code of the first run; 1 if only the second failed.
 ExitCode code_of_both(const ProfileAnswer& one, const ProfileAnswer& other);
 
 }  // namespace keyblock

@@ -36,10 +36,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Steps are tried for so long, unless asked otherwise.
+// Default time for trying steps.
 constexpr double kTrialSeconds = 2;
 constexpr int kTrialSteps = 20;
-constexpr double kSeconds = 10;  // below which they are told with two digits
+constexpr double kSeconds = 10;  // shorter times are printed with two digits
 
 struct CheckOptions {
   CaseOptions given;
@@ -47,17 +47,17 @@ struct CheckOptions {
   double trial_seconds = kTrialSeconds;
 };
 
-/// The whole case: its complaints, or why it could not be put together.
+/// Report on the whole case: its warnings, or the reason why it could not be assembled.
 struct CaseReport {
   Warnings warnings;
   std::vector<std::string> errors;
-  std::optional<Requirements> plan;      ///< what a run would take; only where geometry and analysis are there
-  std::vector<std::string> stages = {};  ///< a sentence for each
+  std::optional<Requirements> plan;      ///< features of a run; only if there are geometry and analysis
+  std::vector<std::string> stages = {};  ///< one sentence each
   ChosenProfile profile = {};            ///< of the plan
   std::string smallest_block = {};
   std::string size = {};  ///< of the scene
   std::optional<TrialSteps> trial = {};
-  int steps = 0;       ///< asked for
+  int steps = 0;       ///< requested
   Json settings = {};  ///< of the plan
 };
 
@@ -187,7 +187,7 @@ void print(const CaseReport& report) {
   for (const std::string& stage : report.stages) fmt::print("  {}\n", printable(stage));
 }
 
-/// Several geometries or analyses are no one case: each file is looked at alone, and that is said at the second.
+/// Several geometries or analyses do not form one case: each file is checked alone, and the second gives this warning.
 Warnings several_cases(const std::vector<formats::FileReading>& files) {
   std::vector<std::string> geometries, analyses;
   for (const formats::FileReading& file : files) {
@@ -208,7 +208,7 @@ Warnings several_cases(const std::vector<formats::FileReading>& files) {
   return {};
 }
 
-/// What each stage of a case steps through, and for how long; nothing of a case without stages.
+/// Returns the steps and the duration of each stage; empty for a case without stages.
 std::vector<std::string> stages_of(const Scene& first) {
   std::vector<std::string> sentences;
   if (first.end.steps == 0) return sentences;
@@ -225,7 +225,7 @@ std::vector<std::string> stages_of(const Scene& first) {
   return sentences;
 }
 
-// Whether the run begins, and what a step costs.
+// Tests the start of the run, and measures the time of a step.
 void try_steps(CaseReport& report, const Scene& scene, double seconds, const Place& place) {
   try {
     report.trial = trial_steps(scene, seconds, std::min(kTrialSteps, report.steps));
@@ -236,7 +236,8 @@ void try_steps(CaseReport& report, const Scene& scene, double seconds, const Pla
     report.warnings.push_back({"first_steps_fail", place, "a run fails: " + report.trial->failure});
 }
 
-/// What a run says of its histories before the first step. Throws InputError for one of what is not there, as it would.
+/// Returns the warnings of a run about its histories before the first step. Throws InputError for a history of a
+/// missing part, like a run.
 Warnings look_at_histories(const Problem& problem, const Prepared& prepared) {
   require_choice(problem.outputs);
   const DrawnJoints joints(prepared.scene.model, prepared.joint_lines);
@@ -253,7 +254,7 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const Asked
     CaseReport report{checked.warnings, {}, std::nullopt};
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
     if (const auto* cover = std::get_if<Cover>(&checked.problem.geometry); cover && report.errors.empty())
-      manifold_of(*cover);  // throws where elements and loops do not fit together
+      manifold_of(*cover);  // throws if elements and loops do not fit together
     if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
     const PlannedCase plan = planned(asked, checked.problem);
     const Problem& problem = plan.problem;
@@ -291,7 +292,7 @@ void print_json(const std::vector<formats::FileReading>& files, const CaseReport
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
-/// To standard error, behind the report; how many there are.
+/// Prints errors to standard error, after the report; returns their number.
 std::size_t log_errors(const std::vector<formats::FileReading>& files, const CaseReport& report) {
   std::vector<std::string> errors;
   for (const formats::FileReading& file : files)
@@ -302,7 +303,7 @@ std::size_t log_errors(const std::vector<formats::FileReading>& files, const Cas
   return errors.size();
 }
 
-// A folder may stand for one case, or alone for many.
+// A folder may be given for one case, or alone for many.
 void require_one_case(const CaseOptions& given) {
   for (const std::string& path : given.paths) {
     if (!std::filesystem::is_directory(path)) continue;
@@ -316,7 +317,7 @@ void require_one_case(const CaseOptions& given) {
   }
 }
 
-// Other than the folder of one case, whose files are taken together.
+// Returns false for the folder of one case, whose files are taken together.
 bool is_folder_of_cases(const std::vector<std::string>& paths) {
   if (paths.size() != 1 || !std::filesystem::is_directory(paths.front())) return false;
   try {

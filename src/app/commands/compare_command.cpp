@@ -1,4 +1,4 @@
-// `keyblock compare`: reruns cases against their expected values, and traces of the old program step by step.
+// `keyblock compare`: reruns cases against their expected values, and traces of the Berkeley program step by step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,7 +29,7 @@ using study::TraceDifference;
 
 struct CompareOptions {
   std::vector<std::string> cases = {"legacy_cases"};
-  std::string profile;  ///< legacy and standard where empty
+  std::string profile;  ///< empty: legacy and standard
   std::string picture;
   bool as_json = false;
   bool with_sources = false;
@@ -75,8 +75,8 @@ Json json_of(const TraceDifference& t) {
           {"stress", t.stress},     {"disp_ratio", t.disp_ratio}};
 }
 
-// Start and end of the last profile that ran, and the displacements of all of the first block named beside the expected
-// values.
+// Draws start and end of the last profile that ran. Curves show the displacements of the first block named in the
+// expected values, under all profiles.
 std::string picture_of(const CaseComparison& comparison) {
   std::vector<report::Curve> curves;
   const ComparedCase* shown = &comparison.plain.front();
@@ -101,8 +101,7 @@ std::string picture_of(const CaseComparison& comparison) {
                               "s"});
 }
 
-/// All cases and traces rerun, and the names of those that could not be run.
-// A case file that cannot be read is told of when the case is run.
+/// A case file that cannot be read is reported when the case is run.
 bool is_slow(const CaseFolder& folder) {
   try {
     return read_case_file(folder).is_slow;
@@ -111,13 +110,14 @@ bool is_slow(const CaseFolder& folder) {
   }
 }
 
+/// Results of all cases and traces, and the names of cases that could not be run.
 struct Comparison {
   std::vector<CaseComparison> cases;
   std::vector<TraceDifference> traces;
   std::vector<std::string> refused;
-  std::size_t slow = 0;  ///< cases left out
+  std::size_t slow = 0;  ///< skipped cases
 
-  /// Reruns one folder. A case that cannot be read is told and counted; the others go on.
+  /// Reruns one folder. A case that cannot be read is reported and counted; the others continue.
   void add(const CaseFolder& folder, const CompareOptions& options) {
     try {
       if (folder.has_expected) cases.push_back(study::compare_in(folder, options.profiles()));
@@ -128,7 +128,7 @@ struct Comparison {
     }
   }
 
-  /// Names of what was refused or does not hold.
+  /// Returns the names of rejected cases and of those that do not hold.
   std::vector<std::string> missed() const {
     std::vector<std::string> names = refused;
     for (const CaseComparison& c : cases)
@@ -138,7 +138,7 @@ struct Comparison {
     return names;
   }
 
-  /// Of all runs.
+  /// Counts the misses of all runs.
   std::size_t listed_misses() const {
     std::size_t count = 0;
     for (const CaseComparison& c : cases)
@@ -177,7 +177,7 @@ ExitCode compare(const CompareOptions& options) {
   for (const CaseFolder& folder : folders) inputs.emplace_back(folder.folder);
   require_picture_name("--picture", options.picture);
   require_writable({options.picture}, inputs, overwrite_if(options.force));
-  // Slow cases alone were asked for by name.
+  // If all cases are slow, the user requested them by name.
   const bool only_slow = std::ranges::all_of(folders, [](const CaseFolder& f) { return is_slow(f); });
   for (const CaseFolder& folder : folders) {
     const std::size_t before = all.cases.size();
@@ -198,7 +198,7 @@ ExitCode compare(const CompareOptions& options) {
     print_json(all);
   else
     fmt::print("{}", table_of(all.traces));
-  std::fflush(stdout);  // the table before the verdict, wherever both go
+  std::fflush(stdout);  // prints the table before the verdict, for any two streams
   return verdict(all);
 }
 

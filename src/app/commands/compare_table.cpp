@@ -1,4 +1,4 @@
-// Lays out the tables of `keyblock compare`.
+// Writes the tables of `keyblock compare`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/compare_table.hpp"
 
@@ -40,7 +40,7 @@ std::string error_of(const ComparedValue& value) {
   return value.computed ? fmt::format("{:.2e}", value.error()) : "-";
 }
 
-// One word if both profiles are judged and hold; else who is judged, or who misses.
+// Returns one word if both profiles are judged and hold; otherwise the judged profiles, or those that miss.
 std::string verdict_of(const std::vector<ComparedCase>& runs, std::size_t row) {
   std::vector<std::string> judged;
   std::vector<std::string> missed;
@@ -56,7 +56,7 @@ std::string verdict_of(const std::vector<ComparedCase>& runs, std::size_t row) {
   return judged.size() == runs.size() ? "ok" : fmt::format("ok: {} only", fmt::join(judged, ", "));
 }
 
-// The text broken at spaces, so that no line is wider than the table; lines after the first begin under its text.
+// Breaks the text at spaces, so that no line is wider than the table; later lines are aligned with its text.
 std::string wrapped(const std::string& label, const std::string& text) {
   std::string result;
   std::string line = label;
@@ -103,7 +103,7 @@ std::string value_line(const CaseComparison& comparison, std::size_t row, std::s
                             verdict_of(comparison.plain, row));
 }
 
-// How many tolerances a value is off; a value that is missing or no number is the worst of all.
+// Returns the error in units of the tolerance; infinite if the value is missing or not a number.
 double strain_on(const ComparedValue& value) {
   if (!value.computed || std::isnan(value.error())) return std::numeric_limits<double>::infinity();
   return value.error() == 0 ? 0 : std::abs(value.error()) / value.tolerance;
@@ -124,7 +124,7 @@ std::string variant_line(const ComparedCase& run) {
   return text;
 }
 
-/// The texts there are, each once, in the order of the values.
+/// Returns the distinct texts, in the order of the values.
 std::vector<std::string> texts_of(const std::vector<ComparedValue>& values, std::string ComparedValue::*text) {
   std::vector<std::string> texts;
   for (const ComparedValue& v : values)

@@ -1,4 +1,4 @@
-// Compared cases and traces as tables for a terminal.
+// Prints compared cases and traces as tables for a terminal.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,13 +10,14 @@
 
 namespace keyblock {
 
-/// Whether the reason of every tolerance is printed too.
+/// Selects if the reason of every tolerance is printed too.
 enum class Detail { brief, full };
 
-/// One case: a line an expected value with the values of all profiles, a line a variant, the sources by number.
+/// Returns the table of one case: one line per expected value with the values of all profiles, one line per variant,
+/// numbered sources.
 std::string table_of(const study::CaseComparison& comparison, Detail detail);
 
-/// One line a trace; nothing where there is none.
+/// Returns one line per trace; empty if there are none.
 std::string table_of(const std::vector<study::TraceDifference>& traces);
 
 }  // namespace keyblock

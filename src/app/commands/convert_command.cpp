@@ -1,4 +1,4 @@
-// `keyblock convert`: files in one format out in another, with everything named that the other cannot hold.
+// `keyblock convert`: converts files from one format to another, and names all content that the target cannot hold.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,7 +35,7 @@ struct ConvertOptions {
   DrawingOptions reading;
 };
 
-// Those that say a target, each once.
+// Returns the endings that determine a target, each once.
 std::string endings() {
   std::vector<std::string_view> all;
   for (const study::Target& target : study::targets())
@@ -44,7 +44,7 @@ std::string endings() {
   return fmt::format("{}", fmt::join(all, ", "));
 }
 
-// The first target whose files end as the output does, where none is named.
+// Without a named target, returns the first whose files have the ending of the output.
 const study::Target& target_of(const ConvertOptions& options) {
   if (!options.target.empty()) return study::target_named(options.target);
   const std::string ending = std::filesystem::path(options.output).extension().string();
@@ -54,7 +54,8 @@ const study::Target& target_of(const ConvertOptions& options) {
                                study::target_names(), endings(), options.output));
 }
 
-// One file is the output itself; of several, each has its ending, in place of one of the target's if there is one.
+// A single file is the output itself. Several files have their endings, which replace one of the target's if there is
+// one.
 std::filesystem::path path_of(const ConvertOptions& options, const study::Target& target, std::string_view ending) {
   if (target.parts.size() == 1) return options.output;
   std::filesystem::path file = options.output;
@@ -63,7 +64,7 @@ std::filesystem::path path_of(const ConvertOptions& options, const study::Target
   return file += ending;
 }
 
-// What was there stays beside it, under the first free name.
+// An existing file is kept next to the new one, under the first free name.
 void keep_backup(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return;
   std::filesystem::path backup = file;

@@ -1,4 +1,5 @@
-// `keyblock cut`: a drawing in, a block file or a cover file out, and on request a picture and the counts of cutting.
+// `keyblock cut`: cuts a drawing into a block file or a cover file; on request writes a picture and the counts of
+// cutting.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -75,14 +76,14 @@ Json json_of(const CutResult& cut) {
           {"warnings", warning_list_json(cut.warnings)}};
 }
 
-/// The drawing of a case that is read and checked.
+/// Returns the drawing of a case that was read and checked.
 const Drawing& drawing_of(const formats::Case& loaded, const std::string& path) {
   const Drawing* drawing = std::get_if<Drawing>(&loaded.problem.geometry);
   if (drawing == nullptr) throw InputError({path, 0, 0}, "expected a drawing (lines to cut), found none");
   return *drawing;
 }
 
-/// A block file cannot hold holes.
+/// Warns of holes: a block file cannot hold them.
 void warn_of_holes(const Blocks& blocks) {
   for (const BlockPolygon& block : blocks.blocks) {
     if (block.holes.empty()) continue;
@@ -92,7 +93,7 @@ void warn_of_holes(const Blocks& blocks) {
   }
 }
 
-/// Elements as they were cut.
+/// Returns the elements after cutting.
 FieldFrame field_of(const Manifold& manifold) {
   FieldFrame field;
   for (const ManifoldElement& element : manifold.elements) {
@@ -107,7 +108,7 @@ FieldFrame field_of(const Manifold& manifold) {
   return field;
 }
 
-/// The drawing on a mesh: writes the cover file and the picture, and adds the counts to those of cutting.
+/// Cuts the drawing on a mesh: writes the cover file and the picture, and adds the counts to those of cutting.
 void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
   FittedMesh fitted = mesh_asked_for(options.mesh, cut.graph);
   Manifold manifold = cut_cover(cut.graph, std::move(fitted.mesh));
@@ -139,7 +140,7 @@ ExitCode cut_file(const CutOptions& options) {
   std::vector<std::string> inputs{options.drawing};
   take_layers(inputs, options.reading.layers);
   const formats::Case loaded = formats::load_case(inputs, options.reading.choices);
-  log_warnings(loaded.warnings);  // before a drawing that cannot be cut: they may say why
+  log_warnings(loaded.warnings);  // before a drawing that cannot be cut: they may give the reason
   const Drawing& drawing = drawing_of(loaded, options.drawing);
   BodyCut bodies = has_mesh ? cut_bodies(drawing, options.merging, options.near_pieces)
                             : BodyCut{cut_blocks(drawing, options.merging, options.near_pieces), {}};

@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ExplainOptions {
-  std::string code;  ///< empty: the list of all
+  std::string code;  ///< empty: the list of all codes
   bool as_json = false;
 };
 

@@ -1,4 +1,4 @@
-// `keyblock formats`: what is read and written, how well each layout is known, and the layout of the case file.
+// `keyblock formats`: lists the formats with the evidence for each layout, and prints the layout of the case file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ Json json_of(const formats::Format& format) {
           {"sample", formats::knowledge_of(format).sample}};
 }
 
-/// In SI, as a case that declares m, kg and s would take them.
+/// Returns the values in SI, as for a case that declares m, kg and s.
 Json library_json() {
   const Units units{"m", "kg", "s"};
   Json rocks = Json::array(), joints = Json::array();

@@ -1,4 +1,4 @@
-// `keyblock fos`: the factor of safety of a case by strength reduction.
+// `keyblock fos`: computes the factor of safety of a case by strength reduction.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 

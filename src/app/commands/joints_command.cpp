@@ -1,4 +1,4 @@
-// `keyblock joints`: joint sets by statistics in an outline, to a drawing file.
+// `keyblock joints`: draws statistical joint sets in an outline, and writes a drawing file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ namespace {
 using formats::PlacedJson;
 using Kind = PlacedJson::Kind;
 
-// Where a value stands that no file and no single option holds.
+// Place of a value that is neither in a file nor in a single option.
 constexpr const char* kCommandLine = "the command line";
 
 struct JointsOptions {
@@ -50,7 +50,7 @@ PlacedJson objects_of(const std::string& option, const std::vector<std::string>&
   return list_of(option, std::move(items));
 }
 
-/// Lists of numbers separated by commas.
+/// Parses lists of numbers separated by commas.
 PlacedJson rows_of(const std::string& option, const std::vector<std::string>& texts) {
   std::vector<PlacedJson> rows;
   for (const std::string& text : texts) {
@@ -79,7 +79,7 @@ PlacedJson number_of(const std::string& option, double value) {
   return {Kind::number, fmt::format("{}", value), value, {}, {}, {option}};
 }
 
-/// The file, or an object of what the options say; the seed of an option rules that of the file.
+/// Returns the file, or an object made of the options; the seed of an option overrides that of the file.
 PlacedJson specification_of(const JointsOptions& options) {
   PlacedJson all{Kind::object, "an object", 0, {}, {}, {kCommandLine}};
   if (!options.specification.empty()) all = formats::read_json(formats::load(options.specification));
@@ -95,7 +95,7 @@ PlacedJson specification_of(const JointsOptions& options) {
   return all;
 }
 
-// By the ending; the old programs' files have none of their own.
+// Selects by the ending; files of Shi's programs have none of their own.
 const formats::Format& format_of(const std::string& output) {
   if (output.ends_with(".dxf")) return formats::kDxf;
   if (output.ends_with(".json")) return formats::kKeyblockCase;
@@ -108,7 +108,7 @@ struct Drawn {
   Drawing drawing;
 };
 
-// What an option says wrong is the fault of the command line, not of an input.
+// A wrong option is an error of the command line, not of an input.
 Drawn drawn(const JointsOptions& options) {
   try {
     const JointScene scene = formats::joint_scene_of(specification_of(options));

@@ -1,4 +1,4 @@
-// Names of the choices; see mesh_options.hpp.
+// Declares the names of the choices; see mesh_options.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/mesh_options.hpp"
 

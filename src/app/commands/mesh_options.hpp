@@ -1,4 +1,4 @@
-// The options that ask for a mathematical mesh.
+// Adds the options that request a mathematical mesh.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,10 +16,10 @@ struct MeshOptions {
 
 void add_mesh_options(CLI::App& app, MeshOptions& options);
 
-/// Throws UsageError where options of a mesh stand without one.
+/// Throws UsageError if options of a mesh are given without one.
 bool is_asked_for(const MeshOptions& options);
 
-/// The mesh over all bodies. Throws UsageError where it cannot be, or would be too large.
+/// Returns the mesh over all bodies. Throws UsageError if it is impossible or too large.
 FittedMesh mesh_asked_for(const MeshOptions& options, const BodyGraph& graph);
 
 }  // namespace keyblock

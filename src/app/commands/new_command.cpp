@@ -37,8 +37,8 @@ std::vector<std::string> template_names() {
   return names;
 }
 
-// A template as YAML: the outer object by lines without quotes about its keys and without commas, what stands in it as
-// it is, and // outside of quotes as #.
+// Converts a template to YAML. Keys of the outer object lose their quotes and commas, inner content is unchanged, and
+// // outside of quotes becomes #.
 class YamlOfTemplate {
  public:
   explicit YamlOfTemplate(std::string_view json) : json_(json) {

@@ -1,4 +1,4 @@
-// `keyblock plot`: another quantity, or another step, of a run that is over, drawn from the frames in its folder.
+// `keyblock plot`: draws another quantity, or another step, of a completed run from the frames in its folder.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,7 +54,7 @@ fs::path frame_at(const std::map<int, fs::path>& frames, const PlotOptions& opti
       *options.step, options.folder, frames.size(), frames.begin()->first, frames.rbegin()->first, nearest->first));
 }
 
-/// Where they lie among those of the frame.
+/// Returns the indices of the numbers in the frame.
 std::vector<std::size_t> places_of(const std::vector<int>& numbers, const formats::VtuFrame& frame) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < frame.numbers.size(); ++i)
@@ -62,14 +62,14 @@ std::vector<std::size_t> places_of(const std::vector<int>& numbers, const format
   return places;
 }
 
-/// As tables have them.
+/// Returns the numbers as in tables.
 std::vector<int> numbers_of(const formats::VtuFrame& frame) {
   std::vector<int> numbers;
   for (const int number : frame.numbers) numbers.push_back(number + 1);
   return numbers;
 }
 
-/// The same scale for pictures of all steps, so that they make a film.
+/// Returns the common scale for pictures of all steps, so that they make a film.
 report::FieldScale scale_of_all(const std::map<int, fs::path>& frames, const RunHeading& heading,
                                 report::FieldShown shown) {
   const auto read = [&](const fs::path& path) {
@@ -84,13 +84,13 @@ report::FieldScale scale_of_all(const std::map<int, fs::path>& frames, const Run
   });
 }
 
-/// If no field is asked for, the stress that varies most at the end: the same for all steps.
+/// Without a requested field, returns the stress that varies most at the end: the same for all steps.
 report::FieldShown field_asked(const PlotOptions& options, const fs::path& last) {
   if (!options.field.empty()) return report::field_of_word(options.field);
   return report::most_varied(formats::read_vtu(formats::load(last.string())).field);
 }
 
-/// What a picture may not take the place of: the frames, the record and the tables.
+/// Returns the files that a picture may not replace: the frames, the record and the tables.
 std::vector<fs::path> kept_files(const fs::path& folder) {
   std::vector<fs::path> kept;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
@@ -115,7 +115,7 @@ ExitCode plot(const PlotOptions& options) {
   RunHeading heading = heading_of(options.folder);
   const fs::path shown = frame_at(frames, options);
   const formats::VtuFrame frame = formats::read_vtu(formats::load(shown.string()));
-  if (heading.units == Units{}) heading.units = frame.units;  // of a run that was killed, which has no record
+  if (heading.units == Units{}) heading.units = frame.units;  // of a killed run, which has no record
   const FieldFrame& field = frame.field;
   const report::FieldShown quantity = field_asked(options, frames.rbegin()->second);
   const std::string word = report::kFieldWords.at(static_cast<std::size_t>(quantity));

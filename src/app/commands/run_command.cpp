@@ -32,13 +32,13 @@ namespace {
 struct RunOptions {
   CaseOptions given;
   std::string folder;
-  std::string resume;  ///< folder of a run to go on with
+  std::string resume;  ///< folder of a run to resume
   double checkpoint_every = RecordingOptions{}.checkpoint_every;
   int record_every = 0;
   bool as_json = false;
   bool trace = false;
   bool force = false;
-  bool both = false;  ///< profiles, one after the other
+  bool both = false;  ///< profiles, in sequence
   bool list_settings = false;
   OutputOptions outputs;
   ReductionOptions reduction;
@@ -82,7 +82,7 @@ RecordingOptions recording_of(const RunOptions& options) {
 }
 
 ProfileAnswer answer_of_run(RecordedRun& run, RunMessages& messages, bool is_resumed, bool prints_json) {
-  listen_for_stops();  // from here on something is left that a stop should leave whole
+  listen_for_stops();  // from here on a stop must leave complete files
   run.open();
   const Prepared& prepared = run.prepared();
   ProgressLine progress(prepared.scene.settings.step_count, run.steps_before().value_or(0), softer_springs(prepared),
@@ -119,7 +119,7 @@ ExitCode run_reduced(const RunOptions& options) {
   return reduce_strength(case_of(options.given), reduction);
 }
 
-// One profile that cannot be run is told beside the answer of the other.
+// A profile that cannot be run is reported together with the result of the other.
 ProfileAnswer answer_under(const RunOptions& options, const std::string& profile, RunMessages& messages) {
   RunOptions own = options;
   own.given.profile = profile;
@@ -144,7 +144,7 @@ ProfileAnswer answer_under(const RunOptions& options, const std::string& profile
   }
 }
 
-// Under the rules of the old programs and under those of today; first those that the files ask for.
+// Runs under the rules of Shi's programs and under the standard ones; first under those that the files request.
 ExitCode run_both(const RunOptions& options) {
   const OpenCase asked = opened(case_of(options.given));
   const bool is_old = rules_of(profile_of(asked.input.problem, {}, asked.common)) == "legacy";

@@ -1,4 +1,4 @@
-// `keyblock sif`: stress intensity factors and J of every crack tip of a case, by every choice of domain.
+// `keyblock sif`: computes stress intensity factors and J of every crack tip of a case, for every choice of domain.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -66,7 +66,7 @@ nlohmann::ordered_json json_of(const study::TipAtEnd& tip) {
   return json;
 }
 
-/// Both treatments, that of the case first.
+/// Prints both treatments, that of the case first.
 void print_treatments(const study::TipAtEnd& tip, const study::CaseIntensity& found) {
   const auto row = [&](bool has_functions, int unknowns, double side, const TipFactors& f) {
     fmt::print("  {:22} {:8} {:11.3g} {:13.6g} {:13.6g} {:13.6g}\n",
@@ -110,7 +110,7 @@ void print(const study::TipAtEnd& tip, std::size_t number, const study::CaseInte
 
 ExitCode print_intensity(const SifOptions& options) {
   const OpenCase open = opened(case_of(options.given));
-  const ConfiguredCase made = configured(open, open.input.problem, OldFiles::standard);  // the old rules know no tips
+  const ConfiguredCase made = configured(open, open.input.problem, OldFiles::standard);  // legacy has no tips
   const study::CaseIntensity found = study::intensity_at_end(made);
   log_by_level(joined(open.input.warnings, found.warnings), "the case");
   if (!found.failure.empty()) {

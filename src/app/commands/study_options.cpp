@@ -1,4 +1,4 @@
-// Checks before runs: what cannot be written or compared is said before minutes are spent.
+// Checks outputs and references before the runs, which may take minutes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/study_options.hpp"
 

@@ -1,5 +1,5 @@
-// What `tradeoff` and `sweep` share: the case, the limits of its runs, what they are held against, and who else is
-// running.
+// Declares the common options of `tradeoff` and `sweep`: the case, the limits of its runs, the reference, and the load
+// of the machine.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,7 +18,7 @@ struct StudyOptions {
   std::vector<std::string> paths;
   std::string profile = "standard";
   std::vector<std::string> sets;
-  std::string against;  ///< expected or finest; empty: expected where there are such values
+  std::string against;  ///< expected or finest; empty: expected if there are such values
   int finest = 4;
   int repeat = 1;
   double limit = 60;
@@ -31,31 +31,31 @@ struct StudyOptions {
 
 void add_study_options(CLI::App& options, StudyOptions& chosen);
 
-/// The case as asked for. Throws UsageError for settings that are none, for a part that is no power of two, and where
-/// expected values are asked for that are not there.
+/// Returns the requested case. Throws UsageError for unknown settings, for a part that is not a power of two, and if
+/// requested expected values do not exist.
 study::StudyCase case_asked(const StudyOptions& options);
 
-/// On the standard error, run by run.
+/// Prints a run to standard error.
 void tell_run(const study::MeasuredRun& run, std::size_t done, std::size_t of);
 
-/// What a study that was asked to stop says and returns.
+/// Prints the message of a stopped study and returns its exit code.
 ExitCode stopped_with(const study::Tradeoff& result);
 
-/// "2 processors, load 1.7": processor time, too, grows where others share caches and memory.
+/// Returns "2 processors, load 1.7": other programs that share caches and memory increase processor time too.
 std::string machine_words();
 
-/// Whether errors of some per cent are a guess already, so that a table of them says nothing.
+/// Returns true if errors of some per cent are uncertain, so that their table is useless.
 bool is_in_doubt_as_a_whole(const study::Reference& reference);
 
-/// Why errors are a guess, and up to which, of a reference that is not resolved.
+/// Explains why errors are uncertain, and up to which size, for a reference that is not resolved.
 std::string words_of_doubt(const study::Reference& reference);
 
-/// How errors are measured, and the doubt where there is one.
+/// Describes the measure of errors, and the doubt if there is one.
 std::string reference_words(const study::Reference& reference);
 
 nlohmann::ordered_json reference_json(const study::Reference& reference);
 nlohmann::ordered_json settings_json(const std::vector<Override>& settings);
-/// None for what is not finite.
+/// Returns null for a value that is not finite.
 nlohmann::ordered_json json_number(double value);
 nlohmann::ordered_json machine_json();
 

@@ -1,4 +1,4 @@
-// `keyblock sweep`: the map of a case over contact stiffness and step.
+// `keyblock sweep`: maps a case over contact stiffness and step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -33,7 +33,7 @@ struct SweepOptions : StudyOptions {
   std::string table;
 };
 
-/// The runs of the map stand first in the result, row by row.
+/// Map of runs, which come first in the result, row by row.
 struct Map {
   const SweepOptions& options;
   const Tradeoff& result;
@@ -51,10 +51,10 @@ struct Map {
   std::string penalty(std::size_t row) const {
     return fmt::format("{:.3g}", std::stod(value(row, 0, "contact_penalty")));
   }
-  // A run may end and yet not reach what is compared.
+  // A run may end without reaching the compared values.
   std::string verdict(std::size_t row, std::size_t column) const {
     const MeasuredRun& made = run(row, column);
-    if (result.reference.values.empty()) return name_of(made.end);  // stopped before there was one
+    if (result.reference.values.empty()) return name_of(made.end);  // stopped before the reference was known
     return made.end == MeasuredEnd::finished && !std::isfinite(error(row, column)) ? "not reached" : name_of(made.end);
   }
   std::string cell(std::size_t row, std::size_t column) const {
@@ -178,7 +178,7 @@ Action configure_sweep(CLI::App& options) {
       ->check(above_zero());
   options.add_option("--table", chosen->table, "write the map as a table (CSV)")->type_name("FILE");
   return [chosen] {
-    context().use_threads(1);  // prices are processor time
+    context().use_threads(1);  // costs are processor time
     listen_for_stops();
     return run_sweep(*chosen);
   };

@@ -1,4 +1,4 @@
-// `--threads` of the commands that make steps.
+// Declares `--threads` for the commands that make steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command.hpp"
 #include "base/context.hpp"

@@ -1,4 +1,5 @@
-// `keyblock tradeoff`: a case run in many ways, its front of cost and error, and the settings that meet a wish.
+// `keyblock tradeoff`: runs a case with many settings; finds the Pareto front of cost and error, and settings for a
+// target.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -36,13 +37,13 @@ struct TradeoffOptions : StudyOptions {
   std::vector<std::string> vary;
   std::size_t most = 200;
   std::string budget;
-  double error = 0;  ///< 0: none asked
+  double error = 0;  ///< 0: none requested
   std::string output;
 
   bool has_wish() const { return !budget.empty() || error > 0; }
 };
 
-// "10s", "500 ms", "2min", "10".
+// Parses "10s", "500 ms", "2min", "10".
 double seconds_of(const std::string& text) {
   double number = 0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -75,7 +76,7 @@ std::string error_text(const Tradeoff& result, std::size_t i) {
   return fmt::format("{}{:.{}e}", is_told_apart ? "" : "<", result.prices[i].error, is_told_apart ? 2 : 1);
 }
 
-// Cheapest first, those without a result last.
+// Sorts by cost, runs without a result last.
 std::vector<std::size_t> by_cost(const Tradeoff& result) {
   std::vector<std::size_t> order(result.runs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -93,7 +94,7 @@ std::string table_of(const Tradeoff& result) {
                   reference_words(result.reference), "run", width, "steps", "unknowns", "CPU s", "error", "over front");
   for (const std::size_t i : by_cost(result)) {
     const MeasuredRun& run = result.runs[i];
-    if (run.end == study::MeasuredEnd::stopped && run.timings == 0) continue;  // there is nothing to show
+    if (run.end == study::MeasuredEnd::stopped && run.timings == 0) continue;  // no result to print
     const double over = over_front(result.prices, i);
     table +=
         fmt::format("  {:{}} {:>8} {:>9} {:>10.3g} {:>9} {:>10}  {}\n", run.plan.name, width, run.steps, run.unknowns,
@@ -129,7 +130,7 @@ std::string picture_of(const Tradeoff& result) {
   return tradeoff_picture(picture);
 }
 
-// All settings of the run, each name once with its last value; files named from where the settings are to stand.
+// Returns all settings of the run, each name once with its last value; files are named relative to the settings file.
 SettingsFile settings_of(const study::StudyCase& chosen, const study::RunPlan& plan, const fs::path& file) {
   SettingsFile settings{plan.profile, {}};
   std::vector<Override> all = chosen.overrides(plan.profile);
@@ -193,7 +194,7 @@ Json json_of(const Tradeoff& result, const study::StudyCase& chosen, const study
           {"settings_file", choice ? Json(file) : Json()}};
 }
 
-// Who comes nearest, where nobody meets the wish.
+// Names the nearest run if none meets the target.
 std::string words_of_nearest(const Tradeoff& result, const study::Wish& wish) {
   if (result.front.empty()) return "no run gave a result";
   const std::size_t best = result.front.back();
@@ -275,7 +276,7 @@ Action configure_tradeoff(CLI::App& options) {
                   "file for the picked settings, for run --settings-file (default: CASE.settings)")
       ->type_name("FILE");
   return [chosen] {
-    context().use_threads(1);  // prices are processor time
+    context().use_threads(1);  // costs are processor time
     listen_for_stops();
     return run_tradeoff(*chosen);
   };

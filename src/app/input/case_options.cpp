@@ -1,4 +1,4 @@
-// One option after the other.
+// Declares the options of a case in turn.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/input/case_options.hpp"
 

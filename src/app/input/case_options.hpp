@@ -1,4 +1,4 @@
-// The options by which every command takes a case: its files, what is said of its drawing, profile and settings.
+// Adds the options by which every command takes a case: its files, choices for its drawing, profile and settings.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,7 +19,7 @@ struct CaseOptions {
   DrawingOptions reading;
 };
 
-/// The options that were added, for commands that exclude some of them from others.
+/// Added options, for commands that exclude some of them from others.
 struct CaseOptionList {
   CLI::Option* files;
   CLI::Option* profile;
@@ -31,10 +31,10 @@ struct CaseOptionList {
 /// Adds the files of a case, `--profile`, `--set`, `--settings-file` and the options of a drawing.
 CaseOptionList add_case_options(CLI::App& options, CaseOptions& chosen, const std::string& about_files);
 
-/// The case that the options ask for. Throws UsageError for a `--set` that is no key=value, and as asked_case.
+/// Returns the requested case. Throws UsageError for a `--set` that is not key=value; otherwise throws like asked_case.
 AskedCase case_of(const CaseOptions& chosen);
 
-/// key=value, as `--set` has it. Throws UsageError.
+/// Parses key=value pairs of `--set`. Throws UsageError.
 std::vector<Override> overrides_of(const std::vector<std::string>& sets);
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// The table is an input like others, recognised by its first line.
+// Adds the options of a drawing. The table of layers is an input file, recognised by its first line.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/input/drawing_options.hpp"
 

@@ -1,4 +1,4 @@
-// Options for the drawing among the inputs: `--layers FILE`, `--unit UNIT`, `--join DISTANCE`.
+// Adds options for the drawing among the inputs: `--layers FILE`, `--unit UNIT`, `--join DISTANCE`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,10 +17,10 @@ struct DrawingOptions {
   bool operator==(const DrawingOptions&) const = default;
 };
 
-/// The options, in this order: layers, unit, join.
+/// Returns the options in this order: layers, unit, join.
 std::vector<CLI::Option*> add_drawing_options(CLI::App& options, DrawingOptions& chosen);
 
-/// Adds the table of layers behind the other files, if there is one. Throws InputError if it is no table of layers.
+/// Appends the table of layers to the other files, if there is one. Throws InputError if it is not a table of layers.
 void take_layers(std::vector<std::string>& files, const std::string& layers);
 
 }  // namespace keyblock

@@ -1,4 +1,5 @@
-// `keyblock element`: one element of a case's material along a path of strains and stresses, its curve out.
+// `keyblock element`: computes one element of a case's material along a path of strains and stresses, and writes its
+// curve.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -45,7 +46,7 @@ struct ElementOptions {
   std::string picture;
   bool may_overwrite = false;
   bool as_json = false;
-  std::vector<std::string> given = {};  ///< of the options that some path does not read, those given
+  std::vector<std::string> given = {};  ///< given options among those that some paths do not read
 };
 
 const std::map<std::string, study::NamedPath> kPaths{
@@ -53,7 +54,7 @@ const std::map<std::string, study::NamedPath> kPaths{
     {"triaxial", study::NamedPath::triaxial},   {"biaxial", study::NamedPath::biaxial},
     {"oedometer", study::NamedPath::oedometer}, {"shear", study::NamedPath::shear}};
 
-/// The material asked for, and the units of its case.
+/// Requested material, and the units of its case.
 struct Chosen {
   YieldLaw law;
   Units units;
@@ -88,14 +89,14 @@ void require_read(const ElementOptions& options, std::string_view option, bool i
     throw UsageError(fmt::format("{}: expected none with --path {}, which does not read it", option, options.path));
 }
 
-/// Not a number, or beyond `greatest` either way.
+/// Throws UsageError for a value that is not a number, or beyond `greatest` in either direction.
 void require_within(std::string_view option, double value, double greatest) {
   if (!(std::abs(value) <= greatest))
     throw UsageError(
         fmt::format("{}: expected a number from {:g} to {:g}, found {:g}", option, -greatest, greatest, value));
 }
 
-/// The targets, of a cyclic path with one alone 0 after it, as often as there are cycles.
+/// Returns the targets, repeated per cycle; a cyclic path with a single target gets 0 after it.
 std::vector<double> targets_of(const ElementOptions& options) {
   std::vector<double> once = options.targets;
   if (options.path == "cyclic" && once.size() == 1) once.push_back(0);
@@ -121,11 +122,11 @@ study::ElementPath path_of(const ElementOptions& options) {
   return study::read_path(formats::read_csv(formats::load(options.path)));
 }
 
-/// Some 300 bytes each in memory, and as many in the table.
+/// Limits on points: about 300 bytes each in memory, and as many in the table.
 constexpr double kMostPoints = 1e7;
 constexpr double kManyPoints = 1e6;
 
-/// Before any work is done: a curve of so many points that it would not fit into memory is refused.
+/// Rejects, before any work, a curve with too many points for the memory.
 void require_few_points(const ElementOptions& options, const study::ElementPath& path) {
   const double points = static_cast<double>(path.legs.size()) * options.steps;
   if (points > kMostPoints)

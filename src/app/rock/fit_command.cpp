@@ -1,4 +1,4 @@
-// `keyblock fit`: parameters of rock from what was measured, with their errors and a picture.
+// `keyblock fit`: fits parameters of rock to measurements, with their errors and a picture.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -37,9 +37,9 @@ using Json = nlohmann::ordered_json;
 struct FitOptions {
   std::string input;
   bool is_triaxial = false;
-  std::string toughness;  ///< the test; empty: none
+  std::string toughness;  ///< kind of test; empty: none
   std::string compression = "auto";
-  std::optional<double> strain_factor;  ///< else as the heading says
+  std::optional<double> strain_factor;  ///< empty: by the heading
   double friction_deg = 0;
   std::string output;
   std::string material;
@@ -62,7 +62,7 @@ struct NamedFound {
   study::Found found;
 };
 
-/// What a fit of either kind puts out.
+/// Output of a fit of either kind.
 struct Outcome {
   std::vector<NamedFound> values;
   study::Agreement agreement;
@@ -71,7 +71,7 @@ struct Outcome {
   study::MeasuredPairs measured;
   report::AxisLabels axes;
   report::Curve line;
-  bool is_mean = false;  ///< of specimens: there is no R²
+  bool is_mean = false;  ///< of specimens: no R²
   Warnings warnings;
 };
 
@@ -82,20 +82,20 @@ Json json_of(const study::Found& f) {
       {"value", f.value}, {"standard_error", number(f.standard_error)}, {"interval", {number(f.low), number(f.high)}}};
 }
 
-/// Stresses of one table, as they are put out.
+/// Stresses of one table, in the form of the output.
 class Stresses {
  public:
   explicit Stresses(std::string unit) : unit_(std::move(unit)) {}
 
   std::string in_words() const { return unit_.empty() ? "F/L²" : unit_; }
-  /// A value of a case file, which takes "20 GPa" in whatever units it has.
+  /// Returns a value of a case file, which takes "20 GPa" in any units.
   Json value(double stress) const { return unit_.empty() ? Json(stress) : Json(fmt::format("{} {}", stress, unit_)); }
 
  private:
   std::string unit_;
 };
 
-/// The strength that a plateau is: with an angle of friction that of Mohr and Coulomb.
+/// Returns the strength for a plateau: that of Mohr and Coulomb if there is a friction angle.
 Json strength_json(const Stresses& stresses, double compressive, double friction_deg) {
   if (friction_deg == 0) return {{"surface", "tresca"}, {"cohesion", stresses.value(compressive / 2)}};
   const double phi = friction_deg * std::numbers::pi / 180;
@@ -130,7 +130,7 @@ Outcome curve_outcome(const FitOptions& options, study::MeasuredPairs pairs) {
     out.values.push_back({"strength", stresses.in_words(), *fit.strength});
     out.material["strength"] = strength_json(stresses, curve.strength, options.friction_deg);
   }
-  // The corners of the curve.
+  // Corners of the curve.
   std::vector<double> corners{std::min(0.0, pairs.x.front()), curve.closure_strain, pairs.x.back()};
   if (fit.strength)
     corners.push_back(curve.closure_strain +

@@ -1,4 +1,4 @@
-// Counts come from the first scene of the run, the number of steps from all of its stages.
+// Counts bodies in the first scene of the run, and steps in all of its stages.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run_words/first_line.hpp"
 
@@ -16,7 +16,7 @@
 namespace keyblock {
 namespace {
 
-// Blocks with at least two fixed points; about a single one a block can rotate.
+// Counts blocks with at least two fixed points; a block can rotate about a single one.
 std::size_t fixed_blocks(const Model& model) {
   std::map<std::size_t, int> points;
   for (const CarriedPoint& point : model.fixed_points) ++points[point.element.value];

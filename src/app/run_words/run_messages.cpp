@@ -1,4 +1,4 @@
-// Levels decide what is shown: errors always, help and summary unless --quiet, solver statistics with --verbose.
+// Prints by level: errors always, help and summary unless --quiet, solver statistics with --verbose.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run_words/run_messages.hpp"
 
@@ -35,7 +35,7 @@ std::string blocks_in_words(const std::vector<int>& numbers) {
   return fmt::format("block{} {}", numbers.size() == 1 ? "" : "s", fmt::join(numbers, ", "));
 }
 
-// Statics shows nothing of the other blocks if a sliver falls.
+// If a sliver falls, statics shows no result for the other blocks.
 bool only_slivers_move(const Prepared& prepared, const RunOutcome& outcome) {
   const std::vector<BlockPolygon>& blocks = prepared.blocks.blocks;
   if (!is_of_the_scene(outcome.failure) || outcome.numbers.empty() || !outcome.scenes.empty()) return false;
@@ -54,7 +54,7 @@ void print_how_to_resume(const std::string& folder) {
   print_help(fmt::format("keyblock run --resume {} continues it", folder));
 }
 
-// Those of `names` that the run wrote, with their folder.
+// Returns those of `names` that the run wrote, with their folder.
 template <std::size_t N>
 std::vector<std::string> written(const RunRecord& record, const std::string& folder,
                                  const std::array<std::string_view, N>& names) {

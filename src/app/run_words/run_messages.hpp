@@ -1,4 +1,4 @@
-// Prints what a run says on the terminal: one line at the start; summary, files and help at the end.
+// Prints the messages of a run on the terminal: one line at the start; summary, files and help at the end.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -33,7 +33,7 @@ class RunMessages {
   void print_stop(int steps, const std::string& folder) const;
 
   std::string file_;
-  std::set<std::string> printed_;  ///< warnings in full
+  std::set<std::string> printed_;  ///< warnings printed in full
 };
 
 }  // namespace keyblock

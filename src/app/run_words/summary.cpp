@@ -1,4 +1,4 @@
-// All values come from the record of the run; here they get their words.
+// Formats values from the record of the run as words.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/run_words/summary.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 using Rows = std::vector<std::string>;
 
-constexpr double kShortTime = 10;     // seconds, below which they have a decimal
+constexpr double kShortTime = 10;     // seconds; shorter times have a decimal
 constexpr double kRoundOff = 1e-9;    // of the largest stress
 constexpr double kNoOverlap = 1e-12;  // of the size of the scene
 
@@ -30,7 +30,7 @@ std::string element_in_words(const Prepared& prepared, int number) {
   return fmt::format("{} {}", prepared.scene.model.nodes.empty() ? "block" : "element", number + 1);
 }
 
-// The force that the largest stress at the end would have over the extent of the bodies.
+// Returns the force of the largest stress at the end over the extent of the bodies.
 double force_of_stress(const FieldFrame& field) {
   Box box;
   double greatest = 0;
@@ -44,7 +44,7 @@ double force_of_stress(const FieldFrame& field) {
   return field.elements.empty() ? 0 : greatest * length(box.size());
 }
 
-// Resultants below this share of `force_of_stress` are those of loads that balance each other.
+// Resultants below this fraction of `force_of_stress` belong to loads that balance each other.
 constexpr double kNoResultant = 1e-6;
 
 bool are_loaded(const ForceBalance& forces) {

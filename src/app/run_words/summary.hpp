@@ -1,4 +1,4 @@
-// Results of a run in a few aligned rows for the terminal.
+// Formats the results of a run in a few aligned rows for the terminal.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

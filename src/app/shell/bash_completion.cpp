@@ -1,4 +1,4 @@
-// A script of bash, written from the tables of commands and options.
+// Writes a script for bash from the tables of commands and options.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/shell/bash_completion.hpp"
 
@@ -17,7 +17,7 @@ std::string names_of(const std::vector<DescribedOption>& options) {
   return names;
 }
 
-/// "--log|--color": those before a command whose value is the next word.
+/// Returns "--log|--color": options before a command whose value is the next word.
 std::string names_with_value(const std::vector<DescribedOption>& options) {
   std::vector<std::string> names;
   for (const DescribedOption& option : options)
@@ -25,7 +25,7 @@ std::string names_with_value(const std::vector<DescribedOption>& options) {
   return names.empty() ? "''" : fmt::format("{}", fmt::join(names, "|"));
 }
 
-/// "run,--field) words=\"sxx syy\" ;;": values that are one of a few words.
+/// Returns "run,--field) words=\"sxx syy\" ;;": values from a list of words.
 std::string values_of(const std::string& command, const std::vector<DescribedOption>& options) {
   std::string cases;
   for (const DescribedOption& option : options) {
@@ -36,7 +36,7 @@ std::string values_of(const std::string& command, const std::vector<DescribedOpt
   return cases;
 }
 
-/// Words of what stands without a name: the kinds of `new`.
+/// Returns the words of arguments without a name: the kinds of `new`.
 std::string words_of(const std::vector<DescribedOption>& options) {
   for (const DescribedOption& option : options)
     if (option.names.empty() && !option.words.empty()) return fmt::format("{}", fmt::join(option.words, " "));

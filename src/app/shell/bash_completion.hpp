@@ -1,4 +1,4 @@
-// The program as bash completes it.
+// Writes the completion of the program for bash.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace keyblock {
 
-/// A script for bash that completes commands, options, and values of options that take one of a few words.
+/// Returns a script for bash that completes commands, options, and values of options with a list of words.
 std::string bash_completion(const CLI::App& program);
 
 }  // namespace keyblock

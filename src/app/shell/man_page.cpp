@@ -1,4 +1,4 @@
-// The man page, written from the tables of commands and options, so that it says what --help says.
+// Writes the man page from the tables of commands and options, so that it agrees with --help.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/shell/man_page.hpp"
 
@@ -10,7 +10,7 @@
 namespace keyblock {
 namespace {
 
-// A backslash begins a request of roff, as does a point or an apostrophe at the start of a line.
+// A backslash begins a request of roff; so does a point or an apostrophe at the start of a line.
 std::string escaped(std::string_view text) {
   std::string safe;
   bool begins_line = true;

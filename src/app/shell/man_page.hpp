@@ -1,4 +1,4 @@
-// The program as a man page.
+// Writes the man page of the program.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace keyblock {
 
-/// The whole program in roff, section 1: every command with its options and examples.
+/// Returns the whole program in roff, section 1: every command with its options and examples.
 std::string man_page(const CLI::App& program);
 
 }  // namespace keyblock

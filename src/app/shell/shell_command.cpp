@@ -1,4 +1,4 @@
-// `keyblock shell`: what a shell and `man` want to know of the program, made from its own tables of options.
+// `keyblock shell`: prints bash completion and the man page, made from the program's tables of options.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

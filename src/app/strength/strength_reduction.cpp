@@ -1,4 +1,4 @@
-// Checks before the first trial, a table as trials come, files at the end.
+// Checks before the first trial, prints a table during the trials, writes files at the end.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/strength/strength_reduction.hpp"
 
@@ -34,13 +34,13 @@ using study::SearchEnd;
 using study::StrengthTrial;
 using study::Verdict;
 
-/// The case as it was read.
+/// Case after reading.
 struct ReducedCase : OpenCase {
   ConfiguredCase made;
   ReductionAsked reduction;
 };
 
-constexpr double kLower = 20;  // of what a message proposes to begin at
+constexpr double kLower = 20;  // ratio of the failed limit and the one that a message proposes
 constexpr std::array<const char*, 4> kFiles{"fos.json", "trials.csv", "picture.svg", "fos.svg"};
 
 Json number_or_none(const std::optional<double>& value) {
@@ -74,7 +74,7 @@ Json trial_json(const StrengthTrial& trial) {
           {"systems", trial.systems}};
 }
 
-// Serviceability: none if displacements do not grow before the case falls.
+// Serviceability: null if displacements do not grow before failure.
 Json service_json(const FactorOfSafety& found) {
   if (!found.grows_before_it_falls()) return {};
   Json json = bracket_json(found.service);
@@ -178,7 +178,7 @@ FieldFrame as_drawn(FieldFrame field) {
   return field;
 }
 
-// Draws bolts where they were drawn; one at its strength counts as broken.
+// Draws bolts at their original places; a bolt at its strength counts as broken.
 std::vector<report::StrengthBolt> bolts_of(const Model& model, const FactorOfSafety& found) {
   std::vector<report::StrengthBolt> bolts;
   for (std::size_t i = 0; i < model.bolts.size(); ++i) {
@@ -256,7 +256,7 @@ void require_options(const ReducedCase& chosen, const ReductionOptions& options)
   for (const std::string& file : chosen.files) require_not_below(file, options.folder);
 }
 
-// Refuses what the command line exempts without effect; a case file may exempt for any reduction.
+// Rejects exemptions of the command line without effect; a case file may exempt for any reduction.
 void require_effect(const std::vector<std::string>& exempt, Reduced what) {
   for (const std::string& word : exempt) {
     const bool is_of_rock = word.starts_with("material:");

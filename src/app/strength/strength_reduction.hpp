@@ -1,4 +1,5 @@
-// What `fos` and `run --reduce-strength` share: the search, its tables and its pictures.
+// Performs the search of `fos` and `run --reduce-strength`, and writes its tables and pictures. Theory:
+// docs/theory/11-strength-reduction.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,20 +15,20 @@ namespace keyblock {
 
 struct ReductionOptions {
   std::string what;                      ///< joints, rock or both; empty: none
-  ReductionAsked asked;                  ///< but for what
-  std::optional<long long> trial_limit;  ///< linear systems; 0: none
+  ReductionAsked asked;                  ///< all except `what`
+  std::optional<long long> trial_limit;  ///< linear solves; 0: none
   bool seeks_mesh_error = true;
   std::string folder;
   bool as_json = false;
   bool force = false;
 };
 
-/// `--from`, `--to`, `--to-within`, `--trial-limit`, `--exempt`, `--no-mesh-error`.
+/// Adds `--from`, `--to`, `--to-within`, `--trial-limit`, `--exempt`, `--no-mesh-error`.
 std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOptions& chosen);
 
-/// Searches, prints and writes; what the options leave open is taken from `case.json`. The profile is `standard` for
-/// old files too, unless one is asked for: the search is one of statics. Throws UsageError for options that do not fit
-/// and for a profile that `case.json` does not run, InputError for a case that cannot be reduced.
+/// Searches, prints and writes; missing options are taken from `case.json`. The default profile is `standard`, also for
+/// files of Shi's programs: the search is static. Throws UsageError for options that do not fit and for a profile that
+/// `case.json` does not run. Throws InputError for a case that cannot be reduced.
 ExitCode reduce_strength(const AskedCase& asked, const ReductionOptions& options);
 
 }  // namespace keyblock

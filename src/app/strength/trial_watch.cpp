@@ -1,4 +1,4 @@
-// A thread beside the search, which looks at the clock.
+// Runs a thread during the search that prints progress at intervals.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/strength/trial_watch.hpp"
 
@@ -17,7 +17,7 @@ namespace keyblock {
 namespace {
 
 constexpr double kPatienceWithTrials = 2;
-constexpr double kBetweenLines = 5;  // in a log
+constexpr double kBetweenLines = 5;  // seconds, in a log
 constexpr double kLeastShareOfTrial = 0.02;
 
 }  // namespace

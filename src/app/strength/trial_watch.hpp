@@ -12,8 +12,9 @@
 
 namespace keyblock {
 
-/// Reports a trial that takes more than two seconds, every second on a terminal and every five in a log: its factor,
-/// its time so far, the progress of the search, and the mean time of the trials before. Nothing under --quiet.
+/// Reports a trial of more than two seconds, every second on a terminal and every five in a log. The report has the
+/// reduction factor, the time so far, the progress of the search, and the mean time of earlier trials. Prints nothing
+/// under --quiet.
 class TrialWatch {
  public:
   TrialWatch();
@@ -33,11 +34,11 @@ class TrialWatch {
 
   bool on_terminal_;
   Context context_;               ///< of the search
-  std::optional<double> factor_;  ///< of the trial that runs
+  std::optional<double> factor_;  ///< of the current trial
   Clock::time_point begun_;
   Clock::time_point told_;
   int made_ = 0;
-  double taken_ = 0;  ///< seconds, by those that ended
+  double taken_ = 0;  ///< seconds, of completed trials
   bool line_open_ = false;
   std::mutex mutex_;
   std::condition_variable wakes_;

@@ -1,4 +1,4 @@
-// Commented cases to begin one's own from: `keyblock new` writes them, tests run them.
+// Defines commented example cases: `keyblock new` writes them, tests run them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/templates/case_templates.hpp"
 

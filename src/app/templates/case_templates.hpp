@@ -1,4 +1,4 @@
-// Commented cases to begin one's own from.
+// Declares the commented example cases.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
