@@ -73,7 +73,7 @@ bool is_binary(char c) {
   return (byte < 0x20) & !is_white & (byte != 0x1a);
 }
 
-/// Returns the first byte from `at` on and before `last` that no text contains; npos if there is none. It counts piece
+/// Returns the first byte from `at` on and before `last` that no text contains; npos if all are text. It counts piece
 /// by piece, which compilers make fast.
 std::size_t find_binary(std::string_view text, std::size_t at, std::size_t last) {
   constexpr std::size_t kPiece = 4096;

@@ -13,7 +13,7 @@ namespace keyblock::formats {
 /// Returns all formats, in the order of trial.
 std::span<const Format* const> all_formats();
 
-/// Returns the format of that name; null if there is none.
+/// Returns the format of that name; null if no format has it.
 const Format* find_format(std::string_view name);
 
 /// Loads a file from disk. Throws InputError if it is not a readable regular file.

@@ -16,8 +16,8 @@ namespace keyblock::formats {
 /// condition on the value), `index` (from 1 in the file, from 0 inside), `formula` (a number or a text). Also `flag`,
 /// `word` (of an enumeration), `text`, `mass_by` (units that may replace a unit of mass), `optional_real`,
 /// `optional_integer`. For structs: `row` (a struct as an array), `object`, `optional_object`, `optional_row`. For
-/// vectors: `rows`, `objects` and `lists` (of rows), with their least size if the list is required. For curves: `curve`,
-/// `curves` (rows of time and value); for words: `pairs` (an object of words).
+/// vectors: `rows`, `objects` and `lists` (of rows), with their least size if the list is required. For curves:
+/// `curve`, `curves` (rows of time and value); for words: `pairs` (an object of words).
 template <class F, class T>
 using In = std::conditional_t<F::is_writing, const T, T>;
 

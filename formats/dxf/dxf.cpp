@@ -43,7 +43,7 @@ double edge_node_ratio(const DxfDocument& document, const Place& file, Warnings&
   return kDxfEdgeNodeRatio;
 }
 
-/// Returns the only section of that name; null if there is none.
+/// Returns the only section of that name; null if it is missing.
 const DxfSection* find_section(const DxfDocument& document, std::string_view name) {
   const DxfSection* found = nullptr;
   for (const DxfSection& section : document.sections()) {

@@ -29,7 +29,7 @@ class DxfDefinitions {
   /// Reads the section BLOCKS; null: no definitions. Throws InputError if a base point is not a number.
   DxfDefinitions(const DxfDocument& document, const DxfSection* blocks);
 
-  /// Returns null if there is none of that name.
+  /// Returns null if no definition has that name.
   DxfDefinition* find(std::string_view name);
 
   /// Largest number of points that all INSERT together may draw, and largest depth of nested definitions.

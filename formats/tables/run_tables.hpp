@@ -47,7 +47,7 @@ extern const RunTable kBoltArrays;     ///< lines of a frame's bolts
 /// Returns all tables, in the order above.
 std::span<const RunTable* const> run_tables();
 
-/// Returns the declared column of this name; "x12" finds "x#". Throws std::logic_error if there is none.
+/// Returns the declared column of this name; "x12" finds "x#". Throws std::logic_error if it is missing.
 const Column& column_of(const RunTable& table, std::string_view name);
 
 /// Returns the name with its unit: "x12 [mm]". Degrees are named even if the case does not declare units.

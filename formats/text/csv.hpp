@@ -13,21 +13,21 @@
 //            load fraction, if steps follow the path of equilibria (load_control = arc_length). load_factor is that of
 //            all loads, if cracks grow. yielded_fraction is the fraction of the area of such rock that has yielded
 //            since the start; yielding_fraction is the fraction that ended the step on its yield surface. plastic_work
-//            [F L] is stress times plastic strain, summed, per unit thickness (empty if it is not summed: in dynamics without
-//            an energy balance)
+//            [F L] is stress times plastic strain, summed, per unit thickness (empty if it is not summed: in dynamics
+//            without an energy balance)
 //   points   step,time,point,x,y,dx,dy,sxx,syy,sxy,szz: one line per measured point and instant; points from 1, stress
-//            tension positive. Elastoplastic rock adds plastic strain since the start (components of the tensor, xy half
-//            of the shear angle), the equivalent one, κ = ∫ √(2/3) ‖dev dεᵖ‖, and yield_state at the end of the step
-//            (0 elastic, 1 smooth part of the surface, 2 edge, 3 apex, 4 tension). Then follow has_yielded since the
-//            start (0, 1), mean stress, von Mises stress and Lode angle (material/stress_invariants.hpp). Elastic rock
-//            has only the last three
+//            tension positive. Elastoplastic rock adds plastic strain since the start (components of the tensor, xy
+//            half of the shear angle), the equivalent one, κ = ∫ √(2/3) ‖dev dεᵖ‖, and yield_state at the end of the
+//            step (0 elastic, 1 smooth part of the surface, 2 edge, 3 apex, 4 tension). Then follow has_yielded since
+//            the start (0, 1), mean stress, von Mises stress and Lode angle (material/stress_invariants.hpp). Elastic
+//            rock has only the last three
 //   steps    step,time,dt,oci,contacts,closed,k_blocks,penalty,disp_ratio,max_penetration: one line per accepted step.
-//            oci counts the open–close iterations. k_blocks counts the elements and the pairs of elements with a contact
-//            (the Berkeley program counts fill-in of its factorisation too). disp_ratio is the greatest displacement
-//            over the allowed one
+//            oci counts the open–close iterations. k_blocks counts the elements and the pairs of elements with a
+//            contact (the Berkeley program counts fill-in of its factorisation too). disp_ratio is the greatest
+//            displacement over the allowed one
 //   blocks   step,time,block,material,cx,cy,rot,dx,dy,sxx,syy,sxy,area,szz: one line per block and frame; block and
-//            material from 1, rot in radians, stress tension positive, szz out of the plane. Elastoplastic rock adds the
-//            same columns as in points, at the centroid
+//            material from 1, rot in radians, stress tension positive, szz out of the plane. Elastoplastic rock adds
+//            the same columns as in points, at the centroid
 //   rounds   step,round,residual: Newton iterations in the last part of each load step of elastoplastic rock, 0 before
 //            the first; residual is the imbalance over the largest of the forces
 // steps and blocks begin with the columns of legacy_cases/reference_traces, which have no szz.
@@ -73,8 +73,8 @@ struct CsvTable {
 /// Throws InputError if a row has more or fewer cells than the header, or a quote is not closed.
 CsvTable read_csv(const Source& source);
 
-/// Returns the index of the column with this heading, or with it and a unit in brackets. Throws InputError if there is
-/// none.
+/// Returns the index of the column with this heading, or with it and a unit in brackets. Throws InputError if it is
+/// missing.
 std::size_t csv_column(const CsvTable& table, std::string_view heading);
 
 /// Returns the cell as a finite number. Throws InputError if it is not one.

@@ -49,7 +49,7 @@ class Splitter {
   /// `roles` must outlive the object.
   Splitter(std::string_view text, const Roles& roles) : text_(text), roles_(roles) {}
 
-  /// Returns the start of the first word from `at` on; the end of the text if there is none.
+  /// Returns the start of the first word from `at` on; the end of the text if no word follows.
   std::size_t word_start(std::size_t at) const {
     for (; at < text_.size(); ++at) {
       const Role role = role_at(at);

@@ -7,7 +7,7 @@
 // load_factor multiplies all loads of the file (growth). Tips count from 1 in the order of the step. Cracks count from
 // 1; joints that end inside a body follow those of the file. end is 1 for the first point of the crack, 2 for the last.
 // x, y are in the undeformed bodies. length is that of the whole crack (0 for a joint). K, J and kink are empty if no
-// domain has room; toughness is empty if the rock has none. goes_on is 0 or 1. kind is shear for a crack that started
+// domain fits; toughness is empty if the rock has none. goes_on is 0 or 1. kind is shear for a crack that started
 // in shear during growth, otherwise tension.
 #pragma once
 

@@ -6,8 +6,8 @@
 // with holes is one closed chain from the outer loop to each hole and back along the same line.
 // Cell data: block and material (from 1), stress_xx stress_yy stress_xy stress_zz (tension positive),
 // principal_stress_greatest and _least in the plane, principal_axis (unit, of the greatest). Further cell data:
-// displacement (of the centroid since the start), velocity, rotation (rad), rotation_rate, area, fixed_points (number of
-// fixed points of the block). Point data, of every corner, each element its own: displacement.
+// displacement (of the centroid since the start), velocity, rotation (rad), rotation_rate, area, fixed_points (number
+// of fixed points of the block). Point data, of every corner, each element its own: displacement.
 // The field TimeValue has the time. Units are those of the input.
 // If stress varies within elements (NMM bodies), also point data stress_xx stress_yy stress_xy stress_zz,
 // principal_stress_greatest and _least, principal_axis; and body (from 1) among the cell data.

@@ -93,7 +93,7 @@ bool has_memory_limit() {
   return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
-// Returns an option that begins with the name, "--out", or the nearest; empty if there is none.
+// Returns an option that begins with the name, "--out", or the nearest; empty if no option is near.
 std::string meant_by(const std::string& name, const std::vector<std::string>& known) {
   constexpr std::size_t kLeast = 4;  // with the hyphens
   const auto begins = [&](const std::string& option) { return name.size() >= kLeast && option.starts_with(name); };

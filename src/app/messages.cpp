@@ -1,4 +1,4 @@
-// Settings of spdlog, behind which all messages go.
+// Configures spdlog, through which all messages go.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/messages.hpp"
 
@@ -32,7 +32,7 @@
 namespace keyblock {
 namespace {
 
-/// Every message passes here: what files say must not speak to the terminal.
+/// Formats every message: text of files must not control the terminal.
 class PrintableMessage : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& line) override {
@@ -60,7 +60,7 @@ spdlog::sink_ptr terminal() {
   return spdlog::default_logger()->sinks().front();
 }
 
-// Messages are added to what is there: to a log, and to nothing else that a user may have.
+// Messages are appended only to a log: other files of a user are not changed.
 void log_into(const std::string& file) {
   std::error_code is_not_there;
   const bool is_new = !std::filesystem::exists(file, is_not_there) || std::filesystem::is_empty(file, is_not_there);
@@ -76,8 +76,7 @@ void log_into(const std::string& file) {
   }
 }
 
-// Warnings of one name whose sentences differ in more than numbers are of different kinds; what stands in quotes is a
-// name.
+// Warnings of one name are of different kinds if their sentences differ in more than numbers. Text in quotes is a name.
 std::string kind_of(const Warning& warning) {
   constexpr std::string_view kDigits = "0123456789";
   constexpr std::string_view kOfNumbers = "0123456789.e+-";
@@ -96,17 +95,17 @@ std::string kind_of(const Warning& warning) {
   return kind;
 }
 
-/// The first warning of a kind, and how many there are of it.
+/// First warning of a kind, and the number of warnings.
 struct Kind {
   const Warning* first = nullptr;
   int count = 0;
 };
 
-/// The kinds of each code; codes and kinds in the order of their first warnings.
+/// Returns the kinds of each code; codes and kinds in the order of their first warnings.
 std::vector<std::pair<std::string, std::vector<Kind>>> sorted_by_code(const Warnings& warnings) {
   std::vector<std::pair<std::string, std::vector<Kind>>> all;
   std::map<std::string, std::size_t> codes;  // place in `all`
-  std::map<std::string, std::size_t> known;  // place of a kind among those of its code
+  std::map<std::string, std::size_t> known;  // place of a kind in its code
   for (const Warning& warning : warnings) {
     const auto [code, is_new_code] = codes.emplace(warning.name, all.size());
     if (is_new_code) all.push_back({warning.name, {}});
@@ -118,7 +117,7 @@ std::vector<std::pair<std::string, std::vector<Kind>>> sorted_by_code(const Warn
   return all;
 }
 
-/// The second line of a warning or an error; notes have none.
+/// Prints the second line of a warning or an error; notes have none.
 void log_help(const std::string& code) {
   const Diagnostic* row = find_diagnostic(code);
   if (row == nullptr || row->level == DiagnosticLevel::note || row->level == DiagnosticLevel::silent) return;

@@ -152,7 +152,7 @@ void add_strain(Warnings& remarks, const Prepared& prepared, const Frame& last, 
 }
 
 // Returns the created energy over the largest stored energy. The divisor is at least the work of weight along a small
-// displacement; the limit of 0.01 is then a lift of the scene by 1e-6 of a block. Blocks that slid farther than this,
+// displacement. The limit of 0.01 is then a lift of the scene by 1e-6 of a block. Blocks that slid farther than this,
 // even slowly, are judged by their own energy.
 double energy_created(const Prepared& prepared, const RunRecord& record, const Frame& first) {
   const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope);
@@ -310,7 +310,7 @@ void add_tips(Judgement& judgement, const Prepared& prepared, const Frame& last,
   }
 }
 
-// Stress intensity factors that may be wrong stand in the tables, for the tips at the start of the run. Elastoplastic
+// Tables contain stress intensity factors that may be wrong, for the tips at the start of the run. Elastoplastic
 // rock has none. For tips that may extend, `add_tips` reports one without room.
 void add_factors(Warnings& remarks, const Prepared& prepared, const Frame& last, const Place& place) {
   const auto& continuum = prepared.scene.model.continuum;

@@ -77,7 +77,7 @@ std::optional<Measure> measure_in_record(const std::string& path) {
   if (path.starts_with(kLedgerEnd)) return column_of(formats::kLedgerTable, path.substr(kLedgerEnd.size())).measure;
   const auto find = [](std::string_view wanted) { return std::ranges::find(kPaths, wanted, &PathMeasure::path); };
   auto found = find(path);
-  // Keys of a stage are those of the whole run.
+  // Quantities of a stage have the keys of those of the whole run.
   if (found == kPaths.end() && path.starts_with(kOfStages))
     found = find(std::string_view(path).substr(kOfStages.size()));
   return found == kPaths.end() ? std::nullopt : std::optional(found->measure);

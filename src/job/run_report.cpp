@@ -181,7 +181,7 @@ Json stages_json(const std::vector<SceneReport>& scenes) {
   return stages;
 }
 
-/// Force and stress are named for each choice of the three declared units.
+/// Names force and stress too, if the declared units determine them.
 Json json_of(const Units& units) {
   Json json = {{"length", units.length}, {"mass", units.mass}, {"time", units.time}};
   if (is_declared(measures::kForce, units)) json["force"] = unit_of(Measure{{1, 1, -2}}, units);

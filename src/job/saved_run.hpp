@@ -82,7 +82,7 @@ class CheckpointClock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// Reads the checkpoint of a run's folder; `file` is its full path. Throws UsageError if there is none, InputError if
+/// Reads the checkpoint of a run's folder; `file` is its full path. Throws UsageError if it is missing, InputError if
 /// it cannot be used.
 Archive read_checkpoint(const std::filesystem::path& file);
 

@@ -93,8 +93,8 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
   return !below.empty() && *below.begin() != "..";
 }
 
-/// Returns the journal of an earlier batch in the folder; empty if there is none. Throws UsageError if results could
-/// overwrite other files.
+/// Returns the journal of an earlier batch in the folder; empty if there was no batch. Throws UsageError if results
+/// could overwrite other files.
 study::Journal journal_in(const BatchPlan& plan) {
   if (lies_in(plan.root, plan.folder))
     throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", plan.root.string()));

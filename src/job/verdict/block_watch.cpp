@@ -115,7 +115,7 @@ void BlockWatch::add(const Stepper& stepper) {
   if (has_ledger) look_at_speeds(stepper, weights);
 }
 
-// Sources are at least those of the scene, which no block owns; few blocks are faster than these.
+// Tests the sources common to all blocks first: those of one block are no smaller, and few blocks exceed them.
 void BlockWatch::look_at_speeds(const Stepper& stepper, const std::vector<Point>& weights) {
   const Model& model = stepper.model();
   const State& state = stepper.state();
