@@ -272,7 +272,7 @@ std::string run_picture(const RunPicture& whole) {
     draw_elements(page, map, picture);
     page.layer([&] { draw_bolts(page, map, picture); });
     page.layer([&] { draw_marks(page, map, picture.end); });
-    draw_marked(page, map, picture);
+    page.layer([&] { draw_marked(page, map, picture); });
     draw_numbers(page, map, picture);
     draw_scale_bar(page, {kMargin, bar_line}, std::min(layout.scene_room.x, kRoom), map, picture.units);
   }

@@ -56,7 +56,8 @@ Frame frame_of(const FieldFrame& field, double factor) {
     out.loops.emplace_back();
     for (const FieldCorner& corner : element.loops.front())
       out.loops.back().push_back(corner.position + factor * corner.displacement);
-    frame.fixed_points.push_back({out.loops.back()[0], {}, static_cast<int>(frame.elements.size()) - 1});
+    const int number = static_cast<int>(frame.elements.size()) - 1;
+    if (number % 10 == 0) frame.fixed_points.push_back({out.loops.back()[0], {}, number});
   }
   return frame;
 }
@@ -108,6 +109,8 @@ TEST(LargePictures, blocks_and_runs_are_bounded) {
   run.end = frame_of(field, 1);
   for (std::size_t i = 0; i < run.end.elements.size(); ++i) run.joints.push_back({0, 1, 2, -1});
   expect_bounded("run", [&] { return run_picture(run); });
+  for (int i = 0; i < kSide * kSide; i += 10) run.marked.push_back(i);
+  expect_bounded("run with marked blocks", [&] { return run_picture(run); });
   const Blocks blocks = blocks_of(field);
   expect_bounded("blocks", [&] { return blocks_picture(blocks, {}, Numbers::all); });
   StrengthPicture strength;

@@ -45,7 +45,7 @@ std::string_view name_of(Anchor anchor) {
 
 /// A circle in a raster layer.
 std::vector<Point> corners_of(Point center, double radius) {
-  constexpr int kCorners = 24;
+  constexpr int kCorners = 16;
   std::vector<Point> corners;
   for (int i = 0; i < kCorners; ++i) {
     const double angle = 2 * M_PI * i / kCorners;
