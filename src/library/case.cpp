@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/case_file/keyblock_case.hpp"
-#include "formats/case_file/strict_json.hpp"
+#include "formats/strict_json.hpp"
 #include "job/files.hpp"
 #include "library/parts.hpp"
 #include "study/convert/convert.hpp"

@@ -60,7 +60,7 @@ TEST(CheckCommand, bad_file_does_not_keep_the_others_from_being_reported) {
 TEST(CheckCommand, files_of_several_cases_are_looked_at_alone_and_that_is_said) {
   const Outcome two = run("check " + input("00_control_orig.geo") + " " + input("00_control_orig.geo"));
   EXPECT_EQ(two.exit_code, 0);
-  EXPECT_TRUE(contains(two.output, "warning: a second geometry of 2, after")) << two.output;
+  EXPECT_TRUE(contains(two.output, "note: a second geometry of 2, after")) << two.output;
   EXPECT_TRUE(contains(two.output, "[several_cases]"));
 }
 

@@ -153,8 +153,7 @@ TEST(LookAhead, a_fixed_line_that_ends_in_blocks_is_told) {
         "fixed_lines": [)" + line +
                               "]}"));
   };
-  EXPECT_TRUE(
-      contains(said(with("[0.3, 0.3, 5.7, 0.3]"), "fixed_line_ends_in_block"), "2 blocks are held at one point"));
+  EXPECT_TRUE(contains(said(with("[0.3, 0.3, 5.7, 0.3]"), "fixed_line_ends_in_block"), "2 blocks can rotate"));
   EXPECT_EQ(said(with("[-0.1, 0.3, 6.1, 0.3]"), "fixed_line_ends_in_block"), "") << "beyond the outline";
   EXPECT_EQ(said(with("[0.3, 0.3, 5.7, 0.3], [0.3, 1, 0.3, 1], [5.7, 1, 5.7, 1]"), "fixed_line_ends_in_block"), "");
 }

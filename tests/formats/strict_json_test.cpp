@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/case_file/strict_json.hpp"
+#include "formats/strict_json.hpp"
 
 #include <gtest/gtest.h>
 

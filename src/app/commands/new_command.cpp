@@ -17,7 +17,7 @@
 #include "app/option_checks.hpp"
 #include "app/templates/case_templates.hpp"
 #include "base/error.hpp"
-#include "formats/case_file/strict_json.hpp"
+#include "formats/strict_json.hpp"
 #include "job/files.hpp"
 
 namespace keyblock {

@@ -1,6 +1,6 @@
 // Walks the tree of values and passes it to the JSON writer.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/case_file/strict_json.hpp"
+#include "formats/strict_json.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
