@@ -9,8 +9,8 @@ import sys
 
 import keyblock as kb
 
-beam = kb.read(kb.new("beam", "beam.json", force=True))
-rock = beam.get("/analysis/block_materials/0")
+rock = {"name": "rock", "density": 2350, "youngs_modulus": 14.7e9, "poissons_ratio": 0.2}
+beam = kb.read(kb.new("beam", "beam.json", force=True)).with_value("/analysis/block_materials/0", rock)
 e, nu, w, length, height = rock["youngs_modulus"], rock["poissons_ratio"], rock["density"] * 9.81, 10, 1
 theory = w * length**4 / (8 * e / (1 - nu**2) * height**3 / 12) + w * length**2 / (2 * 5 / 6 * e / (2 + 2 * nu) * height)
 smallest = float(sys.argv[1]) if len(sys.argv) > 1 else 0.05

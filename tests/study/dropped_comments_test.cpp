@@ -25,12 +25,12 @@ std::string told(const formats::Format& format, const std::string& text) {
 
 TEST(DroppedComments, are_counted_as_each_format_has_them) {
   EXPECT_EQ(told(formats::kDdaGeometry, "0.01 # a # b\n4 4 // c\n5\n% d"),
-            "f:1:6: warning: 3 comments are not carried over [comments_dropped]");
+            "f:1:6: note: 3 comments are not carried over [comments_dropped]");
   EXPECT_EQ(told(formats::kDdaml, "<DDA><!-- a\n-->\n<!----></DDA>"),
-            "f:1:6: warning: 2 comments are not carried over [comments_dropped]");
+            "f:1:6: note: 2 comments are not carried over [comments_dropped]");
   EXPECT_EQ(told(formats::kKeyblockCase, "{\"a//b\": \"\\\"/*\", /* // c */\n\"d\": 1} // e"),
-            "f:1:18: warning: 2 comments are not carried over [comments_dropped]");
-  EXPECT_EQ(told(formats::kKeyblockCase, "{}//"), "f:1:3: warning: 1 comment is not carried over [comments_dropped]");
+            "f:1:18: note: 2 comments are not carried over [comments_dropped]");
+  EXPECT_EQ(told(formats::kKeyblockCase, "{}//"), "f:1:3: note: 1 comment is not carried over [comments_dropped]");
   EXPECT_EQ(told(formats::kDdaGeometry, "0.01 4 1/2"), "");
   EXPECT_EQ(told(formats::kDxf, "  0\nSECTION # 1\n"), "");
 }
