@@ -23,7 +23,7 @@ struct Headway {
   double share = 0;            ///< of the way, up to 1; 0: not known
 };
 
-/// Of the way from `first` down to `goal`, in orders of magnitude: searches that converge come evenly down that way.
+/// Returns the share of the way from `first` down to `goal`, in orders of magnitude, which a search covers evenly.
 double share_of_fall(double first, double now, double goal);
 
 /// What ends a computation early. A count of linear systems does not depend on the machine or its load, as seconds do.
@@ -101,7 +101,7 @@ inline void begin_system() {
   context().begin_system();
 }
 
-/// As `Context::tell`.
+/// Tells the context of the thread how far a search is (`Context::tell`).
 inline void tell_headway(const char* what, double share) {
   context().tell(what, share);
 }

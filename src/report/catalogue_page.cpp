@@ -102,7 +102,7 @@ bool has_results(const CatalogueAnswer& answer) {
   return answer.measures.has_value();
 }
 
-// Of runs there is a folder an answer, in the same order.
+// Links each answer to the folder of its run; both lists have the same order.
 std::string answers_cell(const CatalogueRow& row) {
   std::string text;
   for (std::size_t i = 0; i < row.answers.size(); ++i) {

@@ -68,7 +68,7 @@ double greatest(const std::vector<Curve>& curves) {
   return most;
 }
 
-/// By more than round-off, which a scale of its own would show.
+/// Returns whether the curve changes by more than round-off, which a scale of its own would show.
 bool changes(const Curve& curve) {
   const auto [low, high] = std::ranges::minmax(curve.y);
   return high - low > kNothing * greatest(curve);

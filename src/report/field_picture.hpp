@@ -43,7 +43,7 @@ struct FieldPicture {
   bool is_of_motion = false;  ///< displacements may be large: never drawn smaller, and true ones carry the stress
   Units units = {};
   std::vector<std::size_t> left_out = {};  ///< elements of the end, in their order, that the picture leaves out
-  /// Of the elements of start and end, which are then the same, from 1: written into them. Empty: none are.
+  /// Numbers written into the elements, from 1; start and end have the same elements then. Empty: none.
   std::vector<int> numbers = {};
   std::vector<std::size_t> held = {};    ///< blocks of the end, in their order, with a fixed point
   std::optional<FieldScale> scale = {};  ///< shared with other pictures; none: that of this picture

@@ -38,9 +38,9 @@ struct RunPicture {
   std::vector<int> idle_bolts = {};           ///< numbers, from 0, of bolts without properties
 };
 
-/// Of the end the elements, in their order there, that every picture of a run leaves out: small blocks that lie far
-/// away from what was drawn (`far_small_blocks`). What failed (`marked`, numbers from 0), or carries a point, stays;
-/// scenes with bolts, and bodies of many elements, are shown whole.
+/// Returns the indices in `end` of elements that every picture of a run leaves out: small blocks far away from the
+/// drawing (`far_small_blocks`). Blocks that failed (`marked`, numbers from 0) or carry a point stay; scenes with bolts
+/// and bodies of many elements are shown whole.
 std::vector<std::size_t> left_out_of(const Frame& start, const Frame& end, const std::vector<int>& marked);
 
 /// An SVG document. The chart stands below a wide scene and beside a tall one.

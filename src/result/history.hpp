@@ -14,7 +14,7 @@ namespace keyblock {
 struct HistoryRow {
   int step = 0;
   double time = 0;
-  /// By number: the measured points; without any, the centroid of every element. One that is not there has no place
+  /// Measured points by number; without any, the centroid of every element. A point that is not there has no place
   /// (`is_there`).
   std::vector<PointFrame> points;
   std::vector<double> bolt_forces;    ///< by number, tension positive; NaN of one that is not there

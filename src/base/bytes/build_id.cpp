@@ -40,7 +40,7 @@ std::string id_in(std::span<const char> notes) {
   return {};
 }
 
-// Of an object that is loaded: its id into `id` if it holds this code.
+// Puts the id of a loaded object into `id` if the object holds this code.
 int look_at(dl_phdr_info* object, std::size_t, void* id) {
   const std::span segments(object->dlpi_phdr, object->dlpi_phnum);
   const auto here = reinterpret_cast<std::uintptr_t>(&build_id);

@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-/// Of a regular file, as long as the system says it is. Throws InputError where it cannot be opened, or breaks off.
+/// Returns the bytes of a regular file. Throws InputError if it cannot be opened, or is shorter than the system says.
 std::string file_bytes(const std::string& path);
 
 /// The same, of a file longer than `most` its first bytes.

@@ -37,7 +37,7 @@ void describe(Archive& a, Contact& contact, VertexIndex vertices) {
   a.value("bonded", contact.bonded);
 }
 
-// Of the solver, only the decision against iterations is saved: its factorisation equals that of any new solver.
+// The solver saves only its decision against iterations: its factorisation equals that of any new solver.
 void describe(Archive& a, Stepping& stepping) {
   a.group("state", [&] { describe(a, stepping.state); });
   const VertexIndex vertices = stepping.state.vertices.end_index();

@@ -10,7 +10,7 @@
 
 namespace keyblock::report {
 
-/// Of blocks, in pictures: of all that have room for it.
+/// Numbers of blocks in pictures: none, or those of all blocks that have room for it.
 enum class Numbers { none, all };
 
 /// A block on the page: the outer loop first, then holes.

@@ -19,7 +19,7 @@ namespace {
 constexpr double kRoundOff = 1e-9;  // of the range of a scale: what is beyond it by less is not
 constexpr double kExtreme = 0.005;  // share of patches, or of their area, beyond either end of the colours
 
-// Of the value farthest from 0: where the nearest is beyond it, 0 is not on the scale.
+// Share of the value farthest from 0: if the nearest value exceeds it, 0 is not on the scale.
 constexpr double kNearShare = 0.5;
 constexpr double kBarRoom = 104;  // page units from a colour bar to the edge of the page
 constexpr double kColours = 200;  // steps of a scale: an image of few other colours has them all in its palette
@@ -142,7 +142,7 @@ double share_of(double value, double from, double to, double otherwise) {
   return to > from ? std::clamp((value - from) / (to - from), 0.0, 1.0) : otherwise;
 }
 
-/// Of the colours from blue, 0, through white to red, 1.
+/// Returns the place of a value in the colours from blue (0) through white to red (1).
 double share_about_zero(const ColourScale& scale, double value) {
   if (scale.high < 0) return std::lerp(0.0, 0.5 - kPalest, share_of(value, scale.low, scale.high, 0));
   if (scale.low > 0) return std::lerp(0.5 + kPalest, 1.0, share_of(value, scale.low, scale.high, 1));

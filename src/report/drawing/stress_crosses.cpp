@@ -40,7 +40,7 @@ double greatest(const std::pair<double, double>& stresses) {
   return std::max(std::abs(stresses.first), std::abs(stresses.second));
 }
 
-/// Of elements in their order, each that has room.
+/// Returns the crosses of elements in their order, of those that have room.
 std::vector<Cross> crosses_of(const PageMap& map, const FieldFrame& field, const CornerPlace& place) {
   std::vector<Cross> crosses;
   std::map<std::pair<long, long>, std::vector<Point>> taken;  // by squares as large as the distance that is kept

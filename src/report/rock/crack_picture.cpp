@@ -35,7 +35,7 @@ struct Path {
   std::vector<double> length, mode_1, mode_2, factor;
 };
 
-/// Of each crack and end.
+/// Returns the path of each end of each crack.
 std::map<std::pair<int, bool>, Path> paths_of(const History& history) {
   std::map<std::pair<int, bool>, Path> paths;
   for (const HistoryRow& row : history.rows)

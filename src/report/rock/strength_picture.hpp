@@ -41,8 +41,8 @@ struct SlipLine {
   double opening = 0;  ///< across it
 };
 
-/// Of elements of different bodies that lie along each other at the start, what moved from `before` to `after`, which
-/// have the same elements. Ends are told apart to 1e-6 of the extent.
+/// Returns the slip from `before` to `after` between elements of different bodies that share an edge at the start. Both
+/// frames have the same elements. Ends are distinguished to 1e-6 of the extent.
 std::vector<SlipLine> slip_lines(const FieldFrame& before, const FieldFrame& after);
 
 /// A bolt as drawn, and what it carries in the last state that stands.
