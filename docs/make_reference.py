@@ -172,7 +172,7 @@ def kind_of(schema):
 
 
 def row_of(schema):
-    """The entries of a row, or nothing if the schema is none of a row."""
+    """The entries of a row, or nothing if the schema does not describe a row."""
     fields = schema.get("prefixItems")
     if not fields:
         return None

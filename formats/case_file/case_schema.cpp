@@ -239,7 +239,7 @@ std::string case_schema() {
   name_units(keys["units"]);
   keys["drawing"]["properties"]["edge_node_ratio"]["default"] = kDefaultEdgeNodeRatio;
   keys["keyblock"] = {{"enum", {kCaseVersion, kCaseVersionOfToday}},
-                      {"description", "version of the layout; 2 has the defaults of today"}};
+                      {"description", "version of the layout; 2 has the current defaults"}};
   schema["required"] = {"keyblock"};
   leave_to_version_1(schema, "allowed_displacement_ratio");
   Json head = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Keyblock case file"}};

@@ -208,7 +208,7 @@ struct Step {
   double penetration = 0;
 };
 
-/// What a frame holds: `corners` adds displacement, and where it varies within elements stress, of their corners, and
+/// Content of a frame. `corners` adds the displacement of all corners, their stress if it varies within elements, and
 /// the faces of cracks.
 enum class Detail { blocks, corners };
 
@@ -263,7 +263,7 @@ struct Recording {
 /// written. A run that is stopped can be resumed.
 KEYBLOCK_API Outcome record(const Case& of, const std::string& folder, const Recording& how = {},
                             const Choices& choices = {}, const Context& context = Context());
-/// Continues the run that was interrupted in `folder`, also one of `keyblock run`, by the same build. Throws
+/// Continues the run that `record` of the same build began in `folder`. The program resumes its own runs alone. Throws
 /// InputError, SettingError if there is nothing to resume.
 KEYBLOCK_API Outcome resume(const std::string& folder, const std::function<void(const Step&)>& on_step = {},
                             const Context& context = Context());

@@ -180,7 +180,9 @@ Outcome record(const Case& of, const std::string& folder, const Recording& how, 
 
 Outcome resume(const std::string& folder, const std::function<void(const Step&)>& on_step, const Context& context) {
   return guarded([&] {
-    const Under under(context.state().context);
+    // A part of it: the folder that paths of this run count from is not that of the caller's next call.
+    const keyblock::Context own = context.state().context.part();
+    const Under under(own);
     RecordedRun run(folder, Recording{}.checkpoint_every);
     return outcome_of(run, on_step);
   });

@@ -227,7 +227,7 @@ std::vector<SettingRow> rows_of_quirks() {
       of(std::nullopt,
          quirk("weight_of_first_material", "one gravity for all materials", &Q::weight_of_first_material)),
       quirk("cut_step_stays", "rules 11.2: a cut step stays cut", &Q::cut_step_stays),
-      quirk("fixed_pass_bound", "rules 11.1: 8 passes whatever the limit", &Q::fixed_pass_bound),
+      quirk("fixed_pass_bound", "rules 11.1: 8 passes, independent of the limit", &Q::fixed_pass_bound),
       quirk("step_rule_by_time", "rules 13: time in place of the displacement ratio", &Q::step_rule_by_time),
       row("dynamics", "whose step is made; the choices below belong to `standard`", at(&Settings::dynamics),
           one_of<Dynamics>({{Dynamics::shi, "shi"}, {Dynamics::standard, "standard"}})),
@@ -302,7 +302,7 @@ std::vector<SettingRow> rows_of_contact_forces() {
       under({"impact = jump", [](const Settings& s) { return s.standard.impact == ImpactLaw::jump; }},
             row("corner_rounding",
                 "overlap of two corners by which they still slide past each other, over half the width of the narrower "
-                "block; 0: sharp but for a millionth of the largest block, so that they hang on small steps",
+                "block; 0: sharp to a millionth of the shorter edge at the corner; blocks then catch on small steps",
                 at(&C::corner_rounding), real({0, false, 0.1}))),
       row("force_tolerance",
           "residual of contact forces over the heaviest load that a step goes for where more than 50 touches are "
