@@ -259,7 +259,7 @@ struct Recording {
 };
 
 /// Runs the case to its end with results, tables, frames and pictures in `folder`: all that `keyblock run` leaves
-/// there. Throws InputError, SettingError (also if there are results that may not be overwritten), Error if a file cannot be
+/// there. Throws InputError, SettingError (also for results that may not be overwritten), Error if a file cannot be
 /// written. A run that is stopped can be resumed.
 KEYBLOCK_API Outcome record(const Case& of, const std::string& folder, const Recording& how = {},
                             const Choices& choices = {}, const Context& context = Context());
