@@ -35,7 +35,7 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 20> kCommands{{
+constexpr std::array<Command, 21> kCommands{{
     {"new", "create a commented example case: slope, arch, beam, tunnel or block", configure_new,
      "keyblock new slope\nkeyblock new arch -o my_arch.json"},
     {"check", "check input files: format, contents, likely mistakes, estimated run time", configure_check,
@@ -48,8 +48,11 @@ constexpr std::array<Command, 20> kCommands{{
      "keyblock run old.geo old.ana -o out\nkeyblock run old.geo old.ana --both -o out\n"
      "keyblock run slope.json -o out --set motion=static\n"
      "keyblock run slope.json -o out --history crest=point:12,20 --history line:0,5,30,5\nkeyblock run --resume out"},
-    {"plot", "draw a quantity or a step of a finished run", configure_plot,
-     "keyblock plot out --field s1\nkeyblock plot out --field crosses --step 200 -o crosses.svg"},
+    {"plot", "draw a quantity, a step or curves of a finished run", configure_plot,
+     "keyblock plot out --field s1\nkeyblock plot out --field crosses --step 200 -o crosses.svg\n"
+     "keyblock plot out --curve dx1,dy1 -o crest.pdf --width 84"},
+    {"report", "write one page about a run, or about a folder of runs, to hand to others", configure_report,
+     "keyblock report out\nkeyblock report results -o results.html"},
     {"fos", "compute the factor of safety by strength reduction of joints or rock", configure_fos,
      "keyblock fos slope.json -o out\nkeyblock fos slope.json --reduce joints --to-within 0.005"},
     {"sif", "compute stress intensity factors and J at the crack tips of a case", configure_sif,

@@ -11,7 +11,7 @@
 #include "app/command.hpp"
 #include "app/commands/compare_table.hpp"
 #include "app/option_checks.hpp"
-#include "app/picture_name.hpp"
+#include "app/picture_file.hpp"
 #include "base/error.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"
@@ -192,7 +192,7 @@ ExitCode compare(const CompareOptions& options) {
   }
   if (!options.picture.empty()) {
     if (all.cases.size() != 1) throw UsageError("--picture: the case was not run");
-    write_output(options.picture, picture_of(all.cases.front()), overwrite_if(options.force));
+    write_picture(options.picture, picture_of(all.cases.front()), overwrite_if(options.force));
   }
   if (options.as_json)
     print_json(all);

@@ -14,7 +14,7 @@
 #include "app/commands/mesh_options.hpp"
 #include "app/input/drawing_options.hpp"
 #include "app/messages.hpp"
-#include "app/picture_name.hpp"
+#include "app/picture_file.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "cut/bodies/cut_blocks.hpp"
@@ -119,11 +119,12 @@ void cut_on_mesh(const CutOptions& options, const BodyCut& cut, Json& counts) {
     write_output(options.output, formats::kNmmCover.write({{}, {}, {}, to_cover(manifold, cut.blocks.blocks)}),
                  overwrite_if(options.may_overwrite));
   if (!options.picture.empty())
-    write_output(options.picture,
-                 report::mesh_picture(
-                     fmt::format("{} elements on {} physical covers", manifold.elements.size(), manifold.covers.size()),
-                     field_of(manifold), {}, options.numbers ? report::Numbers::all : report::Numbers::none),
-                 overwrite_if(options.may_overwrite));
+    write_picture(
+        options.picture,
+        report::mesh_picture(
+            fmt::format("{} elements on {} physical covers", manifold.elements.size(), manifold.covers.size()),
+            field_of(manifold), {}, options.numbers ? report::Numbers::all : report::Numbers::none),
+        overwrite_if(options.may_overwrite));
   counts["elements"] = manifold.elements.size();
   counts["covers"] = manifold.covers.size();
   counts["boundary_loops"] = manifold.boundary_loops.size();
@@ -157,11 +158,11 @@ ExitCode cut_file(const CutOptions& options) {
   }
   if (!options.picture.empty() && !has_mesh) {
     const formats::MaterialNames names = formats::names_of(loaded.files);
-    write_output(options.picture,
-                 report::blocks_picture(cut.blocks, loaded.problem.units,
-                                        options.numbers ? report::Numbers::all : report::Numbers::none, names.rocks,
-                                        names.joints),
-                 overwrite_if(options.may_overwrite));
+    write_picture(options.picture,
+                  report::blocks_picture(cut.blocks, loaded.problem.units,
+                                         options.numbers ? report::Numbers::all : report::Numbers::none, names.rocks,
+                                         names.joints),
+                  overwrite_if(options.may_overwrite));
   }
   if (options.as_json) {
     fmt::print("{}\n", counts.dump(2, ' ', false, Json::error_handler_t::replace));

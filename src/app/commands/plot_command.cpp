@@ -15,8 +15,9 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/handout/recorded_curves.hpp"
 #include "app/option_checks.hpp"
-#include "app/picture_name.hpp"
+#include "app/picture_file.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "formats/views/vtu_reading.hpp"
@@ -40,6 +41,9 @@ struct PlotOptions {
   bool force = false;
   bool as_json = false;
   bool has_own_scale = false;
+  std::vector<std::string> curves;
+  std::string against = "time";
+  std::optional<double> width;
 };
 
 fs::path frame_at(const std::map<int, fs::path>& frames, const PlotOptions& options) {
@@ -104,8 +108,24 @@ std::string default_name(const PlotOptions& options) {
       .string();
 }
 
+ExitCode plot_curves(const PlotOptions& options) {
+  const std::string file =
+      options.file.empty() ? (fs::path(options.folder) / fmt::format("curve_{}.svg", options.curves.front())).string()
+                           : options.file;
+  require_writable({file}, kept_files(options.folder), overwrite_if(options.force));
+  const RunHeading heading = heading_of(options.folder);
+  write_picture(file, recorded_picture(options.folder, {options.curves, options.against}, heading.title, heading.units),
+                overwrite_if(options.force), options.width);
+  if (options.as_json)
+    fmt::print("{}\n", Json({{"file", file}, {"curves", options.curves}, {"against", options.against}})
+                           .dump(-1, ' ', false, Json::error_handler_t::replace));
+  spdlog::info("{}: {} over {}", file, fmt::join(options.curves, ", "), options.against);
+  return ExitCode::ok;
+}
+
 ExitCode plot(const PlotOptions& options) {
   require_picture_name("-o", options.file);
+  if (!options.curves.empty()) return plot_curves(options);
   const std::map<int, fs::path> frames = frames_in(options.folder);
   if (frames.empty())
     throw InputError({options.folder},
@@ -121,19 +141,19 @@ ExitCode plot(const PlotOptions& options) {
   const std::string word = report::kFieldWords.at(static_cast<std::size_t>(quantity));
   std::optional<report::FieldScale> scale;
   if (options.step && !options.has_own_scale) scale = scale_of_all(frames, heading, quantity);
-  write_output(file,
-               report::field_picture({title_at(heading.title, field.time, heading.units),
-                                      field,
-                                      field,
-                                      {},
-                                      quantity,
-                                      heading.is_of_motion,
-                                      heading.units,
-                                      places_of(heading.left_out, frame),
-                                      options.numbers ? numbers_of(frame) : std::vector<int>(),
-                                      places_of(heading.held, frame),
-                                      scale}),
-               overwrite_if(options.force));
+  write_picture(file,
+                report::field_picture({title_at(heading.title, field.time, heading.units),
+                                       field,
+                                       field,
+                                       {},
+                                       quantity,
+                                       heading.is_of_motion,
+                                       heading.units,
+                                       places_of(heading.left_out, frame),
+                                       options.numbers ? numbers_of(frame) : std::vector<int>(),
+                                       places_of(heading.held, frame),
+                                       scale}),
+                overwrite_if(options.force), options.width);
   if (options.as_json)
     fmt::print("{}\n", Json({{"file", file}, {"frame", shown.string()}, {"field", word}, {"time", field.time}})
                            .dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -157,8 +177,19 @@ Action configure_plot(CLI::App& options) {
   CLI::Option* step = options.add_option("--step", chosen->step, "step to draw (default: the last frame)");
   options
       .add_option("-o,--output", chosen->file,
-                  "picture to write, SVG (default: RUN/field_FIELD_end.svg, or the step instead of end)")
+                  "picture to write: .svg, .pdf or .png (default: RUN/field_FIELD_end.svg, or the step instead of "
+                  "end)")
       ->type_name("FILE");
+  options
+      .add_option("--curve", chosen->curves,
+                  "curves in place of the field: columns of history.csv and ledger.csv (dx1, kinetic), or a name and a "
+                  "quantity of histories.csv (crest.displacement_x)")
+      ->type_name("NAME")
+      ->delimiter(',');
+  options.add_option("--against", chosen->against, "what the curves are drawn over (default: time)")->type_name("NAME");
+  options.add_option("--width", chosen->width, "width of the printed picture [mm]; PNG then has 300 dots an inch")
+      ->type_name("MM")
+      ->check(above_zero());
   options.add_flag("--numbers", chosen->numbers, "write block or element numbers into the picture if they fit");
   options
       .add_flag(

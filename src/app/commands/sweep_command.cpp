@@ -10,7 +10,7 @@
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/option_checks.hpp"
-#include "app/picture_name.hpp"
+#include "app/picture_file.hpp"
 #include "app/stop_request.hpp"
 #include "base/context.hpp"
 #include "base/error.hpp"
@@ -150,7 +150,7 @@ ExitCode run_sweep(const SweepOptions& options) {
   const std::vector<study::RunPlan> limit_from = study::refinements(chosen, options.profile, options.finest);
   const Tradeoff result = study::tradeoff(chosen, plans, limit_from, options.limits(), tell_run);
   const Map map{options, result, chosen.input.problem.units};
-  if (!options.picture.empty()) write_output(options.picture, picture_of(map), overwrite_if(options.force));
+  if (!options.picture.empty()) write_picture(options.picture, picture_of(map), overwrite_if(options.force));
   if (!options.table.empty()) write_output(options.table, csv_of(map), overwrite_if(options.force));
   if (options.as_json)
     fmt::print("{}\n", json_of(map).dump(1, ' ', false, Json::error_handler_t::replace));

@@ -14,7 +14,7 @@
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
 #include "app/option_checks.hpp"
-#include "app/picture_name.hpp"
+#include "app/picture_file.hpp"
 #include "app/stop_request.hpp"
 #include "base/context.hpp"
 #include "base/counted.hpp"
@@ -227,7 +227,7 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
   const Tradeoff result = study::tradeoff(chosen, plans, limit_from, options.limits(), tell_run, search);
   const bool chooses = options.has_wish() && !result.is_stopped;
   const auto choice = chooses ? study::choice_for(result.prices, wish) : std::nullopt;
-  if (!options.picture.empty()) write_output(options.picture, picture_of(result), overwrite_if(options.force));
+  if (!options.picture.empty()) write_picture(options.picture, picture_of(result), overwrite_if(options.force));
   if (choice) {
     const MeasuredRun& run = result.runs[*choice];
     write_output(file,

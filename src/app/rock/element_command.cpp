@@ -15,7 +15,7 @@
 #include "app/command.hpp"
 #include "app/messages.hpp"
 #include "app/option_checks.hpp"
-#include "app/picture_name.hpp"
+#include "app/picture_file.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "formats/case.hpp"
@@ -158,7 +158,7 @@ ExitCode run_element(const ElementOptions& options) {
     write_output(options.output, study::element_csv(curve, units), overwrite_if(options.may_overwrite));
   const std::string axis = shown == 2 ? "xy" : "yy";
   if (!options.picture.empty())
-    write_output(
+    write_picture(
         options.picture,
         report::element_picture(fmt::format("material {}, {}", options.material, options.path), "strain " + axis,
                                 strain, with_unit("stress " + axis, measures::kStress, units), stress),

@@ -17,7 +17,7 @@
 #include "app/command.hpp"
 #include "app/messages.hpp"
 #include "app/option_checks.hpp"
-#include "app/picture_name.hpp"
+#include "app/picture_file.hpp"
 #include "base/printable.hpp"
 #include "formats/registry.hpp"
 #include "formats/text/csv.hpp"
@@ -252,7 +252,7 @@ ExitCode run_fit(const FitOptions& options) {
   if (!options.material.empty()) write_output(options.material, out.material.dump(2) + "\n", overwrite);
   if (!options.picture.empty()) {
     const report::Curve measured{"measured", out.measured.x, out.measured.y, report::Curve::Style::points};
-    write_output(options.picture, report::curves_picture(out.title, out.axes, {measured, out.line}), overwrite);
+    write_picture(options.picture, report::curves_picture(out.title, out.axes, {measured, out.line}), overwrite);
   }
   return out.warnings.empty() ? ExitCode::ok : ExitCode::check_failed;
 }

@@ -46,7 +46,10 @@ class StaticSolve {
     }
     const Balance at_start = balance_of(scene_, start_, time_, load_);
     result_.residual = at_start.share;
-    if (at_start.holds()) return finished();
+    if (at_start.holds()) {
+      for (const auto& [touch, memory] : closed_.all()) result_.touches.push_back(touch);
+      return finished();
+    }
     result_.residual = 1;  // everything is out of balance
     for (; iterations_ < most_iterations_ && result_.failure.empty() && result_.converged; ++iterations_) {
       if (!iterate()) continue;

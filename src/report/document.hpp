@@ -1,0 +1,42 @@
+// A document of sections, tables and pictures, written as one HTML page that needs no other file and prints on A4.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace keyblock::report {
+
+/// Each row has as many cells as there are columns. A column of numbers aligns to the right.
+struct DocumentTable {
+  std::vector<std::string> columns;  ///< empty headings if all are empty
+  std::vector<std::vector<std::string>> rows;
+};
+
+struct DocumentPicture {
+  std::string svg;
+  std::string caption;
+};
+
+struct DocumentSection {
+  std::string heading;
+  std::vector<std::string> paragraphs = {};
+  std::vector<DocumentPicture> pictures = {};
+  std::vector<DocumentTable> tables = {};
+  std::string anchor = {};  ///< of links; empty: none
+};
+
+enum class Verdict { good, doubtful, bad };
+
+struct Document {
+  std::string title;
+  std::string subtitle;  ///< program, date
+  Verdict verdict = Verdict::good;
+  std::string verdict_in_words;
+  std::vector<DocumentSection> sections;
+};
+
+/// Returns the page. Texts may hold any characters; pictures are embedded as images, so that no script of theirs runs.
+std::string document_page(const Document& document);
+
+}  // namespace keyblock::report
