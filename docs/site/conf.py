@@ -6,7 +6,7 @@ root_doc = "docs/site/index"
 extensions = ["myst_parser", "sphinx.ext.mathjax"]
 include_patterns = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md", "docs/**/*.md", "formats/README.md", "formats/**/README.md",
-    "src/README.md", "tests/README.md", "tests/bench/README.md", "legacy_cases/README.md", "legacy_cases/**/README.md",
+    "src/README.md", "legacy_cases/README.md", "legacy_cases/**/README.md",
 ]
 exclude_patterns = ["build*", "out"]
 myst_enable_extensions = ["dollarmath"]

@@ -1,5 +1,5 @@
-// Makes a step: smooth motion, removal of overlaps, clean-up, jump (src/README.md, a step of `standard`). The clean-up
-// comes before the jump, so that it cannot undo a separation.
+// Makes a step: smooth motion, clean-up, jump, removal of overlaps (docs/theory/03-time-integration.md, 3.8). The
+// clean-up comes before the jump, so that it cannot undo a separation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/standard_step.hpp"
 
