@@ -116,7 +116,8 @@ class KernelOf : public BlockFactor::Kernel {
         k = after;
       }
       Pivot& pivot = pivots_[at(j)];
-      if (!pivot.factorise(diagonal_[at(j)].square(), is_symmetric())) return false;
+      const Padded<N>& block = diagonal_[at(j)];
+      if (!(is_symmetric() ? pivot.factorise_symmetric(block) : pivot.factorise(block.square()))) return false;
       for (int entry = begin; entry < end; ++entry) {
         lower_[at(entry)] = product(lower_[at(entry)], pivot.minus_upper_inverse);
         if (!is_symmetric()) upper_[at(entry)] = product(upper_[at(entry)], pivot.minus_lower_inverse);
@@ -154,16 +155,8 @@ class KernelOf : public BlockFactor::Kernel {
     Padded<N> minus_lower_inverse;
     Padded<N> minus_upper_inverse;
 
-    // Returns false if the block is singular, or not positive definite though `is_symmetric`.
-    bool factorise(const Square& block, bool is_symmetric) {
-      if (is_symmetric) {
-        const Eigen::LLT<Square> cholesky(block);
-        if (cholesky.info() != Eigen::Success) return false;
-        const Square inverse = cholesky.matrixL().solve(Square::Identity());
-        minus_lower_inverse.square() = -inverse.transpose();
-        minus_upper_inverse.square() = -inverse.transpose();
-        return inverse.allFinite();
-      }
+    // Returns false if the block is singular.
+    bool factorise(const Square& block) {
       const Eigen::PartialPivLU<Square> lu(block);
       const Square of_lower =
           lu.matrixLU().template triangularView<Eigen::UnitLower>().solve(Square(lu.permutationP()));
@@ -171,6 +164,13 @@ class KernelOf : public BlockFactor::Kernel {
       minus_lower_inverse.square() = -of_lower.transpose();
       minus_upper_inverse.square() = -of_upper;
       return of_lower.allFinite() && of_upper.allFinite();
+    }
+
+    // Does the same for a symmetric block; returns false if it is not positive definite.
+    bool factorise_symmetric(const Padded<N>& block) {
+      if (!minus_inverse_of_cholesky(block, minus_lower_inverse)) return false;
+      minus_upper_inverse = minus_lower_inverse;
+      return minus_lower_inverse.square().allFinite();
     }
   };
 

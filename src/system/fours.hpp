@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace keyblock {
@@ -134,6 +135,44 @@ KEYBLOCK_INLINE void subtract_product(Padded<N, Real>& c, const Padded<N, Real>&
 #pragma GCC unroll 2
     for (int h = 0; h < kLanes; ++h) c.lane(j, h) = sums[j][h];
   }
+}
+
+/// Computes −L⁻ᵀ from the Cholesky factor L of a symmetric matrix. Returns false if the matrix is not positive definite.
+template <int N, class Real>
+KEYBLOCK_INLINE bool minus_inverse_of_cholesky(const Padded<N, Real>& a, Padded<N, Real>& minus_inverse) {
+  constexpr int kLanes = Padded<N, Real>::kLanes;
+  using Vector = typename Padded<N, Real>::Vector;
+  std::array<Vector, N> columns;  // of L; above the diagonal they mean nothing
+  std::array<Vector, N> rows;     // of the inverse
+#pragma GCC unroll 8
+  for (std::size_t k = 0; k < N; ++k) {
+    Vector sum;  // of the products with earlier columns
+#pragma GCC unroll 8
+    for (std::size_t j = 0; j < k; ++j) sum.add(columns[j].entries[k], columns[j]);
+    if (N == 6 && k == 3) {  // this entry adds its products in another order: recorded traces depend on its last bit
+      sum.entries[5] = 0;
+      for (const std::size_t j : {1, 0, 2}) sum.entries[5] += columns[j].entries[3] * columns[j].entries[5];
+    }
+    const Real square = a.entry(static_cast<int>(k), static_cast<int>(k)) - sum.entries[k];
+    if (square <= 0) return false;
+    const Real root = std::sqrt(square);
+#pragma GCC unroll 2
+    for (int h = 0; h < kLanes; ++h) columns[k].lane(h) = (a.lane(static_cast<int>(k), h) - sum.lane(h)) / root;
+    columns[k].entries[k] = root;
+    rows[k].entries[k] = 1;
+  }
+#pragma GCC unroll 8
+  for (std::size_t k = 0; k < N; ++k) {
+    const Real reciprocal = 1 / columns[k].entries[k];
+#pragma GCC unroll 2
+    for (int h = 0; h < kLanes; ++h) {
+      rows[k].lane(h) *= reciprocal;
+      minus_inverse.lane(static_cast<int>(k), h) = -rows[k].lane(h);
+    }
+#pragma GCC unroll 8
+    for (std::size_t i = k + 1; i < N; ++i) rows[i].add(-columns[k].entries[i], rows[k]);
+  }
+  return true;
 }
 
 #undef KEYBLOCK_INLINE
