@@ -15,13 +15,21 @@ Eigen::Matrix3d stiffness_modulus(const BlockMaterial& material, const Settings&
   return factor * plane_strain_modulus(material);
 }
 
+// `N`: number of unknowns, or Eigen::Dynamic.
+template <int N>
+UnknownBlock stiffness_of(const Basis& basis, double area, const Eigen::Matrix3d& modulus) {
+  const Eigen::Matrix<double, 3, N, Eigen::ColMajor, 3, N == Eigen::Dynamic ? kMostUnknowns : N> strain =
+      basis.strain();
+  return area * (strain.transpose() * modulus * strain);
+}
+
 }  // namespace
 
 UnknownBlock stiffness_matrix(const Basis& basis, double area, const BlockMaterial& material,
                               const Settings& settings) {
-  const StrainOperator strain = basis.strain();
   const Eigen::Matrix3d modulus = stiffness_modulus(material, settings);
-  return area * (strain.transpose() * modulus * strain);
+  if (basis.unknown_count() == 6) return stiffness_of<6>(basis, area, modulus);
+  return stiffness_of<Eigen::Dynamic>(basis, area, modulus);
 }
 
 void add_elastic(const StepContext& context, System& system) {
