@@ -195,7 +195,7 @@ class CaseSchema {
   }
   void add(std::string_view name, Json schema, std::string_view demand = {}) {
     const std::string_view meaning = meaning_of(parent_, name);
-    schema["description"] = demand.empty() ? std::string(meaning) : fmt::format("{}; {}", meaning, demand);
+    schema["description"] = demand.empty() ? std::string(meaning) : fmt::format("{}. Permitted: {}", meaning, demand);
     if (takes_unit(parent_, name))
       schema["examples"] = Json::array({example_value(measure_of(parent_, name).value_or(measures::kNumber))});
     keys_[std::string(name)] = std::move(schema);

@@ -93,7 +93,7 @@ std::vector<Group> groups() {
           {"read by all profiles", read_by(std::nullopt)},
           {"read by dynamics standard alone (profiles standard, draft, reference)", read_by(Dynamics::standard)},
           {"read by dynamics shi alone (profile legacy)", read_by(Dynamics::shi)},
-          {"mistakes of the Berkeley program, each of which can be left out", is_quirk}};
+          {"rules of the Berkeley program that look like mistakes; each can be turned off", is_quirk}};
 }
 
 // Wraps at spaces; lines after the first have the same indentation.
@@ -169,9 +169,9 @@ std::string settings_guide() {
       if (group.holds(columns[0].one[row])) table += row_of(columns, row);
   }
   return table +
-         "\n(file): taken from the analysis file; of its step, or that of --set, draft takes twice and reference a\n"
-         "quarter, over the same time. \"read by\": the dynamics that read it. `--set NAME=VALUE`, or NAME.N for "
-         "material N alone\nwhere the meaning says so.\n";
+         "\n(file): taken from the analysis file. draft doubles its time_step, or that of --set; reference takes a "
+         "quarter;\nboth over the same time. \"read by\": the dynamics that read the setting. Change it by `--set "
+         "NAME=VALUE`;\nNAME.N is possible if the meaning names it.\n";
 }
 
 }  // namespace keyblock

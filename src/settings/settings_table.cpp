@@ -77,7 +77,7 @@ SettingRow quirk(const std::string& name, const std::string& meaning, bool Berke
 
 SettingRow downward_gravity() {
   return {"gravity",
-          "acceleration of gravity, downward: gravity.x = 0 and the negative of gravity.y [length/time^2]",
+          "acceleration of gravity, downward [length/time^2]. It sets gravity.y to its negative and gravity.x to 0",
           true,
           [](const Settings& s) { return fmt::format("{}", 0.0 - s.gravity.y); },
           [](Settings& s, const std::string& text) {
@@ -90,38 +90,42 @@ SettingRow downward_gravity() {
 
 std::vector<SettingRow> rows_of_the_run() {
   return {
-      row("node_merging", "how near crossings become one node when a drawing is cut", at(&Settings::node_merging),
+      row("node_merging",
+          "rule by which close crossings become one node: nearest_first does not depend on the order of lines, "
+          "in_order_found is Shi's",
+          at(&Settings::node_merging),
           one_of<NodeMerging>(
               {{NodeMerging::nearest_first, "nearest_first"}, {NodeMerging::in_order_found, "in_order_found"}})),
       row("near_pieces",
-          "what becomes of a piece of a joint that passes a node nearer than the drawing's distance, when a drawing is "
-          "cut",
+          "treatment of joint pieces that pass a node nearer than edge_node_ratio times the scale: led_through it, or "
+          "deleted as in Shi's programs",
           at(&Settings::near_pieces),
           one_of<NearPieces>({{NearPieces::led_through, "led_through"}, {NearPieces::deleted, "deleted"}})),
       row("slivers",
-          "what becomes of blocks below 1 % of the mean area or narrower than 2 % of their length, as they are cut: "
-          "kept, "
-          "joined to the neighbour with the longest common side, or left out",
+          "treatment of slivers: keep them, glue each to the neighbour with the longest common side, or leave them "
+          "out. Slivers are below 1 % of the mean area or narrower than 2 % of their length",
           at(&Settings::slivers),
           one_of<Slivers>({{Slivers::kept, "keep"}, {Slivers::glued, "glue"}, {Slivers::left_out, "leave_out"}})),
-      row("steps", "number of time steps", at(&Settings::step_count), whole(1)),
+      row("steps", "number of time steps; in statics, of load steps", at(&Settings::step_count), whole(1)),
       row("time_step",
-          "step size; under dynamics standard with step_control shi or error the interval of reports and the upper "
-          "bound of steps, under dynamics shi with rule shi the step where nothing moves and, a hundredth of it, the "
-          "least "
-          "[time]",
+          "step size [time]. Under dynamics=standard with step_control=shi or error: output interval and upper bound "
+          "of steps. Under dynamics=shi with step_control=shi: step if nothing moves, and 100 times the smallest step",
           at(&Settings::time_step), real(kAboveZero)),
-      row("step_control", "how the step size is chosen; error needs dynamics standard", at(&Settings::step_control),
+      row("step_control",
+          "rule for the step size: constant, from the displacement of a step (shi), or from its estimated error. error "
+          "needs dynamics=standard",
+          at(&Settings::step_control),
           one_of<StepControl>(
               {{StepControl::constant, "constant"}, {StepControl::shi, "shi"}, {StepControl::error, "error"}})),
       row(Materials::of_blocks, "velocity_carry_over", "share of the velocity carried into a step: 0 static, 1 dynamic",
           at(&Settings::velocity_carry_over), real(kShare)),
-      of(Dynamics::shi, row("rotation", "how points move under a rotation", at(&Settings::rotation),
+      of(Dynamics::shi, row("rotation", "displacement of points under a rotation: first order in the angle, or exact",
+                            at(&Settings::rotation),
                             one_of<Rotation>({{Rotation::first_order, "first_order"}, {Rotation::exact, "exact"}}))),
       row("plane", "plane stress or plane strain", at(&Settings::plane),
           one_of<Plane>({{Plane::stress, "stress"}, {Plane::strain, "strain"}})),
-      row(Materials::of_blocks, "basis", "unknowns of a block that may move: 3 or 6", at(&Settings::basis),
-          one_of<BlockBasis>({{BlockBasis::rigid, "rigid"}, {BlockBasis::affine, "affine"}})),
+      row(Materials::of_blocks, "basis", "unknowns of a block that may move: 3 (rigid) or 6 (affine)",
+          at(&Settings::basis), one_of<BlockBasis>({{BlockBasis::rigid, "rigid"}, {BlockBasis::affine, "affine"}})),
   };
 }
 
@@ -129,28 +133,31 @@ std::vector<SettingRow> rows_of_loads_and_materials() {
   return {
       downward_gravity(),
       row(
-          "gravity.x", "acceleration of gravity in x; unit weights of materials turn and grow with it [length/time^2]",
+          "gravity.x",
+          "acceleration of gravity in x [length/time^2]. Unit weights rotate with gravity if the case gives gravity",
           [](auto& s) -> auto& { return s.gravity.x; }, real(kAnyNumber)),
       row(
-          "gravity.y", "acceleration of gravity in y, upward [length/time^2]",
+          "gravity.y",
+          "acceleration of gravity in y, upward [length/time^2]. Unit weights scale with gravity if the case gives "
+          "gravity",
           [](auto& s) -> auto& { return s.gravity.y; }, real(kAnyNumber)),
       row(
-          "body_acceleration.x", "constant force per mass on every block, in x [length/time^2]",
+          "body_acceleration.x", "constant force per mass on every block in x [length/time^2]",
           [](auto& s) -> auto& { return s.body_acceleration.constant.x; }, real(kAnyNumber)),
       row(
-          "body_acceleration.y", "constant force per mass on every block, in y [length/time^2]",
+          "body_acceleration.y", "constant force per mass on every block in y [length/time^2]",
           [](auto& s) -> auto& { return s.body_acceleration.constant.y; }, real(kAnyNumber)),
       row(
           "body_acceleration_file",
-          "table time,ax,ay (CSV) of a force per mass on every block; added to the constant one; a case file names it "
-          "from its "
-          "own folder",
+          "table of a force per mass on every block, CSV with columns time,ax,ay; added to the constant one. A path in "
+          "a case file starts at the folder of that file",
           [](auto& s) -> auto& { return s.body_acceleration.file; }, any_text()),
-      row(Materials::of_blocks, "mass_damping", "a of the damping matrix a M + b K; it slows rigid motion too [1/time]",
+      row(Materials::of_blocks, "mass_damping",
+          "coefficient a of the damping matrix a M + b K [1/time]. It slows rigid motion too",
           at(&Settings::mass_damping), real(kNotNegative)),
       row(Materials::of_blocks, "stiffness_damping",
-          "b of the damping matrix a M + b K; where none is given, 0 under dynamics shi, else as strain_damping says "
-          "[time]",
+          "coefficient b of the damping matrix a M + b K [time]. If absent: 0 under dynamics=shi, else set by "
+          "strain_damping",
           at(&Settings::stiffness_damping), real_or_nothing(kNotNegative)),
       row("joint_strength_factor",
           "factor on tan(friction angle), cohesion and tensile strength of all joint materials",
@@ -160,35 +167,40 @@ std::vector<SettingRow> rows_of_loads_and_materials() {
 
 std::vector<SettingRow> rows_of_contact_and_steps() {
   return {
-      row("contact_penalty", "normal contact stiffness; the first one where penalty_control is adaptive [force/length]",
+      row("contact_penalty", "normal contact stiffness [force/length]; its initial value if penalty_control=adaptive",
           at(&Settings::contact_penalty), real(kAboveZero)),
       of(Dynamics::shi,
-         row("penalty_control", "how the contact stiffness changes", at(&Settings::penalty_control),
+         row("penalty_control", "rule for the contact stiffness: constant, or adapted to the penetration",
+             at(&Settings::penalty_control),
              one_of<PenaltyControl>({{PenaltyControl::constant, "constant"}, {PenaltyControl::adaptive, "adaptive"}}))),
-      of(Dynamics::shi, row("linear_method", "how the equations of a pass are solved", at(&Settings::linear_method),
-                            one_of<LinearMethod>({{LinearMethod::automatic, "automatic"},
-                                                  {LinearMethod::factor, "factor"},
-                                                  {LinearMethod::conjugate_gradients, "conjugate_gradients"},
-                                                  {LinearMethod::over_relaxation, "over_relaxation"}}))),
-      of(Dynamics::shi, row("fixed_point_factor", "stiffness of fixed points over the starting contact stiffness",
+      of(Dynamics::shi,
+         row("linear_method", "solver of the linear equations of an open-close iteration", at(&Settings::linear_method),
+             one_of<LinearMethod>({{LinearMethod::automatic, "automatic"},
+                                   {LinearMethod::factor, "factor"},
+                                   {LinearMethod::conjugate_gradients, "conjugate_gradients"},
+                                   {LinearMethod::over_relaxation, "over_relaxation"}}))),
+      of(Dynamics::shi, row("fixed_point_factor", "stiffness of fixed points over the initial contact stiffness",
                             at(&Settings::fixed_point_factor), real(kAboveZero))),
-      row("allowed_displacement_ratio", "allowed displacement of a step over half the size of the scene",
+      row("allowed_displacement_ratio", "allowed displacement per step over half the larger extent of the scene",
           at(&Settings::allowed_displacement_ratio), real(kAboveZero)),
       of(Dynamics::shi, row("pass_limit",
-                            "open-close passes of one attempt; with quirk.fixed_pass_bound always 8, and any other "
-                            "value accepts steps whose contacts still open or close",
+                            "largest number of open-close iterations per attempt. With quirk.fixed_pass_bound it is "
+                            "always 8; any other value then accepts steps whose contacts still open or close",
                             at(&Settings::pass_limit), whole(1))),
+      of(Dynamics::shi, row("redo_limit", "largest number of repeated attempts at one step; after it the run ends",
+                            at(&Settings::redo_limit), whole(0))),
       of(Dynamics::shi,
-         row("redo_limit", "redone attempts at one step before the run stops", at(&Settings::redo_limit), whole(0))),
-      of(Dynamics::shi, row("closing_ratio", "penetration at which a contact closes, over half the size of the scene",
-                            at(&OpenCloseConstants::closing_ratio), real(kNotNegative))),
-      of(Dynamics::shi, row("opening_ratio", "separation at which a contact opens, over half the size of the scene",
-                            at(&OpenCloseConstants::opening_ratio), real(kNotNegative))),
-      row("allowed_penetration", "penetration the adaptive stiffness aims at, over half the size of the scene",
+         row("closing_ratio", "penetration at which a contact closes, over half the larger extent of the scene",
+             at(&OpenCloseConstants::closing_ratio), real(kNotNegative))),
+      of(Dynamics::shi,
+         row("opening_ratio", "separation at which a contact opens, over half the larger extent of the scene",
+             at(&OpenCloseConstants::opening_ratio), real(kNotNegative))),
+      row("allowed_penetration",
+          "penetration that the adaptive contact stiffness aims at, over half the larger extent of the scene",
           at(&OpenCloseConstants::allowed_penetration), real(kAboveZero)),
       of(Dynamics::shi, row("angle_overlap_deg", "angle within which two edges count as parallel [degree]",
                             at(&OpenCloseConstants::angle_overlap_deg), real(kNotNegative))),
-      row("normal_to_shear_stiffness", "normal over shear contact stiffness",
+      row("normal_to_shear_stiffness", "normal contact stiffness over shear contact stiffness",
           at(&OpenCloseConstants::normal_to_shear_stiffness), real(kAboveZero)),
   };
 }
@@ -196,16 +208,15 @@ std::vector<SettingRow> rows_of_contact_and_steps() {
 std::vector<SettingRow> rows_of_trust() {
   return {
       row("penetration_limit",
-          "depth of blocks in one another, over the size of the smaller, beyond which a run is not trusted; under "
-          "dynamics standard one that no spring bears ends it",
+          "largest penetration over the size of the smaller block; beyond it the results are unreliable. Under "
+          "dynamics=standard a run ends at a deeper overlap that no spring carries",
           at(&TrustLimits::penetration), real({0, true, 1})),
       row("crushing_limit",
-          "area of a block at the end over that at the start, below which a run is not trusted; 0: no limit",
+          "smallest area of a block at the end over its initial area; below it the results are unreliable. 0: no limit",
           at(&TrustLimits::crushing), real(kShare)),
       row("energy_limit",
-          "kinetic, strain and gravity energy that no load gave, over the largest there was or, where that is more, "
-          "what the weight of all does over 1e-4 of a block's size, beyond which a run is not trusted; under dynamics "
-          "shi looked at where weight alone acts",
+          "largest energy created over the largest stored energy; beyond it the results are unreliable. The reference "
+          "is at least the work of all weights over 1e-4 of the block size",
           at(&TrustLimits::energy), real(kAboveZero)),
   };
 }
@@ -213,26 +224,27 @@ std::vector<SettingRow> rows_of_trust() {
 std::vector<SettingRow> rows_of_quirks() {
   using Q = BerkeleyQuirks;
   return {
-      of(std::nullopt, quirk("moments_about_origin", "rules 7: area moments about the origin of coordinates",
+      of(std::nullopt, quirk("moments_about_origin", "rule 7: area moments about the origin of coordinates",
                              &Q::moments_about_origin)),
-      quirk("search_full_depth", "rules 2: penetration side searched to the full distance", &Q::search_full_depth),
-      quirk("edge_direction_offset", "rules 3: 1e-7 added to |dx| in edge directions", &Q::edge_direction_offset),
-      quirk("stale_contact_list", "rules 3: a step without contacts keeps the last list", &Q::stale_contact_list),
-      quirk("contact_length_last_vertex", "rules 5: end of a shared edge mistaken", &Q::contact_length_last_vertex),
-      quirk("plane_strain_factor", "rules 7.2: plane-strain stiffness too stiff", &Q::plane_strain_factor),
-      quirk("velocity_from_coming_step", "rules 7.4: velocity from the coming step size",
-            &Q::velocity_from_coming_step),
-      quirk("start_velocity_slots", "rules 7.5: stress gradient and start velocity share values",
+      quirk("search_full_depth", "rule 2: penetration side searched to the full distance", &Q::search_full_depth),
+      quirk("edge_direction_offset", "rule 3: 1e-7 added to |dx| in edge directions", &Q::edge_direction_offset),
+      quirk("stale_contact_list", "rule 3: a step without contacts keeps the last list", &Q::stale_contact_list),
+      quirk("contact_length_last_vertex", "rule 5: wrong end of a shared edge after a repeated vertex",
+            &Q::contact_length_last_vertex),
+      quirk("plane_strain_factor", "rule 7.2: stiffness too large in plane strain", &Q::plane_strain_factor),
+      quirk("velocity_from_coming_step", "rule 7.4: velocity from the next step size", &Q::velocity_from_coming_step),
+      quirk("start_velocity_slots", "rule 7.5: stress gradient and initial velocity share values",
             &Q::start_velocity_slots),
-      of(std::nullopt,
-         quirk("weight_of_first_material", "one gravity for all materials", &Q::weight_of_first_material)),
-      quirk("cut_step_stays", "rules 11.2: a cut step stays cut", &Q::cut_step_stays),
-      quirk("fixed_pass_bound", "rules 11.1: 8 passes, independent of the limit", &Q::fixed_pass_bound),
-      quirk("step_rule_by_time", "rules 13: time in place of the displacement ratio", &Q::step_rule_by_time),
-      row("dynamics", "whose step is made; the choices below belong to `standard`", at(&Settings::dynamics),
+      of(std::nullopt, quirk("weight_of_first_material", "gravity of the first material for all materials",
+                             &Q::weight_of_first_material)),
+      quirk("cut_step_stays", "rule 11.2: a step size once cut stays cut", &Q::cut_step_stays),
+      quirk("fixed_pass_bound", "rule 11.1: always 8 open-close iterations", &Q::fixed_pass_bound),
+      quirk("step_rule_by_time", "rule 13: time instead of the displacement ratio in the automatic step",
+            &Q::step_rule_by_time),
+      row("dynamics", "kind of time step: Shi's, or that of profile standard", at(&Settings::dynamics),
           one_of<Dynamics>({{Dynamics::shi, "shi"}, {Dynamics::standard, "standard"}})),
-      row("ledger", "energy and momentum of every step, kept and written", at(&Settings::ledger),
-          one_of<Bookkeeping>({{Bookkeeping::off, "off"}, {Bookkeeping::on, "on"}})),
+      row("ledger", "balance of energy and momentum of every step, computed and written to ledger.csv",
+          at(&Settings::ledger), one_of<Bookkeeping>({{Bookkeeping::off, "off"}, {Bookkeeping::on, "on"}})),
   };
 }
 
@@ -240,44 +252,43 @@ std::vector<SettingRow> rows_of_quirks() {
 std::vector<SettingRow> rows_of_solution() {
   using C = StandardChoices;
   return {
-      row("motion", "steps in time, or of static equilibrium", at(&C::motion),
+      row("motion", "kind of steps: time steps, or static equilibria under the loads of each time", at(&C::motion),
           one_of<MotionRule>({{MotionRule::dynamic, "dynamic"}, {MotionRule::equilibrium, "static"}},
                              {{"relaxation", "static finds the equilibria that dynamic relaxation did"}})),
       under({"motion = static", [](const Settings& s) { return s.standard.motion != MotionRule::dynamic; }},
             row("load_steps",
-                "equilibria from no load to that of the start, in a run without dynamics: one a step, or several where "
-                "there are fewer steps",
+                "number of equilibria from zero load to the initial loads, in statics: one per step, or several if "
+                "steps are fewer",
                 at(&C::load_steps), whole(1))),
       under({"motion = static", [](const Settings& s) { return s.standard.motion == MotionRule::equilibrium; }},
             row("load_control",
-                "load steps of rock on covers that may yield and that nothing touches: equal shares of the loads, or "
-                "steps of equal length along the path of equilibria, on which the loads may fall",
+                "load steps of elastoplastic NMM bodies without contact: equal increments (share), or equal lengths "
+                "along the equilibrium path, on which loads may fall (arc_length)",
                 at(&C::load_control),
                 one_of<LoadControl>({{LoadControl::share, "share"}, {LoadControl::arc_length, "arc_length"}}))),
       under({"load_control = arc_length",
              [](const Settings& s) { return s.standard.load_control == LoadControl::arc_length; }},
             row("path_step",
-                "length of a step along the path of equilibria, over that by which an equal share of the loads moves "
-                "elastic rock",
+                "length of a step along the equilibrium path, over the displacement of elastic rock under an equal "
+                "load increment",
                 at(&C::path_step), real(kAboveZero))),
       under({"motion = dynamic", [](const Settings& s) { return s.standard.motion == MotionRule::dynamic; }},
             row("start",
-                "strains and contact forces at the start: in balance with the loads, or none; automatic: in balance "
-                "where no "
-                "body is on covers",
+                "initial strains and contact forces: in equilibrium with the loads (compatible), or zero (sudden). "
+                "automatic: compatible in scenes without NMM bodies, else sudden",
                 at(&C::start),
                 one_of<StartRule>({{StartRule::compatible, "compatible"},
                                    {StartRule::sudden, "sudden"},
                                    {StartRule::automatic, "automatic"}}))),
-      row("cover_functions", "functions of the physical covers of a cover file (a case file has its own)",
+      row("cover_functions", "functions of the physical covers of a cover file. A case file has its own key functions",
           at(&C::cover_functions),
           one_of<CoverFunctions>({{CoverFunctions::constant, "constant"},
                                   {CoverFunctions::derived, "derived"},
                                   {CoverFunctions::linear, "linear"},
                                   {CoverFunctions::quadratic, "quadratic"}})),
       row(Materials::of_blocks, "elastic_law",
-          "what answers large strain on covers: the Green strain, softening under strong pressure, or that of "
-          "logarithms",
+          "stress of NMM bodies under large strain: from the Green strain, which softens under strong compression, or "
+          "from the logarithmic strain, which does not",
           at(&C::elastic_law),
           one_of<ElasticLaw>(
               {{ElasticLaw::st_venant_kirchhoff, "st_venant_kirchhoff"}, {ElasticLaw::logarithmic, "logarithmic"}})),
@@ -289,28 +300,27 @@ std::vector<SettingRow> rows_of_contact_forces() {
   using C = StandardChoices;
   return {
       row(Materials::of_joints, "enforcement",
-          "contact forces by multipliers, by springs of the contact stiffness, or by such springs until nothing "
-          "overlaps; automatic: springs where more than a few blocks touch in a ring, else multipliers",
+          "contact forces by multipliers (lagrange), by springs of the contact stiffness (penalty), or by springs "
+          "until no overlap is left (augmented). automatic: springs for NMM bodies, for impact=springs, and for rings "
+          "in contact if more than 8 blocks can move; else multipliers",
           at(&C::enforcement),
           one_of<Enforcement>({{Enforcement::lagrange, "lagrange"},
                                {Enforcement::penalty, "penalty"},
                                {Enforcement::augmented, "augmented"},
                                {Enforcement::automatic, "automatic"}})),
-      row("spring_points", "where springs stand between two faces: at the ends, or three by Lobatto's rule",
+      row("spring_points", "places of contact springs between two faces: at the ends, or at three Lobatto points",
           at(&C::spring_points),
           one_of<SpringPoints>({{SpringPoints::ends, "ends"}, {SpringPoints::lobatto, "lobatto"}})),
       under({"impact = jump", [](const Settings& s) { return s.standard.impact == ImpactLaw::jump; }},
             row("corner_rounding",
-                "overlap of two corners by which they still slide past each other, over half the width of the narrower "
-                "block; 0: sharp to a millionth of the shorter edge at the corner; blocks then catch on small steps",
+                "overlap up to which two corners slide past each other, over half the width of the narrower block. 0: "
+                "corners are sharp to a millionth of the shorter edge, and blocks catch on small offsets",
                 at(&C::corner_rounding), real({0, false, 0.1}))),
       row("force_tolerance",
-          "residual of contact forces over the heaviest load that a step goes for where more than 50 touches are "
-          "settled "
-          "together",
+          "target residual of contact forces over the heaviest load, if more than 50 contacts are solved together",
           at(&C::force_tolerance), real({0, true, 1e-3})),
-      row("impact", "what stops blocks that meet fast: a jump with restitution, or the contact springs", at(&C::impact),
-          one_of<ImpactLaw>({{ImpactLaw::jump, "jump"}, {ImpactLaw::springs, "springs"}})),
+      row("impact", "law of fast impacts of blocks: a velocity jump with restitution, or the contact springs",
+          at(&C::impact), one_of<ImpactLaw>({{ImpactLaw::jump, "jump"}, {ImpactLaw::springs, "springs"}})),
   };
 }
 
@@ -318,9 +328,12 @@ std::vector<SettingRow> rows_of_contact_forces() {
 std::vector<SettingRow> rows_of_integration() {
   using C = StandardChoices;
   return {
-      row("strain_damping", "stiffness damping of the strain modes", at(&C::strain_damping),
+      row("strain_damping", "stiffness damping of the strain modes of blocks", at(&C::strain_damping),
           one_of<StrainDamping>({{StrainDamping::critical, "critical"}, {StrainDamping::none, "none"}})),
-      row("integrator", "sums of a step: the two weights below, Newmark's, or generalised alpha's", at(&C::integrator),
+      row("integrator",
+          "time integration: by velocity_weight and force_weight, by Newmark's method, or by the generalised-alpha "
+          "method",
+          at(&C::integrator),
           one_of<Integrator>({{Integrator::weighted, "weighted"},
                               {Integrator::newmark, "newmark"},
                               {Integrator::generalized_alpha, "generalized_alpha"}})),
@@ -328,26 +341,28 @@ std::vector<SettingRow> rows_of_integration() {
             row("velocity_weight", "weight of the velocity at the end of a step; 0.5 is second order",
                 at(&C::velocity_weight), real(kFromHalf))),
       under(integrator(Integrator::weighted, "weighted"),
-            row("force_weight", "weight of the elastic force at the end of a step: 1 Shi, 0.5 average acceleration",
+            row("force_weight",
+                "weight of the elastic force at the end of a step: 1 is Shi's step, 0.5 average acceleration",
                 at(&C::force_weight), real(kFromHalf))),
       under(integrator(Integrator::newmark, "newmark"),
-            row("newmark_beta", "beta of Newmark: 0.25 average acceleration, 0.5 Shi; unstable below half of gamma",
+            row("newmark_beta",
+                "beta of Newmark's method: 0.25 is average acceleration, 0.5 Shi's step; unstable below gamma/2",
                 at(&C::newmark_beta), real({0, true, 1}))),
       under(integrator(Integrator::newmark, "newmark"),
-            row("newmark_gamma", "gamma of Newmark: 0.5 average acceleration, 1 Shi", at(&C::newmark_gamma),
-                real(kFromHalf))),
+            row("newmark_gamma", "gamma of Newmark's method: 0.5 is average acceleration, 1 Shi's step",
+                at(&C::newmark_gamma), real(kFromHalf))),
       under(integrator(Integrator::generalized_alpha, "generalized_alpha"),
-            row("rho_infinity", "what generalised alpha leaves of the highest frequencies in a step",
+            row("rho_infinity", "share of the highest frequencies that the generalised-alpha method keeps per step",
                 at(&C::rho_infinity), real(kShare))),
       under({"step_control = error", [](const Settings& s) { return s.step_control == StepControl::error; }},
-            row("step_tolerance", "error of a step over block size, under step control error", at(&C::step_tolerance),
-                real(kAboveZero))),
+            row("step_tolerance", "allowed error of a step over the block size, under step_control=error",
+                at(&C::step_tolerance), real(kAboveZero))),
       under({"step_control = shi or error", [](const Settings& s) { return s.step_control != StepControl::constant; }},
-            row("least_step_share", "of the time step, below which controlled steps are not cut",
-                at(&C::least_step_share), real({0, true, 1}))),
+            row("least_step_share", "smallest size of a controlled step over time_step", at(&C::least_step_share),
+                real({0, true, 1}))),
       under({"impact = jump", [](const Settings& s) { return s.standard.impact == ImpactLaw::jump; }},
             row(Materials::of_joints, "restitution",
-                "rebound over approach speed of an impact of blocks, where impact = jump", at(&C::restitution),
+                "rebound speed over approach speed of block impacts, under impact=jump", at(&C::restitution),
                 real(kShare))),
   };
 }
@@ -440,7 +455,7 @@ std::vector<SettingText> list(const Settings& settings) {
     const std::string value = row.write(settings);
     std::string meaning = row.meaning;
     if (row.per_material)
-      meaning += fmt::format("; {}.N for {} material N alone", row.name, noun(row.per_material->materials));
+      meaning += fmt::format(". For {} material N alone: {}.N", noun(row.per_material->materials), row.name);
     texts.push_back({row.name, value, meaning, row.is_number && !value.empty(), row.expected, row.dynamics});
     if (!row.per_material) continue;
     for (int material : row.per_material->given(settings)) {

@@ -132,9 +132,8 @@ Action configure_convert(CLI::App& app) {
   app.add_flag("--strict", options->is_strict, "write nothing and exit with 1 if anything would be lost");
   app.add_flag("--force", options->may_overwrite, "overwrite existing files; the old ones are kept as .bak");
   app.add_flag("--bug-compatible", options->takes_faults,
-               "take native and XML files with the faults of the Berkeley program's readers: first material line and "
-               "bolts lost, "
-               "boundary lines of XML dropped, one set of numbers for both stress gradient and initial velocity");
+               "read old files and XML with the faults of the Berkeley program: first material line and bolts lost, "
+               "boundary lines of XML dropped. Stress gradient and initial velocity share numbers");
   app.add_flag("--json", options->as_json, "print outputs, losses and warnings as JSON");
   return [options] { return convert_files(*options); };
 }

@@ -15,9 +15,10 @@ CaseOptionList add_case_options(CLI::App& options, CaseOptions& chosen, const st
   list.files = options.add_option("files", chosen.paths, about_files);
   list.profile =
       options
-          .add_option("--profile", chosen.profile,
-                      "preset of all settings (default: the profile of the case file; else legacy for files of "
-                      "Shi's and the Berkeley programs, except in fos and sif; else standard)")
+          .add_option(
+              "--profile", chosen.profile,
+              "preset of all settings (default: the profile of the case file, else standard). Files of Shi's and the "
+              "Berkeley programs default to legacy, except in fos and sif")
           ->check(one_word_of(profile_names()));
   list.sets = options.add_option("--set", chosen.sets, "change one setting of the profile; may be repeated")
                   ->type_name("KEY=VALUE")

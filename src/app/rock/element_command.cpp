@@ -75,11 +75,11 @@ Chosen chosen_material(const ElementOptions& options) {
   if (!loaded.problem.analysis->plane_strain)
     log_warnings({{"plane_not_read",
                    {options.input, 0, 0},
-                   "the case is one of plane stress, which an element does not read: its path says what zz does "
-                   "(uniaxial, triaxial and cyclic leave it free, biaxial, oedometer and shear hold its strain)"}});
+                   "plane stress of the case has no effect on an element: its path sets zz (free in uniaxial, triaxial "
+                   "and cyclic paths, zero strain in biaxial, oedometer and shear)"}});
   YieldLaw law = yield_law(material);
   if (const double allowed = largest_size(law.strength, law.youngs_modulus); options.size >= allowed)
-    throw UsageError(fmt::format("--size: expected below {:.4g}, where this softening does not snap back, found {}",
+    throw UsageError(fmt::format("--size: expected below {:.4g}, so that this softening does not snap back, found {}",
                                  allowed, options.size));
   return {law, loaded.problem.units};
 }
@@ -193,10 +193,9 @@ Action configure_element(CLI::App& app) {
   app.add_option("--material", options->material, "number of the block material")->check(CLI::PositiveNumber);
   app.add_option(
       "--path", options->path,
-      "uniaxial, triaxial or biaxial (yy driven, sides under --confining), oedometer (sides fixed), shear (2xy "
-      "driven), "
-      "cyclic (triaxial between the targets, --cycles times; one target: back to 0), or a .csv file with one row per "
-      "leg and columns exx or sxx, eyy or syy, gxy or sxy, ezz or szz");
+      "path: uniaxial, triaxial or biaxial (yy driven, sides under --confining), oedometer (sides fixed), or shear "
+      "(2xy driven). cyclic: triaxial between the targets, --cycles times; with one target, back to 0. Or a .csv file "
+      "with one row per leg, and columns exx or sxx, eyy or syy, gxy or sxy, ezz or szz");
   app.add_option("--to", options->targets, "target strains of yy, or 2xy, in order")
       ->delimiter(',')
       ->allow_extra_args(false);

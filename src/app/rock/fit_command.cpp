@@ -263,17 +263,17 @@ Action configure_fit(CLI::App& app) {
   auto options = std::make_shared<FitOptions>();
   app.add_option(
          "CURVE", options->input,
-         ".csv file with columns strain and stress of one uniaxial compression test, or the output of `element -o`; "
-         "with --triaxial s3 and s1 at failure, compression positive; a unit in the heading, \"stress [MPa]\", is the "
-         "unit of the results")
+         "table (CSV) with columns strain and stress of one uniaxial compression test, or the output of `element -o`. "
+         "With --triaxial: columns s3 and s1 at failure, compression positive. A unit in the heading, as in "
+         "\"stress [MPa]\", is the unit of the results")
       ->required();
   CLI::Option* triaxial = app.add_flag("--triaxial", options->is_triaxial, "fit cohesion and friction to s1 over s3");
   CLI::Option* toughness =
       app.add_option(
              "--toughness", options->toughness,
-             "compute the toughness from the failure loads of notched specimens, one row each, with the columns of "
-             "the test: chevron_bend (diameter, span, notch, load), semicircular_bend (radius, thickness, notch, "
-             "span, load) or notched_disc (diameter, thickness, notch, end, load)")
+             "compute the toughness from failure loads of notched specimens, one row each. Columns by test: "
+             "chevron_bend diameter, span, notch, load; semicircular_bend radius, thickness, notch, span, load; "
+             "notched_disc diameter, thickness, notch, end, load")
           ->check(CLI::IsMember(kTests))
           ->excludes(triaxial);
   app.add_option("--compression", options->compression, "sign of compression in the file")

@@ -38,21 +38,21 @@ std::string entry(const CLI::Option& of_program) {
 
 std::string options_of(const CLI::App& app) {
   std::string text;
-  for (const CLI::Option* option : app.get_options()) text += entry(*option);
+  for (const CLI::Option* option : app.get_options())
+    if (!option->get_group().empty()) text += entry(*option);  // an option without a group is internal
   return text;
 }
 
 constexpr const char* kExitCodes =
     ".SH EXIT STATUS\n"
     ".TP\n\\fB0\\fR\ndone\n"
-    ".TP\n\\fB1\\fR\ndone, but a check did not hold, or the results cannot be trusted\n"
+    ".TP\n\\fB1\\fR\ndone, but a check failed, or the results are unreliable\n"
     ".TP\n\\fB2\\fR\nwrong command line\n"
-    ".TP\n\\fB3\\fR\ninput that cannot be read or used; the message names file, line and column\n"
-    ".TP\n\\fB4\\fR\nthe computation could not go on, or its results could not be written\n"
-    ".TP\n\\fB5\\fR\na limit of time or memory was reached\n"
-    ".TP\n\\fB130\\fR\nstopped by the user; keyblock run \\-\\-resume goes on with a run\n"
-    ".TP\n\\fB128 + n\\fR\nended by signal n: 137 killed, 141 nobody reads its output any more; a run can be "
-    "resumed\n";
+    ".TP\n\\fB3\\fR\nunreadable or unusable input; the message names file, line and column\n"
+    ".TP\n\\fB4\\fR\nnumerical failure, or results that could not be written\n"
+    ".TP\n\\fB5\\fR\nlimit of time or memory reached\n"
+    ".TP\n\\fB130\\fR\nstopped by the user; keyblock run \\-\\-resume continues a run\n"
+    ".TP\n\\fB128 + n\\fR\nended by signal n: 137 killed, 141 output no longer read; a run can be resumed\n";
 
 }  // namespace
 

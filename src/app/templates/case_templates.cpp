@@ -226,10 +226,10 @@ constexpr const char* kBlockCase = R"case({
 )case";
 
 constexpr std::array<CaseTemplate, 5> kTemplates{{
-    {"slope", "jointed slope of 45 degrees, joints as rows of a drawing", kSlopeCase},
+    {"slope", "jointed slope of 45 degrees", kSlopeCase},
     {"arch", "semicircular arch of eleven stones", kArchCase},
-    {"beam", "clamped beam that bends, modelled with NMM covers", kBeamCase},
-    {"tunnel", "tunnel in jointed rock, excavated and bolted in stages", kTunnelCase},
+    {"beam", "clamped beam on NMM covers", kBeamCase},
+    {"tunnel", "tunnel in jointed rock, in stages with bolts", kTunnelCase},
     {"block", "block that slides down a plane", kBlockCase},
 }};
 
