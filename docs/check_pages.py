@@ -126,6 +126,22 @@ def blocks_of(text):
             block.append(bare)
 
 
+def sentences_of(block):
+    """The words of each sentence of a paragraph; code and formulas are one word each."""
+    block = re.sub(r"`[^`]*`|\$[^$]+\$", "code", shown(block))
+    for piece in re.split(r"(?<=[.!?])[)\"”’*_]*\s+(?=[\"“(*_]*[A-ZÀ-Ý0-9]|code|…)|(?<=:)\s*$", block):
+        yield re.findall(r"[^\s–—]*\w[^\s]*", piece)
+
+
+def sentence_lengths(block):
+    return [len(words) for words in sentences_of(block) if words]
+
+
+def long_sentences(block):
+    """(number of words, first words) of each sentence that is too long."""
+    return [(len(words), " ".join(words[:6])) for words in sentences_of(block) if len(words) > LONGEST_SENTENCE]
+
+
 def style_faults(text):
     for number, line in enumerate(text.split("\n"), 1):
         if line.lstrip().startswith("|"):
@@ -133,11 +149,8 @@ def style_faults(text):
                 if len(shown(cell)) > WIDEST_CELL:
                     yield number, f"a table cell has {len(shown(cell))} characters, more than {WIDEST_CELL}"
     for number, block in blocks_of(text):
-        block = re.sub(r"`[^`]*`|\$[^$]+\$", "code", shown(block))
-        for piece in re.split(r"(?<=[.!?])[)\"”’*_]*\s+(?=[\"“(*_]*[A-ZÀ-Ý0-9]|code|…)|(?<=:)\s*$", block):
-            words = re.findall(r"[^\s–—]*\w[^\s]*", piece)
-            if len(words) > LONGEST_SENTENCE:
-                yield number, f"a sentence has {len(words)} words, more than {LONGEST_SENTENCE}: {' '.join(words[:6])} …"
+        for words, beginning in long_sentences(block):
+            yield number, f"a sentence has {words} words, more than {LONGEST_SENTENCE}: {beginning} …"
     bare = re.sub(r"`[^`\n]*`", "", text)
     for pattern in NEVER:
         for found in re.finditer(rf"\b{pattern}\b", bare, re.I):

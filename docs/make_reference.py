@@ -4,8 +4,8 @@
 usage: docs/make_reference.py PROGRAM [--check]
 
 Without --check, the generated pages are written. With --check nothing is written: the committed pages are compared
-with what would be written, and check_pages.py checks every Markdown page of the repository. One line per fault goes to
-standard output; the exit code is 1 if there is any.
+with what would be written. check_pages.py checks every Markdown page of the repository, and check_sources.py the comments
+and messages. One line per fault goes to standard output; the exit code is 1 if there is any.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv
@@ -17,6 +17,7 @@ import textwrap
 from pathlib import Path
 
 import check_pages
+import check_sources
 
 ROOT = Path(__file__).resolve().parent.parent
 REFERENCE = ROOT / "docs" / "reference"
@@ -70,7 +71,7 @@ def item(name, *sentences):
 
 def roff(text):
     """Markdown of roff text: bold becomes code, italics become plain."""
-    text = text.replace("\\-", "-").replace("\\e", "\\")
+    text = text.replace("\\-", "-").replace("\\&", "").replace("\\e", "\\")
     if re.fullmatch(r"\\fB.*?\\fR.*", text):
         return "`" + re.sub(r"\\f[BIR]", "", text) + "`"
     return re.sub(r"\\f[BIR]", "", text)
@@ -190,7 +191,7 @@ def of_key(schema):
         row, items = row_of(items), items.get("items")
     if row is not None:
         said.append(f"{'Row' if rows == 0 else 'Rows' if rows == 1 else 'Lists of rows'}: `{row}`.")
-    text = re.sub(r"; a (whole )?number$", "", schema.get("description", ""))
+    text = re.sub(r"\. Permitted: a (whole )?number$", "", schema.get("description", ""))
     if text:
         said.append(plain(sentence(text[0].upper() + text[1:])))
     if "default" in schema:
@@ -251,7 +252,8 @@ def diagnostics_page(program):
     out = [MADE_BY, "# Diagnostics\n",
            wrapped("Each message of the program that is about a case ends with a code in brackets. `keyblock explain CODE` prints the"
                    " entry of this page. `run`, `fos` and `sif` print errors, and warnings of at most five codes, before the first"
-                   " step and again after the last. `--verbose`, `check` and `run.json` (`warnings`) have all messages.")]
+                   " step and again after the last. These and `check` print the first message of a code and the number of the"
+                   " others. `--verbose`, `check --json` and `run.json` (`warnings`) have all messages.")]
     for level in list(LEVELS) + sorted({r["level"] for r in rows} - set(LEVELS)):
         of_level = sorted((r for r in rows if r["level"] == level), key=lambda r: r["code"])
         if not of_level:
@@ -382,7 +384,7 @@ def main(arguments):
         path = REFERENCE / name
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             faults.append(f"docs/reference/{name}: differs from the program; run docs/make_reference.py PROGRAM")
-    faults += check_pages.faults_of(ROOT)
+    faults += check_pages.faults_of(ROOT) + check_sources.faults_of(ROOT)
     for fault in faults:
         print(fault)
     return 1 if faults else 0

@@ -3,9 +3,9 @@
 //
 // Extended 1.5: first word begins `#!0xDDA`.
 // Disk DDA (`.par`) [inferred]: 0, 1 or 2, then two reals between 0 and 1.
-// UDEC (Itasca), a text of commands: a line begins with BLOCK and a number, a bracket, or a word such as SIZE or
-// CREATE; and another begins with ROUND, CRACK, JSET, PROP, BOUNDARY, … [its manuals and public decks]. Letters of
-// either case; `;` begins a comment.
+// UDEC (Itasca), a text of commands [its manuals and public decks]. A line begins with BLOCK and a number, a bracket,
+// or a word such as SIZE or CREATE. Another line begins with ROUND, CRACK, JSET, PROP, BOUNDARY, … Letters have either
+// case; `;` begins a comment.
 #pragma once
 
 #include "formats/format.hpp"

@@ -1,4 +1,4 @@
-// Keyblock as a library: reads a case, makes it ready, runs it step by step, hands out what moved.
+// Declares Keyblock as a library: reads a case, makes it ready, runs it step by step, hands out what moved.
 //
 //   #include <keyblock/keyblock.hpp>
 //   namespace kb = keyblock::api;
@@ -34,7 +34,7 @@ struct Place {
   int line = 0, column = 0;
 };
 
-/// Odd but usable input, or a doubt: `code` is a stable word (`keyblock explain CODE` tells what to do).
+/// Usable input that is likely a mistake, or a doubt: `code` is a stable word (`keyblock explain CODE` has the remedy).
 struct Warning {
   std::string code, sentence;
   Place place;
@@ -285,9 +285,9 @@ struct Strength {
 };
 
 /// Divides the strength of "joints", "rock" or "both" until the case no longer stands: the search of `keyblock fos`,
-/// without its second one on a coarser mesh. Left open (empty, 0), what is reduced and the width of the bracket are
-/// those of the `case.json` of a folder, else "joints" and 0.01; where the search begins and ends, and what is exempt,
-/// `case.json` says in any case. Throws SettingError for another word, or a width below 0.
+/// without its second one on a coarser mesh. If `what` is empty or `within` 0, it is that of the `case.json` of a
+/// folder, else "joints" or 0.01. The range of the search and its exemptions are always those of `case.json`. Throws
+/// SettingError for another word, or a width below 0.
 KEYBLOCK_API Strength factor_of_safety(const Case& of, std::string_view what = {}, double within = 0,
                                        const Choices& choices = {}, const Context& context = Context());
 

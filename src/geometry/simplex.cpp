@@ -14,8 +14,8 @@ Moments& Moments::operator+=(const Moments& other) {
   return *this;
 }
 
-// For the triangle (0, a, b) with J = a × b: ∫1 = J/2, ∫x = J (ax + bx)/6, ∫x² = J (ax² + ax bx + bx²)/12, ∫xy = J (2
-// ax ay + ax by + bx ay + 2 bx by)/24 (Shi 1988, simplex integration in two dimensions).
+// Sums integrals over triangles (0, a, b) with J = a × b (Shi 1988, simplex integration in two dimensions):
+//     ∫1 = J/2, ∫x = J (ax + bx)/6, ∫x² = J (ax² + ax bx + bx²)/12, ∫xy = J (2 ax ay + ax by + bx ay + 2 bx by)/24.
 Moments moments(std::span<const Point> loop, Point origin) {
   Moments sum;
   for (std::size_t i = 0; i < loop.size(); ++i) {

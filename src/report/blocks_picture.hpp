@@ -1,4 +1,4 @@
-// A picture of blocks as cut: materials, joints, points.
+// Draws blocks as cut: materials, joints, points.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 namespace keyblock::report {
 
 /// An SVG document: blocks filled by material, edges coloured by joint material, fixed, loading and measured
-/// points, bolts, a legend and a scale bar; with the numbers of all blocks if they are asked for. Names of materials by
+/// points, bolts, a legend and a scale bar; with the numbers of all blocks if requested. Names of materials by
 /// number, from 0.
 std::string blocks_picture(const Blocks& blocks, const Units& units = {}, Numbers numbers = Numbers::none,
                            const std::vector<std::string>& rock_names = {},

@@ -1,4 +1,4 @@
-// The catalogue of an archive: a row a job, and the page that shows them.
+// Writes the catalogue of an archive, one row per job, as a page.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// A picture of the energies of a run over time.
+// Draws the energies of a run over time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// A picture of elements: as they were, displaced, and stress or displacement in colour.
+// Draws elements: as they were, displaced, and coloured by stress or displacement.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -23,7 +23,7 @@ enum class FieldShown { xx, yy, xy, greatest, least, von_mises, displacement, cr
 /// Words of the command line, in their order: "sxx", "s1", "von_mises".
 inline constexpr std::array<const char*, 8> kFieldWords{"sxx", "syy",       "sxy",          "s1",
                                                         "s3",  "von_mises", "displacement", "crosses"};
-/// Throws std::invalid_argument for a word that is none.
+/// Throws std::invalid_argument for any other word.
 FieldShown field_of_word(const std::string& word);
 
 /// Scale of a field: colours, magnification and the part of the plane.
@@ -36,7 +36,7 @@ struct FieldScale {
 
 struct FieldPicture {
   std::string title;
-  FieldFrame start;  ///< the mesh before anything is dug out
+  FieldFrame start;  ///< the mesh before any excavation
   FieldFrame end;
   std::vector<PointFrame> measured;  ///< at the end
   FieldShown shown = FieldShown::xx;

@@ -1,4 +1,4 @@
-// The measures that all pictures of runs share.
+// Defines the measures that all pictures of runs share.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

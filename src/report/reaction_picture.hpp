@@ -1,4 +1,4 @@
-// A picture of what driven edges push back over how far they are driven.
+// Draws the reactions of driven edges over their displacement.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace keyblock::report {
 
-/// An SVG document: the amount of each reaction over the displacement; a plateau is said below the curves.
+/// An SVG document: the amount of each reaction over the displacement; a plateau is named below the curves.
 std::string reaction_picture(const std::string& title, const std::vector<ReactionCurve>& curves,
                              const Units& units = {});
 

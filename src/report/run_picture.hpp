@@ -1,4 +1,4 @@
-// A picture of a run: its start and end, and curves of what happened between.
+// Draws a run: its start, its end, and curves of the time between.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// A map of a run's error over two of its settings.
+// Draws the error of a run over two of its settings, as a map.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@ namespace keyblock::report {
 
 struct SweptCell {
   double error = 0;     ///< > 0; not finite: no result
-  std::string words;    ///< in the cell where there is no result: "failed"
+  std::string words;    ///< in a cell without a result: "failed"
   std::string details;  ///< shown where the pointer rests on it
 };
 

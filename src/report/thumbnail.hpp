@@ -1,4 +1,4 @@
-// A small picture of a scene for a table: areas by material, no legend.
+// Draws a scene as a small picture for a table: areas by material, no legend.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// A picture of runs by their cost and their error, with the front of those that nothing beats.
+// Draws runs by their cost and their error, with the Pareto front.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,7 +14,7 @@ struct PricedRun {
   double error = 0;    ///< > 0
   bool is_profile = false;
   bool is_on_front = false;
-  bool is_near_front = false;  ///< on it but for the noise of timings: drawn filled
+  bool is_near_front = false;  ///< on it within the noise of timings: drawn filled
   std::string details;         ///< shown where the pointer rests on it
 };
 

@@ -23,7 +23,7 @@ struct HistoryRow {
   std::optional<double> load_share = {};      ///< of the scene's loads, where steps seek it
   std::optional<PlasticTotals> plastic = {};  ///< none where no rock may yield
   std::vector<TipState> tips = {};            ///< as Frame has them
-  double load_factor = 1;                     ///< likewise
+  double load_factor = 1;                     ///< as Frame has it
 };
 
 /// Rows in the order of steps: those of every `stride`-th step, and the last one. Memory is bounded where the stride is

@@ -1,4 +1,4 @@
-// The bytes of a file in memory, read by several threads into room that nothing was written to before.
+// Reads the bytes of a file into memory that was not written to before, by several threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

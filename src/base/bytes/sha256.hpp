@@ -1,4 +1,4 @@
-// A checksum by which bytes are known again.
+// Computes the SHA-256 checksum of bytes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// The table of diagnostics: code, level, summary, meaning and remedy of every warning and doubt.
+// Declares the table of diagnostics: code, level, summary, meaning and remedy of every warning and doubt.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// The parts of the table of diagnostics, by where codes come from. Each is sorted by code; diagnostics.cpp joins them.
+// Declares the parts of the table of diagnostics, by origin of codes. Each is sorted; diagnostics.cpp joins them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

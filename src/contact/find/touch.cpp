@@ -221,8 +221,8 @@ class PairTouches {
     return low <= edge.length && high >= 0;
   }
 
-  // An inner edge leads only by a clear margin, because it may lie on one line with a boundary edge. Of two boundary
-  // edges on one line, the one under the other piece leads.
+  // An inner edge leads only by a clear margin, because it may lie on one line with a boundary edge. If two boundary
+  // edges lie on one line, that under the other piece leads.
   static Leading best_edge(EdgesOfPiece of, EdgesOfPiece from) {
     Leading best;
     for (const Edge& edge : of) {

@@ -11,7 +11,7 @@
 
 namespace keyblock::report {
 
-/// One curve. `x` and `y` are of equal length; pairs that are not finite, or beyond `kGreatestDrawn`, are passed over.
+/// One curve. `x` and `y` are of equal length; pairs that are not finite, or beyond `kGreatestDrawn`, are left out.
 struct Curve {
   enum class Style { line, points };
   std::string label;

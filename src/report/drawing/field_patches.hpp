@@ -1,4 +1,4 @@
-// A value over the elements in colour, and its colour bar: what pictures of fields have in common.
+// Draws a value over the elements in colour, with a colour bar, for all pictures of fields.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -69,9 +69,9 @@ struct ColourScale {
   std::string colour(double value) const;
 };
 
-/// Between the values of patches but for the most extreme at either end by their area: meshes are fine where values
-/// peak. `about_zero` has zero at an end where not both signs are there, unless the value nearest to it is more than
-/// half of the farthest; `rising` begins at zero and counts the area above.
+/// Returns the ends of the values of patches, without the most extreme ones by area, because meshes are fine where
+/// values peak. `about_zero` has zero at an end if one sign is absent, unless the value nearest to it is more than half
+/// of the farthest; `rising` begins at zero and counts the area above.
 ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map = ColourScale::Map::about_zero);
 
 /// The scale that covers both.
@@ -80,7 +80,7 @@ ColourScale covering(const ColourScale& one, const ColourScale& other);
 /// The scale, with a note of the ends beyond which values of the patches lie: these have the colour of the end.
 ColourScale with_ends(ColourScale scale, const std::vector<Patch>& patches);
 
-/// From the least value to the greatest, but for the same extreme ones.
+/// Returns the ends from the least value to the greatest, without the same extreme ones.
 double range_of(const std::vector<Patch>& patches);
 
 /// `seam`: width of the line round each patch that hides the gap to the next.

@@ -1,4 +1,4 @@
-// A pair of axes on a page, shared by charts of curves and of single runs.
+// Draws a pair of axes on a page, for charts of curves and of single runs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

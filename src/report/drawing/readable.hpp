@@ -31,8 +31,8 @@ struct Readable {
   std::string label(std::string_view name) const;  ///< "stress [kPa]"
 };
 
-/// The unit of the case if it makes `largest` a number from 0.1 to 1000, and else that of mm, m; ms, s; Pa, kPa, MPa,
-/// GPa; N/m, kN/m, MN/m; J/m, kJ/m, MJ/m, which is next below it. That of the case too if it declares too little.
+/// Returns the unit of the case if it makes `largest` a number from 0.1 to 1000, or if the case declares too little.
+/// Else it is the next below `largest` of mm, m; ms, s; Pa, kPa, MPa, GPa; N/m, kN/m, MN/m; J/m, kJ/m, MJ/m.
 Readable readable(const Described& quantity, double largest);
 
 }  // namespace keyblock::report

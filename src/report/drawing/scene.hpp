@@ -1,4 +1,4 @@
-// What the pictures of blocks have in common: marks of points, the width of block edges, legend and scale bar.
+// Draws the common parts of pictures of blocks: marks of points, block edges, legend and scale bar.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -23,8 +23,8 @@ enum class Mark { fixed_point, loading_point, measured_point };
 /// Draws the sign of a point of the scene at a place of the page.
 void draw_mark(SvgPage& page, Point at, Mark mark);
 
-/// Draws a bolt between two places of the page, its name behind its second end: a full line with plates at its ends; a
-/// broken one with a gap and a cross in its middle; one that carries nothing as grey dots.
+/// Draws a bolt between two places of the page, as a full line with plates at its ends, and its name behind the second
+/// end. A broken bolt has a gap and a cross in its middle; one that carries nothing is a line of grey dots.
 void draw_bolt(SvgPage& page, Point from, Point to, BoltState state, const std::string& name = {});
 
 /// Width of block edges: one page unit for few blocks, finer where they crowd.

@@ -1,4 +1,4 @@
-// Principal stresses as crosses: directions and amounts at once, where colours show one value.
+// Draws principal stresses as crosses, which show directions and amounts; colours show one value.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,9 +15,9 @@ struct CrossScale {
   bool are_cut = false;  ///< the longest few are drawn shorter
 };
 
-/// Crosses at the middles of elements, none so near to another that they would cover each other: lines along the
-/// principal stresses in the plane, as long as these, one colour for compression and one for tension. The few longest
-/// are cut. `most`: the stress of the longest line; 0: that of all crosses but the longest few.
+/// Draws crosses at the middles of elements, none so near that they would cover each other. Their lines lie along the
+/// principal stresses in the plane and have their length, with one colour for compression and one for tension. The few
+/// longest are cut. `most`: the stress of the longest line; 0: that of all crosses but the longest few.
 CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place,
                         double most = 0);
 

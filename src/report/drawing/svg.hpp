@@ -1,4 +1,4 @@
-// A small SVG page: shapes and text in page coordinates, and the map from the plane of the blocks onto the page.
+// Writes a small SVG page: shapes and text in page coordinates, with the map from the plane of blocks onto the page.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -108,7 +108,7 @@ struct Box {
   bool empty() const { return !(low.x <= high.x && low.y <= high.y); }
   double width() const { return high.x - low.x; }
   double height() const { return high.y - low.y; }
-  /// Points that are not finite are passed over.
+  /// Points that are not finite are ignored.
   void include(Point p);
 };
 

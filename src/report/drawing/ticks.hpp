@@ -1,4 +1,4 @@
-// Round values for axes and scale bars: 1, 2 or 5 times a power of ten, and how to write them.
+// Chooses round values for axes and scale bars, 1, 2 or 5 times a power of ten, and writes them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

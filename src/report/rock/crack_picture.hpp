@@ -1,4 +1,4 @@
-// A picture of how cracks went on: their path in the undeformed bodies, and what pulled at their tips on the way.
+// Draws crack growth: paths in the undeformed bodies, and stress intensity at the tips over the length.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,9 +19,9 @@ struct CrackPicture {
   Units units = {};
 };
 
-/// An SVG document: the bodies of the first frame with the paths of all tips and the cracks as they are at the end,
-/// those that started in shear in a colour of their own; the bodies as they lie at the end, small displacements
-/// enlarged; K_I and K_II of each tip over the length of its crack, and, where cracks grow, the factor of the loads.
+/// Returns an SVG document. It has the bodies of the first frame with the paths of all tips and the final cracks; those
+/// that started in shear have their own colour. It has the bodies at the end, with small displacements enlarged. It has
+/// K_I and K_II of each tip over the length of its crack and, if cracks grow, the load factor.
 std::string crack_picture(const CrackPicture& picture);
 
 }  // namespace keyblock::report

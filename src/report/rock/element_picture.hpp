@@ -1,4 +1,4 @@
-// A picture of what a test of rock measures: stress over strain, one curve or several.
+// Draws tests of rock: stress over strain, one curve or several.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

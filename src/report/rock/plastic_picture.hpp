@@ -1,4 +1,4 @@
-// A picture of rock that yields: how far it has flowed, the mean stress, and where it lies on its surface.
+// Draws elastoplastic rock: plastic strain, mean stress, and state on the yield surface.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@ namespace keyblock::report {
 struct PlasticPicture {
   std::string title;
   FieldFrame end;
-  std::vector<std::vector<Point>> outlines;  ///< of bodies on covers, as they lie at the end
+  std::vector<std::vector<Point>> outlines;  ///< of NMM bodies, as they lie at the end
   Units units = {};
 };
 

@@ -1,4 +1,4 @@
-// Pictures of a strength reduction: displacement over the factor, and what moves when the scene falls.
+// Draws a strength reduction: displacement over the factor, and the motion of the unstable scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,7 +16,7 @@ namespace keyblock::report {
 struct StrengthPoint {
   enum class Kind { stands, falls, undecided };
   double factor = 1;
-  double displacement = 0;  ///< of one that stands; others have none that means anything
+  double displacement = 0;  ///< of a stable run; others have no meaningful one
   Kind kind = Kind::stands;
 };
 
@@ -29,8 +29,8 @@ struct StrengthChart {
   std::optional<double> service = {};  ///< factor from which displacements grow, if that is below the bracket
 };
 
-/// An SVG document: the largest displacement of the trials that stand over the factor, and the bracket as a band.
-/// Trials that fall or are undecided have no displacement: they are crosses in a strip above the axes.
+/// Returns an SVG document: the largest displacement of stable trials over the factor, and the bracket as a band.
+/// Unstable and undecided trials have no displacement: they are crosses in a strip above the axes.
 std::string strength_chart(const StrengthChart& chart);
 
 /// A stretch of a joint whose sides move against each other between two states.
@@ -45,7 +45,7 @@ struct SlipLine {
 /// frames have the same elements. Ends are distinguished to 1e-6 of the extent.
 std::vector<SlipLine> slip_lines(const FieldFrame& before, const FieldFrame& after);
 
-/// A bolt as drawn, and what it carries in the last state that stands.
+/// A bolt as drawn, and its force in the last stable state.
 struct StrengthBolt {
   Segment at;
   double force = 0;
@@ -56,17 +56,17 @@ struct StrengthPicture {
   std::string title;
   FieldFrame standing;
   std::vector<double> plastic_strains;  ///< of its elements
-  std::string standing_words;           ///< "stands at 1.39"
+  std::string standing_words;           ///< "stable at 1.39"
   FieldFrame before;  ///< increments count from it: the standing state, or the last of the trial that falls
   std::optional<FieldFrame> falling;  ///< with the same elements
-  std::string falling_words;          ///< "falls at 1.4"
+  std::string falling_words;          ///< "unstable at 1.4"
   Units units = {};
   std::vector<StrengthBolt> bolts = {};
 };
 
-/// An SVG document of two panels: the last state that stands, coloured by plastic strain if there is any, with the
-/// forces of bolts; and the displacement increments of what moves, coloured by their size over the largest, with
-/// arrows, and joints that slip.
+/// Returns an SVG document of two panels. The first has the last stable state, coloured by plastic strain if there is
+/// any, with the forces of bolts. The second has the displacement increments, coloured by their size over the largest,
+/// with arrows and slipping joints.
 std::string strength_picture(const StrengthPicture& picture);
 
 }  // namespace keyblock::report

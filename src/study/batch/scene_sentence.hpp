@@ -10,9 +10,9 @@
 
 namespace keyblock::study {
 
-/// Returns, for example, "static, 5 steps of 0.2; 2 pieces, 1 of them held, of 43 elements on 37 covers; 1 point load
-/// of up to 2; E 10, Poisson's ratio 0.25; weight 0.2; friction 30 degrees". Elements that share a cover form one
-/// piece; it is held if one of its points is fixed.
+/// Returns a sentence such as "static, 5 steps of 0.2; 2 pieces, 1 of them fixed, of 43 elements on 37 covers; 1 point
+/// load of up to 2; E 10, …; friction 30 degrees". Elements that share a cover form one piece; it is fixed if one of
+/// its points is.
 std::string scene_sentence(const Cover& cover, const Analysis& analysis);
 
 /// Does the same for blocks, each of which is a body.
