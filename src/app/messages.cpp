@@ -117,11 +117,31 @@ std::vector<std::pair<std::string, std::vector<Kind>>> sorted_by_code(const Warn
   return all;
 }
 
-/// Prints the second line of a warning or an error; notes have none.
-void log_help(const std::string& code) {
+/// Returns the second line of a warning or an error, indented; empty for notes, which have none.
+std::string help_line(const std::string& code) {
   const Diagnostic* row = find_diagnostic(code);
-  if (row == nullptr || row->level == DiagnosticLevel::note || row->level == DiagnosticLevel::silent) return;
-  spdlog::warn("  help: {}", row->remedy);
+  if (row == nullptr || row->level == DiagnosticLevel::note || row->level == DiagnosticLevel::silent) return {};
+  return fmt::format("  help: {}", row->remedy);
+}
+
+void log_help(const std::string& code) {
+  if (const std::string help = help_line(code); !help.empty()) spdlog::warn("{}", help);
+}
+
+/// First warning of a code, and the number of warnings with this code.
+struct OfCode {
+  const Warning* first = nullptr;
+  std::size_t count = 0;
+};
+
+std::vector<OfCode> counted_by_code(const Warnings& warnings) {
+  std::vector<OfCode> all;
+  for (const Warning& warning : warnings) {
+    auto known = std::ranges::find_if(all, [&](const OfCode& of) { return of.first->name == warning.name; });
+    if (known == all.end()) known = all.insert(all.end(), {&warning, 0});
+    ++known->count;
+  }
+  return all;
 }
 
 }  // namespace
@@ -138,8 +158,7 @@ void print_messages_plainly() {
 
 void add_message_options(CLI::App& program) {
   CLI::Option* quiet = program.add_flag_callback(
-      "--quiet", [] { terminal()->set_level(spdlog::level::err); },
-      "print errors only");
+      "--quiet", [] { terminal()->set_level(spdlog::level::err); }, "print errors only");
   CLI::Option* verbose = program.add_flag_callback(
       "--verbose", [] { spdlog::set_level(spdlog::level::debug); },
       "print every warning in full, solver statistics and timings");
@@ -166,11 +185,7 @@ void print_record(const std::string& record, const std::string& file) {
 
 void log_warnings(const Warnings& warnings) {
   if (spdlog::should_log(spdlog::level::debug)) {
-    std::set<std::string> helped;
-    for (const Warning& warning : warnings) {
-      spdlog::warn("{}", to_string(warning));
-      if (helped.insert(warning.name).second) log_help(warning.name);
-    }
+    for (const std::string& line : lines_of(warnings)) spdlog::warn("{}", line);
     return;
   }
   for (const auto& [code, kinds] : sorted_by_code(warnings)) {
@@ -178,6 +193,26 @@ void log_warnings(const Warnings& warnings) {
       spdlog::warn("{}{}", to_string(*first), count > 1 ? fmt::format(" ({} times)", count) : "");
     log_help(code);
   }
+}
+
+std::vector<std::string> lines_of(const Warnings& warnings) {
+  std::vector<std::string> lines;
+  const auto put_help = [&](const std::string& code) {
+    if (std::string help = help_line(code); !help.empty()) lines.push_back(std::move(help));
+  };
+  if (!spdlog::should_log(spdlog::level::debug)) {
+    for (const auto& [first, count] : counted_by_code(warnings)) {
+      lines.push_back(to_string(*first) + (count > 1 ? fmt::format(" (and {} more like this)", count - 1) : ""));
+      put_help(first->name);
+    }
+    return lines;
+  }
+  std::set<std::string> helped;
+  for (const Warning& warning : warnings) {
+    lines.push_back(to_string(warning));
+    if (helped.insert(warning.name).second) put_help(warning.name);
+  }
+  return lines;
 }
 
 void log_by_level(const Warnings& warnings, std::string_view of) {
@@ -197,8 +232,8 @@ void log_by_level(const Warnings& warnings, std::string_view of) {
     codes.insert(warning.name);
     shown.push_back(warning);
   }
-  log_warnings(errors);
-  log_warnings(shown);
+  for (const Warnings& of_level : {errors, shown})
+    for (const std::string& line : lines_of(of_level)) spdlog::warn("{}", line);
   if (!more.empty())
     spdlog::warn("{} on {}: {} (--verbose shows {})", counted(more.size(), "more warning"), of, fmt::join(more, ", "),
                  more.size() == 1 ? "it" : "them");

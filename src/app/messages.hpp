@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/error.hpp"
 
@@ -25,7 +26,10 @@ void print_record(const std::string& record, const std::string& file);
 /// Notes have no remedy there. Under --verbose prints all, each code with its remedy once.
 void log_warnings(const Warnings& warnings);
 
-/// Prints the warnings of a run: errors like `log_warnings`, then warnings of the first five codes. One line counts the
+/// Returns the first warning of each code with the number of the others, and its remedy. Under --verbose returns all.
+std::vector<std::string> lines_of(const Warnings& warnings);
+
+/// Prints the warnings of a run: lines of the errors, then of the first five codes of warnings. One line counts the
 /// notes and names their codes. `of`: "the case", "the run". Under --verbose like `log_warnings`.
 void log_by_level(const Warnings& warnings, std::string_view of);
 

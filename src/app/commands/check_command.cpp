@@ -16,6 +16,7 @@
 #include "api/plan.hpp"
 #include "app/command.hpp"
 #include "app/input/case_options.hpp"
+#include "app/messages.hpp"
 #include "app/option_checks.hpp"
 #include "app/progress.hpp"
 #include "base/counted.hpp"
@@ -135,7 +136,7 @@ std::string text_of(const Json& counts) {
 }
 
 void print(const Warnings& warnings) {
-  for (const Warning& warning : warnings) fmt::print("  {}\n", printable(to_string(warning)));
+  for (const std::string& line : lines_of(warnings)) fmt::print("  {}\n", printable(line));
 }
 
 void print(const formats::FileReading& file) {
@@ -160,7 +161,7 @@ std::string cost_in_words(const TrialSteps& trial, int steps) {
                        trial.start_seconds);
   const bool is_bound = trial.made == 0 && trial.failure.empty();
   const double all = trial.seconds_of(steps);
-  return fmt::format("cost: start {:.2g} s, {}{:.2g} s a step ({} tried), {}{} for {}", trial.start_seconds,
+  return fmt::format("cost: start {:.2g} s, {}{:.2g} s per step ({} tried), {}{} for {}", trial.start_seconds,
                      is_bound ? "more than " : "", trial.step_seconds, trial.made, is_bound ? "more than " : "about ",
                      all < kSeconds ? fmt::format("{:.2g} s", all) : time_in_words(all),
                      counted(static_cast<std::size_t>(steps), "step"));
@@ -219,8 +220,7 @@ std::vector<std::string> stages_of(const Scene& first) {
         scene->end.name.empty() ? "" : fmt::format(" ({})", scene->end.name),
         counted(model.elements.size(), model.nodes.empty() ? "block" : "element"), counted(model.bolts.size(), "bolt"),
         counted(static_cast<std::size_t>(scene->end.steps), "step"), scene->settings.time_step,
-        scene->end.equilibrium ? fmt::format(", or fewer where forces balance to {:.3g}", *scene->end.equilibrium)
-                               : ""));
+        scene->end.equilibrium ? fmt::format(", or fewer if forces balance to {:.3g}", *scene->end.equilibrium) : ""));
   }
   return sentences;
 }
@@ -310,7 +310,7 @@ void require_one_case(const CaseOptions& given) {
     if (given.paths.size() == 1 && find_cases({path}).size() == 1) continue;
     throw UsageError(fmt::format(
         "check: expected files, the folder of one case, or a folder of cases alone; found the folder {} {}", path,
-        given.paths.size() > 1              ? "beside others"
+        given.paths.size() > 1              ? "among others"
         : given.reading != DrawingOptions{} ? "and --layers, --unit or --join"
         : given.sets.empty()                ? "and --settings-file"
                                             : "and --set"));
