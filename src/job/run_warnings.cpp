@@ -23,8 +23,10 @@ namespace {
 constexpr double kDeepPenetrations = 10;
 // A sound system is solved to 1e-12 or better; above this a penalty is too great for double precision.
 constexpr double kLargeResidual = 1e-9;
-// Contact forces of dynamics `standard` are solved at least to this fraction of the load.
-constexpr double kLargeImbalance = 1e-6;
+// Contact forces of dynamics `standard` are solved at least to this fraction of the load; up to `kLargeImbalance` a
+// larger one does not matter.
+constexpr double kImbalance = 1e-6;
+constexpr double kLargeImbalance = 1e-4;
 // An initial state that leaves more than this fraction of its gaps differs from the requested one.
 constexpr double kLargeMisfit = 1e-6;
 // A load step that needs this many parts adds little load, or failing rock unloads in it.
@@ -35,14 +37,12 @@ constexpr double kNoStep = 1e-9;
 std::vector<std::string> start_complaints(const StartReport& start) {
   std::vector<std::string> sentences;
   if (!start.why.empty())
-    sentences.push_back(fmt::format(
-        "the equilibrium at t = 0 is {}, not that of rigid blocks, because {}; where friction may bear in many "
-        "ways another would do as well (--set start=sudden begins without one)",
-        start.made, start.why));
+    sentences.push_back(fmt::format("the initial contact forces are one of several possible sets, {}, because {}",
+                                    start.made, start.why));
   if (start.misfit > kLargeMisfit)
-    sentences.push_back(fmt::format("the start leaves {:.1e} of the gaps that it was to close", start.misfit));
+    sentences.push_back(fmt::format("the initial state leaves {:.1e} of the gaps that it should close", start.misfit));
   if (start.unsolved_steps > 0)
-    sentences.push_back(fmt::format("{} of the settling of the start found no forces",
+    sentences.push_back(fmt::format("{} of the initial state found no contact forces",
                                     counted(static_cast<std::size_t>(start.unsolved_steps), "step")));
   return sentences;
 }
@@ -50,7 +50,7 @@ std::vector<std::string> start_complaints(const StartReport& start) {
 /// Names the contact with the largest imbalance, and the number of contacts.
 std::string worst_contact(const StepReport& step, const char* noun) {
   if (step.residual_element == 0) return {};
-  return fmt::format(", where {} {} touches {} {} at {}, {} ({} contacts in all, {} closed)", noun,
+  return fmt::format(", at the contact of {} {} with {} {} near {}, {} ({} contacts in all, {} closed)", noun,
                      step.residual_element, noun, step.residual_other, plain(step.residual_at.x),
                      plain(step.residual_at.y), step.contacts, step.closed);
 }
@@ -102,32 +102,39 @@ std::vector<StepKind> kinds_by_length(const StepLimits& l) {
       {"step_moves_far", [l](const StepReport& s) { return l.is_moving && l.constant && s.displacement_ratio > 1; },
        [](const StepReport& s, int concerned, int steps) {
          return fmt::format(
-             "step {}: a block moves {:.3g} times the displacement allowed in a step, as in {} of {} steps; a smaller "
-             "time_step, or step_control = shi or error, resolves it",
-             s.step, s.displacement_ratio, concerned, steps);
+             "step {}: a block moves {:.3g} times the displacement allowed in a step, as in {} of {} steps", s.step,
+             s.displacement_ratio, concerned, steps);
        }},
       {"step_passes_blocks",
        [l](const StepReport& s) { return l.searches_pairs && s.displacement_ratio * l.allowed > l.block_size; },
        [l](const StepReport& s, int concerned, int steps) {
          return fmt::format(
-             "step {}: a block moves {}, further than blocks are wide ({}), as in {} of {} steps: it may have "
-             "passed through others unseen: look whether it did",
+             "step {}: a block moves {}, further than blocks are wide ({}), as in {} of {} steps; it may have passed "
+             "through others",
              s.step, plain(s.displacement_ratio * l.allowed, 3), plain(l.block_size, 3), concerned, steps);
        }},
       {"step_above_limit", [l](const StepReport& s) { return !l.constant && s.dt > l.longest_step; },
        [l](const StepReport& s, int, int) {
          return fmt::format(
-             "step {}: the automatic step, {:.6g}, passes the file's limit, {:.6g}, as in the Berkeley program", s.step,
-             s.dt, l.longest_step);
+             "step {}: the automatic step, {:.6g}, exceeds the limit of the file, {:.6g}, as in the Berkeley program",
+             s.step, s.dt, l.longest_step);
        }},
       {"step_unresolved", [](const StepReport& s) { return s.unresolved_parts > 0; },
        [](const StepReport& s, int concerned, int steps) {
          return fmt::format(
-             "step {}: {} of its parts are of the least size (least_step_share) and still move or err more than asked "
-             "for, as in {} of {} steps",
+             "step {}: {} of its parts have the least size (least_step_share) and still exceed the permitted "
+             "displacement or error, as in {} of {} steps",
              s.step, s.unresolved_parts, concerned, steps);
        }},
   };
+}
+
+std::string out_of_balance(const StepLimits& l, const StepReport& s, double limit, int concerned, int steps) {
+  return fmt::format(
+      "forces are out of balance by more than {:.0e} of the load in {} of {} steps; the worst is step {} (time "
+      "{:.6g}), "
+      "by {:.1e}{}",
+      limit, concerned, steps, s.step, s.time, s.residual, worst_contact(s, l.noun));
 }
 
 /// Returns the kinds of steps whose contacts or equations are not solved well enough.
@@ -135,41 +142,41 @@ std::vector<StepKind> kinds_by_solution(const StepLimits& l) {
   return {
       {"unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
        [](const StepReport& s, int, int) {
-         return fmt::format("step {}: {} still opened or closed at the pass limit", s.step,
+         return fmt::format("step {}: {} still opened or closed after the last open-close iteration", s.step,
                             counted(static_cast<std::size_t>(s.unsettled_contacts), "contact"));
        }},
       {"deep_penetration", [l](const StepReport& s) { return s.greatest_penetration > l.deep; },
        [l](const StepReport& s, int, int) {
-         return fmt::format(
-             "step {}: blocks lie {:.3g} deep in one another, {:.0f} times the allowed penetration: look "
-             "whether what follows can be trusted",
-             s.step, s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / l.deep);
+         return fmt::format("step {}: blocks overlap by {:.3g}, {:.0f} times the allowed penetration", s.step,
+                            s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / l.deep);
        }},
+      {"residual_above_goal",
+       [l](const StepReport& s) { return l.is_standard && s.residual > kImbalance && s.residual <= kLargeImbalance; },
+       [l](const StepReport& s, int concerned, int steps) {
+         return out_of_balance(l, s, kImbalance, concerned, steps);
+       },
+       [](const StepReport& s) { return s.residual; }},
       {"large_residual",
        [l](const StepReport& s) { return s.residual > (l.is_standard ? kLargeImbalance : kLargeResidual); },
        [l](const StepReport& s, int concerned, int steps) {
-         return l.is_standard
-                    ? fmt::format(
-                          "forces are out of balance by more than {:.0e} of the load in {} of {} steps; the worst is "
-                          "step {} (time {:.6g}), by {:.1e}{}",
-                          kLargeImbalance, concerned, steps, s.step, s.time, s.residual, worst_contact(s, l.noun))
-                    : fmt::format(
-                          "the equations of {} of {} steps are solved to a relative residual of more than "
-                          "{:.0e}; the worst is step {} (time {:.6g}), to {:.1e}",
-                          concerned, steps, kLargeResidual, s.step, s.time, s.residual);
+         return l.is_standard ? out_of_balance(l, s, kLargeImbalance, concerned, steps)
+                              : fmt::format(
+                                    "the equations of {} of {} steps are solved to a relative residual of more than "
+                                    "{:.0e}; the worst is step {} (time {:.6g}), to {:.1e}",
+                                    concerned, steps, kLargeResidual, s.step, s.time, s.residual);
        },
        [](const StepReport& s) { return s.residual; }},
       {"step_in_parts", [](const StepReport& s) { return s.parts >= kManyParts; },
        [](const StepReport& s, int concerned, int steps) {
          return fmt::format(
-             "step {} was made in {} parts: near a limit load, or too long for rock that yields; as in {} of {} steps",
+             "step {} was made in {} parts, near a limit load or too long for elastoplastic rock; as in {} of {} steps",
              s.step, s.parts, concerned, steps);
        }},
       {"overlaps_locked", [](const StepReport& s) { return s.locked_overlaps > 0; },
        [](const StepReport& s, int concerned, int steps) {
          return fmt::format(
-             "step {}: overlaps left at impacts, because other contacts are in the way: {}; as in {} of {} steps",
-             s.step, s.locked_overlaps, concerned, steps);
+             "step {}: overlaps left at impacts, because other contacts block them: {}; as in {} of {} steps", s.step,
+             s.locked_overlaps, concerned, steps);
        }},
   };
 }
@@ -247,9 +254,10 @@ Warnings StepWatch::far_from_equilibrium(const Place& place) const {
   if (!way || way->share.value_or(0) > kNearEquilibrium) return {};
   const std::string how_far = way->share ? fmt::format("about {:.2g} % of the way to equilibrium", 100 * *way->share)
                                          : "no sign of an equilibrium";
-  return {{"far_from_equilibrium", place,
-           fmt::format("static, each step from rest: after {} steps the last, {:.3g} of the one before, shows {}",
-                       steps_, way->last_step_ratio, how_far)}};
+  return {
+      {"far_from_equilibrium", place,
+       fmt::format("static, each step from zero velocity: after {} steps the last, {:.3g} of the one before, shows {}",
+                   steps_, way->last_step_ratio, how_far)}};
 }
 
 Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place) {
@@ -260,12 +268,12 @@ Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, c
   const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
     if (curve.times.empty() || curve.times.back() >= outcome.time || curve.values.back() == Point{}) return;
     warnings.push_back({name, curve.place,
-                        fmt::format("the table of {}s ends at time {:.6g}, the run at {:.6g}; the last {} is held",
-                                    what, curve.times.back(), outcome.time, what)});
+                        fmt::format("the table of {}s ends at time {:.6g}, the run at {:.6g}; the last {} stays", what,
+                                    curve.times.back(), outcome.time, what)});
   };
   if (prepared.scene.settings.ledger == Bookkeeping::off && !prepared.scene.is_untouched)
-    warnings.push_back(
-        {"energy_not_judged", place, "ledger = off: whether energy came from nothing (energy_limit) is not looked at"});
+    warnings.push_back({"energy_not_judged", place,
+                        "ledger=off: the run does not check whether energy came from nothing (energy_limit)"});
   for (const CarriedPoint& point : prepared.scene.model.loading_points)
     warn_held("load_held_after_table", "load", point.curve);
   warn_held("acceleration_held_after_table", "acceleration", prepared.scene.settings.body_acceleration.curve);
@@ -289,7 +297,7 @@ Warnings broken_bolts(const Frame& first, const Frame& last, const Place& place)
   const std::size_t all = broken.size(), more = all - std::min(kNamed, all);
   broken.resize(broken.size() - more);
   return {{"bolts_broke", place,
-           fmt::format("{} of {} broke: {}{}; bolts.csv says by which frame", all, counted(last.bolts.size(), "bolt"),
+           fmt::format("{} of {} broke: {}{}; bolts.csv has the frame", all, counted(last.bolts.size(), "bolt"),
                        fmt::join(broken, ", "), more > 0 ? fmt::format(" and {} more", more) : "")}};
 }
 

@@ -50,7 +50,7 @@ std::string why_not(const Strength& strength, const StrengthValues& values, cons
                        values.friction_deg, values.dilation_deg);
   const bool needs_cohesion = strength.surface != YieldSurface::von_mises && values.friction_deg == 0;
   if (needs_cohesion && values.cohesion == 0)
-    return fmt::format("expected cohesion of {}: greater than 0 where there is no friction, found 0", where);
+    return fmt::format("expected cohesion of {}: greater than 0 without friction, found 0", where);
   return {};
 }
 
@@ -123,19 +123,21 @@ std::string why_unusable(const Strength& strength) {
   return {};
 }
 
-std::vector<std::string> doubts_of(const Strength& strength) {
-  std::vector<std::string> doubts;
+std::vector<StrengthDoubt> doubts_of(const Strength& strength) {
+  std::vector<StrengthDoubt> doubts;
   const auto look = [&](const StrengthValues& values, const char* when) {
     if (values.dilation_deg > values.friction_deg)
-      doubts.push_back(fmt::format("dilation_deg {} is above friction_deg {}{}: flow then makes energy",
-                                   values.dilation_deg, values.friction_deg, when));
+      doubts.push_back({"dilation_above_friction",
+                        fmt::format("dilation_deg {} is above friction_deg {}{}: flow then creates energy",
+                                    values.dilation_deg, values.friction_deg, when)});
   };
   const auto look_at_tension = [&](const StrengthValues& values, const char* when) {
     const double apex = apex_of(strength, values);
     if (values.tensile_strength && *values.tensile_strength > apex)
       doubts.push_back(
-          fmt::format("tensile_strength {} is above the apex of the surface, c cot φ = {:.4g}{}: it has no effect",
-                      *values.tensile_strength, apex, when));
+          {"tensile_strength_without_effect",
+           fmt::format("tensile_strength {} is above the apex of the surface, c cot φ = {:.4g}{}: it has no effect",
+                       *values.tensile_strength, apex, when)});
   };
   look(strength.values, "");
   look_at_tension(strength.values, "");
@@ -146,17 +148,20 @@ std::vector<std::string> doubts_of(const Strength& strength) {
     look_at_tension(strength.change->values, " after the change");
   const bool is_cone = strength.surface == YieldSurface::drucker_prager;
   if (!is_cone && strength.matching != ConeMatching::compression)
-    doubts.emplace_back("matching is read of drucker_prager alone: with this surface it has no effect");
+    doubts.push_back(
+        {"matching_without_effect", "only drucker_prager reads matching: with this surface it has no effect"});
   if (is_cone && strength.matching == ConeMatching::plane_strain &&
       strength.values.dilation_deg != strength.values.friction_deg)
     doubts.push_back(
-        fmt::format("matching plane_strain is that of associated flow, with dilation_deg {} beside friction_deg {} the "
-                    "cone bears another load in plane strain than mohr_coulomb",
-                    strength.values.dilation_deg, strength.values.friction_deg));
+        {"matching_without_associated_flow",
+         fmt::format(
+             "matching plane_strain assumes associated flow; with dilation_deg {} and friction_deg {} the limit "
+             "load in plane strain is not that of mohr_coulomb",
+             strength.values.dilation_deg, strength.values.friction_deg)});
   if (strength.change && strength.change->plastic_strain > 0 &&
       compressive_strength(strength, strength.change->values) < compressive_strength(strength, strength.values))
-    doubts.emplace_back(
-        "strength falls with plastic strain, without a fracture_energy: what is found depends on the mesh");
+    doubts.push_back({"softening_without_fracture_energy",
+                      "strength decreases with plastic strain, without a fracture_energy: results depend on the mesh"});
   return doubts;
 }
 

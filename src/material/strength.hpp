@@ -31,8 +31,14 @@ bool is_reachable(const Strength& strength);
 /// -2".
 std::string why_unusable(const Strength& strength);
 
+/// Likely mistake in a usable strength, with the code of its warning.
+struct StrengthDoubt {
+  std::string code;
+  std::string sentence;
+};
+
 /// Returns likely mistakes in a usable strength. They are dilation above friction, tensile strength or matching without
 /// effect, a matching unlike that of the flow, and softening that depends on the mesh.
-std::vector<std::string> doubts_of(const Strength& strength);
+std::vector<StrengthDoubt> doubts_of(const Strength& strength);
 
 }  // namespace keyblock

@@ -96,9 +96,17 @@ Warnings unusual_ratio(const Drawing& drawing) {
                        drawing.edge_node_ratio, kUsualEdgeNodeRatio)}};
 }
 
-Warnings no_fixed_points(std::size_t count, const Place& place) {
+// Without an analysis, weight is to be expected.
+bool has_weight(const std::optional<Analysis>& analysis) {
+  if (!analysis || analysis->gravity) return !analysis || *analysis->gravity != 0;
+  return std::ranges::any_of(analysis->block_materials, [](const BlockMaterial& m) { return m.unit_weight != 0; });
+}
+
+Warnings no_fixed_points(std::size_t count, const std::optional<Analysis>& analysis, const Place& place) {
   if (count > 0) return {};
-  return {{"no_fixed_points", place, "nothing holds the blocks: there are no fixed points"}};
+  if (!has_weight(analysis))
+    return {{"free_without_gravity", place, "there are no fixed points, and no gravity: the blocks are free"}};
+  return {{"no_fixed_points", place, "there are no fixed points: the blocks have no support"}};
 }
 
 Warnings curves_and_points(const Analysis& analysis, std::size_t loading_points, const Place& place) {
@@ -132,10 +140,10 @@ Warnings idle_bolts(const std::vector<B>& bolts, auto place_of) {
   if (first == bolts.end()) return {};
   const auto count = static_cast<std::size_t>(std::ranges::count_if(bolts, is_idle));
   return {{"bolts_without_properties", place_of(*first),
-           fmt::format(
-               "{} of {} {} neither stiffness nor pretension and {} no force; `bolt_properties` of the analysis "
-               "give bolts of a drawing what they have",
-               count, counted(bolts.size(), "bolt"), count == 1 ? "has" : "have", count == 1 ? "carries" : "carry")}};
+           fmt::format("{} of {} {} neither stiffness nor pretension and {} no force; bolts of a drawing take these "
+                       "from `bolt_properties` of the analysis",
+                       count, counted(bolts.size(), "bolt"), count == 1 ? "has" : "have",
+                       count == 1 ? "carries" : "carry")}};
 }
 
 std::vector<InputError> impossible_blocks(const Blocks& blocks) {
@@ -189,7 +197,8 @@ class Checker {
     warn(zero_length_lines(drawing));
     drop_zero_length_lines(drawing);
     warn(unusual_ratio(drawing));
-    if (!checked_.problem.covers) warn(no_fixed_points(drawing.fixed_lines.size(), drawing.place));
+    if (!checked_.problem.covers)
+      warn(no_fixed_points(drawing.fixed_lines.size(), checked_.problem.analysis, drawing.place));
     if (drawing.joints.empty())
       checked_.errors.emplace_back(drawing.place, "expected lines to cut blocks from, found none");
     if (checked_.problem.analysis) clamp_materials(drawing, *checked_.problem.analysis);
@@ -204,7 +213,8 @@ class Checker {
   void look_at(Blocks& blocks) {
     warn(zero_length_bolts(blocks));
     std::erase_if(blocks.bolts, [](const BlockBolt& bolt) { return is_point(bolt.segment); });
-    if (!checked_.problem.covers) warn(no_fixed_points(blocks.fixed_points.size(), blocks.place));
+    if (!checked_.problem.covers)
+      warn(no_fixed_points(blocks.fixed_points.size(), checked_.problem.analysis, blocks.place));
     fail(crossed_outlines(blocks));
     if (!checked_.errors.empty()) return;
     fail(impossible_blocks(blocks));
@@ -219,7 +229,7 @@ class Checker {
   }
 
   void look_at(Cover& cover) {
-    warn(no_fixed_points(cover.fixed_points.size(), cover.place));
+    warn(no_fixed_points(cover.fixed_points.size(), checked_.problem.analysis, cover.place));
     fail(crossed_outlines(cover));
     if (checked_.errors.empty()) fail(impossible_elements(cover));
     if (!checked_.problem.analysis) return;

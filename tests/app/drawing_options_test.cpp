@@ -73,10 +73,10 @@ TEST(DrawingOptions, the_unit_of_a_drawing_is_overruled_and_its_size_printed) {
   const std::string file = written("case.json", units + kAnalysis);
   const std::string as_metres = run_keyblock({"check", drawing, file}).output;
   EXPECT_TRUE(contains(as_metres, "size: 24000 m by 24000 m")) << as_metres;
-  EXPECT_TRUE(contains(as_metres, "units_contradict")) << as_metres;
+  EXPECT_TRUE(contains(as_metres, "implausible_size")) << as_metres;
   const std::string as_millimetres = run_keyblock({"check", drawing, file, "--unit", "mm"}).output;
   EXPECT_TRUE(contains(as_millimetres, "size: 24 m by 24 m")) << as_millimetres;
-  EXPECT_FALSE(contains(as_millimetres, "units_contradict")) << as_millimetres;
+  EXPECT_FALSE(contains(as_millimetres, "implausible_size")) << as_millimetres;
 }
 
 TEST(DrawingOptions, a_drawing_of_hidden_layers_alone_says_why_it_is_empty) {

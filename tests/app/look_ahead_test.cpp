@@ -85,8 +85,8 @@ TEST(LookAhead, slivers_are_counted_and_the_worst_are_named) {
 TEST(LookAhead, blocks_that_nothing_holds_are_named) {
   const auto report = check_of(case_text(blocks({kFloor, rectangle(4, 2, 6, 4), rectangle(4, 4, 6, 6)})));
   const std::string sentence = said(report, "unheld_blocks");
-  EXPECT_TRUE(contains(sentence, "2 blocks of 3 are connected to nothing")) << sentence;
-  EXPECT_TRUE(contains(sentence, "the first is block 2 at 5, 3")) << sentence;
+  EXPECT_TRUE(contains(sentence, "2 blocks of 3 are connected to no fixed block")) << sentence;
+  EXPECT_TRUE(contains(sentence, "first block 2 at 5, 3")) << sentence;
   EXPECT_EQ(said(report, "unsupported_blocks"), "");
 }
 
@@ -95,7 +95,7 @@ TEST(LookAhead, blocks_with_nothing_beneath_are_named) {
   const auto report = check_of(
       case_text(blocks({rectangle(0, 0, 10, 1), rectangle(0, 1, 1, 5), rectangle(1, 3, 2, 4), rectangle(4, 1, 5, 2)})));
   const std::string sentence = said(report, "unsupported_blocks");
-  EXPECT_TRUE(contains(sentence, "1 block has nothing beneath")) << sentence;
+  EXPECT_TRUE(contains(sentence, "1 block has no support from below")) << sentence;
   EXPECT_TRUE(contains(sentence, "block 3 at 1.5, 3.5")) << sentence;
 }
 
@@ -112,7 +112,7 @@ TEST(LookAhead, a_beam_of_one_block_is_told_that_it_cannot_bend) {
   const auto report =
       check_of(case_text(blocks({kFloor, rectangle(0, 1, 1, 2), rectangle(9, 1, 10, 2), rectangle(0, 2, 10, 3)})));
   const std::string sentence = said(report, "block_cannot_bend");
-  EXPECT_TRUE(contains(sentence, "the first is block 4 at 5, 2.5, 10 long and 0.995 wide")) << sentence;
+  EXPECT_TRUE(contains(sentence, "first block 4 at 5, 2.5, 10 long and 0.995 wide")) << sentence;
   EXPECT_TRUE(contains(sentence, "covers")) << sentence;
 }
 
@@ -120,7 +120,7 @@ TEST(LookAhead, a_beam_of_one_block_is_told_that_it_cannot_bend) {
 TEST(LookAhead, a_cantilever_of_one_block_is_told_that_it_is_rigid) {
   const auto report = check_of(
       case_text(R"("blocks": {"blocks": [)" + kFloor + R"(], "fixed_points": [[0.1, 0.2, 1], [0.1, 0.8, 1]]})"));
-  EXPECT_TRUE(contains(said(report, "block_cannot_bend"), "held at two points it is rigid")) << report["warnings"];
+  EXPECT_TRUE(contains(said(report, "block_cannot_bend"), "with two fixed points it is rigid")) << report["warnings"];
 }
 
 TEST(LookAhead, points_outside_their_block_are_told) {
@@ -162,7 +162,7 @@ TEST(LookAhead, a_density_that_is_a_unit_weight_is_told) {
   const auto with = [](const std::string& density) {
     std::string text = case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}));
     text.replace(text.find("2600"), 4, density);
-    return said(check_of(text), "units_contradict");
+    return said(check_of(text), "implausible_density");
   };
   EXPECT_TRUE(contains(with("26"), "as a unit weight in kN/m3 it would be that of rock, whose density is 2650 kg/m3"))
       << with("26");
@@ -176,7 +176,7 @@ TEST(LookAhead, a_scene_of_an_implausible_size_is_told) {
   const auto with = [](double scale) {
     const std::string floor = rectangle(0, 0, 10 * scale, scale);
     return said(check_of(case_text(blocks({floor, rectangle(4 * scale, scale, 6 * scale, 3 * scale)}))),
-                "units_contradict");
+                "implausible_size");
   };
   EXPECT_TRUE(contains(with(1000), "the scene is 10000 by 3000 m, which is not plausible")) << with(1000);
   EXPECT_EQ(with(100), "");
@@ -207,9 +207,9 @@ TEST(LookAhead, blocks_outside_the_outline_are_counted) {
 TEST(LookAhead, units_that_contradict_are_told) {
   const std::string units = R"("units": {"length": "mm", "mass": "kg", "time": "s"},)";
   const auto report = check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}), units));
-  const std::string sentence = said(report, "units_contradict");
+  const std::string sentence = said(report, "implausible_gravity");
   EXPECT_TRUE(contains(sentence, "gravity 9.81 is 0.00981 m/s2 in the declared units (mm, kg, s)")) << sentence;
-  EXPECT_EQ(said(check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}))), "units_contradict"), "");
+  EXPECT_EQ(said(check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}))), "implausible_gravity"), "");
 }
 
 // Two blocks of one column, parted by a joint, and the same as one.
@@ -225,7 +225,7 @@ TEST(LookAhead, bodies_on_covers_that_start_suddenly_without_damping_are_told) {
   EXPECT_EQ(told(two, {"--set", "stiffness_damping=0.004"}), "");
   EXPECT_EQ(told(two, {"--set", "mass_damping=3"}), "");
   EXPECT_EQ(told(two, {"--set", "motion=static"}), "");
-  EXPECT_TRUE(contains(told(two, {"--set", "start=sudden"}), "start=compatible"));
+  EXPECT_TRUE(contains(told(two, {"--set", "start=sudden"}), "suddenly loaded"));
   EXPECT_EQ(told(two, {"--set", "start=compatible"}), "");
   EXPECT_EQ(told(one, {}), "");
 }
@@ -236,7 +236,7 @@ TEST(LookAhead, gravity_of_another_unit_is_told) {
     const std::string units = fmt::format(R"("units": {{"length": "{}", "mass": "{}", "time": "s"}},)", length, mass);
     const std::string text =
         case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}), units, fmt::format(R"("gravity": {},)", gravity));
-    return said(check_of(text, {"--trial", "0"}), "units_contradict");
+    return said(check_of(text, {"--trial", "0"}), "implausible_gravity");
   };
   EXPECT_TRUE(contains(told("ft", "slug", "9.81"), "gravity 9.81 is that of the earth in m/s2, but 2.99 m/s2"));
   EXPECT_TRUE(contains(told("m", "kg", "32.2"), "that of the earth in ft/s2"));
@@ -249,10 +249,10 @@ TEST(LookAhead, gravity_of_another_unit_is_told) {
 TEST(LookAhead, gravity_upward_and_friction_in_radians_are_told) {
   const std::string geometry = blocks({kFloor, rectangle(4, 1, 6, 3)});
   std::string text = case_text(geometry, kUnits, R"("gravity": -9.81,)");
-  EXPECT_TRUE(contains(said(check_of(text, {"--trial", "0"}), "units_contradict"), "gravity points upward, 9.81"));
+  EXPECT_TRUE(contains(said(check_of(text, {"--trial", "0"}), "gravity_points_upward"), "gravity points upward, 9.81"));
   text = case_text(geometry);
   text.replace(text.find("\"friction_angle_deg\": 30"), 24, "\"friction_angle_deg\": 0.5236");
-  EXPECT_TRUE(contains(said(check_of(text, {"--trial", "0"}), "units_contradict"), "would be 30 degrees"));
+  EXPECT_TRUE(contains(said(check_of(text, {"--trial", "0"}), "angle_in_radians"), "would be 30 degrees"));
 }
 
 TEST(LookAhead, strength_above_the_modulus_and_its_friction_in_radians_are_told) {
@@ -261,24 +261,25 @@ TEST(LookAhead, strength_above_the_modulus_and_its_friction_in_radians_are_told)
     const std::string modulus = R"("youngs_modulus": 2e10)";
     return text.insert(text.find(modulus), R"("strength": )" + strength + ", ");
   };
-  EXPECT_EQ(said(check_of(with(R"({"cohesion": 1e7, "friction_deg": 30})"), {"--trial", "0"}), "units_contradict"), "");
+  EXPECT_EQ(said(check_of(with(R"({"cohesion": 1e7, "friction_deg": 30})"), {"--trial", "0"}), "implausible_strength"),
+            "");
   // 2 c tan 60°.
-  EXPECT_TRUE(
-      contains(said(check_of(with(R"({"cohesion": 1e10, "friction_deg": 30})"), {"--trial", "0"}), "units_contradict"),
-               "a strength of 3.464e+10 under uniaxial compression is above youngs_modulus 2e+10"));
   EXPECT_TRUE(contains(
-      said(check_of(with(R"({"cohesion": 1e7, "friction_deg": 0.5236})"), {"--trial", "0"}), "units_contradict"),
+      said(check_of(with(R"({"cohesion": 1e10, "friction_deg": 30})"), {"--trial", "0"}), "implausible_strength"),
+      "a strength of 3.464e+10 under uniaxial compression is above youngs_modulus 2e+10"));
+  EXPECT_TRUE(contains(
+      said(check_of(with(R"({"cohesion": 1e7, "friction_deg": 0.5236})"), {"--trial", "0"}), "angle_in_radians"),
       "would be 30 degrees"));
   // Of dilation only below a degree, and beside friction in degrees.
   const auto dilating = [&](const char* angle) {
     const std::string strength = R"({"cohesion": 1e7, "friction_deg": 35, "dilation_deg": )" + std::string(angle) + "}";
-    return said(check_of(with(strength), {"--trial", "0"}), "units_contradict");
+    return said(check_of(with(strength), {"--trial", "0"}), "angle_in_radians");
   };
-  EXPECT_TRUE(contains(dilating("0.6109"), "dilation_deg 0.6109 beside friction_deg 35 would be 35 degrees"));
+  EXPECT_TRUE(contains(dilating("0.6109"), "dilation_deg 0.6109 with friction_deg 35 would be 35 degrees"));
   EXPECT_EQ(dilating("1"), "");
   EXPECT_EQ(dilating("0"), "");
   // 2 c tan 45° in megapascals, beside a modulus in pascals.
-  EXPECT_TRUE(contains(said(check_of(with(R"({"cohesion": 5})"), {"--trial", "0"}), "units_contradict"),
+  EXPECT_TRUE(contains(said(check_of(with(R"({"cohesion": 5})"), {"--trial", "0"}), "implausible_strength"),
                        "a strength of 10 under uniaxial compression is 5e-10 of youngs_modulus 2e+10"));
 }
 
@@ -297,12 +298,12 @@ TEST(LookAhead, a_block_that_touches_nothing_is_unheld_in_statics_alone) {
   const std::string text = case_text(blocks({kFloor, rectangle(4, 2, 6, 4)}));
   const auto moving = check_of(text, {"--trial", "0"});
   EXPECT_EQ(said(moving, "unheld_blocks"), "");
-  EXPECT_TRUE(contains(said(moving, "free_blocks"), "the first is block 2 at 5, 3")) << moving;
+  EXPECT_TRUE(contains(said(moving, "free_blocks"), "first block 2 at 5, 3")) << moving;
   std::string still = text;
   still.replace(still.find(kMoves), kMoves.size(), R"("velocity_carry_over": 0)");
   const auto standing = check_of(still, {"--trial", "0"});
   EXPECT_EQ(said(standing, "free_blocks"), "");
-  EXPECT_TRUE(contains(said(standing, "unheld_blocks"), "the first is block 2 at 5, 3")) << standing;
+  EXPECT_TRUE(contains(said(standing, "unheld_blocks"), "first block 2 at 5, 3")) << standing;
 }
 
 TEST(LookAhead, a_run_that_fails_at_once_is_told) {

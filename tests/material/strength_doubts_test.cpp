@@ -16,8 +16,9 @@ Strength of(YieldSurface surface, const StrengthValues& values, ConeMatching mat
 }
 
 std::string only_doubt(const Strength& strength) {
-  const std::vector<std::string> doubts = doubts_of(strength);
-  return doubts.size() == 1 ? doubts.front() : std::to_string(doubts.size()) + " doubts";
+  const std::vector<StrengthDoubt> doubts = doubts_of(strength);
+  return doubts.size() == 1 ? doubts.front().code + ": " + doubts.front().sentence
+                            : std::to_string(doubts.size()) + " doubts";
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ TEST(StrengthDoubts, matchings_that_are_not_read_or_not_that_of_the_flow_are_tol
     return of(YieldSurface::drucker_prager, values, ConeMatching::plane_strain);
   };
   EXPECT_EQ(doubts_of(cone(associated)).size(), 0U);
-  EXPECT_NE(only_doubt(cone(other)).find("dilation_deg 10 beside friction_deg 30"), std::string::npos);
+  EXPECT_NE(only_doubt(cone(other)).find("dilation_deg 10 and friction_deg 30"), std::string::npos);
   EXPECT_EQ(doubts_of(of(YieldSurface::drucker_prager, other, ConeMatching::extension)).size(), 0U);
   EXPECT_NE(only_doubt(of(YieldSurface::mohr_coulomb, associated, ConeMatching::extension)).find("no effect"),
             std::string::npos);

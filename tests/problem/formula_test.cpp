@@ -72,7 +72,7 @@ TEST(Formula, a_value_that_is_not_finite_is_refused_where_it_is_asked_for) {
     formula({0, 1});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "f:3:10: error: expected a finite value of \"1/x\" where x = 0, y = 1, found inf");
+    EXPECT_STREQ(error.what(), "f:3:10: error: expected a finite value of \"1/x\" at x = 0, y = 1, found inf");
   }
 }
 

@@ -56,7 +56,7 @@ TEST(NearEnds, a_joint_goes_on_along_its_own_line) {
   ASSERT_EQ(told.size(), 1U);
   EXPECT_EQ(told[0].name, "ends_joined");
   EXPECT_EQ(told[0].sentence,
-            "1 end of a line is joined to the line beside it; the farthest moved by 0.0141, at (2.01, 0.01)");
+            "1 end of a line is joined to a near line; the farthest moved by 0.0141, at (2.01, 0.01)");
 }
 
 TEST(NearEnds, a_corner_is_where_both_lines_lead) {

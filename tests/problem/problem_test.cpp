@@ -88,6 +88,15 @@ TEST(Problem, missing_fixed_points_and_unusual_edge_node_ratio_are_warnings) {
   EXPECT_EQ(names(check({drawing, {}})), (std::vector<std::string>{"edge_node_ratio_unusual", "no_fixed_points"}));
 }
 
+TEST(Problem, missing_fixed_points_are_a_note_without_weight) {
+  Drawing drawing = sound_drawing();
+  drawing.fixed_lines.clear();
+  Analysis analysis = sound_analysis();
+  EXPECT_EQ(names(check({drawing, analysis})), std::vector<std::string>{"free_without_gravity"});
+  analysis.gravity = 9.81;
+  EXPECT_EQ(names(check({drawing, analysis})), std::vector<std::string>{"no_fixed_points"});
+}
+
 TEST(Problem, drawing_without_lines_is_an_error) {
   Drawing drawing = sound_drawing();
   drawing.joints.clear();

@@ -10,6 +10,10 @@ namespace {
 using enum DiagnosticLevel;
 
 constexpr auto kCases = std::to_array<Diagnostic>({
+    {"angle_in_radians", warning, "An angle looks like one in radians",
+     "A friction angle is above 0 and below 1.57, or a dilation angle is below 1 while friction is above 10. Angles "
+     "are in degrees.",
+     "Give the angle in degrees, or with its unit (\"0.5 rad\" in a case file)."},
     {"block_cannot_bend", warning, "A slender block cannot bend",
      "The block is more than five times as long as wide on average, and has at least half the median area of free "
      "blocks. The strain of a DDA block is uniform.",
@@ -64,13 +68,21 @@ constexpr auto kCases = std::to_array<Diagnostic>({
     {"damping_without_effect", note, "The damping of block materials has no effect",
      "The analysis file gives block materials a damping, which no profile reads.",
      "Nothing, if no damping is needed; else --set mass_damping.N or stiffness_damping.N for material N."},
+    {"dilation_above_friction", warning, "Dilation is above friction",
+     "The dilation angle of a strength is above its friction angle. Plastic flow then creates energy.",
+     "Give a dilation angle of at most the friction angle."},
     {"free_blocks", note, "Blocks move freely from the start",
      "These blocks touch nothing and have no bolt. In a dynamic run they fall or fly.",
      "Nothing, if this is meant; else close the gaps of the drawing."},
+    {"free_without_gravity", note, "No block is fixed, and there is no gravity",
+     "The geometry has no fixed points, and the analysis gives neither gravity nor unit weights. Blocks move freely.",
+     "Nothing, if the scene is meant to move freely; else add fixed points or fixed lines."},
     {"functions_lock", warning, "Derived functions lock in plastic flow",
      "NMM bodies with a strength and functions derived cannot flow without change of volume. Limit loads come out "
      "far too high: 64 % in a footing of Tresca rock with 1,006 unknowns.",
      "Set `functions` of the section `covers` to constant (1.4 % there)."},
+    {"gravity_points_upward", warning, "Gravity points upward",
+     "gravity.y is positive. A positive `gravity` of a file points downward.", "Change the sign of gravity."},
     {"history_of_distant_blocks", note, "A history follows blocks that lie apart",
      "Two blocks of a contact history are farther apart before any load than the smaller one is large. The forces "
      "are 0 until they meet.",
@@ -78,6 +90,22 @@ constexpr auto kCases = std::to_array<Diagnostic>({
     {"horizontal_force_without_effect", warning, "Horizontal body forces have no effect on blocks",
      "The analysis gives a horizontal force per volume. It acts on elements of a cover file only.",
      "Use --set gravity.x=VALUE or --set body_acceleration.x=VALUE."},
+    {"implausible_density", warning, "A density is not plausible in the declared units",
+     "Expected are 100 to 25000 kg/m³. A density that would be the unit weight of rock in kN/m³, 15 to 35, is named as "
+     "such.",
+     "Correct the density or `units`; density is mass per volume."},
+    {"implausible_gravity", warning, "Gravity is not plausible in the declared units",
+     "Expected are 0.01 to 1000 m/s², and not the gravity of the earth in another unit than the declared one.",
+     "Correct the gravity or `units`."},
+    {"implausible_modulus", warning, "A modulus is not plausible in the declared units",
+     "Young's modulus of rock, soil and masonry is expected to be 1e4 to 1e12 Pa.",
+     "Correct youngs_modulus or `units`."},
+    {"implausible_size", warning, "The scene is not of plausible size in the declared units",
+     "The larger extent of the scene is expected to be 0.03 to 5000 m.",
+     "Correct `units` of the case, or give the unit of a DXF drawing by --unit."},
+    {"implausible_strength", warning, "Strength and modulus are not plausible together",
+     "The strength under uniaxial compression is expected to lie between 1e-7 of Young's modulus and the modulus.",
+     "Give both values in the same unit."},
     {"initial_strain_without_effect", note, "Initial strains have no effect",
      "The analysis file gives initial strains, which move nothing, as in the Berkeley program.",
      "Nothing, if none are needed; else give an initial stress."},
@@ -90,6 +118,12 @@ constexpr auto kCases = std::to_array<Diagnostic>({
     {"loading_points_without_load", warning, "Loading points carry no load",
      "The analysis has fewer load curves than the geometry has loading points. The last points carry no load.",
      "Add the missing curves, or remove the points."},
+    {"matching_without_associated_flow", warning, "The cone is not matched to this flow",
+     "Matching plane_strain assumes dilation equal to friction. Other dilation gives another limit load in plane "
+     "strain.",
+     "Set dilation_deg to friction_deg, or use surface mohr_coulomb."},
+    {"matching_without_effect", warning, "The matching of a strength has no effect",
+     "Only the surface drucker_prager reads `matching`.", "Remove `matching`, or use surface drucker_prager."},
     {"mesh_error_at_points", note, "Errors of stress at loaded points do not count",
      "The stress has no limit at a point that carries a force. Within a quarter of the first mesh's side of it, "
      "errors are left out of the estimate.",
@@ -107,7 +141,7 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "more than 0.1 %; that of the first is taken.",
      "Give the analysis a gravity, or correct unit_weight and density."},
     {"no_fixed_points", warning, "No block is fixed",
-     "The geometry has no fixed points, and no section `covers` supports it. Nothing holds the blocks.",
+     "The geometry has no fixed points, and no section `covers` supports it. The blocks have no support.",
      "Add fixed points or fixed lines, unless the scene is meant to move freely."},
     {"over_relaxation_without_effect", silent, "The over-relaxation factor has no effect",
      "The analysis file gives an over-relaxation factor. The equations are solved directly.", "Nothing."},
@@ -134,6 +168,9 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "Gradients of constant functions are averaged over covers and hardly see motion that alternates from cover to "
      "cover. Velocities of single points after an impact are wrong; smooth motion and energy are right.",
      "Nothing, if no point is followed through an impact."},
+    {"softening_without_fracture_energy", warning, "Softening depends on the mesh",
+     "The strength decreases with plastic strain, and no fracture_energy is given. Finer meshes then soften faster.",
+     "Give `after` a fracture_energy instead of a plastic_strain."},
     {"springs_stiff_for_step", note, "Contact springs are stiff for the time step",
      "At least 500 pairs of blocks touch, and contact_penalty exceeds 100 times the mean mass over time_step². "
      "Steps in which contacts slide may take tens to hundreds of linear solves.",
@@ -149,11 +186,6 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "Under impact=springs, damping of strain takes energy that the springs would return. The estimated rebound "
      "speed of the lightest free body is below 95 % of that without damping.",
      "Use strain_damping=none (or stiffness_damping=0), or impact=jump with restitution."},
-    {"strength", warning, "Values of a strength are likely mistakes",
-     "The strength of a block material has dilation above friction, a tensile strength above its apex, or a "
-     "matching that its surface does not read. Matching plane_strain also needs dilation equal to friction; "
-     "softening by plastic_strain depends on the mesh.",
-     "Correct the value named; for softening give fracture_energy in `after`."},
     {"sudden_start_undamped", warning, "Undamped NMM bodies are suddenly loaded",
      "NMM bodies in contact take their full weight at once, without stiffness_damping or mass_damping. They "
      "oscillate by as much as they settle, and may walk along joints.",
@@ -165,6 +197,9 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "Histories and measured points will fill 100 MB or more: histories.csv, history.csv and points.csv, by the "
      "number of steps.",
      "Follow fewer points, or make fewer steps."},
+    {"tensile_strength_without_effect", warning, "A tensile strength has no effect",
+     "The tensile strength is above the apex of the yield surface, c cot φ.",
+     "Give a lower tensile_strength, or remove it."},
     {"unheld_blocks", warning, "Blocks are not connected to a support",
      "Neither contacts nor bolts connect these blocks with a fixed block. They fall under gravity, or move as loads "
      "push them.",
@@ -173,11 +208,6 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "A unit weight differs from density times gravity by more than 0.1 %. Density times gravity is used, as in the "
      "Berkeley program.",
      "Correct unit_weight or density, or --set quirk.weight_of_first_material=off."},
-    {"units_contradict", warning, "A value is not plausible in the declared units",
-     "Expected: a scene of 0.03 to 5000 m, density 100 to 25000 kg/m³, modulus 1e4 to 1e12 Pa, gravity 0.01 to 1000 "
-     "m/s² and downward. Compressive strength lies between 1e-7 of the modulus and the modulus. Angles are in "
-     "degrees.",
-     "Correct the value or `units`; --unit gives the unit of a DXF drawing."},
     {"unsupported_blocks", note, "Blocks have no support from below",
      "No chain of blocks beneath leads from these blocks to a support. Friction, bonds and wedging alone can carry "
      "them.",

@@ -77,7 +77,7 @@ std::string in_radians(double degrees) {
 std::string dilation_in_radians(const StrengthValues& values) {
   if (!(values.dilation_deg > 0 && values.dilation_deg < 1 && values.friction_deg > 10)) return {};
   return fmt::format(
-      "dilation_deg {:.4g} beside friction_deg {:.4g} would be {:.3g} degrees, were it in radians: both angles are in "
+      "dilation_deg {:.4g} with friction_deg {:.4g} would be {:.3g} degrees, were it in radians: both angles are in "
       "degrees",
       values.dilation_deg, values.friction_deg, values.dilation_deg / kDegree);
 }
@@ -99,7 +99,7 @@ std::string beside_modulus(const BlockMaterial& material) {
   const double strength = compressive_strength(*material.strength, material.strength->values);
   if (strength > 0 && strength < kLeastStrength * material.youngs_modulus)
     return fmt::format(
-        "a strength of {:.4g} under uniaxial compression is {:.1g} of youngs_modulus {:.4g}: nothing bears so little, "
+        "a strength of {:.4g} under uniaxial compression is {:.1g} of youngs_modulus {:.4g}: no rock is so weak, "
         "unless one of them is in another unit",
         strength, strength / material.youngs_modulus, material.youngs_modulus);
   if (!(strength > material.youngs_modulus)) return {};
@@ -123,8 +123,8 @@ std::string implausible_size(const Model& model, const Units& units) {
   const double greatest = std::max(size.x, size.y) * *metres;
   if (greatest >= kSmallestScene && greatest <= kLargestScene) return {};
   return fmt::format(
-      "the scene is {} by {} {}, which is not plausible: {:g} to {:g} m is expected; if the coordinates are in another "
-      "unit, --unit says so of a DXF drawing, `units` of a case file",
+      "the scene is {} by {} {}, which is not plausible: {:g} to {:g} m is expected; coordinates in another unit need "
+      "--unit (DXF drawing) or `units` (case file)",
       plain(size.x), plain(size.y), units.length, kSmallestScene, kLargestScene);
 }
 
@@ -143,36 +143,39 @@ std::string density_in_kilonewton(double density, const Units& units) {
 
 Warnings contradictions_of(const BlockMaterial& material, const Units& units) {
   Warnings found;
-  const auto put = [&](const std::string& sentence) {
-    if (!sentence.empty()) found.push_back({"units_contradict", material.place, sentence});
+  const auto put = [&](const char* code, const std::string& sentence) {
+    if (!sentence.empty()) found.push_back({code, material.place, sentence});
   };
-  put(implausible(kModulus, material.youngs_modulus, units));
+  put("implausible_modulus", implausible(kModulus, material.youngs_modulus, units));
   const std::string as_weight = density_in_kilonewton(material.density, units);
-  put(as_weight.empty() ? implausible(kMassDensity, material.density, units) : as_weight);
+  put("implausible_density", as_weight.empty() ? implausible(kMassDensity, material.density, units) : as_weight);
   if (!material.strength) return found;
-  put(beside_modulus(material));
-  put(in_radians(*material.strength));
+  put("implausible_strength", beside_modulus(material));
+  put("angle_in_radians", in_radians(*material.strength));
   return found;
 }
 
 Warnings implausible_units(const Problem& problem, const Settings& settings, const Model& model) {
   Warnings found;
-  const auto put = [&](const std::string& sentence, const Place& place) {
-    if (!sentence.empty()) found.push_back({"units_contradict", place, sentence});
+  const auto put = [&](const char* code, const std::string& sentence, const Place& place) {
+    if (!sentence.empty()) found.push_back({code, place, sentence});
   };
   const double gravity = length(settings.gravity);
   const std::string unlikely = implausible(kGravity, gravity, problem.units);
-  put(unlikely.empty() ? gravity_of_another_unit(gravity, problem.units) : unlikely, problem.analysis->place);
+  put("implausible_gravity", unlikely.empty() ? gravity_of_another_unit(gravity, problem.units) : unlikely,
+      problem.analysis->place);
   const auto* drawing = std::get_if<Drawing>(&problem.geometry);
-  put(implausible_size(model, problem.units), drawing != nullptr ? drawing->place : problem.analysis->place);
+  put("implausible_size", implausible_size(model, problem.units),
+      drawing != nullptr ? drawing->place : problem.analysis->place);
   for (const BlockMaterial& material : problem.analysis->block_materials)
     found = joined(std::move(found), contradictions_of(material, problem.units));
   if (settings.gravity.y > 0)
-    put(fmt::format("gravity points upward, {:.4g} along y: a positive `gravity` of a file points downward",
+    put("gravity_points_upward",
+        fmt::format("gravity points upward, {:.4g} along y: a positive `gravity` of a file points downward",
                     settings.gravity.y),
         problem.analysis->place);
   for (const JointMaterial& joint : problem.analysis->joint_materials)
-    put(in_radians(joint.friction_angle_deg), joint.place);
+    put("angle_in_radians", in_radians(joint.friction_angle_deg), joint.place);
   return found;
 }
 

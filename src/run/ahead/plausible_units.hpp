@@ -11,10 +11,12 @@
 
 namespace keyblock {
 
-/// Returns `units_contradict` warnings about the scene, the gravity and all materials.
+/// Returns warnings about the size of the scene, the gravity and all materials: `implausible_size`,
+/// `implausible_gravity`, `gravity_points_upward` and those of materials.
 Warnings implausible_units(const Problem& problem, const Settings& settings, const Model& model);
 
-/// Returns `units_contradict` warnings about a block material.
+/// Returns warnings about a block material: `implausible_modulus`, `implausible_density`, `implausible_strength` and
+/// `angle_in_radians`.
 Warnings contradictions_of(const BlockMaterial& material, const Units& units);
 
 /// Returns width and height of all bodies before any load, "30 m by 14 m"; empty without bodies.
