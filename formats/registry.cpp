@@ -202,17 +202,17 @@ Choice Opened::recognise(GeometryKind geometry) {
   const auto fit = [](const Choice& choice) { return choice.recognition.fit; };
   const auto best = std::ranges::max_element(found, {}, fit);  // the first of equals: order of trial
   if (geometry == GeometryKind::cover && is_poor_dda_analysis(*best))
-    return {&kNmmAnalysis, {Recognition::Fit::damaged, "it begins like an analysis and a cover lies beside it"}};
+    return {&kNmmAnalysis,
+            {Recognition::Fit::damaged, "it begins like an analysis, and a cover file is in the same folder"}};
   const auto is_rival = [](const Choice& c) {
     return c.format == &kNmmAnalysis && c.recognition.fit == Recognition::Fit::exact;
   };
   const auto rival = std::ranges::find_if(found, is_rival);
   if (best->format != &kDdaAnalysisShi || fit(*best) != Recognition::Fit::exact || rival == found.end()) return *best;
   if (geometry == GeometryKind::unknown)
-    throw InputError(
-        {source_.name},
-        fmt::format("expected the geometry beside this file, which fits two formats: {} and {}; found none",
-                    describe_file(*best), describe_file(*rival)));
+    throw InputError({source_.name},
+                     fmt::format("expected the geometry of this file, which fits two formats, {} and {}; found none",
+                                 describe_file(*best), describe_file(*rival)));
   return geometry == GeometryKind::cover ? *rival : *best;
 }
 

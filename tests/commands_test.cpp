@@ -272,7 +272,8 @@ TEST(Commands, limits_of_penetration_and_crushing_end_a_run_with_1) {
   };
   for (const char* profile : {"legacy", "standard"}) {
     EXPECT_TRUE(contains(doubt_of("block_at_rest/static", profile, "crushing_limit=0.999999999"), "of its area"));
-    EXPECT_TRUE(contains(doubt_of("toppling_column/springs_a30_r050", profile, "penetration_limit=1e-9"), "as deep"));
+    EXPECT_TRUE(contains(doubt_of("toppling_column/springs_a30_r050", profile, "penetration_limit=1e-9"),
+                         "blocks overlapped by"));
   }
 }
 
@@ -417,7 +418,7 @@ TEST(Commands, a_step_that_throws_a_block_through_others_is_not_to_be_trusted) {
                                       "poissons_ratio": 0.25}]}})");
   const ProgramRun run = run_keyblock({"run", folder + "/thrown.json", "-o", folder + "/out"});
   EXPECT_EQ(run.exit_code, 1) << run.messages;
-  EXPECT_TRUE(contains(run.messages, "it may have passed through others unseen")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "it may have passed through others")) << run.messages;
 }
 
 TEST(Commands, a_missing_file_is_exit_3) {
@@ -506,7 +507,7 @@ TEST(Commands, a_body_on_covers_that_can_move_is_exit_4) {
   support::write_text(folder + "/loose.json", text);
   const ProgramRun run = run_keyblock({"run", folder + "/loose.json", "-o", folder + "/out"});
   EXPECT_EQ(run.exit_code, 4) << run.messages;
-  EXPECT_TRUE(contains(run.messages, "body 1, about (24, 30), can move along (0, 1): nothing holds it there"))
+  EXPECT_TRUE(contains(run.messages, "body 1, about (24, 30), can move along (0, 1): it has no support"))
       << run.messages;
 }
 

@@ -140,7 +140,7 @@ TEST(Resume, takes_the_run_as_it_was_asked_and_nothing_else) {
   EXPECT_NE(nowhere.messages.find("checkpoint.h5, found none; run … -o"), std::string::npos) << nowhere.messages;
   const std::string over = support::fresh_folder("resume_over");
   support::write_text(over + "/run.json", "{}");
-  EXPECT_NE(run_keyblock({"run", "--resume", over}).messages.find("the run in " + over + " is over"),
+  EXPECT_NE(run_keyblock({"run", "--resume", over}).messages.find("the run in " + over + " has finished"),
             std::string::npos);
 }
 

@@ -61,7 +61,7 @@ class ElementValues {
     for (const Element& child : element.children())
       if (!names.insert(child.name()).second)
         warn("repeated_element", child.place(),
-             fmt::format("{} of {} stands here again; the {} counts", child.name(), element.name(), taken));
+             fmt::format("{} of {} is repeated; the {} counts", child.name(), element.name(), taken));
   }
 
   double attribute_real(const Element& element, std::string_view attribute, const Demand& demand) {
@@ -186,8 +186,7 @@ class AnalysisReader {
       return;
     }
     if (!seen_.insert(std::string(child.name())).second && !stands_often(child.name()))
-      values_.warn("repeated_element", child.place(),
-                   fmt::format("{} stands here again; the last counts", child.name()));
+      values_.warn("repeated_element", child.place(), fmt::format("{} is repeated; the last counts", child.name()));
     (this->*handler->read)(child);
   }
 

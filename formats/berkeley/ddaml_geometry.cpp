@@ -45,8 +45,7 @@ class GeometryReader {
     result_.drawing.edge_node_ratio = cursor.next_real("the edge-node ratio", kEdgeNodeRatio);
     keep_remainder(tokens, cursor);
     if (edge_node_seen_)
-      add_warning(result_.warnings,
-                  {"repeated_element", element.place(), "Edgenodedist stands here again; the last counts"});
+      add_warning(result_.warnings, {"repeated_element", element.place(), "Edgenodedist is repeated; the last counts"});
     edge_node_seen_ = true;
   }
 

@@ -149,11 +149,11 @@ void check(const DisplacementPlan& part) {
   for (const Formula* formula : {&part.x, &part.y, &part.normal}) check(*formula, kOnBoundary);
   const auto refuse = [&](const char* name, const Formula& formula, const char* why) {
     if (formula != Formula{})
-      throw InputError(formula.place, fmt::format("expected no {} where {}, found {}", name, why, formula.text));
+      throw InputError(formula.place, fmt::format("expected no {} if {}, found {}", name, why, formula.text));
   };
-  if (part.held == Held::normal || part.held == Held::y) refuse("x", part.x, "x is not held");
-  if (part.held == Held::normal || part.held == Held::x) refuse("y", part.y, "y is not held");
-  if (part.held != Held::normal) refuse("normal", part.normal, "the normal is not what is held");
+  if (part.held == Held::normal || part.held == Held::y) refuse("x", part.x, "held is y or normal");
+  if (part.held == Held::normal || part.held == Held::x) refuse("y", part.y, "held is x or normal");
+  if (part.held != Held::normal) refuse("normal", part.normal, "held is not normal");
 }
 
 void check(const CoverPlan& covers) {
@@ -170,7 +170,7 @@ void check(const CoverPlan& covers) {
     check(*formula, kInBody);
   if (covers.initial_stress.zz) check(*covers.initial_stress.zz, kInBody);
   for (const ExcavationPlan& excavation : covers.excavations)
-    require_points(excavation.outline, kFewestCorners, "about what is dug out", excavation.place);
+    require_points(excavation.outline, kFewestCorners, "around an excavation", excavation.place);
   for (const CrackPlan& crack : covers.cracks) require_points(crack.along, 2, "along a crack", crack.place);
 }
 
@@ -180,16 +180,14 @@ void check(const std::vector<Stage>& stages) {
       throw InputError(stage.place, "expected steps or a duration of each stage, found neither");
     if (stage.mesh) check(*stage.mesh, stage.place);
     if (stage.mesh && stage.mesh->error > 0)
-      throw InputError(
-          stage.mesh->place.line > 0 ? stage.mesh->place : stage.place,
-          "expected a mesh of a stage as it is said, found an error that it is to reach: covers.mesh alone "
-          "is refined by it");
+      throw InputError(stage.mesh->place.line > 0 ? stage.mesh->place : stage.place,
+                       "expected a mesh of a stage without error, found one; only covers.mesh can be refined by error");
     for (const StageExcavation& part : stage.excavations)
-      require_points(part.outline, kFewestCorners, "about what is dug out", part.place);
+      require_points(part.outline, kFewestCorners, "around an excavation", part.place);
     for (const StageMaterial& part : stage.block_materials)
-      require_points(part.outline, kFewestCorners, "about what is of another material", part.place);
+      require_points(part.outline, kFewestCorners, "around a change of material", part.place);
     for (const StageRelease& part : stage.released)
-      require_points(part.outline, kFewestCorners, "about what is released", part.place);
+      require_points(part.outline, kFewestCorners, "around released points", part.place);
   }
 }
 
@@ -206,7 +204,7 @@ void check(const Analysis& analysis) {
   if (analysis.joint_materials.empty()) throw InputError(analysis.place, "expected joint_materials, found none");
   for (const BlockMaterial& material : analysis.block_materials) {
     if (material.toughness && material.toughness->cohesion && !material.toughness->mode_2)
-      throw InputError(material.place, "expected a mode_2 of toughness beside its cohesion, found none");
+      throw InputError(material.place, "expected a mode_2 of toughness, which its cohesion needs, found none");
     if (!material.is_nonlinear()) continue;
     if (material.strength)
       if (const std::string why = why_unusable(*material.strength); !why.empty()) throw InputError(material.place, why);
@@ -316,8 +314,8 @@ Warnings doubtful_strengths(const Analysis& analysis) {
   Warnings warnings;
   for (const BlockMaterial& material : analysis.block_materials) {
     if (material.strength)
-      for (const std::string& doubt : doubts_of(*material.strength))
-        add_warning(warnings, {"strength", material.place, doubt});
+      for (const StrengthDoubt& doubt : doubts_of(*material.strength))
+        add_warning(warnings, {doubt.code, material.place, doubt.sentence});
     if (material.crack_closure && material.crack_closure->closure_strain > kLargeClosure)
       add_warning(warnings, {"crack_closure", material.place,
                              fmt::format("closure_strain {:.4g} is above {}: cracks of rock close at a hundredth or "

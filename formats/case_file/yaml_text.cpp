@@ -66,7 +66,7 @@ class YamlReader final : public YAML::EventHandler {
     add(mark, JsonKind::null);
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    fail_at(offset_of(mark), "a value, found an alias: each is written out where it stands");
+    fail_at(offset_of(mark), "a value, found an alias; write the value out");
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
@@ -115,7 +115,7 @@ class YamlReader final : public YAML::EventHandler {
                     text_.size());
   }
   void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) const {
-    if (anchor != 0) fail_at(offset_of(mark), "a value, found an anchor: each is written out where it stands");
+    if (anchor != 0) fail_at(offset_of(mark), "a value, found an anchor; write the value out");
   }
   bool is_key() const { return !open_.empty() && open_.back().is_map && open_.back().wants_key; }
 

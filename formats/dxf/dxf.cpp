@@ -39,7 +39,7 @@ double edge_node_ratio(const DxfDocument& document, const Place& file, Warnings&
     return *ratio;
   }
   warnings.push_back({"default_edge_node_ratio", file,
-                      fmt::format("a DXF file says no edge-node ratio; taken as {}", kDxfEdgeNodeRatio)});
+                      fmt::format("a DXF file has no edge-node ratio; taken as {}", kDxfEdgeNodeRatio)});
   return kDxfEdgeNodeRatio;
 }
 

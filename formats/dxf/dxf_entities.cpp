@@ -141,7 +141,7 @@ class EntityReader {
       if (said < 0 || static_cast<std::size_t>(said) != corners.size())
         result_.warnings.push_back(
             {"dxf_vertex_count", document_.place(*count),
-             fmt::format("group 90 says {} vertices, the LWPOLYLINE has {}; these are read", said, corners.size())});
+             fmt::format("group 90 states {} vertices, the LWPOLYLINE has {}; these are read", said, corners.size())});
     }
     DxfShape shape = of_.shape_of(record, {}, {38});
     shape.is_closed = (of_.flags(record) & kClosed) != 0;

@@ -126,7 +126,8 @@ void DxfDocument::sort_into_sections() {
   std::size_t at = 0;
   while (at < groups_.size() && !is_head(groups_[at], "EOF")) at = read_section(at);
   if (at == groups_.size())
-    warnings_.push_back({"dxf_without_end", map_.place(end_), "the file ends without EOF; what is there is read"});
+    warnings_.push_back(
+        {"dxf_without_end", map_.place(end_), "the file ends without EOF; its entities up to there are read"});
 }
 
 double DxfDocument::real(const DxfGroup& group, std::string_view name, std::string_view owner) const {

@@ -141,7 +141,7 @@ void check_layers(const LayerTable& table, const Place& file) {
     if (layer.empty()) throw InputError(place_of(table, i, file), "expected the name of a layer, found none");
     if (!part_of(part))
       throw InputError(place_of(table, i, file),
-                       fmt::format("expected what layer {} is: {}, found {}{}", in_quotes(layer), kAllParts,
+                       fmt::format("expected a part for layer {}: {}, found {}{}", in_quotes(layer), kAllParts,
                                    in_quotes(part), hint_for(part)));
     seen.push_back(lower(layer));
   }

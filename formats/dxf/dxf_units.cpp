@@ -72,7 +72,7 @@ DxfUnit unit_of(const DxfDocument& document, std::string_view wanted, std::strin
   if (is_known && own != number)
     warnings.push_back(
         {"dxf_unit_overruled", place,
-         fmt::format("the file says {} ($INSUNITS {}); {} is taken, as --unit says",
+         fmt::format("the unit of the file is {} ($INSUNITS {}); --unit overrules it: {}",
                      kUnits[static_cast<std::size_t>(own)].name, own, kUnits[static_cast<std::size_t>(number)].name)});
   const Unit& unit = kUnits[static_cast<std::size_t>(number)];
   const int target_number = dxf_unit_number(wanted);

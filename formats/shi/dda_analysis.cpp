@@ -108,7 +108,7 @@ Recognition recognise_shi(const Tokens& tokens) {
   const auto materials = materials_of(tokens.numbers);
   if (counts.empty() && materials && kShare.holds(tokens.numbers[0]) && is_like_shi(tokens.numbers, *materials))
     return {Recognition::Fit::damaged,
-            "more numbers than Berkeley's dialect has, and no block material where its first would stand"};
+            "more numbers than Berkeley's dialect has, and no block material at the place of its first"};
   if (counts.empty()) return {};
   return {Recognition::Fit::exact, fmt::format("7-number head, {} points and the materials give the file's {} numbers",
                                                fmt::join(counts, " or "), tokens.numbers.size())};
@@ -141,17 +141,16 @@ CurveCounts curve_counts(const Tokens& tokens, const ReadHint& hint) {
   if (hint.fixed_points && hint.loading_points) {
     const int points = *hint.fixed_points + *hint.loading_points;
     if (!counts.empty() && std::ranges::find(counts, points) == counts.end())
-      throw InputError(
-          tokens.place_of(7),
-          fmt::format("expected time rows of {} fixed and {} loading points, as many as the geometry beside "
-                      "this file has, found those of {} points",
-                      *hint.fixed_points, *hint.loading_points, fmt::join(counts, " or ")));
+      throw InputError(tokens.place_of(7),
+                       fmt::format("expected time rows of {} fixed and {} loading points, as many as its geometry has, "
+                                   "found those of {} points",
+                                   *hint.fixed_points, *hint.loading_points, fmt::join(counts, " or ")));
     return {points, hint.fixed_points};
   }
   if (hint.loading_points) std::erase_if(counts, [&](int points) { return points < *hint.loading_points; });
   if (counts.size() != 1)
     throw InputError(tokens.place_of(7),
-                     fmt::format("expected the block or geometry file beside this one, to know its number of fixed "
+                     fmt::format("expected the block or geometry file of this analysis, to know its number of fixed "
                                  "and loading points; found {} that fit",
                                  counts.empty() ? "none" : fmt::format("{}", fmt::join(counts, ", "))));
   if (hint.loading_points) return {counts[0], counts[0] - *hint.loading_points};
@@ -194,7 +193,7 @@ Analysis with_curves(Analysis analysis, const std::vector<TimeCurve>& curves, co
   for (const TimeCurve& curve : curves)
     if (!curve.times.empty())
       throw InputError(curve.place,
-                       "expected the block or geometry file beside this one, to know whether these time rows move a "
+                       "expected the block or geometry file of this analysis, to know whether these time rows move a "
                        "fixed point or load a loading point; found none");
   return analysis;
 }

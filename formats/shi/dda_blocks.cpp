@@ -189,7 +189,7 @@ Warnings fraction_warnings(const Tokens& tokens, const Head& head) {
       const auto material = static_cast<std::size_t>(6 + 3 * head.blocks + 3 * slot);
       if (is_whole(tokens.numbers[material])) continue;
       add_warning(warnings, {"joint_material_not_whole", tokens.place_of(material),
-                             fmt::format("joint material {} is no whole number; taken as 0, that is none",
+                             fmt::format("joint material {} is not a whole number; taken as 0 (no material)",
                                          format_real(tokens.numbers[material]))});
     }
   }

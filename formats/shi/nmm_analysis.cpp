@@ -53,16 +53,16 @@ std::size_t load_count(const Cursor& cursor, const Tokens& tokens, const ReadHin
   if (hint.loading_points) {
     const auto points = static_cast<std::size_t>(*hint.loading_points);
     if (loads && *loads != points && !materials_follow(tokens.numbers, points))
-      throw InputError(cursor.place(),
-                       fmt::format("expected the loads of {} loading points, as many as the geometry beside this file "
-                                   "has, found those of {}",
-                                   points, *loads));
+      throw InputError(
+          cursor.place(),
+          fmt::format("expected the loads of {} loading points, as many as its geometry has, found those of {}", points,
+                      *loads));
     return points;
   }
   if (loads) return *loads;
-  throw InputError(cursor.place(),
-                   "expected the cover file beside this one, to know its number of loading points; found no number "
-                   "that fits");
+  throw InputError(
+      cursor.place(),
+      "expected the cover file of this analysis, to know its number of loading points; found no number that fits");
 }
 
 std::vector<TimeCurve> next_loads(Cursor& cursor, std::size_t count) {

@@ -55,11 +55,11 @@ ChosenProfile profile_for(const AskedCase& asked, const Problem& problem, OldFil
   ChosenProfile chosen = chosen_profile(problem, asked.profile, asked.common);
   const bool is_open = asked.profile.empty() && problem.choices.profile.empty() && chosen.name == "legacy";
   if (is_open && old_files == OldFiles::standard)
-    chosen = {"standard", "the rules of the old programs do not answer this"};
+    chosen = {"standard", "the rules of Shi's programs cannot compute this"};
   else if (is_open && !why_not_run(asked, "legacy").empty())
-    chosen = {"standard", fmt::format("{} says of legacy: {}", asked.file.path, why_not_run(asked, "legacy"))};
+    chosen = {"standard", fmt::format("{}, under legacy: {}", asked.file.path, why_not_run(asked, "legacy"))};
   if (const std::string why = why_not_run(asked, chosen.name); !why.empty())
-    throw UsageError(fmt::format("{} says of profile {}: {}", asked.file.path, chosen.name, why));
+    throw UsageError(fmt::format("{}, under profile {}: {}", asked.file.path, chosen.name, why));
   return chosen;
 }
 

@@ -154,7 +154,7 @@ void require_exempt(const Exempt& exempt, const Problem& problem) {
   require(exempt.joint_materials, problem.analysis->joint_materials.size(), "joint material");
   if (!exempt.regions.empty() && !problem.stages.empty())
     throw InputError(problem.analysis->place,
-                     "expected a case without stages beside exempt regions, found stages; exempt a material instead");
+                     "expected a case without stages for exempt regions, found stages; exempt a material instead");
 }
 
 ExemptCount exempt_regions(Prepared& prepared, const Exempt& exempt, int block_materials, int joint_materials) {

@@ -125,10 +125,8 @@ void require_no_picture_name(std::string_view option, const std::string& file, s
   constexpr std::array<std::string_view, 9> kPictures{".svg", ".png", ".jpg", ".jpeg", ".pdf",
                                                       ".eps", ".gif", ".tif", ".tiff"};
   if (std::ranges::find(kPictures, ending_of(file)) == kPictures.end()) return;
-  throw UsageError(
-      fmt::format("{}: what is written there is no picture: expected another ending, found {}; {} writes "
-                  "a picture",
-                  option, file, picture_option));
+  throw UsageError(fmt::format("{}: expected an ending other than that of a picture, found {}; {} writes a picture",
+                               option, file, picture_option));
 }
 
 void write_picture(const std::string& file, std::string svg, Overwrite overwrite, std::optional<double> width) {

@@ -39,7 +39,7 @@ T Archive::through(std::string_view name, T value) {
   ArchiveNode& node = child(name);
   if (restoring_) {
     auto* column = std::get_if<std::vector<T>>(&node.column);
-    if (!column) refuse(name, "expected a value of another kind, found what is saved");
+    if (!column) refuse(name, "expected a saved value of another kind");
     if (node.taken == column->size())
       refuse(name, fmt::format("expected more than {} values, found no more", node.taken));
     return (*column)[node.taken++];

@@ -42,7 +42,7 @@ CrackTip with_loads_in_the_way(const Continuum& continuum, CrackTip tip) {
   for (const PointSpring& spring : continuum.point_springs) look(distance(spring.at, tip.at), "a spring");
   for (const PrescribedDisplacement& part : continuum.prescribed)
     for (std::size_t i = 0; i + 1 < part.along.size(); ++i)
-      look(distance(Segment{part.along[i], part.along[i + 1]}, tip.at), "a held edge");
+      look(distance(Segment{part.along[i], part.along[i + 1]}, tip.at), "a fixed edge");
   return tip;
 }
 
@@ -103,8 +103,8 @@ std::string doubt_of(const TipReport& report) {
   const StressIntensity& k = report.factors->k;
   if (faces_overlap(k))
     return fmt::format(
-        "K_I is {:.4g}, below 0: its faces lie in one another there, for nothing holds them apart; with "
-        "contact = felt they touch, K_I is 0, and friction has its part in K_II",
+        "K_I is {:.4g}, below 0: its faces overlap there, because contact is ignored; with contact=felt they touch, "
+        "K_I is 0, and friction acts on K_II",
         k.mode_1);
   const double by_factors = energy_release(report.rock, k);
   if (std::abs(report.factors->j - by_factors) > kMostDifferenceOfJ * std::max(by_factors, report.factors->j))

@@ -26,7 +26,7 @@ std::string law_of(const Prepared& prepared, int number) {
   const int material = first.elements[ElementIndex{number}].material;
   if (prepared.scene.settings.standard.elastic_law.of(material) != ElasticLaw::st_venant_kirchhoff) return {};
   return fmt::format(
-      "; the St. Venant-Kirchhoff law softens below a stretch of {:.2g}, elastic_law = logarithmic does not",
+      "; the St. Venant-Kirchhoff law softens below a stretch of {:.2g}, elastic_law=logarithmic does not",
       kSofteningStretch);
 }
 
@@ -37,10 +37,8 @@ std::string undamped_covers(const Prepared& prepared) {
   for (const Scene* scene : scenes_of(prepared.scene))
     for (const Element& element : scene->model.elements)
       if (element.is_on_covers() && settings.stiffness_damping.of(element.material).value_or(0) == 0)
-        return fmt::format(
-            "; bodies on covers may flutter where they slide, stiffness_damping = {:.2g} (two steps) "
-            "calms them",
-            2 * settings.time_step);
+        return fmt::format("; sliding NMM bodies may flutter, stiffness_damping={:.2g} (two steps) damps them",
+                           2 * settings.time_step);
   return {};
 }
 
@@ -55,24 +53,22 @@ void add_penetration(Judgement& judgement, const Prepared& prepared, double shar
   if (!(share <= limit)) {
     found.push_back(
         {"sunk_beyond_limit", place,
-         fmt::format("blocks lay as deep in one another as {:.3g} of the size of the smaller; beyond {:.3g} "
-                     "(penetration_limit) the run is not trusted",
-                     share, limit)});
+         fmt::format("blocks overlapped by {:.3g} of the size of the smaller; limit {:.3g} (penetration_limit)", share,
+                     limit)});
     return;
   }
   std::vector<Loops> bodies;
   for (const ElementFrame& element : last.elements) bodies.push_back(element.loops);
   const SharedArea shared = shared_area(bodies, limit);
   if (shared.pairs == 0 && !shared.is_complete)
-    judgement.remarks.push_back({"overlaps_not_looked_for", place,
-                                 "blocks have so many corners close to one another that not all were looked at for "
-                                 "overlaps at the end"});
+    judgement.remarks.push_back(
+        {"overlaps_not_looked_for", place,
+         "so many corners lie close together that not all were checked for overlaps at the end"});
   if (shared.pairs == 0) return;
   const Model& model = prepared.scene.model;
   found.push_back(
       {"sunk_beyond_limit", place,
-       fmt::format("{} and {} have {:.3g} of the smaller one's area in common at the end; beyond {:.3g} "
-                   "(penetration_limit) the run is not trusted",
+       fmt::format("{} and {} share {:.3g} of the smaller one's area at the end; limit {:.3g} (penetration_limit)",
                    name_of(model, number_of(last, static_cast<std::size_t>(shared.first))),
                    name_of(model, number_of(last, static_cast<std::size_t>(shared.second))), shared.share, limit)});
 }
@@ -85,10 +81,10 @@ void add_start(Warnings& found, const Prepared& prepared, const Frame& first, co
     const double way = length(first.elements[e].displacement);
     const double size = std::sqrt(first.elements[e].area);
     if (way <= limit * size || prepared.scene.model.elements[{static_cast<int>(e)}].is_on_covers()) continue;
-    found.push_back({"moved_by_start", place,
-                     fmt::format("the start moves {} by {:.3g}, {:.3g} of its size; beyond {:.3g} (penetration_limit) "
-                                 "the run is not trusted: blocks overlap in the input, or are too soft for their loads",
-                                 name_of(prepared.scene.model, number_of(first, e)), way, way / size, limit)});
+    found.push_back(
+        {"moved_by_start", place,
+         fmt::format("the initial state moves {} by {:.3g}, {:.3g} of its size; limit {:.3g} (penetration_limit)",
+                     name_of(prepared.scene.model, number_of(first, e)), way, way / size, limit)});
     return;
   }
 }
@@ -101,15 +97,14 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
     if (!(totals.area_share > 0))
       found.push_back(
           {"crushed_beyond_limit", place,
-           fmt::format("{} is turned over: the loads are too large for linear statics", name_of(model, number))});
+           fmt::format("{} is turned inside out: the loads are too large for linear statics", name_of(model, number))});
     return;
   }
   if (!(totals.area_share >= limit))
     found.push_back(
         {"crushed_beyond_limit", place,
-         fmt::format("{} was pressed to {:.4g} of its area{}; below {:.4g} (crushing_limit) the run is not trusted",
-                     name_of(model, number), totals.area_share,
-                     may_yield(prepared.scene) ? "" : law_of(prepared, number), limit)});
+         fmt::format("{} was compressed to {:.4g} of its area{}; limit {:.4g} (crushing_limit)", name_of(model, number),
+                     totals.area_share, may_yield(prepared.scene) ? "" : law_of(prepared, number), limit)});
 }
 
 // rad: linear statics stretches a rotating body by half the square of the angle, 0.5 % here.
@@ -123,9 +118,8 @@ void add_rotation(Warnings& remarks, const Prepared& prepared, const Frame& last
   const int number = number_of(last, static_cast<std::size_t>(most - last.elements.begin()));
   remarks.push_back(
       {"rotated_beyond_linear", place,
-       fmt::format("{} rotates by {:.3g} rad, and these statics are linear: they stretch it by {:.2g} %, and the "
-                   "results are those of small displacements; --set motion=dynamic --set start=sudden, with "
-                   "mass_damping and a short time_step, comes to rest under large rotation",
+       fmt::format("{} rotates by {:.3g} rad; linear statics stretches it by {:.2g} %, and results hold for small "
+                   "displacements only",
                    name_of(prepared.scene.model, number), angle(*most), 50 * angle(*most) * angle(*most))});
 }
 
@@ -145,10 +139,9 @@ void add_strain(Warnings& remarks, const Prepared& prepared, const Frame& last, 
   const int number = number_of(last, static_cast<std::size_t>(most - last.elements.begin()));
   remarks.push_back(
       {"strained_beyond_linear", place,
-       fmt::format("{} bears a stress of {:.2g} of its modulus, and these statics are linear: results are those of "
-                   "small strains; check the units of loads and modulus, or come to rest in time (motion = dynamic, "
-                   "start = sudden, mass_damping), where strains may be large",
-                   name_of(prepared.scene.model, number), strain(*most))});
+       fmt::format(
+           "{} carries a stress of {:.2g} of its modulus; in linear statics, results hold for small strains only",
+           name_of(prepared.scene.model, number), strain(*most))});
 }
 
 // Returns the created energy over the largest stored energy. The divisor is at least the work of weight along a small
@@ -172,11 +165,10 @@ void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& reco
   const double largest = record.ledger_sums.largest_stored;
   found.push_back(
       {"energy_beyond_limit", place,
-       fmt::format(
-           "energy came from nothing: {:.3g} of {}; beyond {:.3g} (energy_limit) the run is not trusted{}", share,
-           largest < least ? fmt::format("what the weight of all does over {:g} of a block's size", kWayOfWeight)
-                           : "the largest there was",
-           limit, undamped_covers(prepared))});
+       fmt::format("energy came from nothing: {:.3g} of {}; limit {:.3g} (energy_limit){}", share,
+                   largest < least ? fmt::format("the work of all weights over {:g} of a block's size", kWayOfWeight)
+                                   : "the largest stored energy",
+                   limit, undamped_covers(prepared))});
 }
 
 // Fraction of the plastic work that the forces of steps did not do. In a step the force has the mean stress of its
@@ -192,12 +184,10 @@ void add_plastic_work(Warnings& remarks, const RunRecord& record, const Place& p
   const EnergyFlow& flow = last->flow;
   if (flow.plastic < kLittlePlasticWork * record.ledger_sums.largest_energy()) return;
   if (!(-flow.algorithmic > kMissedPlasticWork * flow.plastic)) return;
-  remarks.push_back(
-      {"plastic_work_overstated", place,
-       fmt::format("steps are long for rock that yields: `algorithmic` is {:.3g}, {:.2g} % of the plastic "
-                   "work {:.4g}, which is booked with the stress at the end of each step while its force "
-                   "has the mean of start and end; a smaller time_step brings them together",
-                   flow.algorithmic, -100 * flow.algorithmic / flow.plastic, flow.plastic)});
+  remarks.push_back({"plastic_work_overstated", place,
+                     fmt::format("steps are long for elastoplastic rock: `algorithmic` of ledger.csv is {:.3g}, {:.2g} "
+                                 "% of the plastic work {:.4g}",
+                                 flow.algorithmic, -100 * flow.algorithmic / flow.plastic, flow.plastic)});
 }
 
 // Fraction of the largest energy that closing contacts of NMM bodies may dissipate. These bodies rebound by their own
@@ -215,9 +205,8 @@ void add_closing(Warnings& remarks, const Prepared& prepared, const RunRecord& r
   if (!(taken > kTakenByClosing * largest)) return;
   remarks.push_back(
       {"energy_lost_in_closing", place,
-       fmt::format("contacts took {:.2g} of the largest energy as they closed (closing and clean_up of ledger.csv): "
-                   "where bodies on covers strike, that is of the step, and motions after the blow are too small; a "
-                   "smaller time_step, or impact = springs, shows by how much",
+       fmt::format("contacts took {:.2g} of the largest energy as they closed (closing and clean_up of ledger.csv); in "
+                   "impacts of NMM bodies this depends on the step, and later motion is too small",
                    taken / largest)});
 }
 
@@ -232,7 +221,7 @@ void add_imbalance(Warnings& found, const Prepared& prepared, const StepTotals& 
   if (!(totals.unbalanced_steps > kUnbalancedSteps * totals.steps)) return;
   found.push_back({"unbalanced_steps", place,
                    fmt::format("forces are out of balance by more than {:.0e} of the load in {} of {} steps, the worst "
-                               "by {:.1e}; beyond {:g} % of the steps the run is not trusted",
+                               "by {:.1e}; limit {:g} % of the steps",
                                kUnbalanced, totals.unbalanced_steps, totals.steps, totals.greatest_residual,
                                100 * kUnbalancedSteps)});
 }
@@ -253,21 +242,17 @@ void add_distance(Judgement& judgement, const Prepared& prepared, const RunRecor
   };
   const auto farthest = farthest_carried(model, last, record.outcome.field);
   if (farthest && farthest->share() > kFarFromDrawing) {
-    judgement.doubts.push_back(
-        {"equilibrium_far_away", place,
-         fmt::format(
-             "the equilibrium lies far from the drawing: {}; beyond {:g} it says nothing of the scene as drawn, "
-             "which may be unstable (motion=dynamic shows the motion, keyblock fos the factor of safety)",
-             in_words(*farthest), kFarFromDrawing)});
+    judgement.doubts.push_back({"equilibrium_far_away", place,
+                                fmt::format("the equilibrium lies far from the drawing: {}; limit {:g}",
+                                            in_words(*farthest), kFarFromDrawing)});
     return;
   }
   const auto loose = farthest_carried(model, last, record.outcome.field, true);
   if (farthest && farthest->share() > kSeenFromDrawing)
-    judgement.remarks.push_back(
-        {"equilibrium_moved", place,
-         fmt::format("the equilibrium is not quite that of the drawing: {}; gaps closed, parts are soft, or the scene "
-                     "is near its limit (keyblock fos: how near)",
-                     in_words(*farthest))});
+    judgement.remarks.push_back({"equilibrium_moved", place,
+                                 fmt::format("the equilibrium is not quite that of the drawing: {}; gaps closed, parts "
+                                             "are soft, or the scene is near its limit",
+                                             in_words(*farthest))});
   else if (loose && loose->share() > kFarFromDrawing)
     judgement.remarks.push_back(
         {"equilibrium_moved", place, fmt::format("a small loose block found another place: {}", in_words(*loose))});
@@ -279,9 +264,8 @@ void add_stages(Warnings& found, const RunOutcome& outcome, const Place& place) 
     const SceneReport& scene = outcome.scenes[i];
     if (!scene.asks_equilibrium || scene.is_balanced) continue;
     found.push_back({"stage_not_balanced", place,
-                     fmt::format("stage {}{} ends after step {} without the equilibrium it was to come to: more steps, "
-                                 "or damping, may bring it there",
-                                 i + 1, scene.name.empty() ? "" : fmt::format(" ({})", scene.name), scene.last_step)});
+                     fmt::format("stage {}{} ends after step {} without the required equilibrium", i + 1,
+                                 scene.name.empty() ? "" : fmt::format(" ({})", scene.name), scene.last_step)});
   }
 }
 
@@ -293,17 +277,15 @@ void add_tips(Judgement& judgement, const Prepared& prepared, const Frame& last,
   const auto number_of = [&](const TipState& tip) { return &tip - last.tips.data() + 1; };
   for (const TipState& tip : last.tips) {
     if (!tip.has_room && !tip.goes_on && tip.toughness > 0) {
-      judgement.doubts.push_back(
-          {"tip_without_room", place,
-           fmt::format("tip {} at {}, {} has no factors: no domain of elements about it is free of other lines, "
-                       "and whether it would go on is not known; a smaller tip_side gives it room",
-                       number_of(tip), plain(tip.at.x), plain(tip.at.y))});
+      judgement.doubts.push_back({"tip_without_room", place,
+                                  fmt::format("tip {} at {}, {} has no stress intensity factors, because every domain "
+                                              "about it contains other lines; whether it extends is unknown",
+                                              number_of(tip), plain(tip.at.x), plain(tip.at.y))});
       return;
     }
     if (is_at_rest && tip.goes_on) {
       judgement.doubts.push_back({"tips_still_go_on", place,
-                                  fmt::format("tip {} at {}, {} would go on under the loads of the last step: "
-                                              "at rest a step sees one increment, and more steps are needed",
+                                  fmt::format("tip {} at {}, {} still extends under the loads of the last step",
                                               number_of(tip), plain(tip.at.x), plain(tip.at.y))});
       return;
     }
@@ -324,9 +306,10 @@ void add_factors(Warnings& remarks, const Prepared& prepared, const Frame& last,
     const auto state = std::ranges::find(last.tips, tip.at, &TipState::at);
     if (state != last.tips.end() && !state->has_room) {
       if (!prepared.scene.growth)
-        put("tip_without_factors", fmt::format("tip {} at {}, {} has no K and no J: no domain of elements about it is "
-                                               "free of other lines, loads and edges; a smaller tip_side gives it room",
-                                               state - last.tips.begin() + 1, plain(tip.at.x), plain(tip.at.y)));
+        put("tip_without_factors",
+            fmt::format(
+                "tip {} at {}, {} has no K and no J: every domain about it contains other lines, loads or edges",
+                state - last.tips.begin() + 1, plain(tip.at.x), plain(tip.at.y)));
       continue;
     }
     if (const std::string why = coarse_mesh_at(*continuum, tip); !why.empty())
@@ -340,15 +323,15 @@ void add_coarse_starts(Warnings& found, const CrackNotes::Start& start, const Pl
   if (start.count == 0) return;
   found.push_back(
       {"crack_start_on_coarse_mesh", place,
-       fmt::format("{} started where the mesh is too coarse to show the stress, the first at {}, {} in step {}: sides "
-                   "are {:.3g} there, the length of the rock (K_Ic/strength)²/π is {:.3g}; a strength of {:.4g} was "
-                   "taken, {}; refine to sides of {:.3g}",
-                   counted(static_cast<std::size_t>(start.count), "crack"), plain(start.at.x), plain(start.at.y),
-                   start.step, start.side, start.length, start.strength,
-                   start.strength == start.of_rock
-                       ? "that of the rock"
-                       : fmt::format("for a corner that is near and the rock's {:.4g}", start.of_rock),
-                   start.length / 2)});
+       fmt::format(
+           "{} started in a mesh too coarse for the stress, the first at {}, {} in step {}: sides are {:.3g} there, "
+           "the length (K_Ic/strength)²/π is {:.3g}, with a strength of {:.4g}, {}; refine to sides of {:.3g}",
+           counted(static_cast<std::size_t>(start.count), "crack"), plain(start.at.x), plain(start.at.y), start.step,
+           start.side, start.length, start.strength,
+           start.strength == start.of_rock
+               ? "that of the rock"
+               : fmt::format("for a corner that is near and the rock's {:.4g}", start.of_rock),
+           start.length / 2)});
 }
 
 // Warns of tips whose faces overlap, at the end or when they extended.
@@ -356,11 +339,10 @@ void add_overlapping(Warnings& found, const Prepared& prepared, const CrackNotes
                      const Place& place) {
   const auto put = [&](Point at, const std::string& when, double ratio) {
     found.push_back({"faces_overlap_at_tip", place,
-                     fmt::format("the faces lie in one another at the tip {}, {}{}: K_I is {:.2g} of K, below 0; with "
-                                 "contact = felt they touch, K_I is 0, and friction has its part in K_II",
-                                 plain(at.x), plain(at.y), when, ratio)});
+                     fmt::format("the faces overlap at the tip {}, {}{}: K_I is {:.2g} of K, below 0", plain(at.x),
+                                 plain(at.y), when, ratio)});
   };
-  if (went_on.step > 0) return put(went_on.at, fmt::format(", which went on in step {}", went_on.step), went_on.ratio);
+  if (went_on.step > 0) return put(went_on.at, fmt::format(", which extended in step {}", went_on.step), went_on.ratio);
   // Joints that end in a body are cracks too; contact closes the faces of those.
   const auto& continuum = prepared.scene.model.continuum;
   if (!prepared.scene.is_untouched && (!continuum || continuum->cracks.empty())) return;
@@ -375,11 +357,11 @@ constexpr double kMostBend = 0.08;
 
 void add_bend(Warnings& remarks, const CrackNotes::AtTip& bent, const Place& place) {
   if (!(std::abs(bent.ratio) > kMostBend)) return;
-  remarks.push_back({"increments_too_long", place,
-                     fmt::format("crack {}: behind the increment of {:.3g} to {}, {} (step {}) K_II is {:.2g} of K_I; "
-                                 "beyond {:g} the path bends more than increments follow: a smaller increment",
-                                 bent.crack + 1, bent.increment, plain(bent.at.x), plain(bent.at.y), bent.step,
-                                 bent.ratio, kMostBend)});
+  remarks.push_back(
+      {"increments_too_long", place,
+       fmt::format("crack {}: behind the increment of {:.3g} to {}, {} (step {}) K_II is {:.2g} of K_I; limit {:g}",
+                   bent.crack + 1, bent.increment, plain(bent.at.x), plain(bent.at.y), bent.step, bent.ratio,
+                   kMostBend)});
 }
 
 }  // namespace

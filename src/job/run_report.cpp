@@ -220,7 +220,7 @@ std::vector<Remedy> what_to_try(const Prepared& prepared, const RunOutcome& outc
     return what_to_try_under_loads(prepared.scene);
   std::vector<Remedy> remedies{{"--set motion=dynamic", "shows the motion"}};
   if (!yields && !prepared.scene.model.continuum)  // blocks without strength
-    remedies.push_back({"--profile legacy", "starts each step from rest, as Shi's programs do"});
+    remedies.push_back({"--profile legacy", "starts each step at zero velocity, as Shi's programs do"});
   return remedies;
 }
 

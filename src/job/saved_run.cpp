@@ -92,7 +92,7 @@ Archive read_checkpoint(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream && fs::exists(file.parent_path() / "run.json"))
     throw UsageError(
-        fmt::format("nothing to resume: the run in {} is over, as its run.json says", file.parent_path().string()));
+        fmt::format("nothing to resume: the run in {} has finished (run.json)", file.parent_path().string()));
   if (!stream)
     throw UsageError(fmt::format("nothing to resume: expected {}, found none; run … -o {} --force begins a run there",
                                  file.string(), file.parent_path().string()));
@@ -107,9 +107,9 @@ void require_own(const fs::path& checkpoint, const RunRequest& saved) {
   if (fs::equivalent(folder, saved.folder, error) || is_moved) return;
   throw InputError(
       {checkpoint.string(), 0, 0},
-      fmt::format("expected the checkpoint of the run in {}, found that of a run in {}, which still stands "
-                  "there; --resume that one",
-                  folder.string(), saved.folder));
+      fmt::format(
+          "expected the checkpoint of the run in {}, found that of a run in {}, which still exists; --resume that one",
+          folder.string(), saved.folder));
 }
 
 void require_same(const fs::path& checkpoint, const RunRequest& saved, const RunRequest& now) {

@@ -117,7 +117,7 @@ double Compiled::operator()(std::initializer_list<double> values) const {
   std::string where;
   for (std::size_t i = 0; i < expression_->names.size(); ++i)
     where += fmt::format("{}{} = {:g}", i == 0 ? "" : ", ", expression_->names[i], expression_->values[i]);
-  throw InputError(expression_->formula.place, fmt::format("expected a finite value of \"{}\" where {}, found {}",
+  throw InputError(expression_->formula.place, fmt::format("expected a finite value of \"{}\" at {}, found {}",
                                                            beginning_of(expression_->formula.text), where, value));
 }
 

@@ -35,11 +35,10 @@ Warnings apply_motion(Analysis& analysis, const TimeCurve& motion) {
                      "expected weights of blocks, to know the gravity that the motion is a multiple of; found none");
   analysis.body_acceleration = motion;
   for (Point& value : analysis.body_acceleration.values) value = gravity * value;
-  Warnings warnings{
-      {"motion_applied", motion.place,
-       fmt::format("the motion accelerates all blocks, times a gravity of {}; the old program read motions and "
-                   "never applied them",
-                   gravity)}};
+  Warnings warnings{{"motion_applied", motion.place,
+                     fmt::format("the ground motion, times a gravity of {}, accelerates all blocks; the Berkeley "
+                                 "program reads it and does not apply it",
+                                 gravity)}};
   const auto is_other = [&](const BlockMaterial& material) { return differs(gravity_of(material), gravity); };
   if (const auto count = std::ranges::count_if(materials, is_other); !is_stated && count > 0)
     warnings.push_back(

@@ -176,9 +176,9 @@ std::vector<InputError> misplaced_holes(const Blocks& blocks) {
                             fmt::format("expected hole {} of block {} clockwise with an area, found area {:.9g}", h + 1,
                                         i + 1, area(hole)));
       else if (const std::size_t k = hole_around(block, h); k > 0)
-        errors.emplace_back(place_of(block, blocks), fmt::format("expected holes of block {} beside one another, found "
-                                                                 "hole {} in hole {}",
-                                                                 i + 1, h + 1, k));
+        errors.emplace_back(
+            place_of(block, blocks),
+            fmt::format("expected holes of block {} that do not overlap, found hole {} in hole {}", i + 1, h + 1, k));
     }
   }
   return errors;

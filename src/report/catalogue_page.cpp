@@ -170,7 +170,7 @@ std::string text_of(const CatalogueMeasures& measures) {
 std::string text_of(const CatalogueAnswer& answer) {
   const std::string measures = answer.measures ? text_of(*answer.measures) + "; " : "";
   const std::string end = fmt::format("{}{}, {} steps{}", measures, answer.end, answer.steps,
-                                      answer.doubt.empty() ? "" : ", not to be trusted: " + answer.doubt);
+                                      answer.doubt.empty() ? "" : ", unreliable: " + answer.doubt);
   if (answer.of_what.empty()) return end;
   return fmt::format("{} moved by ({:.6g}, {:.6g}), {:.6g}, at time {:.6g}; {}", answer.of_what, answer.dx, answer.dy,
                      std::hypot(answer.dx, answer.dy), answer.time, end);

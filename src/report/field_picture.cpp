@@ -208,7 +208,7 @@ void draw_held(SvgPage& page, const PageMap& map, const FieldFrame& held, const 
 void draw_key(SvgPage& page, Point corner, const FieldFrame& held) {
   if (held.elements.empty()) return;
   draw_legend(page, corner, kRoom / 2,
-              {{.sign = LegendEntry::Sign::area, .colour = kHeldColour, .words = "held, stress not computed"}});
+              {{.sign = LegendEntry::Sign::area, .colour = kHeldColour, .words = "fixed, stress not computed"}});
 }
 
 /// What the caption of the panel says of elements too small for their number.

@@ -33,8 +33,8 @@ std::string reaction_picture(const std::string& title, const std::vector<Reactio
       line.y.push_back(std::abs(curve.reaction[i]));
     }
     if (const auto first = plateau_of(curve))
-      sentences.push_back(fmt::format("displacement {}: the reaction stands at {:.5g}{} since step {}",
-                                      curve.number + 1, std::abs(curve.reaction.back()), unit, curve.steps[*first]));
+      sentences.push_back(fmt::format("displacement {}: the reaction stays at {:.5g}{} since step {}", curve.number + 1,
+                                      std::abs(curve.reaction.back()), unit, curve.steps[*first]));
   }
   SvgPage page(kPageWidth, kChartTop + kChartHeight + 18 + kLine * static_cast<double>(sentences.size()));
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});

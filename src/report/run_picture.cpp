@@ -213,7 +213,7 @@ std::vector<LegendEntry> make_legend(const RunPicture& picture) {
   std::set<int> materials;
   for (std::size_t i = 0; i < picture.end.elements.size(); ++i)
     if (!held.contains(number_of(picture.end, i))) materials.insert(picture.end.elements[i].material);
-  if (!held.empty()) legend.push_back({.sign = Sign::area, .colour = kHeldColour, .words = "held block"});
+  if (!held.empty()) legend.push_back({.sign = Sign::area, .colour = kHeldColour, .words = "fixed block"});
   if (materials.size() > 1) add_numbered(legend, materials, Sign::area, "block material", picture.rock_names);
   add_numbered(legend, told_apart(picture), Sign::line, "joint material", picture.joint_names);
   const auto add = [&legend](const std::vector<PointFrame>& points, Mark mark, std::string_view words) {

@@ -73,7 +73,7 @@ void draw_name(SvgPage& page, Taken& taken, Point at, const PricedRun& run) {
     }
 }
 
-// Whoever pays more than one run of the front and less than the next gets that run's error.
+// Between the costs of two runs of the front, the error is that of the cheaper one.
 void draw_front(SvgPage& page, const Plot& plot, std::vector<PricedRun> front, Taken& taken) {
   if (front.empty()) return;
   std::ranges::sort(front, {}, &PricedRun::seconds);
@@ -131,7 +131,7 @@ std::string tradeoff_picture(const TradeoffPicture& picture) {
       {.sign = Sign::dots, .colour = kOtherColour, .words = "other run"}};
   const Axis errors = make_log_axis(best.error / 2, worst.error);
   if (picture.least_error > 0 && std::log10(picture.least_error) > errors.low())
-    legend.push_back({.sign = Sign::dashed_line, .colour = kOtherColour, .words = "below: not told apart"});
+    legend.push_back({.sign = Sign::dashed_line, .colour = kOtherColour, .words = "below: not distinguished"});
   const double width = kWidth - 2 * kMargin - kPlotLeft - kPlotRight;
   const double top = kTop + legend_height(legend, width) + 6;
   const Plot plot{.corner = {kMargin + kPlotLeft, top},

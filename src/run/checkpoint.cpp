@@ -31,7 +31,7 @@ class Refused : public std::runtime_error {
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
-    if (id < 0) throw Refused("HDF5 refuses a call: out of memory, or an odd file");
+    if (id < 0) throw Refused("HDF5 refuses a call: out of memory, or a damaged file");
   }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;

@@ -104,10 +104,10 @@ void set(CoverPlan& plan, const std::string& name, const std::string& value) {
     plan.mesh.most_unknowns = static_cast<int>(most);
     return;
   }
-  throw std::invalid_argument(fmt::format(
-      "there is no setting \"{}\" of bodies on covers, only functions, contact, mesh.side, mesh.half_rows, mesh.angle, "
-      "mesh.error, mesh.most_unknowns",
-      name));
+  throw std::invalid_argument(
+      fmt::format("there is no setting \"{}\" of NMM bodies, only functions, contact, mesh.side, mesh.half_rows, "
+                  "mesh.angle, mesh.error, mesh.most_unknowns",
+                  name));
 }
 
 std::optional<Measure> measure_of_mesh_setting(const std::string& name) {

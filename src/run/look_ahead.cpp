@@ -184,8 +184,8 @@ class Blocky {
     const auto thinnest =
         *std::ranges::min_element(found, {}, [&](std::size_t i) { return shapes_[i].width() / shapes_[i].length; });
     return fmt::format(
-        "{} of {} {} {}: the smallest is {}; the thinnest is block {} at {}, {} wide and {} long. Slivers fail to come "
-        "to rest and need small steps; --set slivers=glue joins each to a neighbour, slivers=leave_out takes them away",
+        "{} of {} {} {}: the smallest is {}; the thinnest is block {} at {}, {} wide and {} long. Slivers need small "
+        "steps and may never come to rest",
         counted(found.size(), "block"), shapes_.size(), found.size() == 1 ? "is a sliver," : "are slivers,",
         slivers_in_words(), named(smallest), thinnest + 1, at(shapes_[thinnest].centroid),
         plain(shapes_[thinnest].width(), 3), plain(shapes_[thinnest].length, 3));
@@ -241,9 +241,8 @@ class Blocky {
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (!hangs[i] && flies(i)) found.push_back(i);
     if (found.empty()) return {};
-    return fmt::format("{} touch{} nothing at the start and move{} freely, the first is {}",
-                       counted(found.size(), "block"), found.size() == 1 ? "es" : "", found.size() == 1 ? "s" : "",
-                       named(found.front()));
+    return fmt::format("{} touch{} nothing at the start and move{} freely, first {}", counted(found.size(), "block"),
+                       found.size() == 1 ? "es" : "", found.size() == 1 ? "s" : "", named(found.front()));
   }
 
   std::string unheld() const {
@@ -253,8 +252,8 @@ class Blocky {
       if (!hangs[i] && !flies(i)) loose.push_back(i);
     if (loose.empty()) return {};
     return fmt::format(
-        "{} of {} {} connected to nothing that is held, the first is {}: {}", counted(loose.size(), "block"),
-        shapes_.size(), loose.size() == 1 ? "is" : "are", named(loose.front()),
+        "{} of {} {} connected to no fixed block, first {}: {}", counted(loose.size(), "block"), shapes_.size(),
+        loose.size() == 1 ? "is" : "are", named(loose.front()),
         length(settings_.gravity) > 0 ? "under gravity they fall freely" : "they move as loads push them");
   }
 
@@ -311,11 +310,9 @@ class Blocky {
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (!stands[i] && hangs[i]) found.push_back(i);
     if (found.empty()) return {};
-    return fmt::format(
-        "{} nothing beneath that leads down to what is held, the first is {}: friction and bonds alone "
-        "can keep {} from falling",
-        found.size() == 1 ? "1 block has" : fmt::format("{} blocks have", found.size()), named(found.front()),
-        found.size() == 1 ? "it" : "them");
+    return fmt::format("{} no support from below, first {}: friction and bonds alone can carry {}",
+                       found.size() == 1 ? "1 block has" : fmt::format("{} blocks have", found.size()),
+                       named(found.front()), found.size() == 1 ? "it" : "them");
   }
 
   std::string cannot_bend() const {
@@ -330,21 +327,19 @@ class Blocky {
     const bool is_rigid =
         std::ranges::any_of(found, [&](std::size_t i) { return !model_.elements[index(i)].can_move(); });
     const BlockForm& first = shapes_[found.front()];
-    return fmt::format(
-        "{} slender, the first is block {} at {}, {} long and {} wide: the strain of a block is the same all "
-        "over it, so that it cannot bend{}; a section `covers` of a case file, or cuts across it, lets it",
-        found.size() == 1 ? "1 block is" : fmt::format("{} blocks are", found.size()), found.front() + 1,
-        at(first.centroid), plain(first.length, 3), plain(first.width(), 3),
-        is_rigid ? ", and held at two points it is rigid" : "");
+    return fmt::format("{} too slender for uniform strain, first block {} at {}, {} long and {} wide: it cannot bend{}",
+                       found.size() == 1 ? "1 block is" : fmt::format("{} blocks are", found.size()), found.front() + 1,
+                       at(first.centroid), plain(first.length, 3), plain(first.width(), 3),
+                       is_rigid ? ", and with two fixed points it is rigid" : "");
   }
 
   std::string stiff_springs() const {
     const double ratio = stiffness_of_springs();
     if (ratio == 0) return {};
     return fmt::format(
-        "contact springs of {:.3g} are {:.3g} times as stiff as the inertia of the mean block over a step "
-        "(mass / time_step²); with {} touching pairs and more than {:g} times, steps in which contacts slide may take "
-        "tens to hundreds of systems: {} avoids that",
+        "contact springs of {:.3g} are {:.3g} times as stiff as the inertia of the mean block over a step (mass / "
+        "time_step²); with {} pairs in contact and a ratio above {:g}, steps with sliding contacts may take tens to "
+        "hundreds of linear solves; {} avoids that",
         settings_.contact_penalty, ratio, touching_.size(), kStiff, softer_springs());
   }
 
@@ -386,9 +381,8 @@ Warnings sudden_starts(const Problem& problem, const Prepared& prepared) {
       length(settings.gravity) == 0 || !touch_undamped(model, settings))
     return {};
   return {{"sudden_start_undamped", problem.analysis->place,
-           "bodies on covers that touch take their full weight suddenly, and neither stiffness_damping nor "
-           "mass_damping calms them: they swing by as much as they settle, may part, and walk down a joint on which "
-           "they would rest; start=compatible begins at rest, and says what finds none"}};
+           "undamped NMM bodies in contact are suddenly loaded by their full weight; they oscillate, may part, and may "
+           "move down a joint on which they are stable"}};
 }
 
 bool is_of_blocks(const Prepared& prepared) {

@@ -48,7 +48,7 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
   };
   const auto has_strength = [](const BlockBolt& bolt) { return bolt.strength > 0; };
   if (settings.dynamics == Dynamics::shi && std::ranges::any_of(blocks.bolts, has_strength))
-    warn("bolt_strength_without_effect", "the strength of bolts is read, but breaks none, as in the old program");
+    warn("bolt_strength_without_effect", "the strength of bolts has no effect, as in the Berkeley program");
   const auto is_overdrawn = [](const BlockBolt& bolt) { return bolt.strength > 0 && bolt.pretension >= bolt.strength; };
   if (const auto bolt = std::ranges::find_if(blocks.bolts, is_overdrawn);
       settings.dynamics == Dynamics::standard && bolt != blocks.bolts.end())
@@ -60,9 +60,7 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
     warn("contact_damping_without_effect", "the contact damping is read, but has no effect in this profile");
   const auto damped = [](const BlockMaterial& m) { return m.damping != 0; };
   if (std::ranges::any_of(analysis.block_materials, damped))
-    warn("damping_without_effect",
-         "the damping of block materials is read, but has no effect, as in the old program; --set mass_damping.N or "
-         "stiffness_damping.N for block material N has one");
+    warn("damping_without_effect", "the damping of block materials has no effect, as in the Berkeley program");
   const auto has_own_weight = [&](const BlockMaterial& m) {
     return m.unit_weight != 0 &&
            std::abs(m.unit_weight - m.density * settings.file_gravity) > kSameWeight * std::abs(m.unit_weight);
@@ -81,7 +79,7 @@ Warnings not_modelled(const Blocks& blocks, const Analysis& analysis, const Sett
          "velocities)");
   const auto is_strained = [](const BlockMaterial& m) { return m.initial_strain != std::array<double, 3>{}; };
   if (std::ranges::any_of(analysis.block_materials, is_strained))
-    warn("initial_strain_without_effect", "initial strains are read, but move nothing, as in the old program");
+    warn("initial_strain_without_effect", "initial strains have no effect, as in the Berkeley program");
   const auto is_pushed = [](const BlockMaterial& m) { return m.horizontal_force != 0; };
   if (!blocks.blocks.empty() && std::ranges::any_of(analysis.block_materials, is_pushed))
     warn("horizontal_force_without_effect", "horizontal body forces are read, but act on elements of a cover only");
@@ -134,7 +132,7 @@ Geometry of_blocks(const Problem& problem, const Settings& settings) {
 // neighbours apart.
 Model by_old_rules(const Cover& cover, const Analysis& analysis, const Settings& settings) {
   if (settings.rotation == Rotation::exact)
-    refuse_value("rotation", "first_order, for elements on covers would part under the other", "exact");
+    refuse_value("rotation", "first_order, because NMM elements would part under the other", "exact");
   return with_affine_elements(model_from_manifold(manifold_of(cover), points_of(cover), analysis));
 }
 
@@ -142,7 +140,7 @@ Model by_old_rules(const Cover& cover, const Analysis& analysis, const Settings&
 void require_kept_slivers(const Problem& problem, const Settings& settings, const Place& place) {
   if (settings.slivers == Slivers::kept) return;
   if (problem.covers && !problem.covers->mesh.materials.empty()) return;
-  throw InputError(place, fmt::format("expected slivers = keep where all bodies are on covers, found {}",
+  throw InputError(place, fmt::format("expected slivers=keep if all bodies are NMM bodies, found {}",
                                       settings.slivers == Slivers::glued ? "glue" : "leave_out"));
 }
 
@@ -158,7 +156,7 @@ Geometry on_covers(const Problem& problem, const Settings& settings, const Place
   } else if (const auto* cover = std::get_if<Cover>(&problem.geometry); cover != nullptr && !problem.covers) {
     geometry.model = by_old_rules(*cover, *problem.analysis, settings);
   } else {
-    throw InputError(place, "expected profile standard for bodies on covers, found legacy");
+    throw InputError(place, "expected profile standard for NMM bodies, found legacy");
   }
   require_motions(geometry.model.fixed_points.size(), *problem.analysis);
   return geometry;
@@ -329,9 +327,7 @@ Warnings warnings_of_plan(const Problem& problem, const Scene& first) {
 void require_one_path(const Scene& first, const Place& place) {
   if (first.settings.standard.load_control == LoadControl::arc_length && (first.next || first.end.steps > 0))
     throw InputError(
-        place,
-        "expected a case without stages in which nothing is dug out under load_control = arc_length, found "
-        "one with scenes of their own");
+        place, "expected a case without stages and excavations under load_control=arc_length, found one with them");
 }
 
 // A warning repeated by several stages is reported for the first only.
@@ -348,12 +344,11 @@ Warnings warnings_of_strengths(const Scene& first, const Place& place) {
 
 Prepared prepared_as_it_is(const Problem& problem, const std::string& profile, const std::vector<Override>& overrides) {
   if (std::holds_alternative<std::monostate>(problem.geometry))
-    throw InputError(place_of(problem), "expected a geometry or block file beside it, found none");
+    throw InputError(place_of(problem), "expected a geometry or block file for it, found none");
   if (!problem.analysis)
-    throw InputError(
-        place_of(problem),
-        "expected an analysis beside it, an analysis file of the old programs or a case file with the section "
-        "`analysis`, found none; `keyblock new block` writes a case file to begin with");
+    throw InputError(place_of(problem),
+                     "expected an analysis for it, an analysis file or a case file with the section `analysis`, found "
+                     "none; `keyblock new block` writes an example");
   const Asked asked = as_asked(problem, profile, overrides);
   const Settings& settings = asked.choices.front().settings;
   require_readable_strengths(problem, settings);
@@ -377,16 +372,15 @@ Prepared prepared_as_it_is(const Problem& problem, const std::string& profile, c
 }
 
 [[noreturn]] void refuse_unseen(const Place& place, const char* found) {
-  throw InputError(place, fmt::format("expected only loads and supports of `covers` beside an error of the mesh, which "
-                                      "is found under them alone, found {}",
-                                      found));
+  throw InputError(
+      place, fmt::format("expected only loads and supports of `covers` for an error of the mesh, found {}", found));
 }
 
 // Rejects input that the mesh by error, found without contact, would ignore.
 void require_seen_by_mesh(const Problem& problem) {
   for (const Stage& stage : problem.stages)
     if (!stage.forces.empty() || !stage.held.empty() || !stage.bolts.empty())
-      refuse_unseen(stage.place, "forces, held points or bolts of a stage");
+      refuse_unseen(stage.place, "forces, held_points or bolts of a stage");
 }
 
 // Otherwise points have no effect on the run either.

@@ -84,11 +84,11 @@ ChosenProfile profile_unasked(const Problem& problem, const std::vector<Override
   if (!profile.empty() && std::ranges::find(known, profile) == known.end())
     throw InputError(problem.choices.profile_place,
                      fmt::format("expected a profile, one of {}, found \"{}\"", fmt::join(known, ", "), profile));
-  if (!profile.empty()) return {profile, "the case file says so"};
+  if (!profile.empty()) return {profile, "set in the case file"};
   if (problem.has_own_case) return {"standard", "the case is Keyblock's own"};
   if (const std::string* name = read_by_standard_alone(overrides))
     return {"standard", fmt::format("it alone reads the setting {}", *name)};
-  return {"legacy", "the files are those of an old program"};
+  return {"legacy", "input in a format of Shi's or the Berkeley program"};
 }
 
 ChosenProfile chosen_profile(const Problem& problem, const std::string& asked, const std::vector<Override>& overrides) {
@@ -96,7 +96,7 @@ ChosenProfile chosen_profile(const Problem& problem, const std::string& asked, c
   const ChosenProfile unasked = profile_unasked(problem, overrides);
   return asked == unasked.name
              ? unasked
-             : ChosenProfile{asked, fmt::format("asked for; else {}, because {}", unasked.name, unasked.why)};
+             : ChosenProfile{asked, fmt::format("requested; else {}, because {}", unasked.name, unasked.why)};
 }
 
 std::string profile_of(const Problem& problem, const std::string& asked, const std::vector<Override>& overrides) {

@@ -42,10 +42,10 @@ void require_size(const BlockMaterial& material, const char* what, double side, 
   const double modulus = material.crack_closure ? material.crack_closure->initial_modulus : material.youngs_modulus;
   const double allowed = largest_size(*material.strength, modulus);
   if (size >= allowed)
-    throw InputError(material.place,
-                     fmt::format("expected {} below {}, where softening of the strength by this fracture_energy does "
-                                 "not snap back, found {:.4g}",
-                                 what, four_digits_below(allowed * ratio), side));
+    throw InputError(
+        material.place,
+        fmt::format("expected {} below {}, so that softening by this fracture_energy does not snap back, found {:.4g}",
+                    what, four_digits_below(allowed * ratio), side));
 }
 
 double longest_side(const Manifold& manifold, int element) {
@@ -82,13 +82,12 @@ Warning soft_patterns(const Continuum& continuum, const Place& place) {
     const std::array<int, 3>& own = continuum.manifold.elements[e].covers;
     if (continuum.material(static_cast<int>(e)).is_nonlinear()) covers.insert(own.begin(), own.end());
   }
-  return {"soft_patterns", place,
-          fmt::format("in time rock that may yield has soft patterns: its gradients are averaged over {} covers, and "
-                      "motion that alternates from cover to cover is hardly seen. About three in four of its {} "
-                      "vibrations are such patterns, and swing too slowly: the slow smooth motion and the energy are "
-                      "right, velocities of single points after a blow are not. Without a strength and cracks in "
-                      "any material on covers functions are derived, and have none",
-                      covers.size(), 2 * covers.size())};
+  return {
+      "soft_patterns", place,
+      fmt::format("elastoplastic NMM bodies have soft patterns in dynamics: gradients are averaged over {} covers and "
+                  "hardly see motion that alternates from cover to cover. About three in four of {} vibrations are too "
+                  "slow. Smooth motion and energy are right, velocities of single points after an impact are not",
+                  covers.size(), 2 * covers.size())};
 }
 
 Warnings look_at_covers(const Scene& scene, const Place& place) {
@@ -108,9 +107,8 @@ Warnings look_at_covers(const Scene& scene, const Place& place) {
   if (continuum.functions == CoverFunctions::derived)
     warnings.push_back(
         {"functions_lock", place,
-         "derived functions lock where rock flows without change of volume: loads of flow come out far too high and go "
-         "on rising (a footing of tresca: 64 % above the exact load with five sides under half of it and 1,006 "
-         "unknowns, 51 % on a mesh turned by 10 degrees, 32 % with 2,706); constant ones (the default) do not: 1.4 %"});
+         "derived functions lock if rock flows without change of volume: limit loads are far too high (a tresca "
+         "footing: by 64 % with 1,006 unknowns, 32 % with 2,706). Constant functions, the default, do not (1.4 %)"});
   if (std::ranges::none_of(continuum.materials, softens_by_energy)) return warnings;
   require_sizes(continuum);
   return warnings;
@@ -125,10 +123,11 @@ void look_at_blocks(const Model& model, const Settings& settings) {
     if (element.is_on_covers() || !element.can_move() || !material.is_nonlinear()) continue;
     const bool is_elastic = material.strength && !is_reachable(*material.strength) && !material.crack_closure;
     if (element.basis == &rigid_basis() && !is_elastic)
-      throw InputError(material.place,
-                       fmt::format("expected basis affine of blocks whose material has a {}, found rigid: what does "
-                                   "not strain bears any stress",
-                                   named_law(material)));
+      throw InputError(
+          material.place,
+          fmt::format(
+              "expected basis affine of blocks whose material has a {}, found rigid: a rigid block never yields",
+              named_law(material)));
     if (!softens_by_energy(material)) continue;
     const double size = std::sqrt(keyblock::place(model, start, e, settings).moments.area);
     require_size(material, "blocks with a √area", size, size, 1);
@@ -142,8 +141,7 @@ void require_readable_strengths(const Problem& problem, const Settings& settings
   for (const BlockMaterial& material : problem.analysis->block_materials)
     if (material.is_nonlinear())
       throw InputError(material.place,
-                       fmt::format("expected a {} in a run of profile standard; found one in a run by the rules of the "
-                                   "old programs, where rock stays linear elastic",
+                       fmt::format("expected profile standard for a {}, found legacy, whose rock is linear elastic",
                                    named_law(material)));
 }
 

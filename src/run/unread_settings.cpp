@@ -49,26 +49,28 @@ std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
   return {
       {{"node_merging", "near_pieces"},
        !std::holds_alternative<Drawing>(problem.geometry),
-       "is read where a drawing is cut"},
-      {{"elastic_law"}, is_standard && !has_covers, "is read of bodies on covers, and there are none"},
+       "is read when a drawing is cut"},
+      {{"elastic_law"}, is_standard && !has_covers, "is read for NMM bodies, and there are none"},
       {{"elastic_law"},
        is_standard && !any_element([&](const Element& element) {
          return element.is_on_covers() && !first.model.material_of(element).is_nonlinear();
        }),
-       "is read of rock that stays linear elastic: strain of rock that may yield or whose cracks close is logarithmic"},
+       "is read for linear elastic rock: strain of elastoplastic rock, or of rock whose cracks close, is logarithmic"},
       {{"load_control", "path_step"},
        is_standard && !is_loaded_in_steps(first),
-       "is read by load steps of rock on covers that may yield and that nothing touches"},
+       "is read by load steps of elastoplastic NMM bodies without contact"},
       {{"cover_functions"},
        is_standard && !std::holds_alternative<Cover>(problem.geometry),
-       "is read of cover files; a case file says `functions` of its own"},
+       "is read for cover files; a case file has its own key `functions`"},
       {{"step_control", "step_tolerance", "least_step_share", "mass_damping", "stiffness_damping", "strain_damping",
         "integrator", "velocity_weight", "force_weight", "newmark_beta", "newmark_gamma", "rho_infinity", "restitution",
         "start"},
        is_standard && is_static,
        "is read by steps in time (motion = dynamic)"},
       {{"velocity_carry_over"}, is_standard && is_static && !has_blocks, "is read by steps in time (motion = dynamic)"},
-      {{"basis", "strain_damping", "restitution"}, is_standard && !has_blocks, "is read of blocks, and there are none"},
+      {{"basis", "strain_damping", "restitution"},
+       is_standard && !has_blocks,
+       "is read for blocks, and there are none"},
   };
 }
 

@@ -176,8 +176,8 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
     part = (to - reached) / 2;
     if (part < least)
       return no_equilibrium_beyond(*bodies_, {at, reached, to, speed},
-                                   fmt::format("{} rounds of Newton's method, {} cuts of the step, the last by {}",
-                                               work.rounds, work.cuts, in_words(work.cut_by)));
+                                   fmt::format("{} Newton iterations, {} cuts of the step, the last by {}", work.rounds,
+                                               work.cuts, in_words(work.cut_by)));
   }
   now_ = std::move(at);
   speed_ = std::move(speed);
@@ -212,8 +212,8 @@ std::optional<std::string> LoadStepper::advance_along(Work& work) {
     work.cut_by = rounds.end;
   }
   return fmt::format(
-      "no equilibrium further along the path, which has come to {:.4g} of the loads of this scene, was found "
-      "({} rounds of Newton's method, {} cuts of the step, the last by {})",
+      "no equilibrium was found further along the path, at {:.4g} of the loads of this scene ({} rounds of Newton's "
+      "method, {} cuts of the step, the last by {})",
       share_, work.rounds, work.cuts, in_words(work.cut_by));
 }
 

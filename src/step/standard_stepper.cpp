@@ -65,17 +65,16 @@ std::string loads_in_words(const StandardScene& scene) {
 
 std::string balanced_by(const StandardScene& scene, const std::string& what) {
   const std::string loads = loads_in_words(scene);
-  return loads.empty()
-             ? loads
-             : fmt::format("at t = 0 {} fit {} and the first accelerations; start = sudden begins without them", what,
-                           loads);
+  return loads.empty() ? loads
+                       : fmt::format("at t = 0 {} fit {} and the first accelerations; start=sudden begins without them",
+                                     what, loads);
 }
 
 First settled_first(const StandardScene& scene, Motion motion, const std::string& why) {
   Settled made = settled(scene, std::move(motion));
   return {std::move(made.motion),
           {},
-          {"one whose joints were first held together under the loads, then released",
+          {"that of joints glued under the loads and then released",
            balanced_by(scene,
                        scene.model.bolts.empty() ? "contact forces and strains" : "contact forces, strains and bolts"),
            why, 0, made.unsolved_steps}};
@@ -86,20 +85,20 @@ First resting_first(const StandardScene& scene, Motion motion) {
   StartReport report;
   report.unbalanced = start.unbalanced;
   if (!start.is_found) {
-    report.made = "sudden, for want of an equilibrium";
+    report.made = "sudden, because no equilibrium exists";
     if (start.unbalanced.empty())
       report.unbalanced =
-          "no equilibrium was sought: bodies move, hang together with one that moves, or are held by nothing; they "
-          "start suddenly";
+          "no equilibrium was sought: bodies move, are connected to a moving one, or have no support; they are "
+          "suddenly loaded";
     return {std::move(motion), {}, report};
   }
-  report.made = "at rest";
+  report.made = "static equilibrium";
   if (largest_load(scene, loads_at(scene, start.motion.q, 0)) > 0)
-    report.balanced = fmt::format(
-        "at t = 0 stresses and contact forces balance the loads{}; start = sudden begins without them",
-        start.sudden > 0
-            ? fmt::format(" but of {}, which start suddenly", counted(static_cast<std::size_t>(start.sudden), "body"))
-            : "");
+    report.balanced =
+        fmt::format("at t = 0 stresses and contact forces balance the loads{}; start=sudden begins without them",
+                    start.sudden > 0 ? fmt::format(" except those of {}, suddenly loaded",
+                                                   counted(static_cast<std::size_t>(start.sudden), "body"))
+                                     : "");
   return {std::move(start.motion), {}, report};
 }
 
@@ -122,7 +121,7 @@ First asked_motion(const StandardScene& scene) {
   if (!is_in_time) return {is_jointed ? settled(scene, motion).motion : motion, {}, {}};
   if (is_jointed && touching.size() > kMostExact)
     return settled_first(scene, std::move(motion),
-                         fmt::format("more than {} pairs of blocks touch, some in rings", kMostExact));
+                         fmt::format("more than {} pairs of blocks are in contact, some in rings", kMostExact));
   CompatibleStart start = compatible(scene, motion);
   if (is_jointed && !start.failure.empty()) return settled_first(scene, std::move(motion), start.failure);
   if (is_jointed && start.misfit > kMisfit)

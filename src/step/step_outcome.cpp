@@ -87,10 +87,8 @@ StepFailure failure_of(const StandardScene& scene, const Motion& motion, const S
   const bool of_contact = step.end == RoundsEnd::no_contact_forces || !step.touches.empty();
   const std::string why =
       of_contact ? fmt::format("contact forces do not settle, residual {:.3g} of the largest load", step.residual)
-                 : fmt::format(
-                       "no motion is found that balances the step, in which nothing touches: {}; try a shorter "
-                       "time_step",
-                       in_words(step.end));
+                 : fmt::format("no motion balances the step, in which nothing touches: {}; try a shorter time_step",
+                               in_words(step.end));
   return {fmt::format("step {} (time {}): {}{}{}", state.step + 1, state.time, why,
                       names.empty() ? "" : "; undecided contacts: ",
                       named > kMostNamed ? fmt::format("{} and {} more", names, named - kMostNamed) : names),
@@ -105,7 +103,7 @@ std::string crushed_before(const StandardScene& scene, const State& drawn, const
     const double first = drawn.elements[e].moments.area;
     const std::string share = fmt::format("{:.2g}", before.elements[e].moments.area / first);
     if (law != ElasticLaw::st_venant_kirchhoff)
-      return fmt::format("; a step before it had been compressed to {} of its area", share);
+      return fmt::format("; one step earlier it was compressed to {} of its area", share);
     return fmt::format(
         "; a step before it had been compressed to {} of its area, and the St. Venant-Kirchhoff law softens below a "
         "stretch of {:.2g} (elastic_law = logarithmic does not)",
@@ -123,8 +121,8 @@ std::string too_deep(const StandardScene& scene, const Motion& motion, const Sta
     const double depth = -gap_of(touch, end.vertices) - memory.compression;
     if (!(depth > scene.settings.trust.penetration * size)) continue;
     return fmt::format(
-        "{} and {} lie {:.3g} deep in one another, {:.2g} of the size of the smaller; beyond {:.2g} "
-        "(penetration_limit) nothing that follows can be trusted",
+        "{} and {} overlap by {:.3g}, {:.2g} of the size of the smaller; beyond {:.2g} (penetration_limit) later "
+        "results are unreliable",
         part_name(scene, vertex), part_name(scene, edge), depth, depth / size, scene.settings.trust.penetration);
   }
   return {};

@@ -27,7 +27,7 @@ SparseSolution solve(const SparseSystem& system, const SparseFactor& factor) {
   const Eigen::VectorXd left = system.load() - system.times(solution.x);
   const double norm = system.load().norm();
   solution.residual = !std::isfinite(norm) ? norm : norm > 0 ? left.norm() / norm : left.norm();
-  if (!(solution.residual < kCarried)) throw NotPositiveDefinite("the load moves a body that is not held");
+  if (!(solution.residual < kCarried)) throw NotPositiveDefinite("the load moves a body that is not supported");
   return solution;
 }
 

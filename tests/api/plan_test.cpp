@@ -57,7 +57,7 @@ TEST(Plan, a_case_folder_that_does_not_run_legacy_takes_standard_and_says_why) {
   const formats::Case input = formats::load_case(asked.files);
   const ChosenProfile chosen = profile_for(asked, input.problem);
   EXPECT_EQ(chosen.name, "standard");
-  EXPECT_NE(chosen.why.find("case.json says of legacy: "), std::string::npos) << chosen.why;
+  EXPECT_NE(chosen.why.find("case.json, under legacy: "), std::string::npos) << chosen.why;
   const AskedCase legacy = asked_case({{kCases + "bolt/breaking"}, {}, "legacy", {}});
   EXPECT_THROW(profile_for(legacy, input.problem), UsageError);
 }

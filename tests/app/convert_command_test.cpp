@@ -102,12 +102,12 @@ TEST_F(ConvertCommand, a_profile_that_changes_is_told) {
   const ProgramRun own = convert({"-o", folder_ + "own.json"});
   EXPECT_EQ(own.exit_code, 0);
   EXPECT_TRUE(contains(own.messages,
-                       "where none is asked for, a run takes profile standard for what is written and "
-                       "legacy for what was read: --profile legacy keeps to that [profile_changes]"))
+                       "without --profile, a run takes profile standard for the written files and legacy for those "
+                       "read: --profile legacy keeps to that [profile_changes]"))
       << own.messages;
   const ProgramRun back = run_keyblock({"convert", folder_ + "own.json", "-o", folder_ + "back", "--to", "berkeley"});
   EXPECT_EQ(back.exit_code, 0);
-  EXPECT_TRUE(contains(back.messages, "profile legacy for what is written and standard for what was read"))
+  EXPECT_TRUE(contains(back.messages, "profile legacy for the written files and standard for those read"))
       << back.messages;
   std::string named = read_text(folder_ + "own.json");
   named.insert(named.find('{') + 1, R"("run": {"profile": "legacy"},)");
@@ -121,8 +121,7 @@ TEST_F(ConvertCommand, a_profile_that_changes_is_told) {
 TEST_F(ConvertCommand, rules_of_legacy_that_change_with_the_dialect_are_told) {
   const ProgramRun run = convert({"-o", folder_ + "shi", "--to", "shi", "--json"});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_TRUE(contains(run.messages, "profile legacy has other rules for what is written, by its dialect: "))
-      << run.messages;
+  EXPECT_TRUE(contains(run.messages, "profile legacy has other rules for the written dialect: ")) << run.messages;
   EXPECT_TRUE(contains(run.messages, "quirk.weight_of_first_material = off, before on")) << run.messages;
   const auto json = nlohmann::json::parse(run.output);
   EXPECT_EQ(json["changed_rules"][0]["name"], "dialect_changes");

@@ -215,7 +215,7 @@ TEST(HistoriesCommand, a_line_through_a_body_on_covers_is_refused) {
   };
   const auto through = run_with("line:-1,0.5,2,0.5");
   EXPECT_EQ(through.exit_code, 3) << through.messages;
-  EXPECT_TRUE(contains(through.messages, "found one through a body on covers")) << through.messages;
+  EXPECT_TRUE(contains(through.messages, "found one through an NMM body")) << through.messages;
   const auto between = run_with("line:-1,1,2,1");
   EXPECT_EQ(between.exit_code, 0) << between.messages;
 }
@@ -312,8 +312,9 @@ TEST(HistoriesCommand, contacts_are_written_as_asked) {
   EXPECT_EQ(read_text(folder + "/chosen/joints.csv"), read_text(folder + "/all/joints.csv")) << "sums are of all";
   const auto nothing = run_with("nothing", {"--contacts", "chosen"});
   EXPECT_EQ(nothing.exit_code, 3);
-  EXPECT_TRUE(contains(nothing.messages,
-                       "--contacts chosen: error: expected a history of a block, a contact or a joint beside contacts"))
+  EXPECT_TRUE(
+      contains(nothing.messages,
+               "--contacts chosen: error: expected a history of a block, a contact or a joint for chosen contacts"))
       << nothing.messages;
   const auto wrong = run_with("wrong", {"--contacts", "most"});
   EXPECT_EQ(wrong.exit_code, 2);

@@ -86,7 +86,8 @@ TEST(LayersCommand, wrong_rows_are_one_clear_error) {
   const ProgramRun wrong = run_keyblock({"check", kDocs + "quarry.dxf", "--layers", folder + "/wrong.csv"});
   EXPECT_EQ(wrong.exit_code, 3);
   EXPECT_EQ(std::ranges::count(wrong.messages, '\n'), 1) << wrong.messages;
-  EXPECT_TRUE(contains(wrong.messages, "wrong.csv:3:1: error: expected what layer \"Bedding\" is: boundary, joint N"))
+  EXPECT_TRUE(
+      contains(wrong.messages, "wrong.csv:3:1: error: expected a part for layer \"Bedding\": boundary, joint N"))
       << wrong.messages;
   EXPECT_TRUE(contains(wrong.messages, "did you mean \"joint\"?")) << wrong.messages;
   const ProgramRun other = run_keyblock({"check", kDocs + "quarry.dxf", "--layers", kDocs + "bench.json"});
@@ -95,7 +96,7 @@ TEST(LayersCommand, wrong_rows_are_one_clear_error) {
   write_text(folder + "/case.json", R"({"keyblock": 2, "layers": {"Contour": "outlin"}})");
   const ProgramRun in_case = run_keyblock({"check", kDocs + "quarry.dxf", folder + "/case.json"});
   EXPECT_EQ(in_case.exit_code, 3);
-  EXPECT_TRUE(contains(in_case.messages, "case.json:1:28: error: expected what layer \"Contour\" is"))
+  EXPECT_TRUE(contains(in_case.messages, "case.json:1:28: error: expected a part for layer \"Contour\""))
       << in_case.messages;
 }
 

@@ -46,7 +46,7 @@ TEST(ProfileChoice, files_of_an_old_program_take_legacy_and_it_is_said) {
   EXPECT_TRUE(contains(run.messages, "steps, the first of 0.01, profile legacy\n")) << run.messages;
   EXPECT_FALSE(contains(run.messages, "because")) << run.messages;
   EXPECT_EQ(record_in(out)["profile"], "legacy");
-  EXPECT_EQ(record_in(out)["profile_because"], "the files are those of an old program");
+  EXPECT_EQ(record_in(out)["profile_because"], "input in a format of Shi's or the Berkeley program");
 }
 
 TEST(ProfileChoice, own_case_files_take_standard) {
@@ -109,7 +109,7 @@ TEST(ProfileChoice, legacy_that_breaks_off_names_block_and_limit) {
   EXPECT_TRUE(contains(run.messages, "blocks move too far even at the smallest step: block 2 at ")) << run.messages;
   EXPECT_TRUE(contains(run.messages, "3 times allowed_displacement_ratio")) << run.messages;
   EXPECT_TRUE(contains(run.messages, "drawn with 2, ")) << run.messages;
-  EXPECT_TRUE(contains(run.messages, "the old program repeats such a step without end")) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "Shi's programs repeat such a step without end")) << run.messages;
   EXPECT_FALSE(contains(run.messages, "would have ended here too")) << run.messages;
   EXPECT_TRUE(contains(run.messages, "--profile standard")) << run.messages;
   EXPECT_EQ(record_in(out)["outcome"]["blocks"], nlohmann::json::array({2}));

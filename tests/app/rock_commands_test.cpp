@@ -136,7 +136,7 @@ TEST(RockCommands, element_says_what_check_says_of_a_strength_and_that_plane_str
   const Bench bench("warned", case_with(R"({"cohesion": 20, "friction_deg": 35, "dilation_deg": 0.61})", false));
   const ProgramRun run = bench.element({});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_TRUE(says(run, "dilation_deg 0.61 beside friction_deg 35 would be 35 degrees, were it in radians"))
+  EXPECT_TRUE(says(run, "dilation_deg 0.61 with friction_deg 35 would be 35 degrees, were it in radians"))
       << run.messages;
   EXPECT_TRUE(says(run, "[plane_not_read]")) << run.messages;
   const ProgramRun checked = run_keyblock({"check", bench.folder + "/case.json", "--trial", "0"});

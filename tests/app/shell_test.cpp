@@ -156,7 +156,7 @@ TEST(Shell, bash_completes_commands_options_and_values) {
 TEST(Shell, settings_come_in_groups_those_set_first_ahead) {
   const std::string text = run_keyblock({"run", "--settings"}).output;
   const std::size_t first = text.find("# set first");
-  const std::size_t quirks = text.find("# mistakes of the Berkeley program");
+  const std::size_t quirks = text.find("# rules of the Berkeley program");
   ASSERT_NE(first, std::string::npos) << text;
   ASSERT_NE(quirks, std::string::npos);
   for (const char* name : {"\nmotion ", "\ncontact_penalty ", "\nenforcement ", "\njoint_strength_factor "}) {
@@ -270,7 +270,7 @@ TEST(Shell, check_takes_the_folder_of_a_case) {
   EXPECT_TRUE(contains(one.output, "circle_slope.geo")) << one.output;
   const ProgramRun many = run_keyblock({"check", KEYBLOCK_SOURCE_DIR "/legacy_cases", kCircle + ".geo"});
   EXPECT_EQ(many.exit_code, 2);
-  EXPECT_TRUE(contains(many.messages, "beside others")) << many.messages;
+  EXPECT_TRUE(contains(many.messages, "among others")) << many.messages;
 }
 
 TEST(Shell, check_of_a_folder_without_cases_is_an_error) {
@@ -326,7 +326,7 @@ TEST(Shell, messages_say_what_to_do) {
   const std::string folder = fresh_folder("messages");
   const ProgramRun alone = run_keyblock({"run", kSlide + ".geo", "-o", folder + "/a"});
   EXPECT_EQ(alone.exit_code, 3);
-  EXPECT_TRUE(contains(alone.messages, "expected an analysis beside it")) << alone.messages;
+  EXPECT_TRUE(contains(alone.messages, "expected an analysis for it")) << alone.messages;
   EXPECT_TRUE(contains(alone.messages, "keyblock new block")) << alone.messages;
   write_text(folder + "/none.json", R"({"keyblock": 1, "analysis": {"step_count": 1, "time_step": 1}})");
   const ProgramRun missing = run_keyblock({"check", folder + "/none.json"});

@@ -76,8 +76,7 @@ TEST(Archive, a_value_that_is_missing_or_of_another_kind_is_refused_by_its_name)
     archive.value("time", number);
   };
   EXPECT_EQ(refusal(saved(kScene), ask_for_speed), "f.h5: error: expected a saved value, found none (speed)");
-  EXPECT_EQ(refusal(saved(kScene), ask_for_a_text),
-            "f.h5: error: expected a value of another kind, found what is saved (time)");
+  EXPECT_EQ(refusal(saved(kScene), ask_for_a_text), "f.h5: error: expected a saved value of another kind (time)");
   EXPECT_EQ(refusal(saved(kScene), ask_twice), "f.h5: error: expected more than 1 values, found no more (time)");
 }
 

@@ -156,7 +156,7 @@ TEST(TreatSlivers, left_out_they_are_not_there) {
 }
 
 TEST(TreatSlivers, none_is_left_out_that_carries_something) {
-  const std::string at = "at 2.005, 1.5 in the one at 2.005, 1.5 (area 0.01); slivers = glue keeps it";
+  const std::string at = "at 2.005, 1.5 in the one at 2.005, 1.5 (area 0.01); slivers=glue keeps it";
   const auto with = [](const auto& change) {
     Blocks blocks = row_with_sliver();
     change(blocks);
@@ -165,7 +165,7 @@ TEST(TreatSlivers, none_is_left_out_that_carries_something) {
   const BlockPoint point{{2.005, 1.5}, 2, {"row.blk", 7, 3}};
   EXPECT_EQ(
       with([&](Blocks& blocks) { blocks.fixed_points = {point}; }),
-      "row.blk:7:3: error: expected a fixed point in a block that is no sliver where slivers = leave_out, found it " +
+      "row.blk:7:3: error: expected a fixed point in a block that is no sliver under slivers=leave_out, found it " +
           at);
   EXPECT_NE(with([&](Blocks& blocks) { blocks.loading_points = {point}; }).find("a loading point"), std::string::npos);
   EXPECT_NE(with([&](Blocks& blocks) { blocks.measured_points = {point}; }).find("a measured point"),

@@ -105,7 +105,7 @@ TEST(DdaAnalysis, shi_file_without_curves_is_read_without_geometry) {
 
 TEST(DdaAnalysis, shi_file_with_curves_asks_for_the_geometry) {
   EXPECT_EQ(error_of(shi("0 2\n0 0 0 5 .1 .2")),
-            "f:3:1: error: expected the block or geometry file beside this one, to know whether these time "
+            "f:3:1: error: expected the block or geometry file of this analysis, to know whether these time "
             "rows move a fixed "
             "point or load a loading point; found none");
   EXPECT_EQ(error_of(shi("0 2\n0 0 0 5 .1 .2"), {std::nullopt, 1}), "");
@@ -168,10 +168,9 @@ TEST(DdaAnalysis, a_faulty_curve_of_a_shi_file_is_named_where_it_stands) {
 }
 
 TEST(DdaAnalysis, time_rows_of_another_geometry_are_named_as_such) {
-  EXPECT_EQ(
-      error_of(shi("0 2 0\n0 0 0 5 .1 .2"), {1, 1}),
-      "f:2:1: error: expected time rows of 1 fixed and 1 loading points, as many as the geometry beside this file "
-      "has, found those of 3 points");
+  EXPECT_EQ(error_of(shi("0 2 0\n0 0 0 5 .1 .2"), {1, 1}),
+            "f:2:1: error: expected time rows of 1 fixed and 1 loading points, as many as its geometry has, found "
+            "those of 3 points");
 }
 
 }  // namespace keyblock::formats::dda_analysis_test

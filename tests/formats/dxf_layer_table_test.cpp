@@ -102,11 +102,12 @@ TEST(DxfLayerTable, names_with_commas_stand_in_quotes) {
 }
 
 TEST(DxfLayerTable, wrong_rows_are_one_error_at_their_line) {
-  EXPECT_EQ(error_of_table("a,joint 2\nb,jiont 2\n"),
-            "f:3:1: error: expected what layer \"b\" is: boundary, joint N, material N, bolt N, block N, fixed, load, "
-            "measured, hole or ignored, found \"jiont 2\"; did you mean \"joint\"?");
+  EXPECT_EQ(
+      error_of_table("a,joint 2\nb,jiont 2\n"),
+      "f:3:1: error: expected a part for layer \"b\": boundary, joint N, material N, bolt N, block N, fixed, load, "
+      "measured, hole or ignored, found \"jiont 2\"; did you mean \"joint\"?");
   for (const char* part : {"", "joint 0", "joint -1", "joint 1.5", "joint x", "fixed 2", "joint 1 2", "boundaries"})
-    EXPECT_NE(error_of_table(std::string("a,") + part + "\n").find("f:2:1: error: expected what layer \"a\" is"),
+    EXPECT_NE(error_of_table(std::string("a,") + part + "\n").find("f:2:1: error: expected a part for layer \"a\""),
               std::string::npos)
         << part;
   EXPECT_EQ(error_of_table("a,fixed\n\nA,hole\n"), "f:4:1: error: expected each layer once, found \"A\" again");

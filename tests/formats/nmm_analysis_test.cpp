@@ -75,8 +75,7 @@ TEST(NmmAnalysis, loads_that_change_with_time_are_not_written) {
 }
 
 TEST(NmmAnalysis, geometry_beside_it_decides_between_two_dialects) {
-  EXPECT_NE(error_of(kAmbiguous).find("expected the geometry beside this file, which fits two formats"),
-            std::string::npos);
+  EXPECT_NE(error_of(kAmbiguous).find("expected the geometry of this file, which fits two formats"), std::string::npos);
   EXPECT_EQ(read({"f", kAmbiguous}, {3, 1, GeometryKind::blocks}).content.analysis->dialect, AnalysisDialect::shi);
   EXPECT_EQ(read({"f", kAmbiguous}, {{}, 3, GeometryKind::cover}).content.analysis->dialect, AnalysisDialect::manifold);
 }
@@ -84,7 +83,7 @@ TEST(NmmAnalysis, geometry_beside_it_decides_between_two_dialects) {
 TEST(NmmAnalysis, is_read_beside_its_cover_whichever_is_named_first) {
   EXPECT_EQ(read_beside(keyblock::support::kTwoTrianglesFile, kFile), "nmm-analysis");
   EXPECT_EQ(read_beside(keyblock::support::kTwoTrianglesFile, kHead + kMaterials + "1.5\n0 0 0\n"),
-            "nmm-analysis: expected the loads of 1 loading points, as many as the geometry beside this file has, found "
+            "nmm-analysis: expected the loads of 1 loading points, as many as its geometry has, found "
             "those of 0");
   EXPECT_EQ(read_beside(keyblock::support::kTwoTrianglesFile, kHead + "2 -3\n0.1 0.5"),
             "nmm-analysis: expected the force per unit area in y of block material 1 of 1, found end of file");
@@ -99,7 +98,7 @@ TEST(NmmAnalysis, faults_are_named_at_their_place) {
 
 TEST(NmmAnalysis, loads_of_another_cover_are_named_as_such) {
   EXPECT_EQ(error_of(kFile, {std::nullopt, 3, GeometryKind::cover}),
-            "f:8:1: error: expected the loads of 3 loading points, as many as the geometry beside this file has, found "
+            "f:8:1: error: expected the loads of 3 loading points, as many as its geometry has, found "
             "those of 1");
 }
 

@@ -113,7 +113,7 @@ TEST(YamlCase, faults_are_named_at_line_and_column) {
 
 TEST(YamlCase, what_a_case_file_has_no_use_for_is_refused) {
   EXPECT_EQ(error_of(with("poissons_ratio: 0.25", "poissons_ratio: &nu 0.25")),
-            "f:20:23: error: expected a value, found an anchor: each is written out where it stands");
+            "f:20:23: error: expected a value, found an anchor; write the value out");
   EXPECT_NE(error_of(kYaml + "---\nkeyblock: 2\n").find("expected one document, found another"), std::string::npos);
   std::string deep = "keyblock: 2\nunits: ";
   deep.append(1000, '[');

@@ -166,7 +166,7 @@ TEST(ResultFolder, the_checkpoint_of_another_run_is_refused) {
   stop_after_frame_80(folder + "/a");
   stop_after_frame_80(folder + "/b", "8000");
   fs::copy_file(folder + "/a/checkpoint.h5", folder + "/b/checkpoint.h5", fs::copy_options::overwrite_existing);
-  expect_refused_unchanged(folder + "/b", "found that of a run in " + folder + "/a, which still stands there");
+  expect_refused_unchanged(folder + "/b", "found that of a run in " + folder + "/a, which still exists");
   // Nor where the other folder is gone: its frames are not these.
   fs::remove_all(folder + "/a");
   fs::remove(folder + "/b/frames/00000080.vtu");

@@ -128,7 +128,7 @@ TEST(SavedRun, a_checkpoint_is_read_from_its_file_or_said_to_be_missing) {
   EXPECT_TRUE(contains(complaint<InputError>([&] { read_checkpoint(file); }), file.string()));
   std::filesystem::remove(file);
   write_text(folder + "/run.json", "{}");
-  EXPECT_TRUE(contains(complaint<UsageError>([&] { read_checkpoint(file); }), "is over"));
+  EXPECT_TRUE(contains(complaint<UsageError>([&] { read_checkpoint(file); }), "has finished"));
 }
 
 TEST(SavedRun, files_that_changed_are_refused_by_name) {

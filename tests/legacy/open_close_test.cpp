@@ -72,7 +72,7 @@ TEST(OpenClose, a_step_unfinished_at_the_bound_is_redone_until_the_run_is_given_
   EXPECT_NE(std::get<StepFailure>(made).reason.find("contacts open and close without end: 1 (block "),
             std::string::npos)
       << std::get<StepFailure>(made).reason;
-  EXPECT_NE(std::get<StepFailure>(made).reason.find("the old program repeats such a step without end"),
+  EXPECT_NE(std::get<StepFailure>(made).reason.find("Shi's programs repeat such a step without end"),
             std::string::npos);
   EXPECT_EQ(std::get<StepFailure>(made).contacts, (std::vector<std::size_t>{0, 1}));
 }

@@ -66,7 +66,7 @@ TEST(ReactionPicture, it_says_which_reaction_stands_and_since_when) {
   curve.reaction.push_back(-7);
   const std::string svg = reaction_picture("a title", {curve});
   for (const char* label : {"a title", "displacement 2, reaction y", "displacement [L]",
-                            "displacement 2: the reaction stands at 7 since step 2"})
+                            "displacement 2: the reaction stays at 7 since step 2"})
     EXPECT_TRUE(contains(svg, label)) << label;
 }
 

@@ -49,7 +49,7 @@ std::string fault_of(std::vector<DisplacementPlan> displacements, bool has_secon
 }
 
 bool are_refused(std::vector<DisplacementPlan> displacements, bool has_second_body = false) {
-  return fault_of(std::move(displacements), has_second_body).find("that agree where they meet") != std::string::npos;
+  return fault_of(std::move(displacements), has_second_body).find("that agree at common points") != std::string::npos;
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ TEST(Agreement, edges_that_meet_in_a_point_of_an_edge_with_different_values_are_
   const std::string fault =
       fault_of({held({{1, 0}, {5, 0}}, Held::both, "0", "0"), held({{5, 0}, {5, 2}}, Held::x, "0", "0"),
                 held({{0, 0}, {1, 0}}, Held::both, "0", "-2e-05")});
-  EXPECT_EQ(fault.find("case.json:3:1: error: expected prescribed displacements that agree where they meet, found "
+  EXPECT_EQ(fault.find("case.json:3:1: error: expected prescribed displacements that agree at common points, found "
                        "(0, -2e-05) here and (0, 0) in that of case.json:1:1 at the point (1, 0)"),
             0U)
       << fault;

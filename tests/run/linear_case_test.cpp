@@ -207,7 +207,7 @@ TEST(LinearCase, what_a_load_step_leaves_is_known_by_the_number_of_the_element_i
 TEST(LinearCase, a_body_that_can_move_is_named_with_its_motion) {
   Problem problem = square();
   problem.covers->displacements.pop_back();
-  EXPECT_EQ(fault_of(problem), "load step 1: body 1, about (1, 1), can move along (1, 0): nothing holds it there");
+  EXPECT_EQ(fault_of(problem), "load step 1: body 1, about (1, 1), can move along (1, 0): it has no support");
   problem.covers->displacements.clear();
   EXPECT_NE(fault_of(problem).find("can move"), std::string::npos);
   Problem two = square();
@@ -229,8 +229,8 @@ TEST(LinearCase, a_crack_that_cuts_a_body_through_is_named_with_what_it_cuts_off
   EXPECT_EQ(
       fault_of(problem),
       "load step 1: body 1, about (1, 1.5), can move along (1, 0): a crack or joint from (0, 1) to (2, 1.5) cuts it "
-      "off from the rest of its body, and nothing holds it there; hold this part too, let its faces touch "
-      "(contact = felt), or end the crack inside");
+      "off from its body, and it has no support; support this part too, let its faces touch (contact=felt), or end "
+      "the crack inside");
   problem.covers->cracks.front().along = {{0, 1}, {1.5, 1.375}};
   EXPECT_EQ(fault_of(problem), "");
 }
@@ -241,13 +241,12 @@ TEST(LinearCase, what_cannot_be_is_named) {
   problem.analysis->place = {"f", 9, 1};
   problem.analysis->velocity_carry_over = 1;
   problem.covers->excavations = {{1, {{0, 0}, {1, 0}, {1, 1}}, {"f", 9, 1}}};
-  EXPECT_EQ(fault_of(problem),
-            "f:9:1: error: expected statics where regions are dug out (velocity_carry_over 0), found 1");
+  EXPECT_EQ(fault_of(problem), "f:9:1: error: expected statics for excavations (velocity_carry_over 0), found 1");
   problem.covers->excavations.clear();
   problem.analysis->velocity_carry_over = 0;
   problem.covers->tractions = {{{{5, 5}, {6, 5}}, {}, {}, {}, {"f", 4, 7}}};
   EXPECT_EQ(fault_of(problem),
-            "f:4:7: error: expected a chain on the boundary of bodies on covers, found none of it there: (5, 5), …");
+            "f:4:7: error: expected a chain on the boundary of NMM bodies, found none of it there: (5, 5), …");
   problem.covers->tractions.clear();
   problem.covers->forces = {{{9, 9}, {1, 0}, {"f", 5, 7}}};
   EXPECT_EQ(fault_of(problem), "f:5:7: error: expected a force in a body, found none at (9, 9)");

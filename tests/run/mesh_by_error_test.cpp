@@ -267,12 +267,12 @@ TEST(MeshByError, refuses_loads_that_it_would_not_see) {
   Problem loaded = cracked_plate(0.05);
   loaded.covers->contact = CoverContact::felt;
   std::get<Blocks>(loaded.geometry).loading_points = {{{0.9, 0.9}, 0, {}}};
-  EXPECT_NE(fault_of(loaded).find("expected only loads and supports of `covers` beside an error of the mesh"),
+  EXPECT_NE(fault_of(loaded).find("expected only loads and supports of `covers` for an error of the mesh"),
             std::string::npos)
       << fault_of(loaded);
   Problem staged = cracked_plate(0.05);
   staged.stages.emplace_back().held.push_back({{0.9, 0.9}, {}});
-  EXPECT_NE(fault_of(staged).find("found forces, held points or bolts of a stage"), std::string::npos)
+  EXPECT_NE(fault_of(staged).find("found forces, held_points or bolts of a stage"), std::string::npos)
       << fault_of(staged);
 }
 
@@ -328,13 +328,12 @@ TEST(MeshByError, serves_cases_in_motion_that_are_held) {
 TEST(MeshByError, refuses_bodies_that_contact_alone_would_hold) {
   Problem loose = cracked_plate(0.05);
   loose.covers->springs.clear();
-  EXPECT_NE(
-      fault_of(loose).find("expected bodies that their supports hold without contact beside an error of the mesh"),
-      std::string::npos)
+  EXPECT_NE(fault_of(loose).find("expected bodies that their supports fix without contact, for an error of the mesh"),
+            std::string::npos)
       << fault_of(loose);
   Problem mixed = cracked_plate(0.05);
   mixed.covers->mesh.materials = {{0}};
-  EXPECT_NE(fault_of(mixed).find("expected all bodies on covers beside an error of the mesh"), std::string::npos)
+  EXPECT_NE(fault_of(mixed).find("expected only NMM bodies for an error of the mesh"), std::string::npos)
       << fault_of(mixed);
 }
 

@@ -110,7 +110,7 @@ TEST(SliversRun, rock_that_is_all_on_covers_refuses_them) {
   plan.place = {"case.json", 3, 2};
   problem.covers = plan;
   EXPECT_EQ(refusal_of(problem, "glue"),
-            "case.json:3:2: error: expected slivers = keep where all bodies are on covers, found glue");
+            "case.json:3:2: error: expected slivers=keep if all bodies are NMM bodies, found glue");
   problem.covers->mesh.materials = {{0}};
   EXPECT_EQ(refusal_of(problem, "glue"), "");
 }

@@ -278,7 +278,7 @@ TEST(Stages, what_cannot_be_is_an_error) {
   };
   EXPECT_NE(with([](Stage& s) {
               s.excavations = {{box({-9, -9}, {9, 9}), 0, {}}};
-            }).find("not dug out"),
+            }).find("not excavated"),
             std::string::npos);
   EXPECT_NE(with([](Stage& s) {
               s.block_materials = {{box({0, 0}, {2, 1}), 1, {}}};
@@ -290,7 +290,7 @@ TEST(Stages, what_cannot_be_is_an_error) {
             std::string::npos);
   EXPECT_NE(with([](Stage& s) {
               s.held = {{{50, 50}, {}}};
-            }).find("a held point in a block, found none at (50, 50)"),
+            }).find("a point of held_points in a block, found none at (50, 50)"),
             std::string::npos);
   Problem problem = column(1);
   problem.stages = {stage_of(1)};
@@ -318,7 +318,7 @@ TEST(Stages, what_a_stage_asks_for_and_nothing_answers_to_is_said) {
   EXPECT_EQ(warnings_of([](Stage& s) {
               s.excavations = {{box({50, 50}, {60, 60}), 0, {}}};
             }),
-            "nothing lies within the outline: nothing is dug out\n");
+            "nothing lies within the outline: nothing is excavated\n");
   EXPECT_EQ(warnings_of([](Stage& s) {
               s.cuts = {{{{0.5, 0.5}, {1, 0.6}}, 0, {}}};
             }),

@@ -123,7 +123,7 @@ Pile fallen(double dt, double time) {
 TEST(CornerPile, the_settled_start_leaves_no_block_in_another) {
   const Scene scene = column_scene(2e-3, 1);
   const StandardStepper stepper(scene);
-  ASSERT_NE(stepper.start_report().made.find("held together under the loads, then released"), std::string::npos);
+  ASSERT_NE(stepper.start_report().made.find("glued under the loads and then released"), std::string::npos);
   EXPECT_LT(deepest_at(scene, stepper.state()), (std::sqrt(2.0) - 1) * 1e-3 * kSide / 2);
 }
 

@@ -69,8 +69,8 @@ TEST(Enforcement, springs_that_stop_impacts_decide_for_springs) {
 
 TEST(Enforcement, the_reason_of_the_decision_is_said) {
   EXPECT_EQ(why_enforcement(wall(2, 2), {}), "at most 8 blocks can move");
-  EXPECT_EQ(why_enforcement(wall(1, 20), {}), "no touching blocks stand in a ring");
-  EXPECT_EQ(why_enforcement(wall(5, 4), {}), "touching blocks stand in a ring");
+  EXPECT_EQ(why_enforcement(wall(1, 20), {}), "no blocks in contact form a ring");
+  EXPECT_EQ(why_enforcement(wall(5, 4), {}), "blocks in contact form a ring");
 }
 
 }  // namespace keyblock::enforcement_test

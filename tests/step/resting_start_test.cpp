@@ -162,7 +162,7 @@ TEST(RestingStart, what_slides_starts_suddenly_and_slides_as_coulomb_says) {
   StandardStepper stepper(parted_square(20));
   const std::string& why = stepper.start_report().unbalanced;
   EXPECT_NE(why.find("accelerates"), std::string::npos) << why;
-  EXPECT_EQ(stepper.start_report().made, "sudden, for want of an equilibrium");
+  EXPECT_EQ(stepper.start_report().made, "sudden, because no equilibrium exists");
   const double a = radians(kSlope);
   const Point start = mean_place_above(stepper, 3.9);
   run_to(stepper, 0.2);

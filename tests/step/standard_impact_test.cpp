@@ -406,7 +406,7 @@ TEST(StandardImpact, a_run_ends_where_blocks_lie_too_deep_in_one_another) {
     const auto made = stepper.advance();
     if (const auto* failure = std::get_if<StepFailure>(&made)) reason = failure->reason;
   }
-  EXPECT_NE(reason.find("deep in one another"), std::string::npos) << reason;
+  EXPECT_NE(reason.find(" overlap by "), std::string::npos) << reason;
   EXPECT_NE(reason.find("penetration_limit"), std::string::npos) << reason;
   settings.trust.penetration = 1;
   StandardStepper tolerant(standard_scene_of(blocks, analysis, settings));

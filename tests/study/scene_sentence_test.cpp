@@ -31,11 +31,11 @@ TEST(SceneSentence, pieces_are_elements_that_share_covers) {
   Cover cover = support::two_triangles();
   EXPECT_EQ(
       scene_sentence(cover, analysis()),
-      "static, 5 steps of 0.2; 2 pieces, 1 of them held, of 2 elements on 6 covers; 1 point load of up to 5; E 10, "
+      "static, 5 steps of 0.2; 2 pieces, 1 of them fixed, of 2 elements on 6 covers; 1 point load of up to 5; E 10, "
       "Poisson's ratio 0.24; weight 0.07; friction 20 degrees");
   cover.elements[1].covers = {0, 5, 2};
   cover.fixed_points.clear();
-  EXPECT_NE(scene_sentence(cover, analysis()).find("; 1 piece, not held, of 2 elements on 6 covers; "),
+  EXPECT_NE(scene_sentence(cover, analysis()).find("; 1 piece, not fixed, of 2 elements on 6 covers; "),
             std::string::npos);
 }
 
@@ -52,11 +52,12 @@ TEST(SceneSentence, values_that_differ_are_told_as_a_range) {
   blocks.blocks.resize(3);
   blocks.fixed_points = {{{0, 0}, 2, {}}, {{1, 0}, 2, {}}};
   blocks.loading_points = {{{0, 0}, 0, {}}};
-  EXPECT_EQ(scene_sentence(blocks, many),
-            "dynamic, 5 steps of 0.2; 3 blocks, 1 of them held; no point load; E 10 to 1e+06, Poisson's ratio 0.24; no "
-            "weight, horizontal body force -0.05 to 0; friction 20 to 35 degrees");
+  EXPECT_EQ(
+      scene_sentence(blocks, many),
+      "dynamic, 5 steps of 0.2; 3 blocks, 1 of them fixed; no point load; E 10 to 1e+06, Poisson's ratio 0.24; no "
+      "weight, horizontal body force -0.05 to 0; friction 20 to 35 degrees");
   many.velocity_carry_over = 0.95;
-  EXPECT_TRUE(scene_sentence(blocks, many).starts_with("damped, velocities times 0.95 a step, 5 steps"));
+  EXPECT_TRUE(scene_sentence(blocks, many).starts_with("damped, velocities times 0.95 per step, 5 steps"));
 }
 
 }  // namespace keyblock::study::scene_sentence_test

@@ -246,7 +246,7 @@ void rest(Scene scene, CracksTold& told) {
   LinearStepper stepper(std::move(scene));
   const auto made = stepper.advance();
   if (const auto* failure = std::get_if<StepFailure>(&made)) {
-    told.has_free_piece = failure->reason.find("nothing holds") != std::string::npos;
+    told.has_free_piece = failure->reason.find("it has no support") != std::string::npos;
     if (!told.has_free_piece) told.failed.push_back(failure->reason);
     return;
   }

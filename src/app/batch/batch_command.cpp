@@ -127,7 +127,7 @@ study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan)
   study::Journal journal = journal_in(plan);
   if (!journal.task.empty() && !options.is_resumed && !options.may_overwrite)
     throw UsageError(
-        fmt::format("{} holds a batch; --resume goes on with it, --force begins it again", plan.folder.string()));
+        fmt::format("{} contains a batch; --resume continues it, --force starts it again", plan.folder.string()));
   if (!journal.task.empty() && !options.is_resumed) remove_results(plan.folder, journal);
   if (!options.is_resumed) journal = {};
   if (!journal.task.empty() && journal.task != task)
@@ -225,7 +225,7 @@ ExitCode run_batch(const BatchOptions& options) {
   const BatchPlan plan = plan_of(options);
   listen_for_stops();  // a stopped batch can resume from its journal
   const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options));
-  if (!archive.passed_over.empty()) spdlog::warn("passed over: {}", study::sentence_of(archive.passed_over));
+  if (!archive.passed_over.empty()) spdlog::warn("skipped: {}", study::sentence_of(archive.passed_over));
   study::Journal journal = begun_journal(options, plan);
   do_jobs(options, plan, archive, journal);
   std::error_code is_no_matter;
@@ -235,7 +235,7 @@ ExitCode run_batch(const BatchOptions& options) {
     return journal.find(job.name, archive.files_of(job)) != nullptr;
   });
   if (context().is_stopped() && !is_done) {
-    spdlog::warn("stopped by request; the same command with --resume added goes on");
+    spdlog::warn("stopped by request; the same command with --resume continues");
     return ExitCode::stopped;
   }
   const std::vector<CatalogueRow> rows = rows_of(archive, journal);

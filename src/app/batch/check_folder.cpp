@@ -49,7 +49,7 @@ std::string line_of(const CatalogueRow& row) {
 ExitCode check_folder(const std::string& folder, const std::string& profile, bool as_json) {
   const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const FileTree tree = survey(folder, {}, kLargestMebibytes, threads);
-  if (!tree.passed_over.empty()) spdlog::warn("passed over: {}", study::sentence_of(tree.passed_over));
+  if (!tree.passed_over.empty()) spdlog::warn("skipped: {}", study::sentence_of(tree.passed_over));
   if (tree.jobs.empty()) throw InputError({folder}, "expected files of cases in the folder, found none");
   std::vector<CatalogueRow> rows(tree.jobs.size());
   for_each_in_parallel(rows.size(), threads, [&](std::size_t i) {

@@ -145,8 +145,9 @@ std::string warned_alone(const ProfileAnswer& one, const ProfileAnswer& other) {
 
 std::string of_statics(const ProfileAnswer& one, const ProfileAnswer& other) {
   if (!creeps(one.settings) || !is_static(other.settings)) return {};
-  return fmt::format("the case is static: {} starts each of {} steps from rest, {} computes the equilibrium directly",
-                     one.profile, one.record.outcome.steps, other.profile);
+  return fmt::format(
+      "the case is static: {} starts each of {} steps at zero velocity, {} computes the equilibrium directly",
+      one.profile, one.record.outcome.steps, other.profile);
 }
 
 std::string of_depth(const ProfileAnswer& one, const ProfileAnswer& other) {

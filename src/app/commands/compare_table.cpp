@@ -155,7 +155,7 @@ std::string table_of(const CaseComparison& comparison, Detail detail) {
 std::string table_of(const std::vector<TraceDifference>& traces) {
   if (traces.empty()) return {};
   std::string text = fmt::format(
-      "\ntraces of the Berkeley program (dt, oci, contacts, closed, penalty equal in every step; rest within "
+      "\ntraces of the Berkeley program (dt, oci, contacts, closed, penalty equal in every step; others within "
       "{:.0e})\n",
       study::kTraceTolerance);
   text += fmt::format("  {:42} {:>11} {:>8} {:>9} {:>9} {:>9} {:>9} {:>10}\n", "trace", "steps", "equal?", "polygon",

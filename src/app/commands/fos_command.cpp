@@ -21,7 +21,7 @@ Action configure_fos(CLI::App& options) {
   add_case_options(options, chosen->given, "one case folder, or the files of a case").files->required();
   options
       .add_option("--reduce", chosen->what,
-                  "strength to reduce: joints, rock or both (default: as the case says, else joints)")
+                  "strength to reduce: joints, rock or both (default: that of the case, else joints)")
       ->check(one_word_of({"joints", "rock", "both"}));
   add_reduction_options(options, *chosen);
   options.add_option("-o,--output", chosen->folder, "folder for fos.json, trials.csv, picture.svg and fos.svg")

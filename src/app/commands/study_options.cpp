@@ -73,7 +73,7 @@ study::StudyCase case_asked(const StudyOptions& options) {
   const std::size_t given = chosen.expected.size();
   chosen.expected = study::without_verdicts(std::move(chosen.expected));
   if (given > 0 && chosen.expected.empty())
-    spdlog::info("expected.csv only says whether something happens: errors are against the finest runs");
+    spdlog::info("expected.csv only states whether something happens: errors are against the finest runs");
   return chosen;
 }
 

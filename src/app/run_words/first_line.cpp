@@ -56,7 +56,7 @@ std::string first_line(const std::string& file, const Prepared& prepared, const 
   if (std::string size = size_of_scene(prepared.scene.model, record.units); !size.empty())
     parts.push_back(std::move(size));
   parts.emplace_back(is_statics(settings)                   ? "static"
-                     : starts_each_step_from_rest(settings) ? "static (each step starts from rest)"
+                     : starts_each_step_from_rest(settings) ? "static (each step starts at zero velocity)"
                                                             : "dynamic");
   parts.push_back(steps_in_words(prepared.scene, record.units));
   parts.push_back("profile " + record.profile);

@@ -58,7 +58,9 @@ Json blocks_json(const std::vector<int>& blocks) {
 }
 
 std::string kind_of(const StrengthTrial& trial) {
-  return trial.is_far ? "far away" : study::name_of(trial.verdict);
+  if (trial.is_far) return "far away";
+  if (trial.verdict == study::Verdict::undecided) return "undecided";
+  return trial.verdict == study::Verdict::stands ? "stable" : "unstable";
 }
 
 Json trial_json(const StrengthTrial& trial) {
@@ -134,23 +136,23 @@ std::string sentence_of(const FactorOfSafety& found) {
   const char* kind = found.is_lower_estimate && !is_high_by_mesh ? " (a lower estimate)" : "";
   switch (found.end) {
     case SearchEnd::bracketed:
-      return fmt::format("factor of safety{} {:.4g}: stands at {:.6g}, falls at {:.6g}", kind, at.middle(), *at.stands,
-                         *at.falls);
+      return fmt::format("factor of safety{} {:.4g}: stable at {:.6g}, unstable at {:.6g}", kind, at.middle(),
+                         *at.stands, *at.falls);
     case SearchEnd::falls:
-      return fmt::format("no bracket: it falls at {:.6g}, the least factor tried; --from {:.3g} begins lower",
+      return fmt::format("no bracket: unstable at {:.6g}, the least factor tried; --from {:.3g} begins lower",
                          *at.falls, *at.falls / kLower);
     case SearchEnd::stands:
-      return fmt::format("no bracket: it stands at {:.6g}, the largest factor tried; --to {:.3g} goes on", *at.stands,
+      return fmt::format("no bracket: stable at {:.6g}, the largest factor tried; --to {:.3g} goes further", *at.stands,
                          *at.stands * kLower);
     case SearchEnd::undecided:
     case SearchEnd::stopped:
       break;
   }
   const std::string known = at.stands && at.falls
-                                ? fmt::format("stands at {:.6g}, falls at {:.6g}", *at.stands, *at.falls)
-                            : at.stands ? fmt::format("stands at {:.6g}, no factor is known to fall", *at.stands)
-                            : at.falls  ? fmt::format("falls at {:.6g}, no factor is known to stand", *at.falls)
-                                        : std::string("no factor is known to stand or to fall");
+                                ? fmt::format("stable at {:.6g}, unstable at {:.6g}", *at.stands, *at.falls)
+                            : at.stands ? fmt::format("stable at {:.6g}, no unstable factor is known", *at.stands)
+                            : at.falls  ? fmt::format("unstable at {:.6g}, no stable factor is known", *at.falls)
+                                        : std::string("no stable or unstable factor is known");
   return fmt::format("{}: {}", found.end == SearchEnd::stopped ? "stopped" : "no factor of safety", known);
 }
 
@@ -197,17 +199,17 @@ report::StrengthPicture picture_of(const ReducedCase& chosen, const Model& model
   report::StrengthPicture picture;
   picture.title = fmt::format("{}: {}", chosen.name, sentence_of(found));
   picture.falling_words =
-      found.bracket.falls ? fmt::format("falls at F = {:.6g}", *found.bracket.falls) : "nothing falls";
+      found.bracket.falls ? fmt::format("unstable at F = {:.6g}", *found.bracket.falls) : "no unstable factor";
   picture.falling = found.falling;
   picture.units = chosen.input.problem.units;
   picture.bolts = bolts_of(model, found);
   if (found.standing) {
     picture.standing = found.standing->field;
     picture.plastic_strains = found.standing->plastic_strains;
-    picture.standing_words = fmt::format("stands at F = {:.6g}", *found.bracket.stands);
+    picture.standing_words = fmt::format("stable at F = {:.6g}", *found.bracket.stands);
     picture.before = found.before_fall.value_or(found.standing->field);
   } else {
-    picture.standing_words = "as drawn; it stands at no factor that was tried";
+    picture.standing_words = "as drawn; it is stable at no factor that was tried";
     if (found.falling) picture.standing = picture.before = as_drawn(*found.falling);
   }
   return picture;
@@ -247,7 +249,7 @@ void require_options(const ReducedCase& chosen, const ReductionOptions& options)
   if (from && to && !(*to > *from))
     throw UsageError(fmt::format("--to: expected more than --from {}, found {}", *from, *to));
   if (!from && to && !(*to > 1))
-    throw UsageError(fmt::format("--to: expected more than 1, where no --from is given, found {}", *to));
+    throw UsageError(fmt::format("--to: expected more than 1 without --from, found {}", *to));
   if (options.folder.empty()) return;
   if (std::filesystem::exists(options.folder) && !std::filesystem::is_directory(options.folder))
     throw UsageError(fmt::format("{}: expected a folder, found a file", options.folder));
@@ -321,8 +323,8 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
       options
           .add_option(
               "--trial-limit", chosen.trial_limit,
-              "linear solves after which a trial is undecided and the search ends with the bracket so far; 0: no "
-              "limit (default: 100,000, or 10 times the longest trial before if that is more)")
+              "linear solves per trial (default: 100,000, or 10 times the longest trial before if that is more); 0: no "
+              "limit. A longer trial is undecided, and the search ends with the bracket so far")
           ->type_name("SYSTEMS")
           ->check(count_of_systems()),
       options

@@ -35,7 +35,7 @@ class OpenFile {
 
   std::size_t size() const { return size_; }
 
-  /// The bytes from `first` to `last` to their place in `room`; false where the file breaks off.
+  /// Reads the bytes from `first` to `last` to their place in `room`; returns false if the file ends too early.
   bool read(char* room, std::size_t first, std::size_t last) const {
     while (first < last) {
       const ssize_t count = pread(descriptor_, room + first, last - first, static_cast<off_t>(first));
@@ -74,7 +74,7 @@ std::string bytes_of(const OpenFile& file, const std::string& path, std::size_t 
       if (!file.read(room, size * i / parts, size * (i + 1) / parts)) is_whole = false;
     });
   });
-  if (!is_whole) throw InputError({path}, "expected a readable file, found one that breaks off");
+  if (!is_whole) throw InputError({path}, "expected a readable file, found one that ends too early");
   return text;
 }
 

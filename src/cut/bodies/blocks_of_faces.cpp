@@ -34,10 +34,10 @@ void BlocksOfFaces::add(const Face& face, int number_of_face) {
     BlockLoop loop = loop_of(hole, lines_of_hole);
     if (loop.size() < 3) continue;
     lines.insert(lines.end(), lines_of_hole.begin(), lines_of_hole.end());
-    notes_.warn("block_inside_block", notes_.place(hole.front().line),
-                fmt::format("a closed loop lies inside block {}: it is cut out there (the old programs count its "
-                            "area twice)",
-                            result_.blocks.blocks.size() + 1));
+    notes_.warn(
+        "block_inside_block", notes_.place(hole.front().line),
+        fmt::format("a closed loop lies inside block {}: it is cut out there (Shi's programs count its area twice)",
+                    result_.blocks.blocks.size() + 1));
     block.holes.push_back(std::move(loop));
   }
   result_.blocks.blocks.push_back(std::move(block));

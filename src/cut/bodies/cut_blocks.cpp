@@ -186,7 +186,7 @@ class Cutting {
                               tolerances().near_pass));
     }
     result_.report.deleted = static_cast<int>(planar.deleted.size());
-    notes_.of_removed("near_pieces_deleted", "pass a node too near, or cross another, as the old programs see it,",
+    notes_.of_removed("near_pieces_deleted", "pass a node too near, or cross another, by the rule of Shi's programs,",
                       planar.deleted);
     if (planar.detours.empty() && planar.crossings == 0 && planar.deleted.empty()) {
       arrangement_ = std::move(planar.arrangement);

@@ -111,8 +111,7 @@ void CutNotes::of_merging(const std::vector<Crossing>& found, const NodeTable& t
   result_.report.placed_otherwise = table.placed_otherwise;
   if (table.placed_otherwise > 0) {
     warn("nodes_placed_otherwise", drawing_.place,
-         fmt::format("{} merged where the drawing decides, not at the crossing that the old programs would have found "
-                     "first",
+         fmt::format("{} merged at a place set by the geometry, not at the first crossing that Shi's programs find",
                      counted(static_cast<std::size_t>(table.placed_otherwise), "node")));
   }
   if (!table.undecided_nodes.empty()) {

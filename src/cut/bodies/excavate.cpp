@@ -72,7 +72,7 @@ BodyGraph excavated(const Drawing& drawing, const std::vector<Region>& regions, 
   BodyGraph rest;
   rest.nodes = std::move(bodies.graph.nodes);
   const std::vector<int> numbers = numbers_of_rest(bodies.blocks.blocks.blocks, regions, blocks, rest.materials);
-  if (rest.materials.empty()) throw InputError(drawing.place, "expected a body that is not dug out, found none");
+  if (rest.materials.empty()) throw InputError(drawing.place, "expected a body that is not excavated, found none");
   const auto renumbered = [&](int body) { return body < 0 ? -1 : numbers[static_cast<std::size_t>(body)]; };
   for (BodyPiece piece : bodies.graph.pieces) {
     piece.left = renumbered(piece.left);

@@ -97,8 +97,8 @@ class Placer {
     if (line.segment.start == line.segment.end || blocks_.fixed_points.size() == before) return;
     warnings_.push_back(
         {"fixed_line_in_one_block", line.place,
-         fmt::format("the fixed line from ({}, {}) to ({}, {}) crosses no edge: it fixes its first "
-                     "point alone, about which the block can turn",
+         fmt::format("the fixed line from ({}, {}) to ({}, {}) crosses no edge: it fixes only its first point, about "
+                     "which the block can rotate",
                      line.segment.start.x, line.segment.start.y, line.segment.end.x, line.segment.end.y)});
   }
 

@@ -103,7 +103,7 @@ class Treatment {
       area_left_ -= piece.form.area;
       if (--left_ == 0)
         throw InputError(cut_.blocks.place,
-                         fmt::format("expected a block that is no sliver where slivers = leave_out, found all {} {}",
+                         fmt::format("expected a block that is no sliver under slivers=leave_out, found all {} {}",
                                      pieces_.size(), slivers_in_words()));
     }
     tell("slivers_left_out", "left out (slivers = leave_out)", 0);
@@ -220,11 +220,10 @@ class Treatment {
   void require_nothing_on(std::size_t sliver) const {
     const Blocks& blocks = cut_.blocks;
     const auto refuse = [&](const char* what, Point at, const Place& place) {
-      throw InputError(
-          place.line > 0 ? place : blocks.place,
-          fmt::format("expected {} in a block that is no sliver where slivers = leave_out, found it at {}, "
-                      "{} in the one at {}; slivers = glue keeps it",
-                      what, plain(at.x), plain(at.y), place_and_area(pieces_[sliver].form)));
+      throw InputError(place.line > 0 ? place : blocks.place,
+                       fmt::format("expected {} in a block that is no sliver under slivers=leave_out, found it at {}, "
+                                   "{} in the one at {}; slivers=glue keeps it",
+                                   what, plain(at.x), plain(at.y), place_and_area(pieces_[sliver].form)));
     };
     const auto look = [&](const std::vector<BlockPoint>& points, const char* what) {
       for (const BlockPoint& point : points)

@@ -40,7 +40,7 @@ TriangleMesh regular(const MeshPlan& plan, const Box& box) {
   const int rows = std::max(plan.half_rows, 1);
   if (plan.half_rows <= 0 && !(plan.side > 0))
     throw std::invalid_argument(
-        "expected a mesh with one of half_rows and side beside a drawing or blocks, found none");
+        "expected half_rows or side of the mesh, which a drawing or blocks need, found neither");
   RegularMesh mesh = is_aligned ? aligned_mesh(box, rows, plan.shape) : centred_mesh(box, rows, plan.shape);
   if (plan.half_rows == 0) {
     const double high = mesh.dy / mesh.dx;

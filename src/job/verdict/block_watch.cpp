@@ -242,15 +242,14 @@ Warnings BlockWatch::doubts(const Settings& settings, bool keeps_energy, const P
   if (turned_.angle > kTurned)
     found.push_back(
         {"turned_in_a_step", place,
-         fmt::format("contacts turned block {} near ({}, {}) by {:.3g} degrees in step {}: beyond {:.2g} the "
-                     "step does not resolve what it met; a smaller time_step does",
+         fmt::format("contacts turned block {} near ({}, {}) by {:.3g} degrees in step {}; beyond {:.2g} the step does "
+                     "not resolve the impact or overlap",
                      turned_.number + 1, plain(turned_.at.x), plain(turned_.at.y),
                      turned_.angle * 180 / std::numbers::pi, turned_.step, kTurned * 180 / std::numbers::pi)});
   if (last_.share > kHangs && last_.fall > kFall)
     found.push_back({"tension_without_strength", place,
                      fmt::format("block {} near ({}, {}) hangs on block {}: contacts without tensile strength carry "
-                                 "{:.2g} of its weight as tension in {} of {} frames, as the rules of the old program "
-                                 "let them; --profile standard does not",
+                                 "{:.2g} of its weight as tension in {} of {} frames, which Shi's rules permit",
                                  last_.number + 1, plain(last_.at.x), plain(last_.at.y), last_.other + 1, last_.share,
                                  hung_[static_cast<std::size_t>(last_.number)], frames_)});
   return found;

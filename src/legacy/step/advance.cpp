@@ -28,7 +28,7 @@ constexpr double kUnsettledCut = 0.3;    // automatic step: cut after passes wit
 constexpr double kSmallestShare = 0.01;  // smallest fraction of the given step after a cut
 
 // In the published source only acceptance leaves the loop around a step.
-constexpr const char* kRepeatedWithoutEnd = "the old program repeats such a step without end";
+constexpr const char* kRepeatedWithoutEnd = "Shi's programs repeat such a step without end";
 
 // The Berkeley program updates its contact count only for contacts that were not exchanged. A step that finds none of
 // these keeps the last list, as open contacts (legacy-rules 3, stale list).
@@ -210,7 +210,7 @@ class Attempts {
   }
   // Reports Shi's limit on the displacement of a step, with the block that exceeds it.
   StepFailure moved_too_far(const std::string& when) const {
-    StepFailure told{failure(fmt::format("blocks move too far {}: {} by {}, where a step may move {} ({:g} times "
+    StepFailure told{failure(fmt::format("blocks move too far {}: {} by {}; a step may move {} ({:g} times "
                                          "allowed_displacement_ratio times half the size of the scene){}; {}",
                                          when, in_words(farthest_), plain(ratio_ * allowed(), 3),
                                          plain(kGreatestRatio * allowed(), 3), kGreatestRatio,
@@ -226,15 +226,14 @@ class Attempts {
     const double last = stepping_.history.displacement_ratio;
     if (!settings_.quirks.velocity_from_coming_step || start_.step == 0 || 2 * last <= kGreatestRatio) return {};
     return fmt::format(
-        "; the step before moved {:.3g} times allowed_displacement_ratio, and where velocities are taken over the "
-        "coming "
-        "step what flies freely goes twice as far in the next one, however short it is",
+        "; the step before moved {:.3g} times allowed_displacement_ratio, and velocities from the next step size let "
+        "free blocks move twice as far in it, however short it is",
         last);
   }
 
   StepFailure gone_wrong(ElementIndex bad) const {
     StepFailure told{failure(fmt::format("block {} is turned inside out or no longer finite; before the step it was "
-                                         "{}; the old program has no such test, and goes on",
+                                         "{}; Shi's programs have no such test, and continue",
                                          bad.value + 1, in_words(bad))),
                      {},
                      FailureKind::inside_out};

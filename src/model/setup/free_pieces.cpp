@@ -154,12 +154,12 @@ std::string to_string(const FreePiece& piece) {
   if (turns) how += shifts ? ", turning" : "turn";
   const std::string can =
       fmt::format("body {}, about ({:.6g}, {:.6g}), can {}", piece.body + 1, piece.middle.x, piece.middle.y, how);
-  if (!piece.cut) return can + ": nothing holds it there";
+  if (!piece.cut) return can + ": it has no support";
   const double rounding = kRounding * (length(piece.cut->start) + length(piece.cut->end));
   const auto place = [&](double value) { return std::abs(value) < rounding ? 0.0 : value; };
   return fmt::format(
-      "{}: a crack or joint from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) cuts it off from the rest of its body, and "
-      "nothing holds it there; hold this part too, let its faces touch (contact = felt), or end the crack inside",
+      "{}: a crack or joint from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) cuts it off from its body, and it has no "
+      "support; support this part too, let its faces touch (contact=felt), or end the crack inside",
       can, place(piece.cut->start.x), place(piece.cut->start.y), place(piece.cut->end.x), place(piece.cut->end.y));
 }
 

@@ -101,7 +101,7 @@ Reason inertia(const Model& model, const Settings& settings) {
   const bool differs = std::ranges::any_of(moving_materials(model), [&](int material) {
     return settings.velocity_carry_over.of(material) != settings.velocity_carry_over.common;
   });
-  return differs ? "velocity is carried from step to step, by the share of each material"
+  return differs ? "velocity is carried from step to step, with a share per material"
                  : "dynamic: velocity is carried from step to step";
 }
 
@@ -135,7 +135,7 @@ Reason plastic(const Model& model, const Settings& settings) {
   };
   const char* closing = "has cracks that close";
   if (yields == 0) return rock_of(cracked, closing);
-  return rock_of(yields, "may yield") + (cracked > 0 ? ", " + rock_of(cracked, closing) : "");
+  return rock_of(yields, "is elastoplastic") + (cracked > 0 ? ", " + rock_of(cracked, closing) : "");
 }
 
 Reason initial_stress(const Model& model, const Settings& settings) {
@@ -203,7 +203,7 @@ Reason bolt(const Model& model, const Settings&) {
 
 std::string enforcements(const Model& model, const Settings& settings) {
   constexpr std::array<const char*, 4> kWords{"multipliers", "springs of the contact stiffness",
-                                              "springs of the contact stiffness until nothing overlaps",
+                                              "springs of the contact stiffness until no overlap is left",
                                               "multipliers or springs"};
   std::string words;
   for (Enforcement enforcement :
@@ -216,9 +216,10 @@ std::string enforcements(const Model& model, const Settings& settings) {
 
 Reason contact(const Model& model, const Settings& settings) {
   if (!is_standard(settings))
-    return model.elements.size() > 1 ? Reason(fmt::format("{} blocks may touch", model.elements.size())) : std::nullopt;
+    return model.elements.size() > 1 ? Reason(fmt::format("{} blocks may be in contact", model.elements.size()))
+                                     : std::nullopt;
   if (!can_touch(model)) return std::nullopt;
-  return fmt::format("{} blocks may touch, forces by {}", model.elements.size(), enforcements(model, settings));
+  return fmt::format("{} blocks may be in contact, forces by {}", model.elements.size(), enforcements(model, settings));
 }
 
 Reason friction(const Model& model, const Settings& settings) {
@@ -252,18 +253,18 @@ Reason impact(const Model& model, const Settings& settings) {
   if (!model.continuum) return fmt::format("blocks that meet fast jump apart, restitution {}", range);
   const bool has_blocks = std::ranges::any_of(
       model.elements, [](const Element& element) { return element.can_move() && !element.is_on_covers(); });
-  if (!has_blocks) return "bodies on covers rebound by their own elasticity";
-  return fmt::format(
-      "blocks that meet fast jump apart, restitution {}; bodies on covers rebound by their own elasticity", range);
+  if (!has_blocks) return "NMM bodies rebound by their own elasticity";
+  return fmt::format("blocks that meet fast jump apart, restitution {}; NMM bodies rebound by their own elasticity",
+                     range);
 }
 
 Reason start(const Model& model, const Settings& settings) {
   if (!is_standard(settings) || !is_in_time(settings)) return std::nullopt;
-  if (settings.standard.start == StartRule::sudden) return "sudden: loads meet unstressed blocks";
+  if (settings.standard.start == StartRule::sudden) return "sudden: unstressed blocks are suddenly loaded";
   if (model.continuum && settings.standard.start == StartRule::automatic)
-    return "sudden: loads meet unstressed bodies on covers (start = compatible finds those at rest that something "
-           "bears)";
-  if (model.continuum) return "compatible: what something bears is at rest under the loads of t = 0";
+    return "sudden: unstressed NMM bodies are suddenly loaded (start=compatible computes the static equilibrium of "
+           "supported ones)";
+  if (model.continuum) return "compatible: supported bodies are in static equilibrium under the loads of t = 0";
   if (initial_stress(model, settings)) return "by the stress of the file";
   return "compatible: contact forces and strains fit the first accelerations";
 }
@@ -315,7 +316,7 @@ std::string bases(const Model& model, const Settings& settings) {
     words += fmt::format("{}{} functions, {} unknowns on {} physical covers, for {}", words.empty() ? "" : "; ",
                          name_of(model.continuum->functions), unknowns_on_covers(model),
                          model.continuum->manifold.covers.size(), counted(covered, "element"));
-  add(count - affine - rigid - covered, "fixed, none,", "held block");
+  add(count - affine - rigid - covered, "fixed, none,", "block");
   return words;
 }
 
@@ -355,7 +356,7 @@ Requirements linear_requirements(const Model& model, const Settings& settings) {
   const bool faces = model.continuum->faces_touch;
   needs.terms.push_back(
       {TermKind::statics,
-       yields ? fmt::format("load steps of {}, each from the one before: nothing touches", whose)
+       yields ? fmt::format("load steps of {}, each from the one before, without contact", whose)
               : fmt::format("load steps are linear static solutions of {}: {} touch{}, displacements are small", whose,
                             faces ? "only faces of cracks" : "nothing", faces ? "" : "es")});
   for (const auto& [term, name, reason_for] : kRows)

@@ -170,8 +170,8 @@ Warnings join_ends(Drawing& drawing, double distance) {
   Joiner joiner(std::move(lines), drawing.boundary_count, distance);
   joiner.join();
   for (std::size_t i = 0; i < drawing.joints.size(); ++i) drawing.joints[i].segment = joiner.lines()[i];
-  return joined(told(drawing, "ends_joined", joiner.joined(), "end of a line is joined to the line beside it",
-                     "ends of lines are joined to the lines beside them"),
+  return joined(told(drawing, "ends_joined", joiner.joined(), "end of a line is joined to a near line",
+                     "ends of lines are joined to near lines"),
                 told(drawing, "ends_trimmed", joiner.trimmed(), "end that passes a line is cut off at it",
                      "ends that pass a line are cut off at it"));
 }

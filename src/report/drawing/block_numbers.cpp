@@ -1,5 +1,5 @@
-// A text is a rectangle. On a plane stretched so that it is a square, it lies inside a block where its middle does, and
-// is no larger than twice the distance to the nearest edge, the greater of those along both axes.
+// Places numbers in blocks. A text is a rectangle, a square on a stretched plane. It lies inside a block if its middle
+// does, and if it is no larger than twice the distance to the nearest edge, the greater of those along both axes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/block_numbers.hpp"
 

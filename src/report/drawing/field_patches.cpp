@@ -65,7 +65,7 @@ double value_at(std::vector<std::pair<double, double>>& values, double share, Le
   }
 }
 
-/// The values that all patches lie between but for those of an extreme share of the area at either end.
+/// Returns the ends of the values of all patches, except those of an extreme share of the area at either end.
 std::pair<double, double> ends_by_area(const std::vector<Patch>& patches) {
   std::vector<std::pair<double, double>> values;  // with areas
   double whole = 0;

@@ -233,14 +233,14 @@ std::vector<LegendEntry> chart_legend(const std::vector<StrengthPoint>& points, 
   const auto has = [&](Kind kind) { return std::ranges::count(points, kind, &StrengthPoint::kind) > 0; };
   using Sign = LegendEntry::Sign;
   std::vector<LegendEntry> legend;
-  if (has(Kind::stands)) legend.push_back({.sign = Sign::dots, .colour = kStandsColour, .words = "stands"});
+  if (has(Kind::stands)) legend.push_back({.sign = Sign::dots, .colour = kStandsColour, .words = "stable"});
   if (has(Kind::falls))
-    legend.push_back({.sign = Sign::line, .colour = kFallsColour, .words = "× falls (no displacement)"});
+    legend.push_back({.sign = Sign::line, .colour = kFallsColour, .words = "× unstable (no displacement)"});
   if (has(Kind::undecided)) legend.push_back({.sign = Sign::line, .colour = kUndecidedColour, .words = "× undecided"});
   if (chart.stands && chart.falls)
     legend.push_back({.sign = Sign::area,
                       .colour = kBracketColour,
-                      .words = fmt::format("stands up to {:.4g}, falls from {:.4g}", *chart.stands, *chart.falls)});
+                      .words = fmt::format("stable up to {:.4g}, unstable from {:.4g}", *chart.stands, *chart.falls)});
   if (chart.service)
     legend.push_back({.sign = Sign::dashed_line,
                       .colour = kServiceColour,

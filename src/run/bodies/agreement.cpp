@@ -110,9 +110,9 @@ class Agreement {
     };
     throw InputError(
         later.place,
-        fmt::format("expected prescribed displacements that agree where they meet, found {} here and {} "
-                    "in that of {} at the point ({:.6g}, {:.6g}), of the components that both hold; end "
-                    "one of the chains before that point, or give both the same value there",
+        fmt::format("expected prescribed displacements that agree at common points, found {} here and {} in that of {} "
+                    "at the point ({:.6g}, {:.6g}), in components that both prescribe; end one chain before that "
+                    "point, or give both the same value there",
                     text(is_a_later ? u_a : u_b), text(is_a_later ? u_b : u_a), to_string(other.place), x.x, x.y));
   }
 

@@ -111,7 +111,7 @@ bool is_on_outline(const BodyGraph& body, Point p, double near) {
 Warnings joints_removed(std::size_t pieces, const Place& place) {
   if (pieces == 0) return {};
   return {{"dangling_lines_removed", place,
-           fmt::format("{} of joints that end inside blocks {} removed; in blocks on covers they are kept as cracks",
+           fmt::format("{} of joints that end inside blocks {} removed; in NMM bodies they are kept as cracks",
                        counted(pieces, "piece"), pieces == 1 ? "is" : "are")}};
 }
 

@@ -155,9 +155,10 @@ Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>
   const auto look = [&](const BoundaryPart& part, const Place& place) {
     const OffBoundary found = off_boundary(part, edges, near);
     if (found.off == found.whole)
-      throw InputError(place, fmt::format("expected a chain on the boundary of bodies on covers, found none of it "
-                                          "there: ({:.9g}, {:.9g}), …",
-                                          part.front().x, part.front().y));
+      throw InputError(
+          place,
+          fmt::format("expected a chain on the boundary of NMM bodies, found none of it there: ({:.9g}, {:.9g}), …",
+                      part.front().x, part.front().y));
     if (found.off > kLittleOff * found.whole)
       warnings.push_back({"chain_off_boundary", place,
                           fmt::format("{:.6g} of the {:.6g} of this chain lies off the boundary of the bodies, first "

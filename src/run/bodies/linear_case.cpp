@@ -57,17 +57,15 @@ Warnings without_effect(const Problem& problem) {
   const Place& place = problem.covers->place;
   if (has_bolts(problem))
     warnings.push_back(
-        {"bolts_without_effect", place, "bolts have no effect where contact is ignored or regions are dug out"});
+        {"bolts_without_effect", place, "bolts have no effect if contact is ignored or regions are excavated"});
   if (has_fixed_or_loading_points(problem))
     warnings.push_back({"points_without_effect", place,
-                        "fixed and loading points have no effect where contact is ignored or regions are dug out: name "
-                        "displacements and forces of `covers` instead"});
+                        "fixed and loading points have no effect if contact is ignored or regions are excavated"});
   // A user who sets contact to ignored needs no warning.
   if (problem.covers->contact == CoverContact::felt && bodies_touch(problem))
-    warnings.push_back(
-        {"contact_without_effect", place,
-         "bodies and the two sides of a joint do not feel each other where regions are dug out by "
-         "`excavations`; `contact`: \"ignored\" says that this is meant, `stages` dig out with contact"});
+    warnings.push_back({"contact_without_effect", place,
+                        "bodies and the two sides of a joint pass through each other, because `excavations` are solved "
+                        "without contact"});
   return warnings;
 }
 
@@ -77,10 +75,10 @@ bool is_untouched(const Problem& problem, const Settings& settings) {
   if (!problem.covers || !problem.stages.empty()) return false;
   if (!problem.covers->excavations.empty()) {
     if (settings.dynamics != Dynamics::standard)
-      throw InputError(problem.covers->place, "expected profile standard for bodies on covers, found legacy");
+      throw InputError(problem.covers->place, "expected profile standard for NMM bodies, found legacy");
     if (!is_statics(settings))
       throw InputError(problem.covers->excavations.front().place,
-                       fmt::format("expected statics where regions are dug out (velocity_carry_over 0), found {}",
+                       fmt::format("expected statics for excavations (velocity_carry_over 0), found {}",
                                    problem.analysis->velocity_carry_over));
     return true;
   }
@@ -101,16 +99,16 @@ void require_linear_tips(const Problem& problem, const Settings& settings) {
   const auto refuse = [&](const std::string& found) {
     const Place& mesh = problem.covers->mesh.place;
     throw InputError(mesh.line > 0 ? mesh : problem.covers->place,
-                     "expected linear statics of elastic rock beside tip_functions (velocity_carry_over 0, contact "
+                     "expected linear statics of elastic rock for tip_functions (velocity_carry_over 0, contact "
                      "ignored or only of the faces of cracks of one body, functions derived or linear), found " +
                          found);
   };
-  if (!is_statics(settings)) refuse("motion in time");
-  if (problem.covers->growth) refuse("growth of cracks");
+  if (!is_statics(settings)) refuse("dynamics");
+  if (problem.covers->growth) refuse("crack growth");
   if (!problem.stages.empty()) refuse("stages");
-  if (!problem.covers->mesh.materials.empty()) refuse("blocks beside the bodies on covers");
+  if (!problem.covers->mesh.materials.empty()) refuse("blocks among the NMM bodies");
   if (!is_untouched(problem, settings))
-    refuse("contact that is felt by several bodies, or beside fixed or loading points or bolts");
+    refuse("contact of several bodies, or contact with fixed points, loading points or bolts");
   const auto holds = [](const JointMaterial& joint) { return joint.cohesion != 0 || joint.tensile_strength != 0; };
   if (faces_touch(problem) && std::ranges::any_of(problem.analysis->joint_materials, holds))
     refuse("cohesion or tensile strength of joints whose faces touch");

@@ -15,7 +15,7 @@
 namespace keyblock {
 namespace {
 
-constexpr const char* kNoBodies = "expected a drawing, blocks or a cover file beside covers, found neither";
+constexpr const char* kNoBodies = "expected a drawing, blocks or a cover file for covers, found none";
 
 /// Merges all bodies into one graph, only to lay the mesh over them: pieces may overlap.
 BodyGraph together(const std::vector<BodyGraph>& graphs) {
@@ -34,10 +34,9 @@ BodyGraph together(const std::vector<BodyGraph>& graphs) {
 
 void require_no_mesh(const MeshPlan& mesh, const Place& covers) {
   if (mesh.half_rows > 0 || mesh.side > 0 || mesh.kind != MeshKind::regular || !mesh.materials.empty())
-    throw InputError(
-        mesh.place.line > 0 ? mesh.place : covers,
-        "expected only tip_side, refined, error, tip_functions and snap_ratio of a mesh beside a cover file, which "
-        "has one, found a mesh of its own");
+    throw InputError(mesh.place.line > 0 ? mesh.place : covers,
+                     "expected only tip_side, refined, error, tip_functions and snap_ratio of a mesh for a cover file, "
+                     "which has its own, found another mesh");
 }
 
 /// Returns the points of a cover file by body.
@@ -127,10 +126,9 @@ Manifold PlannedBodies::at(int step) const {
     return cut_at(step);
   } catch (const std::invalid_argument&) {
     if (!std::holds_alternative<Cover>(problem_.geometry)) throw;
-    throw InputError(
-        problem_.covers->place,
-        "expected a cover file whose triangles hold all of its bodies, found some of them beside these, as "
-        "the old cutter leaves small pieces: cut its drawing anew");
+    throw InputError(problem_.covers->place,
+                     "expected a cover file whose triangles hold all of its bodies, found some outside them, as Shi's "
+                     "cutter leaves small pieces: cut its drawing anew");
   }
 }
 

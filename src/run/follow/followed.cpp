@@ -280,10 +280,9 @@ void require_joint(const DrawnJoints& joints, int line, const HistoryPlan& plan)
 
 void require_line(const Scene& first, const Segment& line, const HistoryPlan& plan) {
   if (!first.model.continuum || body_across(line, first.model.continuum->manifold) < 0) return;
-  throw InputError(
-      plan.place,
-      "expected a line between bodies, whose contacts and bolts a resultant sums, found one through a body "
-      "on covers: what acts there is its stress");
+  throw InputError(plan.place,
+                   "expected a line between bodies, whose contacts and bolts a resultant sums, found one through an "
+                   "NMM body; its stress acts there");
 }
 
 /// Later scenes count too, because a stage may install the bolt.
@@ -352,8 +351,7 @@ FollowedUnits::FollowedUnits(const Units& units)
 void require_choice(const OutputPlan& plan) {
   const auto has_contacts = [](const HistoryPlan& h) { return h.block || h.contact || h.joint; };
   if (plan.contacts == ContactTables::chosen && std::ranges::none_of(plan.histories, has_contacts))
-    throw InputError(plan.place,
-                     "expected a history of a block, a contact or a joint beside contacts that are chosen, found none");
+    throw InputError(plan.place, "expected a history of a block, a contact or a joint for chosen contacts, found none");
 }
 
 Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, const DrawnJoints& joints,

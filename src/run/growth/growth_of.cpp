@@ -25,36 +25,33 @@ GrowthLoads loads_of(const Problem& problem, const Scene& scene) {
 
 std::string why_not_scaled(const Problem& problem, const Scene& scene) {
   if (!is_statics(scene.settings))
-    return "expected statics where cracks grow under scaled loads (velocity_carry_over 0, profile standard), found "
-           "motion; growth under given loads goes on in time";
+    return "expected statics for crack growth under scaled loads (velocity_carry_over 0, profile standard), found "
+           "dynamics, which needs given loads";
   if (!problem.covers->mesh.materials.empty())
-    return "expected all bodies on covers where cracks grow under scaled loads (no materials of the mesh), found "
-           "blocks "
-           "beside them";
+    return "expected only NMM bodies for crack growth under scaled loads (no materials of the mesh), found blocks";
   if (scene.model.continuum->initial_stress ||
       std::ranges::any_of(problem.analysis->block_materials, [](const BlockMaterial& m) {
         return m.initial_stress != Stress{} || m.stress_gradient != Stress{};
       }))
-    return "expected no initial stress where cracks grow under scaled loads, for all loads have one factor, found one";
+    return "expected no initial stress for crack growth under scaled loads, found one: all loads have one factor";
   if (!scene.model.loading_points.empty())
-    return "expected loads of covers (forces, tractions) where cracks grow under scaled loads, found loading points";
+    return "expected loads of covers (forces, tractions) for crack growth under scaled loads, found loading points";
   return {};
 }
 
 std::string why_not_given(const Scene& scene) {
-  if (scene.settings.dynamics != Dynamics::standard)
-    return "expected profile standard where cracks grow, found the dynamics of Shi";
-  if (scene.is_untouched) return "expected contact felt where cracks grow under given loads, found it ignored";
+  if (scene.settings.dynamics != Dynamics::standard) return "expected profile standard for crack growth, found legacy";
+  if (scene.is_untouched) return "expected contact felt for crack growth under given loads, found it ignored";
   return {};
 }
 
 std::string why_not(const Problem& problem, const Scene& scene) {
   const std::vector<BlockMaterial>& materials = problem.analysis->block_materials;
-  if (!scene.model.continuum) return "expected bodies on covers where cracks grow, found none";
+  if (!scene.model.continuum) return "expected NMM bodies for crack growth, found none";
   if (!problem.stages.empty() || !problem.covers->excavations.empty())
-    return "expected no stages or excavations where cracks grow, found them";
+    return "expected no stages or excavations with crack growth, found them";
   if (std::ranges::any_of(materials, &BlockMaterial::is_nonlinear))
-    return "expected elastic rock where cracks grow, found a strength or crack_closure";
+    return "expected elastic rock for crack growth, found a strength or crack_closure";
   const std::string why =
       loads_of(problem, scene) == GrowthLoads::scaled ? why_not_scaled(problem, scene) : why_not_given(scene);
   if (!why.empty()) return why;
@@ -66,9 +63,9 @@ std::string why_not(const Problem& problem, const Scene& scene) {
                        longest, problem.covers->growth->increment);
   if (problem.covers->contact == CoverContact::ignored &&
       std::ranges::any_of(materials, [](const BlockMaterial& m) { return m.toughness && m.toughness->cohesion; }))
-    return "expected contact felt where cracks start in shear, for their faces rub, found it ignored";
+    return "expected contact felt for cracks that start in shear, found it ignored";
   if (std::ranges::none_of(materials, [](const BlockMaterial& m) { return m.toughness.has_value(); }))
-    return "expected a toughness of a block material where cracks grow, found none";
+    return "expected a toughness of a block material for crack growth, found none";
   return {};
 }
 

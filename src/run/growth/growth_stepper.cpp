@@ -208,7 +208,7 @@ std::variant<StepReport, StepFailure> GrowthStepper::advance() {
   const bool goes_through = std::ranges::any_of(under_unit.tips, &TipState::goes_on);
   Next next = next_of(under_unit.tips, under_unit.starts);
   if (!goes_through && next.tips.empty() && next.starts.empty())
-    return failure(fmt::format("no tip goes on and no crack starts: {}", why_none(under_unit.tips)));
+    return failure(fmt::format("no tip extends and no crack starts: {}", why_none(under_unit.tips)));
   const bool is_loaded = !next.tips.empty() || !next.starts.empty();
   double factor = is_loaded ? next.factor : load_factor_;
   auto loaded = solved_at_toughness(factor, next.tips);

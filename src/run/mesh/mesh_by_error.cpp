@@ -224,14 +224,14 @@ class Refinement {
            fmt::format("the stress has no limit at {}, the first of them ({}, {}): within {:.2g} of it, a quarter of "
                        "the first mesh's side, errors do not count",
                        counted(uncounted_.size(), "point") +
-                           (uncounted_.size() == 1 ? " that bears a force" : " that bear forces"),
+                           (uncounted_.size() == 1 ? " that carries a force" : " that carry forces"),
                        uncounted_.front().at.x, uncounted_.front().at.y, uncounted_.front().radius)});
     if (obstacle.empty()) return;
     const double error = result_.rounds.back().error;
     result_.warnings.push_back(
         {"mesh_error_not_reached", place_,
          error > wanted_ ? fmt::format("the stresses of the mesh are estimated to be off by {:.2g} of the energy norm, "
-                                       "not by the error of {:.2g} asked for: {}",
+                                       "more than the permitted error of {:.2g}: {}",
                                        error, wanted_, obstacle)
                          : fmt::format("the stresses of the mesh are estimated to be off by {:.2g} of the energy norm, "
                                        "and no finer mesh confirms it: {}",
@@ -242,9 +242,7 @@ class Refinement {
     const Problem still = still_bodies(result_.problem);
     Scene scene = scene_(still, kAtRest);
     if (!scene.is_untouched || !scene.model.continuum)
-      throw InputError(place_,
-                       "expected all bodies on covers beside an error of the mesh, which is found on them alone, found "
-                       "blocks beside them");
+      throw InputError(place_, "expected only NMM bodies for an error of the mesh, found blocks too");
     const CoverBasis basis = basis_of(*scene.model.continuum);
     const int unknowns = 2 * basis.function_count();
     if (unknowns > most_unknowns_) return TooLarge{unknowns};
@@ -252,8 +250,7 @@ class Refinement {
     const auto step = stepper.advance();
     if (const auto* failure = std::get_if<StepFailure>(&step))
       throw InputError(place_,
-                       "expected bodies that their supports hold without contact beside an error of the mesh, which is "
-                       "found on them alone at rest, found: " +
+                       "expected bodies that their supports fix without contact, for an error of the mesh, found: " +
                            failure->reason);
     const Continuum& continuum = *stepper.model().continuum;
     const Eigen::VectorXd& d = stepper.on_covers()->d;

@@ -19,7 +19,7 @@ ChainStepper::ChainStepper(Scene first, Archive& saved) : scene_(std::move(first
   scope_ = ledger_scope_of(scene_);
   describe_chain(saved);
   for (std::size_t i = 1; i < reports_.size(); ++i) {
-    if (!scene_.next) saved.refuse("scenes", "expected no more scenes than the files say, found more");
+    if (!scene_.next) saved.refuse("scenes", "expected no more scenes than the files have, found more");
     const auto next = scene_.next;
     scene_ = next->scene;
   }

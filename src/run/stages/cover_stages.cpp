@@ -28,7 +28,7 @@ Problem with_excavations(const Problem& problem) {
   for (std::size_t i = 0; i < problem.stages.size(); ++i) {
     const Stage& stage = problem.stages[i];
     if (!stage.cuts.empty())
-      throw InputError(stage.cuts.front().place, "expected cuts of blocks, found them in stages of bodies on covers");
+      throw InputError(stage.cuts.front().place, "expected cuts of blocks, found them in stages of NMM bodies");
     for (const StageExcavation& excavation : stage.excavations)
       with.covers->excavations.push_back({static_cast<int>(i) + 1, excavation.outline, excavation.place, 0});
   }

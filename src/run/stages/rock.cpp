@@ -122,8 +122,8 @@ class Changing {
       const double before = area();
       take(without_regions(rock_.blocks, std::array{Region{excavation.outline, excavation.joint_material}}));
       if (rock_.blocks.blocks.empty())
-        throw InputError(excavation.place, "expected a block that is not dug out, found none");
-      if (!(area() < before)) warn(excavation.place, "nothing lies within the outline: nothing is dug out");
+        throw InputError(excavation.place, "expected a block that is not excavated, found none");
+      if (!(area() < before)) warn(excavation.place, "nothing lies within the outline: nothing is excavated");
     }
   }
 
@@ -265,7 +265,7 @@ class Changing {
   void hold() {
     for (const MarkedPoint& point : stage_.held) {
       rock_.blocks.fixed_points.push_back(
-          {point.position, block_at(point.position, "a held point", point.place), point.place});
+          {point.position, block_at(point.position, "a point of held_points", point.place), point.place});
       rock_.analysis.fixed_point_motions.emplace_back();
       rock_.holds_in_place.push_back(1);
       descent_.fixed_points.push_back(-1);
@@ -289,7 +289,7 @@ class Changing {
       return std::ranges::count(stage_.mesh->materials, block.material, &MeshedMaterial::material) > 0;
     };
     if (std::ranges::none_of(rock_.blocks.blocks, is_named))
-      warn(stage_.mesh->place, "no block is of a material that the mesh names: none is on covers from here on");
+      warn(stage_.mesh->place, "no block has a material that the mesh names: there are no NMM bodies from here on");
   }
 
   const Stage& stage_;

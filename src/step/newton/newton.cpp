@@ -13,13 +13,13 @@ std::string_view in_words(RoundsEnd end) {
     case RoundsEnd::balanced:
       return "balance";
     case RoundsEnd::too_many_rounds:
-      return "too many rounds";
+      return "too many iterations";
     case RoundsEnd::not_finite:
       return "an element without area, or stress beyond its law";
     case RoundsEnd::no_factor:
       return "a tangent without inverse";
     case RoundsEnd::off_path:
-      return "no share of the loads at the length of the step";
+      return "no load increment at the length of the step";
     case RoundsEnd::no_contact_forces:
       return "contact forces that do not settle";
     case RoundsEnd::turned_over:

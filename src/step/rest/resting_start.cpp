@@ -88,8 +88,7 @@ class RestSearch {
       const bool is_found = made.converged && made.failure.empty();
       const std::vector<ElementIndex> restless = is_found ? elsewhere(made.motion) : to_blame(made);
       if (is_found && restless.empty()) return found(std::move(made.motion));
-      tell(is_found ? fmt::format("the equilibrium of {} is another place than where it was drawn",
-                                  in_words(scene_, {restless.front()}))
+      tell(is_found ? fmt::format("{} has its equilibrium away from the drawing", in_words(scene_, {restless.front()}))
                     : why_not(made));
       const bool is_last = search == of_resting_start::kMostSearches;
       tell_of_left_out(is_last ? movable() : restless);
@@ -141,15 +140,15 @@ class RestSearch {
   }
 
   static std::string why_not(const StandardStep& made) {
-    return made.failure.empty() ? "no equilibrium: the contact forces of a search for it do not settle" : made.failure;
+    return made.failure.empty() ? "no equilibrium: the search for contact forces does not converge" : made.failure;
   }
 
   void tell(const std::string& why) { result_.unbalanced += (result_.unbalanced.empty() ? "" : "; ") + why; }
   void tell_of_left_out(const std::vector<ElementIndex>& some) {
     result_.unbalanced +=
         some.size() == movable().size()
-            ? "; all that was sought starts suddenly"
-            : fmt::format("; {} and what hangs together with it start suddenly", in_words(scene_, some));
+            ? "; all remaining bodies are suddenly loaded"
+            : fmt::format("; {} and bodies connected to it are suddenly loaded", in_words(scene_, some));
   }
 
   /// Greatest displacement of a vertex over the size of its body, per connected set, with the element that moved so

@@ -32,8 +32,8 @@ class AtShare {
       now_ = std::move(guessed);
     }
     rounds_.residuals.push_back(share_out_of_balance(now_));
-    tell_headway("rounds of Newton's method", std::max(share_of_fall(1, rounds_.residuals.back(), of_newton::kBalanced),
-                                                       static_cast<double>(rounds_.count()) / of_newton::kMostRounds));
+    tell_headway("Newton iterations", std::max(share_of_fall(1, rounds_.residuals.back(), of_newton::kBalanced),
+                                               static_cast<double>(rounds_.count()) / of_newton::kMostRounds));
   }
 
   RoundsEnd state() const { return state_of(rounds_.residuals.back()); }

@@ -77,10 +77,9 @@ Settings with_enforcement_decided(Settings settings, const Model& model) {
 
 std::string why_enforcement(const Model& model, const Settings& settings) {
   if (settings.standard.impact == ImpactLaw::springs) return "springs stop blocks that meet";
-  if (model.shares_unknowns()) return "faces of bodies on covers";
+  if (model.shares_unknowns()) return "faces of NMM bodies";
   if (has_few_blocks(model)) return fmt::format("at most {} blocks can move", kFewBlocks);
-  return has_ring(model, touching_pairs(model)) ? "touching blocks stand in a ring"
-                                                : "no touching blocks stand in a ring";
+  return has_ring(model, touching_pairs(model)) ? "blocks in contact form a ring" : "no blocks in contact form a ring";
 }
 
 }  // namespace keyblock

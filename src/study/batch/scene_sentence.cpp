@@ -17,14 +17,14 @@ std::string motion_of(const Analysis& analysis) {
   const double carried = analysis.velocity_carry_over;
   const std::string motion = carried == 0   ? "static"
                              : carried == 1 ? "dynamic"
-                                            : fmt::format("damped, velocities times {:g} a step", carried);
+                                            : fmt::format("damped, velocities times {:g} per step", carried);
   return fmt::format("{}, {} of {:g}", motion, counted(static_cast<std::size_t>(analysis.step_count), "step"),
                      analysis.time_step);
 }
 
 std::string of_bodies(std::size_t bodies, std::string_view noun, std::size_t held) {
-  if (bodies == 1) return fmt::format("1 {}, {}", noun, held == 1 ? "held" : "not held");
-  return fmt::format("{}, {} of them held", counted(bodies, noun), held == 0 ? "none" : fmt::to_string(held));
+  if (bodies == 1) return fmt::format("1 {}, {}", noun, held == 1 ? "fixed" : "not fixed");
+  return fmt::format("{}, {} of them fixed", counted(bodies, noun), held == 0 ? "none" : fmt::to_string(held));
 }
 
 std::string loads_of(const Analysis& analysis, std::size_t points) {

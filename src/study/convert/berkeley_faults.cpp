@@ -43,8 +43,7 @@ void read_on_at_bolts(Reading& reading) {
   const bool is_of_seven = std::ranges::none_of(
       reading.warnings, [](const Warning& warning) { return warning.name.starts_with("bolts_with"); });
   if (!is_of_seven)
-    throw InputError(place,
-                     "expected bolts of 7 numbers, to know what the Berkeley program takes them for; found others");
+    throw InputError(place, "expected bolts of 7 numbers, which the Berkeley program can read, found others");
   const std::vector<double> numbers = numbers_of_marks(drawing);
   auto next = numbers.begin();
   const auto next_point = [&] {

@@ -44,13 +44,13 @@ Warnings changed_rules(const formats::Content& before, const formats::Content& a
   const std::string new_profile = profile_of_run(after);
   if (old_profile != new_profile)
     warnings.push_back({"profile_changes", place,
-                        fmt::format("where none is asked for, a run takes profile {} for what is written and {} for "
-                                    "what was read: --profile {} keeps to that",
+                        fmt::format("without --profile, a run takes profile {} for the written files and {} for those "
+                                    "read: --profile {} keeps to that",
                                     new_profile, old_profile, old_profile)});
   if (const auto changed = settings_of_dialect(*before.analysis, after.analysis->dialect); !changed.empty())
-    warnings.push_back({"dialect_changes", place,
-                        fmt::format("profile legacy has other rules for what is written, by its dialect: {}",
-                                    fmt::join(changed, "; "))});
+    warnings.push_back(
+        {"dialect_changes", place,
+         fmt::format("profile legacy has other rules for the written dialect: {}", fmt::join(changed, "; "))});
   return warnings;
 }
 

@@ -206,8 +206,8 @@ ElementCurve drive(const YieldLaw& law, const ElementPath& path, int steps, doub
     for (int i = 0; i < steps; ++i) {
       const double from = static_cast<double>(i) / steps, to = static_cast<double>(i + 1) / steps;
       if (!element.go(path.legs[l], began, from, to, to - from)) {
-        curve.failure = fmt::format("leg {}, step {} of {}: no strain was found that bears the stress asked for", l + 1,
-                                    i + 1, steps);
+        curve.failure = fmt::format("leg {}, step {} of {}: no strain was found that carries the requested stress",
+                                    l + 1, i + 1, steps);
         return curve;
       }
       if (!is_finite(element.now())) {

@@ -42,8 +42,8 @@ Warnings doubts_of_fit(const MeasuredPairs& measured, const Agreement& agreement
   if (agreement.r_squared >= kLeastAgreement && share <= kOneSided) return {};
   return {{"poor_fit",
            {measured.file, 0, 0},
-           fmt::format("R² is {:.3g}, and {} points side by side lie off the fit by {:.2g} % of the greatest stress in "
-                       "the mean: it has not the shape of what was measured, and errors and intervals say nothing",
+           fmt::format("R² is {:.3g}, and {} neighbouring points lie off the fit by {:.2g} % of the greatest stress on "
+                       "average: the curve does not follow the data, and errors and intervals mean nothing",
                        agreement.r_squared, neighbours, 100 * share)}};
 }
 
@@ -54,9 +54,8 @@ Warnings doubts_of_curve(const MeasuredPairs& measured) {
   const std::size_t at = static_cast<std::size_t>(peak - stresses.begin()) + kFewNeighbours / 2;
   return {{"softening",
            {measured.file, measured.lines[at], 1},
-           fmt::format("stress falls from {:.4g} at strain {:.4g} to {:.4g} at the end: the law that is fitted has a "
-                       "plateau and does not soften. Leave out the rows after the peak, and give the strength an "
-                       "`after` in the case",
+           fmt::format("stress falls from {:.4g} at strain {:.4g} to {:.4g} at the end: the fitted law has a plateau "
+                       "and does not soften",
                        measured.y[at], measured.x[at], measured.y.back())}};
 }
 

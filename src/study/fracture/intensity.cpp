@@ -38,7 +38,7 @@ CaseIntensity intensity_by_one(ConfiguredCase made) {
   }
   Prepared prepared = prepared_case(made);
   if (!prepared.scene.model.continuum)
-    throw InputError(place_of(problem), "expected bodies on covers, in which cracks end, found blocks alone");
+    throw InputError(place_of(problem), "expected NMM bodies, in which cracks can end, found only blocks");
   CaseIntensity result;
   result.warnings = joined(std::move(prepared.warnings), bonded_crack_faces(prepared.scene, place_of(problem)));
   result.unknowns = prepared.requirements.unknowns;

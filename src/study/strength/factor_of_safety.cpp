@@ -240,24 +240,21 @@ void add_notes(FactorOfSafety& result) {
   std::vector<std::string>& notes = result.notes;
   if (result.is_lower_estimate)
     notes.emplace_back(
-        "rock flows with a dilation angle below its friction angle, so that no theorem bounds the factor: the search "
-        "may "
-        "lose equilibrium before the rock does, which makes the factor a lower estimate, apart from the error of the "
-        "mesh");
+        "the dilation angle is below the friction angle, so that no theorem bounds the factor. The search may lose "
+        "equilibrium before the rock does: apart from the mesh error, the factor is a lower estimate");
   if (result.grows_before_it_falls()) {
     const StrengthTrial& after = result.trial_at(*result.service.falls);
     notes.push_back(
-        fmt::format("serviceability: displacements grow from F = {:.4g} on, where they are {} ({:.3g}), though "
-                    "equilibrium is found "
-                    "up to {:.4g}{}",
+        fmt::format("serviceability: displacements grow from F = {:.4g} on, where they are {} ({:.3g}); equilibrium "
+                    "exists up to {:.4g}{}",
                     *result.service.falls, after.why.substr(std::string_view("displacements ").size()),
                     after.displacement, *result.bracket.stands,
-                    result.has_bolts ? "; joints slip there until bolts, which stretch, carry the rest" : ""));
+                    result.has_bolts ? "; joints slip there until stretched bolts carry the remaining load" : ""));
   }
   if (result.has_bolts)
     notes.emplace_back(
-        "bolts break at their strength and carry nothing more, and joints that slip lose their cohesion: limit "
-        "analysis, in which all of them go on at full strength together, gives a factor as high or higher");
+        "bolts break at their strength and then carry nothing, and joints that slip lose their cohesion. Limit "
+        "analysis, in which all keep their full strength, gives a factor at least as high");
   if (result.end == SearchEnd::undecided) notes.push_back(why_undecided(result));
 }
 

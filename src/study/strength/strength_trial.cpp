@@ -172,12 +172,11 @@ StrengthTrials::StrengthTrials(ConfiguredCase made, Reduced what, Exempt exempt)
     const Settings settings = settings_of(made_.problem, made_.profile.name, made_.overrides);
     if (settings.dynamics != Dynamics::standard)
       throw InputError(made_.problem.analysis->place,
-                       "expected a profile with statics (standard, draft, reference), for strength is reduced there; "
-                       "found the rules of the old programs");
+                       "expected a profile with statics (standard, draft or reference), found legacy");
     const bool is_in_time = settings.standard.motion == MotionRule::dynamic;
     if (is_in_time) {
       put_setting(made_.overrides, "motion", "static");
-      notes_.emplace_back("the case is one of motion in time: its equilibrium under the same loads is sought");
+      notes_.emplace_back("dynamic case: the factor of safety is that of static equilibrium under the same loads");
     }
     if (is_in_time && made_.problem.stages.empty() && has_constant_loads(made_.problem, settings)) {
       const int steps = is_on_covers(made_.problem) ? std::min(settings.step_count, kLoadParts) : 1;
@@ -192,9 +191,9 @@ StrengthTrials::StrengthTrials(ConfiguredCase made, Reduced what, Exempt exempt)
   tell(found, prepared_);
   note_exempt(held);
   if (what_ == Reduced::joints && prepared_.scene.is_untouched)
-    throw InputError(made_.problem.analysis->place,
-                     "expected bodies that touch, whose joints are to be reduced, found bodies on covers that do not "
-                     "feel each other");
+    throw InputError(
+        made_.problem.analysis->place,
+        "expected bodies in contact, whose joints are to be reduced, found NMM bodies whose contact is ignored");
 }
 
 void StrengthTrials::note_exempt(const ExemptCount& held) {
@@ -254,8 +253,8 @@ void StrengthTrials::leave_out(const std::vector<int>& blocks) {
     const BlockPolygon& polygon = whole_->blocks[static_cast<std::size_t>(block)];
     const Point at = centroid(points_of(polygon.outer));
     notes_.push_back(
-        fmt::format("block {} at {}, {} falls by itself and is small (area {}, {:.2g} % of the "
-                    "mean): it is left out, so that the factor is that of the others",
+        fmt::format("block {} at {}, {} has no support and is small (area {}, {:.2g} % of the mean): it is left out, "
+                    "so that the factor is that of the others",
                     block + 1, plain(at.x), plain(at.y), plain(area_of(polygon), 3), 100 * area_of(polygon) / mean));
   }
   left_out_.insert(left_out_.end(), blocks.begin(), blocks.end());

@@ -143,7 +143,7 @@ void require_there(const StudyCase& chosen, const Model& model) {
 void require_points(const StudyCase& chosen, const Problem& problem, std::size_t points) {
   if (chosen.expected.empty() && points == 0 && problem.covers)
     throw InputError(problem.covers->place,
-                     "expected measured points, or expected values to compare with, in a case on covers");
+                     "expected measured points, or expected values to compare with, in a case of NMM bodies");
 }
 
 void measure(const StudyCase& chosen, const RunLimits& limits, MeasuredRun& measured) {

@@ -400,7 +400,7 @@ std::vector<RunPlan> penalty_step_map(const StudyCase& chosen, const std::string
                                       const std::vector<double>& penalties, const std::vector<double>& steps) {
   const Base base = base_of(chosen, profile);
   if (base.is_untouched)
-    throw std::invalid_argument("a case of linear statics on covers has neither contact stiffness nor steps");
+    throw std::invalid_argument("a linear static case of NMM bodies has neither contact stiffness nor steps");
   std::vector<RunPlan> plans;
   for (const double penalty : penalties)
     for (const double step : steps) {

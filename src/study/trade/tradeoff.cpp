@@ -84,7 +84,7 @@ Reference limit_reference(const std::vector<MeasuredRun>& runs, const std::vecto
       "error: displacements at the end, root mean square over that of the reference, {}; {}, known to {:.1e}",
       limit.is_extrapolated
           ? fmt::format("extrapolated from the runs \"{}\", \"{}\" and \"{}\"", names[0], names[1], names[2])
-          : fmt::format("the run \"{}\" itself (beside \"{}\", \"{}\")", names[2], names[0], names[1]),
+          : fmt::format("the run \"{}\" itself (besides \"{}\", \"{}\")", names[2], names[0], names[1]),
       order, limit.uncertainty);
   return reference;
 }

@@ -89,9 +89,10 @@ void SparseFactor::factorise(const Sparse& lower) {
   keep_to_threads_of_loops();
   factor.factorize(cholmod_->scaled);
   if (factor.info() != Eigen::Success)
-    throw NotPositiveDefinite("the matrix is not positive definite: a body is not held, or a penalty is too small");
+    throw NotPositiveDefinite(
+        "the matrix is not positive definite: a body is not supported, or a penalty is too small");
   if (cholmod_->definiteness == Definiteness::definite && factor.pivot_ratio() < kSingular)
-    throw NotPositiveDefinite("the matrix is singular: a body is not held");
+    throw NotPositiveDefinite("the matrix is singular: a body is not supported");
 }
 
 Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& right) const {
