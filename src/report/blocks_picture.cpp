@@ -106,7 +106,7 @@ void draw_scene(SvgPage& page, const PageMap& map, const Blocks& blocks) {
   });
 }
 
-/// How many are too small for it.
+/// Writes the numbers of blocks; returns how many blocks are too small for theirs.
 std::size_t number_blocks(SvgPage& page, const PageMap& map, const Blocks& blocks) {
   std::vector<NumberedBlock> numbered;
   for (const BlockPolygon& block : blocks.blocks) {

@@ -11,7 +11,7 @@
 
 namespace keyblock::report {
 
-/// An SVG document: blocks filled by material, edges coloured by joint material, fixed, loading and measured
+/// Returns an SVG document: blocks filled by material, edges coloured by joint material, fixed, loading and measured
 /// points, bolts, a legend and a scale bar; with the numbers of all blocks if requested. Names of materials by
 /// number, from 0.
 std::string blocks_picture(const Blocks& blocks, const Units& units = {}, Numbers numbers = Numbers::none,

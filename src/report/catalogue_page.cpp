@@ -35,7 +35,7 @@ constexpr std::string_view kColumns =
     "<col style=\"width: 5em\"><col style=\"width: 6em\"><col style=\"width: 4em\"><col>"
     "<col style=\"width: 7em\"></colgroup>";
 
-// Numbers sort as numbers, everything else as text; a second click turns the order round.
+// Numbers sort as numbers, everything else as text; a second click reverses the order.
 constexpr std::string_view kScript = R"(
 const body = document.querySelector("tbody");
 const sift = document.querySelector("#sift");
@@ -57,7 +57,7 @@ std::string number_cell(std::optional<int> number) {
   return fmt::format("<td class=\"number\">{}</td>", number ? fmt::format("{}", *number) : "");
 }
 
-// Its files with their formats, and why they go together.
+// Writes the files of a job with their formats, and why they form one case.
 std::string job_cell(const CatalogueRow& row) {
   std::string text;
   for (const CatalogueFile& file : row.files) {
@@ -86,7 +86,7 @@ std::string why_cell(const CatalogueRow& row) {
   return fmt::format("<td>{}</td>", text);
 }
 
-/// A path below the page as a link: what a URL may not hold as %XX.
+/// Returns a path below the page as a link, with characters that a URL excludes as %XX.
 std::string url_of(const std::string& path) {
   constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
   std::string url;

@@ -10,17 +10,17 @@ namespace keyblock::report {
 
 struct CatalogueFile {
   std::string path;    ///< below the folder of the archive
-  std::string format;  ///< empty where none fits
-  std::string sha256;  ///< empty where the file was too large to be read
+  std::string format;  ///< empty if none fits
+  std::string sha256;  ///< empty if the file was too large to be read
 };
 
-/// What became of a job: a word by which jobs are counted, and the reason.
+/// Outcome of a job: a word by which jobs are counted, and the reason.
 struct CatalogueVerdict {
   std::string word;
   std::string why = {};
 };
 
-/// What a run says of all its elements, at its end.
+/// Extremes of a run over all its elements, at its end.
 struct CatalogueMeasures {
   double displacement = 0;     ///< greatest of a vertex since the start
   double least_stress = 0;     ///< principal, tension positive
@@ -31,17 +31,17 @@ struct CatalogueMeasures {
   int displaced_element = 0;  ///< number, from 1, of the element of that vertex; 0: not known
 };
 
-/// What a run came to.
+/// End of a run.
 struct CatalogueAnswer {
   std::string profile;
-  std::string end;      ///< "finished", or why there is no more
+  std::string end;      ///< "finished", or the reason of an early end
   int steps = 0;        ///< accepted
   double time = 0;      ///< reached
   std::string of_what;  ///< "measured point 2", "centroid of block 3"; empty where nothing was reached
   double dx = 0;        ///< its displacement since the start, in the file's unit
   double dy = 0;
   std::optional<CatalogueMeasures> measures;
-  std::string doubt = {};  ///< why a run that came to its end is not trusted; empty where it is
+  std::string doubt = {};  ///< why a finished run is unreliable; empty if it is not
   /// Why it ended before, as `outcome.failure` of run.json: "no_equilibrium", "undecided", …; empty where not known.
   std::string failure = {};
 };
@@ -52,8 +52,8 @@ struct CatalogueRow {
   std::string paired_by;
   std::optional<int> blocks;    ///< as given or as cut
   std::optional<int> elements;  ///< of a cover
-  std::optional<int> steps;     ///< as the analysis asks for
-  std::string scene;            ///< what it is, in words; empty where geometry or analysis is missing
+  std::optional<int> steps;     ///< of the analysis
+  std::string scene;            ///< the scene in words; empty if geometry or analysis is missing
   std::string outcome;          ///< "ok", "warnings", "failed" or "listed": whether anything was wrong
   CatalogueVerdict verdict = {};
   int warnings = 0;
@@ -67,14 +67,14 @@ struct CatalogueRow {
   std::string formats() const;  ///< of all files, joined by " + "
 };
 
-/// A displacement as text: its components and its length.
+/// Returns a displacement as text: its components and its length.
 std::string text_of(const CatalogueAnswer& answer);
 
-/// "26 jobs: 8 ran (31 %), 4 differ (15 %), 1 without equilibrium (4 %), 13 read (50 %)".
+/// Returns "26 jobs: 8 ran (31 %), 4 differ (15 %), 1 without equilibrium (4 %), 13 read (50 %)".
 std::string summary_of(const std::vector<CatalogueRow>& rows);
 
-/// One HTML document, which shows the pictures of runs that stand where `outputs` say, links to them and to their
-/// records and logs, and needs nothing else beside it; a click on a heading sorts.
+/// Returns one self-contained HTML document with the pictures of runs that `outputs` names, and links to them, to their
+/// records and logs. A click on a heading sorts.
 std::string catalogue_page(const std::string& title, const std::vector<CatalogueRow>& rows);
 
 }  // namespace keyblock::report

@@ -9,8 +9,8 @@
 
 namespace keyblock::report {
 
-/// An SVG document: kinetic and strain energy, gravity released, work done and energy lost, as far as the scene has
-/// them. Without rows the page holds the title alone.
+/// Returns an SVG document: kinetic and strain energy, gravity released, work done and energy lost, if the scene has
+/// them. Without rows the page has only the title.
 std::string energy_picture(const std::string& title, const Ledger& ledger, const Units& units = {});
 
 }  // namespace keyblock::report

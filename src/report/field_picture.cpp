@@ -129,7 +129,7 @@ void draw_mesh(SvgPage& page, const PageMap& map, const FieldFrame& field, const
   });
 }
 
-/// Places of the three panels: for tall bodies beside each other, else the field below the two others.
+/// Places of the three panels: side by side for tall bodies, else the field below the two others.
 struct Panels {
   std::array<Point, 3> corners;
   std::array<Point, 3> rooms;
@@ -154,7 +154,7 @@ Panels place_panels(const Box& box) {
   return panels;
 }
 
-/// Without what the pictures of the run leave out.
+/// Returns the picture without the elements that pictures of the run leave out.
 FieldPicture framed(const FieldPicture& whole) {
   FieldPicture picture = whole;
   const std::vector<std::size_t>& left_out = whole.left_out;
@@ -176,7 +176,7 @@ bool is_without_stress(const FieldElement& element) {
          });
 }
 
-/// Held blocks without stress, and the other elements if there are any such blocks.
+/// Fixed blocks without stress and, if there are any, the other elements.
 struct Held {
   FieldFrame held;
   std::optional<FieldFrame> others;
@@ -211,7 +211,7 @@ void draw_key(SvgPage& page, Point corner, const FieldFrame& held) {
               {{.sign = LegendEntry::Sign::area, .colour = kHeldColour, .words = "fixed, stress not computed"}});
 }
 
-/// What the caption of the panel says of elements too small for their number.
+/// Writes the numbers of elements; returns the words of the caption about elements too small for theirs.
 std::string number_elements(SvgPage& page, const PageMap& map, const FieldFrame& field, const std::vector<int>& numbers,
                             const CornerPlace& place) {
   std::vector<NumberedBlock> numbered;
@@ -242,7 +242,7 @@ void draw_contours(SvgPage& page, const FieldPanel& panel, const FieldPicture& p
     page.polyline({panel.map(line[0]), panel.map(line[1])}, {.stroke = kContourColour, .stroke_width = kContourWidth});
 }
 
-/// Crosses over a pale mesh. Returns the name of the panel.
+/// Draws crosses over a pale mesh. Returns the name of the panel.
 std::string draw_stress_crosses(SvgPage& page, const FieldPanel& panel, const FieldPicture& picture,
                                 const FieldFrame& field) {
   draw_mesh(page, panel.map, picture.end, panel.place, false, kPaleMeshColour);
@@ -254,7 +254,7 @@ std::string draw_stress_crosses(SvgPage& page, const FieldPanel& panel, const Fi
   return "principal stresses in the plane";
 }
 
-/// Draws held blocks, the field, and edges of blocks over them. Returns the name of the panel.
+/// Draws fixed blocks, the field, and edges of blocks over them. Returns the name of the panel.
 std::string draw_field(SvgPage& page, const FieldPanel& panel, const FieldPicture& picture, const Held& held) {
   const FieldFrame& field = held.others ? *held.others : picture.end;
   if (picture.shown == FieldShown::crosses) {

@@ -49,22 +49,22 @@ struct FieldPicture {
   std::optional<FieldScale> scale = {};  ///< shared with other pictures; none: that of this picture
 };
 
-/// Visits all frames that are to share a scale, without what pictures leave out.
+/// Visits all frames that share a scale, without the elements that pictures leave out.
 using EachFrame = std::function<void(const std::function<void(const FieldFrame&)>&)>;
 
-/// The scale that holds the field of every frame; `each` is called twice.
+/// Returns the scale of the field of all frames; `each` is called twice.
 FieldScale common_scale(const FieldFrame& start, FieldShown shown, bool is_of_motion, const EachFrame& each);
 
-/// The component of the stress that varies most.
+/// Returns the component of the stress that varies most.
 FieldShown most_varied(const FieldFrame& field);
 
-/// An SVG document: the mesh and the deformed mesh beside each other and the field below them, for tall bodies all
+/// Returns an SVG document: the mesh and the deformed mesh beside each other and the field below them, for tall bodies all
 /// three beside each other. The deformed mesh is scaled to be seen; the factor is named. Colours are of mean corner
 /// values over triangles from each element's middle, with lines of equal value if elements of a mesh have other values
-/// at each corner. Held blocks without stress are grey: nobody computed it.
+/// at each corner. Fixed blocks without computed stress are grey.
 std::string field_picture(const FieldPicture& picture);
 
-/// The mesh alone, elements over their bodies' colours: what `keyblock cut` shows.
+/// Returns the mesh alone, elements over their bodies' colours, for `keyblock cut`.
 std::string mesh_picture(const std::string& title, const FieldFrame& mesh, const Units& units = {},
                          Numbers numbers = Numbers::none);
 

@@ -10,7 +10,7 @@
 
 namespace keyblock::report {
 
-/// An SVG document: the amount of each reaction over the displacement; a plateau is named below the curves.
+/// Returns an SVG document: the amount of each reaction over the displacement; a plateau is named below the curves.
 std::string reaction_picture(const std::string& title, const std::vector<ReactionCurve>& curves,
                              const Units& units = {});
 

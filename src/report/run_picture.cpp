@@ -27,7 +27,7 @@ constexpr std::string_view kNumberColour = "#005080";
 constexpr double kNumberSize = 12;
 constexpr Point kNumberBeside{6, 4};
 
-/// Where the parts stand.
+/// Places of the parts.
 struct Layout {
   Point scene_room;
   bool chart_beside = false;
@@ -42,7 +42,7 @@ Box bounds(const Frame& start, const Frame& end) {
   return box;
 }
 
-/// Without what is left out.
+/// Returns the picture without the elements that are left out.
 RunPicture framed(RunPicture picture) {
   Frame& end = picture.end;
   for (std::size_t i = 0; i < end.elements.size(); ++i)
@@ -57,7 +57,7 @@ Layout choose_layout(const Box& box, bool chart) {
   return tall ? Layout{{300, 560}, true} : Layout{{kRoom, 440}, false};
 }
 
-/// Whether the move of an element can be seen: some vertex went further than a page unit.
+/// Returns true if the move of an element is visible: some vertex moved further than a page unit.
 bool moved_visibly(const PageMap& map, const ElementFrame& start, const ElementFrame& end) {
   if (start.loops.empty() || end.loops.empty() || start.loops[0].size() != end.loops[0].size()) return true;
   for (std::size_t i = 0; i < start.loops[0].size(); ++i)
@@ -86,7 +86,7 @@ void draw_end(SvgPage& page, const PageMap& map, const Frame& end, double width)
   }
 }
 
-/// Materials of joints; none where all edges are of one.
+/// Returns the materials of joints; empty if all edges have one.
 std::set<int> told_apart(const RunPicture& picture) {
   std::set<int> materials;
   for (const std::vector<int>& of_element : picture.joints) materials.insert(of_element.begin(), of_element.end());
@@ -112,7 +112,7 @@ void draw_joints(SvgPage& page, const PageMap& map, const RunPicture& picture, d
   }
 }
 
-/// Outlines of what stayed would only hide the picture.
+/// Draws outlines of moved elements only; others would hide the picture.
 void draw_start(SvgPage& page, const PageMap& map, const RunPicture& picture, double width) {
   const Style dashed{.stroke = kStartColour, .stroke_width = std::min(width, 1.0), .dash = width > 0.5 ? "4 3" : "2 1"};
   for (const std::vector<Point>& outline : picture.start.outlines) page.polygon({map(outline)}, dashed);
@@ -139,7 +139,7 @@ void draw_elements(SvgPage& page, const PageMap& map, const RunPicture& picture)
   });
 }
 
-/// With a ring about each, which shows slivers too.
+/// Marks elements with a ring about each, which shows slivers too.
 void draw_marked(SvgPage& page, const PageMap& map, const RunPicture& picture) {
   const ElementsByNumber ends(picture.end);
   for (const int number : picture.marked) {
@@ -184,7 +184,7 @@ std::string time_words(std::string_view word, double time, const std::string& un
   return fmt::format("{}, t = {:g}{}{}", word, time, unit.empty() ? "" : " ", unit);
 }
 
-/// On white, so that it can be read over edges.
+/// Writes numbers on white, readable over edges.
 void draw_numbers(SvgPage& page, const PageMap& map, const RunPicture& picture) {
   for (const NumberedPlace& number : picture.numbers) {
     const Point at = map(number.at) + kNumberBeside;
@@ -194,7 +194,7 @@ void draw_numbers(SvgPage& page, const PageMap& map, const RunPicture& picture) 
   }
 }
 
-/// Colour of the first element that nothing holds.
+/// Returns the colour of the first free element.
 std::string_view colour_of_end(const Frame& end, const std::set<int>& held) {
   for (std::size_t i = 0; i < end.elements.size(); ++i)
     if (!held.contains(number_of(end, i))) return area_colour(end.elements[i].material);

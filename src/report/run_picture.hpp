@@ -11,7 +11,7 @@
 
 namespace keyblock::report {
 
-/// A number beside a place of the end: whose curve it is.
+/// Number beside a place of the end, of a curve.
 struct NumberedPlace {
   std::string words;
   Point at;
@@ -28,10 +28,10 @@ struct RunPicture {
   std::string marked_words = {};           ///< what they do, for the legend: "accelerates"
   Units units = {};                        ///< of the scale bar
   std::vector<std::size_t> left_out = {};  ///< elements of the end, in their order, that the picture leaves out
-  std::vector<NumberedPlace> numbers = {};  ///< of what the curves are of
-  std::string numbered_words = {};          ///< what they number, for the legend: "block whose curve is drawn"
+  std::vector<NumberedPlace> numbers = {};  ///< of the parts with curves
+  std::string numbered_words = {};          ///< numbered parts, for the legend: "block whose curve is drawn"
   /// At the end the joint material of the edge that arrives at each corner of an element, loop after loop, by the
-  /// element's number; below 0: of none. Drawn in colours where there is more than one.
+  /// element's number; below 0: none. Drawn in colours if there is more than one.
   std::vector<std::vector<int>> joints = {};
   std::vector<std::string> rock_names = {};   ///< by block material, from 0
   std::vector<std::string> joint_names = {};  ///< by joint material
@@ -43,7 +43,7 @@ struct RunPicture {
 /// and bodies of many elements are shown whole.
 std::vector<std::size_t> left_out_of(const Frame& start, const Frame& end, const std::vector<int>& marked);
 
-/// An SVG document. The chart stands below a wide scene and beside a tall one.
+/// Returns an SVG document. The chart is below a wide scene and beside a tall one.
 std::string run_picture(const RunPicture& picture);
 
 }  // namespace keyblock::report

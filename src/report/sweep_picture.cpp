@@ -25,7 +25,7 @@ constexpr double kLeastSpan = 1;  // decades: nearly equal errors do not span al
 
 using Colour = std::array<double, 3>;
 
-/// From dark blue, the least error, to pale yellow; its lightness alone tells the order.
+/// Colours from dark blue, the least error, to pale yellow; lightness alone shows the order.
 struct LogColours {
   double low = 0;  ///< logarithms
   double high = 1;

@@ -23,8 +23,8 @@ struct SweepPicture {
   std::vector<std::vector<SweptCell>> cells;  ///< by row
 };
 
-/// An SVG document: a cell a run, its error written in and, by its power of ten, its colour, dark where it is small;
-/// crossed where there is no result.
+/// Returns an SVG document with one cell per run: its error, and a colour by its power of ten, dark for small errors.
+/// A cell without a result is crossed.
 std::string sweep_picture(const SweepPicture& picture);
 
 }  // namespace keyblock::report

@@ -27,7 +27,7 @@ PageMap map_of(const Box& box) {
   return {box, {kMargin, kMargin}, {kSize.x - 2 * kMargin, kSize.y - 2 * kMargin}};
 }
 
-// Without the head of a document of its own.
+// Writes the element without the head of a document.
 std::string element_of(const SvgPage& page) {
   const std::string document = page.str();
   return document.substr(document.find("<svg"));

@@ -10,7 +10,7 @@
 
 namespace keyblock::report {
 
-/// An SVG element to stand inside a page: the greatest blocks, the contact loops of a cover, or the lines of a drawing;
+/// Returns an SVG element for a page: the greatest blocks, the contact loops of a cover, or the lines of a drawing;
 /// at most `kThumbnailShapes` of them.
 std::string thumbnail(const Blocks& blocks);
 std::string thumbnail(const Cover& cover);

@@ -52,7 +52,7 @@ Box around(Point p, double radius) {
   return {{p.x - radius, p.y - radius}, {p.x + radius, p.y + radius}};
 }
 
-/// Where a name may stand beside its mark: right, left, above, below; near first.
+/// Draws a name beside its mark: right, left, above or below, near places first.
 void draw_name(SvgPage& page, Taken& taken, Point at, const PricedRun& run) {
   const double width = text_width(run.name, kNameSize);
   for (const double away : {6.0, 14.0, 26.0, 40.0})

@@ -22,11 +22,11 @@ struct TradeoffPicture {
   std::string title;
   std::string subtitle;
   std::vector<PricedRun> runs;
-  double least_error = 0;  ///< errors below it are not told apart; 0: none is known
+  double least_error = 0;  ///< errors below it are not distinguished; 0: unknown
 };
 
-/// An SVG document: error over processor time, both in powers of ten; the front joined by a staircase, its runs and the
-/// profiles named as far as there is room. Without runs the page holds the titles alone.
+/// Returns an SVG document: error over processor time, both in powers of ten. A staircase joins the front; its runs and
+/// the profiles are named if there is room. Without runs the page has only the titles.
 std::string tradeoff_picture(const TradeoffPicture& picture);
 
 }  // namespace keyblock::report

@@ -212,8 +212,8 @@ std::optional<std::string> LoadStepper::advance_along(Work& work) {
     work.cut_by = rounds.end;
   }
   return fmt::format(
-      "no equilibrium was found further along the path, at {:.4g} of the loads of this scene ({} rounds of Newton's "
-      "method, {} cuts of the step, the last by {})",
+      "no equilibrium was found further along the path, at {:.4g} of the loads of this scene ({} Newton iterations, {} "
+      "cuts of the step, the last by {})",
       share_, work.rounds, work.cuts, in_words(work.cut_by));
 }
 

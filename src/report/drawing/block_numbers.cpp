@@ -38,7 +38,7 @@ double axis_distance(Point from, Point a, Point b) {
                    at(zero_of(start.x - start.y, way.x - way.y)), at(zero_of(start.x + start.y, way.x + way.y))});
 }
 
-/// Below 0 outside.
+/// Returns the distance, below 0 outside.
 double room_about(const Loops& loops, Point p) {
   double room = std::numeric_limits<double>::infinity();
   bool is_inside = false;

@@ -1,4 +1,4 @@
-// Numbers of blocks, each as large as fits inside its block.
+// Draws numbers of blocks, each as large as fits inside its block.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,19 +19,19 @@ struct NumberedBlock {
   std::vector<std::vector<Point>> loops;
 };
 
-/// Where the text of a number stands, and how large.
+/// Place and size of the text of a number.
 struct NumberInside {
   Point middle;
   double size = 0;  ///< of the face; 0: it fits nowhere, or cannot be read
 };
 
-/// The largest size, up to the usual one, at which `words` stand inside the loops.
+/// Returns the largest size, up to the usual one, at which `words` fit inside the loops.
 NumberInside largest_inside(const std::vector<std::vector<Point>>& loops, const std::string& words);
 
-/// Writes the numbers of all blocks but those too small for it to be read, and returns how many these are.
+/// Writes the numbers of all blocks that are large enough, and returns the number of the others.
 std::size_t draw_block_numbers(SvgPage& page, const std::vector<NumberedBlock>& blocks);
 
-/// "; 3 blocks are too small for their number"; empty of none.
+/// Returns "; 3 blocks are too small for their number"; empty for 0.
 std::string without_number_in_words(std::size_t count);
 
 }  // namespace keyblock::report

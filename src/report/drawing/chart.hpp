@@ -1,4 +1,4 @@
-// Curves over a pair of axes with round ticks.
+// Draws curves over a pair of axes with round ticks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,7 +18,7 @@ struct Curve {
   std::vector<double> x;
   std::vector<double> y;
   Style style = Style::line;
-  std::optional<std::size_t> colour = {};  ///< as of the curve with this index; nothing: as of its own
+  std::optional<std::size_t> colour = {};  ///< that of the curve with this index; if absent, its own
 };
 
 /// Words of the axes.
@@ -27,7 +27,7 @@ struct AxisLabels {
   Described y;
 };
 
-/// Whether there is anything to draw.
+/// Returns true if there is anything to draw.
 bool has_points(const std::vector<Curve>& curves);
 
 /// Draws axes, grid, curves and, above them, their labels into the rectangle of the page, in units that keep numbers

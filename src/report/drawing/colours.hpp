@@ -1,4 +1,4 @@
-// Colours of materials and curves: told apart by eyes that miss red or green (after Okabe and Ito), pale for areas.
+// Defines colours of materials and curves that colour-blind readers can distinguish (after Okabe and Ito).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

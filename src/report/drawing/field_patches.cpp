@@ -40,7 +40,7 @@ bool is_one_piece(const FieldElement& element) {
   return element.loops.size() > 1 || is_uniform(element);
 }
 
-/// Where the value over a triangle is `level`: from edge to edge; empty where it is nowhere.
+/// Returns the line of value `level` over a triangle, from edge to edge; empty if there is none.
 std::vector<Point> contour_in(const std::array<std::pair<Point, double>, 3>& corners, double level) {
   std::vector<Point> ends;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -74,10 +74,10 @@ struct ColourScale {
 /// of the farthest; `rising` begins at zero and counts the area above.
 ColourScale scale_of(const std::vector<Patch>& patches, ColourScale::Map map = ColourScale::Map::about_zero);
 
-/// The scale that covers both.
+/// Returns the scale that covers both.
 ColourScale covering(const ColourScale& one, const ColourScale& other);
 
-/// The scale, with a note of the ends beyond which values of the patches lie: these have the colour of the end.
+/// Returns the scale with the ends beyond which values of the patches lie; these have the colour of the end.
 ColourScale with_ends(ColourScale scale, const std::vector<Patch>& patches);
 
 /// Returns the ends from the least value to the greatest, without the same extreme ones.

@@ -26,7 +26,7 @@ struct Plot {
   }
 };
 
-/// Grid, frame, ticks, and what stands on the axes.
+/// Draws grid, frame, ticks and labels of the axes.
 void draw_axes(SvgPage& page, const Plot& plot, const std::string& x_label, const std::string& y_label);
 
 }  // namespace keyblock::report

@@ -16,11 +16,11 @@ struct Image {
   std::vector<std::uint32_t> pixels;
 };
 
-/// The bytes of a PNG file. Above 256 colours similar ones share an entry of the palette. Throws std::runtime_error if
-/// zlib fails.
+/// Returns the bytes of a PNG file. Above 256 colours similar ones share an entry of the palette. Throws
+/// std::runtime_error if zlib fails.
 std::string png_of(const Image& image);
 
-/// The image at half of its resolution: one pixel of four.
+/// Returns the image at half of its resolution: one pixel of four.
 Image halved(const Image& image);
 
 std::string base64(std::string_view bytes);

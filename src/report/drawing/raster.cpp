@@ -121,7 +121,7 @@ void Raster::piece(Point from, Point to, const Ink& ink, std::uint32_t colour) {
   fill(quad_, colour);
 }
 
-/// One pixel of each column, or of each row if the line is steep.
+/// Draws one pixel of each column, or of each row if the line is steep.
 void Raster::thin_line(Point a, Point b, std::uint32_t colour) {
   const bool is_steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
   if (is_steep) {

@@ -39,7 +39,7 @@ class Raster {
   /// left out too.
   void draw(const std::vector<std::vector<Point>>& loops, bool is_closed, const Ink& ink);
 
-  /// What was drawn, cut to its bounds.
+  /// Returns the drawn pixels, cut to their bounds.
   PlacedImage image() const;
 
  private:

@@ -46,7 +46,7 @@ double entry_width(const LegendEntry& entry) {
   return kSignWidth + text_width(entry.words, kTextSize) + kEntryGap;
 }
 
-/// Where each entry starts, set in rows: x from the left, y from the first row's top.
+/// Returns the start of each entry in rows: x from the left, y from the top of the first row.
 std::vector<Point> place_entries(const std::vector<LegendEntry>& entries, double width) {
   std::vector<Point> places;
   Point next;

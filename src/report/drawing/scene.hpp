@@ -34,18 +34,18 @@ double edge_width(Point page_size, std::size_t block_count);
 /// below 0 none. Runs of one material become one line each: fewer shapes for scenes of many blocks.
 void draw_joint_edges(SvgPage& page, const std::vector<Point>& corners, const std::vector<int>& joints, double width);
 
-/// Where a block lies. `stays`: it is shown wherever it is.
+/// Place of a block. `stays`: it is always shown.
 struct PlacedBlock {
   Point middle;
   double area = 0;
   bool stays = false;
 };
 
-/// The blocks that a picture leaves out, in their order: those far outside of `drawn`, if they are few of many and a
-/// small part of the area. A sliver that fell out of a slope would squeeze the slope into a corner of the page.
+/// Returns the blocks that a picture leaves out, in their order: those far outside of `drawn`, if they are few of many
+/// and a small part of the area. A sliver far below a slope would shrink the slope to a corner of the page.
 std::vector<std::size_t> far_small_blocks(const Box& drawn, const std::vector<PlacedBlock>& blocks);
 
-/// Members of a list without those at the places `left_out`, which ascend.
+/// Returns the members of a list without those at the places `left_out`, which ascend.
 template <class T>
 std::vector<T> without(const std::vector<T>& all, const std::vector<std::size_t>& left_out) {
   std::vector<T> kept;
@@ -58,7 +58,7 @@ std::vector<T> without(const std::vector<T>& all, const std::vector<std::size_t>
   return kept;
 }
 
-/// "2 small blocks lie outside of the picture".
+/// Returns "2 small blocks lie outside of the picture".
 std::string outside_in_words(std::size_t count);
 
 /// One entry of a legend: a filled square, a line, the sign of a point or of a bolt, or a number.
@@ -79,12 +79,12 @@ void add_bolts(std::vector<LegendEntry>& legend, const std::vector<BoltState>& s
 void add_numbered(std::vector<LegendEntry>& legend, const std::set<int>& numbers, LegendEntry::Sign sign,
                   std::string_view word, const std::vector<std::string>& names = {});
 
-/// Height that the entries take when set in rows of `width`.
+/// Returns the height of the entries in rows of `width`.
 double legend_height(const std::vector<LegendEntry>& entries, double width);
 void draw_legend(SvgPage& page, Point corner, double width, const std::vector<LegendEntry>& entries);
 
-/// A bar of round length, at most a quarter of `width`, with its length in the unit of the case. Its left end is at
-/// `left`.
+/// Draws a bar of round length, at most a quarter of `width`, with its length in the unit of the case. Its left end is
+/// at `left`.
 void draw_scale_bar(SvgPage& page, Point left, double width, const PageMap& map, const Units& units);
 
 }  // namespace keyblock::report

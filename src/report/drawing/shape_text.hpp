@@ -36,10 +36,10 @@ class ShapeText {
   std::size_t place_ = 0;  ///< of the style within the first element
 };
 
-/// Text of a page coordinate: hundredths are finer than any screen.
+/// Returns the text of a page coordinate; hundredths are finer than any screen.
 std::string page_number(double value);
 
-/// Text of points: "1,2 3.5,4".
+/// Returns the text of points: "1,2 3.5,4".
 std::string coordinates(const std::vector<Point>& points);
 
 }  // namespace keyblock::report

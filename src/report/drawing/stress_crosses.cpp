@@ -63,7 +63,7 @@ std::vector<Cross> crosses_of(const PageMap& map, const FieldFrame& field, const
   return crosses;
 }
 
-/// That all but the longest few do not exceed.
+/// Returns the amount that only the greatest few exceed.
 double all_but_few(std::vector<double> amounts) {
   if (amounts.empty()) return 0;
   const auto at = static_cast<std::ptrdiff_t>(kShown * static_cast<double>(amounts.size() - 1));

@@ -8,9 +8,9 @@
 
 namespace keyblock::report {
 
-/// How long a stress is drawn.
+/// Length of the line of a stress.
 struct CrossScale {
-  double sample = 0;     ///< a round stress; 0 where there is none
+  double sample = 0;     ///< a round stress; 0: none
   double length = 0;     ///< of its line, page units
   bool are_cut = false;  ///< the longest few are drawn shorter
 };
@@ -21,10 +21,10 @@ struct CrossScale {
 CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& field, const CornerPlace& place,
                         double most = 0);
 
-/// The stress that no element but the few with the greatest exceeds.
+/// Returns the stress that only the few greatest elements exceed.
 double common_stress(const FieldFrame& field);
 
-/// Both colours, and a line of the sample's length with its value, below `corner`.
+/// Draws both colours, and a line of the sample's length with its value, below `corner`.
 void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, const Units& units);
 
 }  // namespace keyblock::report

@@ -54,7 +54,7 @@ std::vector<Point> corners_of(Point center, double radius) {
   return corners;
 }
 
-/// Opaque; 0 for "none".
+/// Returns an opaque colour; 0 for "none".
 std::uint32_t colour_of(std::string_view text) {
   if (text == "none") return 0;
   std::uint32_t colour = 0;
@@ -73,7 +73,7 @@ Ink ink_of(const Style& style) {
   return ink;
 }
 
-/// Its resolution is halved until its text is short enough.
+/// Encodes a raster, whose resolution is halved until its text is short enough.
 std::string image_element(const PlacedImage& placed) {
   if (placed.image.pixels.empty()) return {};
   std::string data = base64(png_of(placed.image));

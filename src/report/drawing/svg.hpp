@@ -16,7 +16,7 @@
 
 namespace keyblock::report {
 
-/// How a shape is drawn; colours as SVG writes them.
+/// Style of a shape; colours as in SVG.
 struct Style {
   std::string_view fill = "none";
   std::string_view stroke = "none";
@@ -67,7 +67,7 @@ class SvgPage {
     end_layer();
   }
 
-  /// The whole document.
+  /// Returns the whole document.
   std::string str() const;
 
  private:
@@ -94,10 +94,10 @@ class SvgPage {
   int depth_ = 0;
 };
 
-/// Text made safe for an XML document.
+/// Returns the text made safe for an XML document.
 std::string escape_xml(std::string_view text);
 
-/// A width that the text will not exceed in a common sans-serif face.
+/// Returns a width that the text does not exceed in a common sans-serif face.
 double text_width(std::string_view utf8, double size);
 
 /// An upright rectangle that grows around points; empty until the first.

@@ -17,7 +17,7 @@ int label_exponent(double largest) {
   return 3 * static_cast<int>(std::floor(std::log10(largest) / 3));
 }
 
-/// Decimals that tell neighbouring ticks apart.
+/// Returns the decimals that distinguish neighbouring ticks.
 int decimals(double interval) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(interval) - 1e-9)), 0, 15);
 }
@@ -25,7 +25,7 @@ int decimals(double interval) {
 /// Below it a fifth of a span, or a thousandth of its unit, is no full number any more: such values are drawn as 0.
 constexpr double kLeastSpan = 1e-290;
 
-/// An interval on which numbers of this size can still be told apart.
+/// Returns an interval on which numbers of this size can still be distinguished.
 double safe_span(double low, double high) {
   const double size = std::max(std::abs(low), std::abs(high));
   if (size < kLeastSpan) return 1;

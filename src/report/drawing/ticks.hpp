@@ -7,7 +7,7 @@
 
 namespace keyblock::report {
 
-/// The largest of 1, 2, 5 times a power of ten that does not exceed `value` (> 0).
+/// Returns the largest of 1, 2, 5 times a power of ten that does not exceed `value` (> 0).
 double round_down(double value);
 
 /// An axis that covers the data and ends on ticks.
@@ -20,17 +20,17 @@ struct Axis {
   double high() const { return ticks.back(); }
 };
 
-/// "displacement [L]  × 1e-3"; of exponent 0 the label alone.
+/// Returns "displacement [L]  × 1e-3"; for exponent 0 only the label.
 std::string with_exponent(const std::string& label, int exponent);
 
-/// What is greater has no place on an axis: its span would overflow.
+/// Greater values have no place on an axis: its span would overflow.
 inline constexpr double kGreatestDrawn = 1e300;
 
-/// About `wanted` intervals from at or below `low` to at or above `high`, both cut to `kGreatestDrawn`.
+/// Returns about `wanted` intervals from at or below `low` to at or above `high`, both cut to `kGreatestDrawn`.
 Axis make_axis(double low, double high, int wanted);
 
-/// The same for an axis of powers of ten, of values > 0: ticks are logarithms, at decades, or at 1, 2 and 5 of each
-/// where there are fewer than three; labels the values.
+/// Does the same for an axis of powers of ten, for values > 0. Ticks are logarithms, at decades, or at 1, 2 and 5 of
+/// each if there are fewer than three; labels are the values.
 Axis make_log_axis(double low, double high);
 
 }  // namespace keyblock::report

@@ -80,7 +80,7 @@ double enlarged_by(const FieldFrame& end, double size) {
   return most > 0 && most < kSeen * size ? kSeen * size / most : 1;
 }
 
-/// The bodies as they lie at the end; edges of bodies and faces of cracks are dark.
+/// Returns the loops of the elements at the end, with displacements times `factor`.
 std::vector<std::vector<std::vector<Point>>> moved(const FieldFrame& end, double factor) {
   std::vector<std::vector<std::vector<Point>>> elements;
   for (const FieldElement& element : end.elements)
@@ -91,7 +91,7 @@ std::vector<std::vector<std::vector<Point>>> moved(const FieldFrame& end, double
   return elements;
 }
 
-/// Whether the crack changed its length.
+/// Returns true if the crack changed its length.
 bool grows(const Path& path) {
   return !path.length.empty() && path.length.back() > path.length.front();
 }

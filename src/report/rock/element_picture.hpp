@@ -9,11 +9,11 @@
 
 namespace keyblock::report {
 
-/// An SVG document with one curve, its axes named as given.
+/// Returns an SVG document with one curve, its axes named as given.
 std::string element_picture(const std::string& title, const std::string& x_label, const std::vector<double>& x,
                             const std::string& y_label, const std::vector<double>& y);
 
-/// The same of several curves.
+/// Does the same for several curves.
 std::string curves_picture(const std::string& title, const AxisLabels& labels, const std::vector<Curve>& curves);
 
 }  // namespace keyblock::report

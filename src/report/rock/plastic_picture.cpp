@@ -29,7 +29,7 @@ struct State {
   std::string_view colour;
 };
 
-// Those of the regions in their order, then what does not yield now. After Okabe and Ito.
+// Colours of the regions in their order, then of elements that do not yield now (after Okabe and Ito).
 constexpr std::array<State, 6> kStates{{{"has not yielded", "#ececec"},
                                         {"smooth part", "#e69f00"},
                                         {"edge", "#d55e00"},
@@ -44,7 +44,7 @@ std::size_t state_of(const FieldElement& element) {
   return static_cast<std::size_t>(plastic.region);
 }
 
-/// Where the panels stand.
+/// Places of the panels.
 struct Layout {
   std::array<Point, 3> corners;
   Point room;
@@ -57,7 +57,7 @@ Point room_in(std::size_t columns) {
   return {(kRoom - count * kKeyWidth - (count - 1) * kGap) / count, 220 + 80 * count};
 }
 
-/// How many panels beside each other show the bodies largest; more than one row costs a tenth.
+/// Returns the number of panels per row that shows the bodies largest; more than one row costs a tenth.
 std::size_t columns_of(const Box& box) {
   std::size_t best = 1;
   double largest = 0;

@@ -17,9 +17,9 @@ struct PlasticPicture {
   Units units = {};
 };
 
-/// An SVG document: three panels of the bodies as they lie at the end, placed so that they are large. Equivalent
-/// plastic strain from none upwards; mean stress, tension positive, white at zero; and of each element whether it
-/// yields, and on which part of its surface, has yielded before, or has not.
+/// Returns an SVG document with three panels of the bodies at the end, placed so that they are large. They show the
+/// equivalent plastic strain, the mean stress (tension positive, white at zero), and the state of each element: yielding
+/// on a part of its surface, yielded before, or elastic.
 std::string plastic_picture(const PlasticPicture& picture);
 
 }  // namespace keyblock::report

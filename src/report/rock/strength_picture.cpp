@@ -47,7 +47,7 @@ Box box_of(const FieldFrame& field) {
   return box;
 }
 
-// From pale to dark red; its lightness alone tells the order.
+// Colours from pale to dark red; lightness alone shows the order.
 std::string heat(double share) {
   constexpr std::array<std::array<double, 3>, 4> kStops{
       {{247, 244, 238}, {253, 212, 158}, {239, 101, 72}, {127, 0, 0}}};
@@ -61,7 +61,7 @@ std::string heat(double share) {
   return fmt::format("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2));
 }
 
-// The least value, the bar, the greatest value and what they are, in one line.
+// Draws the least value, the bar, the greatest value and their name in one line.
 void draw_heat_bar(SvgPage& page, Point corner, const std::string& most, const std::string& words) {
   constexpr int kParts = 30;
   page.text(corner + Point{-6, 10}, "0", {.size = 12, .anchor = Anchor::end});
@@ -75,7 +75,7 @@ std::string force_words(double force, const Units& units) {
   return is_named ? fmt::format("{:.3g} {}", force, unit_of(measures::kForce, units)) : fmt::format("{:.3g}", force);
 }
 
-// With the force where they stand; few numbers only, or they hide each other.
+// Draws bolts with their force; only a few numbers, which otherwise hide each other.
 void draw_bolts(SvgPage& page, const PageMap& map, const StrengthPicture& picture, bool with_forces) {
   constexpr std::size_t kMostNumbers = 12;
   constexpr std::string_view kAtStrength = "#b2182b";
@@ -125,7 +125,7 @@ std::vector<Side> sides_of(const FieldFrame& before, const FieldFrame& after) {
   return sides;
 }
 
-// The stretch that two sides share, if they lie along each other in opposite senses.
+// Returns the stretch that two sides share, if they lie along each other in opposite senses.
 std::optional<SlipLine> shared(const Side& one, const Side& other, double near) {
   const Point a = one.begin(*one.element).position, b = one.end(*one.element).position;
   const Point c = other.begin(*other.element).position, d = other.end(*other.element).position;
@@ -259,7 +259,7 @@ void draw_bracket(SvgPage& page, const Plot& plot, const StrengthChart& chart) {
   page.line({x, top}, {x, plot.corner.y + plot.size.y}, {.stroke = kServiceColour, .stroke_width = 1.2, .dash = "4 3"});
 }
 
-// Trials that stand lie at their displacement, on a line; the others are crosses in the strip above the axes.
+// Draws stable trials at their displacement, on a line, and the others as crosses in the strip above the axes.
 void draw_trials(SvgPage& page, const Plot& plot, const std::vector<StrengthPoint>& points) {
   std::vector<Point> line;
   for (const StrengthPoint& point : points)

@@ -49,7 +49,7 @@ std::vector<SlipLine> slip_lines(const FieldFrame& before, const FieldFrame& aft
 struct StrengthBolt {
   Segment at;
   double force = 0;
-  bool is_at_strength = false;  ///< it carries no more
+  bool is_at_strength = false;  ///< it is broken
 };
 
 struct StrengthPicture {
