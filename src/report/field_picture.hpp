@@ -58,10 +58,10 @@ FieldScale common_scale(const FieldFrame& start, FieldShown shown, bool is_of_mo
 /// Returns the component of the stress that varies most.
 FieldShown most_varied(const FieldFrame& field);
 
-/// Returns an SVG document: the mesh and the deformed mesh beside each other and the field below them, for tall bodies all
-/// three beside each other. The deformed mesh is scaled to be seen; the factor is named. Colours are of mean corner
-/// values over triangles from each element's middle, with lines of equal value if elements of a mesh have other values
-/// at each corner. Fixed blocks without computed stress are grey.
+/// Returns an SVG document: the mesh and the deformed mesh side by side with the field below them; for tall bodies all
+/// three side by side. The deformed mesh is scaled to be seen; the factor is named. Colours are of mean corner values
+/// over triangles from each element's middle, with lines of equal value if elements of a mesh have other values at each
+/// corner. Fixed blocks without computed stress are grey.
 std::string field_picture(const FieldPicture& picture);
 
 /// Returns the mesh alone, elements over their bodies' colours, for `keyblock cut`.

@@ -18,8 +18,8 @@ struct PlasticPicture {
 };
 
 /// Returns an SVG document with three panels of the bodies at the end, placed so that they are large. They show the
-/// equivalent plastic strain, the mean stress (tension positive, white at zero), and the state of each element: yielding
-/// on a part of its surface, yielded before, or elastic.
+/// equivalent plastic strain, the mean stress (tension positive, white at zero), and the state of each element:
+/// yielding on a part of its surface, yielded before, or elastic.
 std::string plastic_picture(const PlasticPicture& picture);
 
 }  // namespace keyblock::report
