@@ -15,4 +15,10 @@ Point TimeCurve::at(double time) const {
   return values[row] + share * (values[row + 1] - values[row]);
 }
 
+double TimeCurve::last_change() const {
+  for (std::size_t row = times.size(); row > 1; --row)
+    if (!(values[row - 1] == values[row - 2])) return times[row - 1];
+  return 0;
+}
+
 }  // namespace keyblock

@@ -18,6 +18,9 @@ struct TimeCurve {
   /// Returns the value, linear between rows (legacy-rules 7.3); before the first and after the last row it is that of
   /// the nearest row.
   Point at(double time) const;
+
+  /// Returns the time from which the value stays the same; 0 if it never changes.
+  double last_change() const;
 };
 
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// A document of sections, tables and pictures, written as one HTML page that needs no other file and prints on A4.
+// Writes a document of sections, tables and pictures as one HTML page, which needs no other file and prints on A4.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

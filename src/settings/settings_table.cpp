@@ -300,8 +300,9 @@ std::vector<SettingRow> rows_of_contact_forces() {
   using C = StandardChoices;
   return {
       row(Materials::of_joints, "enforcement",
-          "contact forces by multipliers (lagrange), by springs of the contact stiffness (penalty), or by springs "
-          "until no overlap is left (augmented). automatic: springs for NMM bodies, for impact=springs, and for rings "
+          "method of contact forces: multipliers (lagrange), springs of the contact stiffness (penalty), or springs "
+          "until no overlap is left (augmented). With automatic: springs for NMM bodies, for impact=springs, and for "
+          "rings "
           "in contact if more than 8 blocks can move; else multipliers",
           at(&C::enforcement),
           one_of<Enforcement>({{Enforcement::lagrange, "lagrange"},

@@ -95,6 +95,22 @@ TEST(Stages, a_stage_ends_where_forces_are_balanced) {
   EXPECT_NEAR(told.at_end(2).stress.yy, -0.5 * kWeight, 2e-3 * kWeight);
 }
 
+// A push to and fro begins gently; the stage must not end before its table does.
+TEST(Stages, a_stage_lasts_as_long_as_its_loads_change) {
+  Problem problem = column(1, 5e-3);
+  problem.stages = {stage_of(2000, "shaken")};
+  problem.stages[0].equilibrium = 1e-3;
+  Scene scene = prepare(problem, "standard", {{"mass_damping", "20"}}).scene;
+  TimeCurve& shaking = scene.settings.body_acceleration.curve;
+  shaking.times = {0, 1, 2};
+  shaking.values = {{0, 0}, {0.5, 0}, {0, 0}};
+  const Told told = told_of(scene);
+  ASSERT_EQ(told.outcome.scenes.size(), 1U);
+  EXPECT_TRUE(told.outcome.scenes[0].is_balanced);
+  EXPECT_GE(told.outcome.time, 2 - 1e-9);
+  EXPECT_LT(told.outcome.time, 3);
+}
+
 TEST(Stages, a_cut_in_flight_keeps_momentum_and_energy) {
   Problem problem = flying();
   problem.stages = {stage_of(30), stage_of(30, "cut")};

@@ -182,7 +182,7 @@ Action configure_plot(CLI::App& options) {
       ->type_name("FILE");
   options
       .add_option("--curve", chosen->curves,
-                  "curves in place of the field: columns of history.csv and ledger.csv (dx1, kinetic), or a name and a "
+                  "curves instead of the field: columns of history.csv and ledger.csv (dx1, kinetic), or a name and a "
                   "quantity of histories.csv (crest.displacement_x)")
       ->type_name("NAME")
       ->delimiter(',');

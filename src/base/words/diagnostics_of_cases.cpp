@@ -196,7 +196,7 @@ constexpr auto kCases = std::to_array<Diagnostic>({
     {"tables_large", warning, "Tables of results will be large",
      "Histories and measured points will fill 100 MB or more: histories.csv, history.csv and points.csv, by the "
      "number of steps.",
-     "Follow fewer points, or make fewer steps."},
+     "Follow fewer points. Beyond 5,000 steps, tables keep every n-th step by themselves."},
     {"tensile_strength_without_effect", warning, "A tensile strength has no effect",
      "The tensile strength is above the apex of the yield surface, c cot φ.",
      "Give a lower tensile_strength, or remove it."},

@@ -2,12 +2,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/stages/chain_stepper.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "result/describe.hpp"
 #include "step/scene_steppers.hpp"
 
 namespace keyblock {
+namespace {
+
+// Returns true if tables of loads, driven points and accelerations no longer change: only then is rest an equilibrium.
+bool loads_are_constant(const Scene& scene, double time) {
+  const auto ends_later = [&](const CarriedPoint& point) { return point.curve.last_change() > time; };
+  return std::ranges::none_of(scene.model.loading_points, ends_later) &&
+         std::ranges::none_of(scene.model.fixed_points, ends_later) &&
+         scene.settings.body_acceleration.curve.last_change() <= time;
+}
+
+}  // namespace
 
 ChainStepper::ChainStepper(Scene first) : scene_(std::move(first)) {
   now_ = scene_stepper(scene_);
@@ -67,7 +79,8 @@ std::variant<StepReport, StepFailure> ChainStepper::advance() {
   SceneReport& report = reports_.back();
   report.last_step = now_->state().step;
   report.end_time = now_->state().time;
-  report.is_balanced = scene_.end.equilibrium && now_->is_at_rest(*scene_.end.equilibrium);
+  report.is_balanced = scene_.end.equilibrium && now_->is_at_rest(*scene_.end.equilibrium) &&
+                       loads_are_constant(scene_, report.end_time);
   const int steps = report.last_step - report.first_step;
   ends_scene_ = report.is_balanced || (scene_.end.steps > 0 && steps >= scene_.end.steps);
   if (ends_scene_) report.forces = now_->forces();

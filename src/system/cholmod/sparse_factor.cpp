@@ -3,6 +3,7 @@
 #include "system/cholmod/sparse_factor.hpp"
 
 #include <dlfcn.h>
+#include <pthread.h>
 
 #include <Eigen/CholmodSupport>
 #include <cmath>
@@ -41,8 +42,12 @@ void keep_to_threads_of_loops() {
 // One thread of the process at a time: two that factorised or solved at once, each with a factorisation of its own,
 // changed each other's last digits. The BLAS of Debian behind CHOLMOD is a single one for programs of one thread.
 // CHOLMOD itself counts and reports in data of the factorisation, also while it solves.
+// A process may be copied while another of its threads factorises, as Python's multiprocessing does. The copy has no
+// such thread, so the mutex is taken before and given back on both sides.
 std::mutex& guard() {
   static std::mutex mutex;
+  static const int registered = pthread_atfork([] { mutex.lock(); }, [] { mutex.unlock(); }, [] { mutex.unlock(); });
+  static_cast<void>(registered);
   return mutex;
 }
 
