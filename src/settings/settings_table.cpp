@@ -112,7 +112,7 @@ std::vector<SettingRow> rows_of_the_run() {
           "of steps. Under dynamics=shi with step_control=shi: step if nothing moves, and 100 times the smallest step",
           at(&Settings::time_step), real(kAboveZero)),
       row("step_control",
-          "rule for the step size: constant, from the displacement of a step (shi), or from its estimated error. error "
+          "rule for the step size: constant, from the displacement of a step (shi), or from its estimated error; error "
           "needs dynamics=standard",
           at(&Settings::step_control),
           one_of<StepControl>(
@@ -275,7 +275,7 @@ std::vector<SettingRow> rows_of_solution() {
       under({"motion = dynamic", [](const Settings& s) { return s.standard.motion == MotionRule::dynamic; }},
             row("start",
                 "initial strains and contact forces: in equilibrium with the loads (compatible), or zero (sudden). "
-                "automatic: compatible in scenes without NMM bodies, else sudden",
+                "Under automatic: compatible in scenes without NMM bodies, else sudden",
                 at(&C::start),
                 one_of<StartRule>({{StartRule::compatible, "compatible"},
                                    {StartRule::sudden, "sudden"},
@@ -300,10 +300,9 @@ std::vector<SettingRow> rows_of_contact_forces() {
   using C = StandardChoices;
   return {
       row(Materials::of_joints, "enforcement",
-          "method of contact forces: multipliers (lagrange), springs of the contact stiffness (penalty), or springs "
-          "until no overlap is left (augmented). With automatic: springs for NMM bodies, for impact=springs, and for "
-          "rings "
-          "in contact if more than 8 blocks can move; else multipliers",
+          "contact forces by multipliers (lagrange), by springs of the contact stiffness (penalty), or by springs "
+          "until no overlap is left (augmented). Under automatic: springs for NMM bodies, for impact=springs, and for "
+          "rings in contact if more than 8 blocks can move; else multipliers",
           at(&C::enforcement),
           one_of<Enforcement>({{Enforcement::lagrange, "lagrange"},
                                {Enforcement::penalty, "penalty"},
