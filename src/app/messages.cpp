@@ -10,6 +10,7 @@
 #include <spdlog/spdlog.h>
 
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -118,14 +119,14 @@ std::vector<std::pair<std::string, std::vector<Kind>>> sorted_by_code(const Warn
 }
 
 /// Returns the second line of a warning or an error, indented; empty for notes, which have none.
-std::string help_line(const std::string& code) {
+std::string help_of(const std::string& code) {
   const Diagnostic* row = find_diagnostic(code);
   if (row == nullptr || row->level == DiagnosticLevel::note || row->level == DiagnosticLevel::silent) return {};
-  return fmt::format("  help: {}", row->remedy);
+  return help_line(row->remedy);
 }
 
 void log_help(const std::string& code) {
-  if (const std::string help = help_line(code); !help.empty()) spdlog::warn("{}", help);
+  if (const std::string help = help_of(code); !help.empty()) spdlog::warn("{}", help);
 }
 
 /// First warning of a code, and the number of warnings with this code.
@@ -198,7 +199,7 @@ void log_warnings(const Warnings& warnings) {
 std::vector<std::string> lines_of(const Warnings& warnings) {
   std::vector<std::string> lines;
   const auto put_help = [&](const std::string& code) {
-    if (std::string help = help_line(code); !help.empty()) lines.push_back(std::move(help));
+    if (std::string help = help_of(code); !help.empty()) lines.push_back(std::move(help));
   };
   if (!spdlog::should_log(spdlog::level::debug)) {
     for (const auto& [first, count] : counted_by_code(warnings)) {
@@ -240,6 +241,14 @@ void log_by_level(const Warnings& warnings, std::string_view of) {
   if (!notes.empty())
     spdlog::info("{} on {}: {} (--verbose shows {})", counted(notes.size(), "note"), of, fmt::join(notes, ", "),
                  notes.size() == 1 ? "it" : "them");
+}
+
+std::string help_line(std::string_view remedy) {
+  std::string words(remedy);
+  if (words.size() > 1 && std::islower(static_cast<unsigned char>(words[1])) != 0)
+    words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
+  if (words.ends_with('.')) words.pop_back();
+  return "  help: " + words;
 }
 
 bool shows_progress() {

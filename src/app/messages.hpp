@@ -33,6 +33,9 @@ std::vector<std::string> lines_of(const Warnings& warnings);
 /// notes and names their codes. `of`: "the case", "the run". Under --verbose like `log_warnings`.
 void log_by_level(const Warnings& warnings, std::string_view of);
 
+/// Returns the line of a remedy, "  help: …": lower case, no full stop.
+std::string help_line(std::string_view remedy);
+
 /// Returns true unless only errors are to be printed.
 bool shows_progress();
 

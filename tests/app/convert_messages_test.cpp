@@ -50,7 +50,7 @@ TEST(ConvertMessages, warnings_that_differ_in_numbers_alone_are_told_once) {
   support::write_text(folder + "/a.blk", blocks + "0 5 0.5 0\n0 6 0.5 0\n");
   const auto run = run_keyblock({"convert", folder + "/a.blk", "-o", folder + "/a.json"});
   EXPECT_TRUE(contains(run.messages, "is left out [point_outside_blocks] (2 times)")) << run.messages;
-  EXPECT_TRUE(contains(run.messages, "\n  help: Move the mark into a block; check the unit of the drawing.\n"));
+  EXPECT_TRUE(contains(run.messages, "\n  help: move the mark into a block; check the unit of the drawing\n"));
   EXPECT_EQ(std::ranges::count(run.messages, '\n'), 2) << run.messages;
 }
 

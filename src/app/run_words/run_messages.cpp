@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -24,11 +23,8 @@
 namespace keyblock {
 namespace {
 
-void print_help(std::string words) {
-  if (words.size() > 1 && std::islower(static_cast<unsigned char>(words[1])) != 0)
-    words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
-  if (words.ends_with('.')) words.pop_back();
-  spdlog::info("  help: {}", words);
+void print_help(std::string_view words) {
+  spdlog::info("{}", help_line(words));
 }
 
 std::string blocks_in_words(const std::vector<int>& numbers) {
@@ -142,7 +138,7 @@ void RunMessages::print_doubts(const Warnings& doubts) const {
                   doubts[i].sentence, doubts[i].name);
     const bool is_last_of_code = i + 1 == doubts.size() || doubts[i + 1].name != doubts[i].name;
     const Diagnostic* known = find_diagnostic(doubts[i].name);
-    if (is_last_of_code && known != nullptr && !known->remedy.empty()) print_help(std::string(known->remedy));
+    if (is_last_of_code && known != nullptr && !known->remedy.empty()) print_help(known->remedy);
   }
 }
 
