@@ -95,7 +95,7 @@ Warnings without_effect(const Problem& problem, const std::vector<Override>& ove
     const std::string why = why_unread(problem, first, setting.first);
     if (why.empty()) return;
     warnings.push_back(
-        {"setting_without_effect", place, fmt::format("setting {} {} and has no effect here", setting.first, why)});
+        {"setting_without_effect", place, fmt::format("setting {} has no effect here: it {}", setting.first, why)});
   };
   const RunChoices& choices = problem.choices;
   for (std::size_t i = 0; i < choices.settings.size(); ++i)

@@ -171,7 +171,7 @@ class Treatment {
                                          : fmt::format("finds {}, {}, but none that shares a side with another",
                                                        counted(alone, "sliver"), slivers_in_words());
       cut_.warnings.push_back(
-          {"setting_without_effect", place, fmt::format("setting slivers {}, and has no effect here", why)});
+          {"setting_without_effect", place, fmt::format("setting slivers has no effect here: it {}", why)});
       return;
     }
     double area = 0;
