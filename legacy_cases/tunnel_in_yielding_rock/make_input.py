@@ -16,7 +16,7 @@ ACROSS = -15
 STIFFER = 100  # the formula is of small strain; the wall of the benchmark would close by 3 % of its radius
 inner = arc(1, 90, 0, 48)
 corners = arc(FAR, 0, 90, 24) + inner
-SOURCE = '%.9g: Salencon 1969; Carranza-Torres 2003, over 100 as the modulus is 100 times as large'
+SOURCE = '%.9g: Salençon 1969; Carranza-Torres 2003, over 100 as the modulus is 100 times as large'
 
 
 def case(folder, psi, closure, mesh, share, reason, variants):

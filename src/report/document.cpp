@@ -29,13 +29,15 @@ nav { margin: 1rem 0; color: var(--faint) } a { color: inherit }
 nav a { margin-right: 1rem; white-space: nowrap }
 .scroll { overflow-x: auto; margin: .6rem 0 }
 table { border-collapse: collapse; width: 100%; font-size: .92em }
-th, td { text-align: left; padding: .25rem .6rem .25rem 0; border-bottom: 1px solid var(--line); vertical-align: top;
-  overflow-wrap: anywhere }
+th, td { text-align: left; padding: .25rem .6rem .25rem 0; border-bottom: 1px solid var(--line);
+  vertical-align: top; overflow-wrap: anywhere }
 th { font-weight: 600; background: var(--head); overflow-wrap: normal }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
-figure { margin: 1rem 0; break-inside: avoid } figure img { width: 100%; background: #fff; border: 1px solid var(--line) }
+figure { margin: 1rem 0; break-inside: avoid }
+figure img { width: 100%; background: #fff; border: 1px solid var(--line) }
 figcaption { color: var(--faint); font-size: .9em }
-@media print { @page { size: A4; margin: 16mm } body { font-size: 10pt; padding: 0; max-width: none } nav { display: none }
+@media print {
+  @page { size: A4; margin: 16mm } body { font-size: 10pt; padding: 0; max-width: none } nav { display: none }
   tr { break-inside: avoid } :root { --text: #000; --faint: #444; --line: #bbb; --back: #fff; --head: #f3f3f3 } }
 )";
 

@@ -183,7 +183,7 @@ class Tables:
         return case_text(arc(far, 0, 90, 24) + inner, covers, 6777 * stiffer, 0.21, arc(1, 0, 90, 12), plane_strain=True, steps=(16, 1), strength=strength)
 
     def tunnel(self):
-        print("Round tunnel (Salencon 1969): closure at the side, above, and in the mean of 13 points, asked 2 % of psi = phi, 4 % of psi 0; radius of flow by the")
+        print("Round tunnel (Salençon 1969): closure at the side, above, and in the mean of 13 points, asked 2 % of psi = phi, 4 % of psi 0; radius of flow by the")
         print("area that yielded, asked 2 %. The formula takes the stress across the plane as the middle one, as it is with -12 to -22 before the hole; not with -30")
         print("%4s %-10s %6s %6s %8s %8s %8s %9s  %s" % ("psi", "functions", "across", "unkn.", "side %", "above %", "mean %", "radius %", ROUNDS))
         for psi, finer, functions, across, asked in ((30, False, None, -15, 2), (30, True, None, -15, 2), (30, False, "derived", -15, 2), (30, False, None, -20, 2),
