@@ -4,6 +4,7 @@
 #include "step/time/impact.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -62,6 +63,27 @@ Eigen::VectorXd times_of(const std::vector<ImpactMeeting>& meetings, Eigen::Inde
   for (std::size_t i = 0; i < meetings.size(); ++i)
     times.segment<2>(static_cast<Eigen::Index>(2 * i)).setConstant(meetings[i].since);
   return times;
+}
+
+// Returns the greatest displacement of a body by translation and rotation; of velocities, the greatest velocity.
+double greatest_rigid(const StandardScene& scene, const UnknownsTable& changes) {
+  double most = 0;
+  for (const ElementIndex e : indices(changes))
+    if (const Unknowns& of = changes[e]; of.size() >= kRigidUnknowns)
+      most = std::max(most, of.head<2>().norm() + std::abs(of[2]) * scene.bodies()[e].size);
+  return most;
+}
+
+// Returns the displacement that impulses have made since the surfaces met, each meeting at its own time. Impulses in a
+// jammed ring may balance one another and be far greater than what moves blocks. Their own times would leave them
+// unbalanced: then all act for the shortest time. `changed`: their change of velocities.
+UnknownsTable shift_since(const StandardScene& scene, const std::vector<ImpactMeeting>& meetings,
+                          const ContactRows& rows, const Flexibility& flexibility, const Eigen::VectorXd& impulses,
+                          const UnknownsTable& changed) {
+  const Eigen::VectorXd times = times_of(meetings, impulses.size());
+  UnknownsTable shift = answer(rows, flexibility, impulses.cwiseProduct(times));
+  if (greatest_rigid(scene, shift) <= times.maxCoeff() * greatest_rigid(scene, changed)) return shift;
+  return answer(rows, flexibility, times.minCoeff() * impulses);
 }
 
 // Pushes apart contacts with too much overlap. Contacts that lock each other may keep their overlap from then on.
@@ -280,9 +302,9 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
     problem.gap_tolerance = of_impacts::kShareOfSlow * impacts.slow;
   }
   const FrictionalSolution solution = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
-  const Eigen::VectorXd shifts = solution.forces.cwiseProduct(times_of(meetings, solution.forces.size()));
-  Jump jump{plus(q, 1, answer(rows, flexibility, shifts)),
-            plus(v, 1, answer(rows, flexibility, solution.forces)),
+  const UnknownsTable changed = answer(rows, flexibility, solution.forces);
+  Jump jump{plus(q, 1, shift_since(scene, meetings, rows, flexibility, solution.forces, changed)),
+            plus(v, 1, changed),
             0,
             0,
             solution.solves,
