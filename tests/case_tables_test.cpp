@@ -87,12 +87,13 @@ TEST(CaseTables, no_tolerance_is_so_wide_that_standing_still_would_pass) {
   }
 }
 
-TEST(CaseTables, every_case_says_reference_analysis_purpose_and_summary) {
+TEST(CaseTables, every_case_has_reference_model_purpose_and_results) {
   for (const fs::directory_entry& entry : fs::directory_iterator(kCases)) {
     if (!entry.is_directory()) continue;
     const std::string text = text_of(entry.path() / "README.md");
     std::size_t at = 0;
-    for (const char* heading : {"\n## Reference\n", "\n## Analysis\n", "\n## Purpose\n", "\n## Summary\n"}) {
+    for (const char* heading :
+         {"\n## Reference solution\n", "\n## Model\n", "\n## What it verifies\n", "\n## Results\n"}) {
       at = text.find(heading, at);
       EXPECT_NE(at, std::string::npos) << entry.path() << ' ' << heading;
     }
