@@ -10,13 +10,13 @@ PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3
            libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev \
            libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 libyaml-cpp-dev zlib1g-dev
 
-.PHONY: help build install uninstall deb debug run test docs cases index fronts validate bench bare sanitize fuzz format tidy clean packages
+.PHONY: help build install uninstall deb debug run test docs cases index verification fronts validate bench bare sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## use | | this list
 	@for group in use cases care; do echo "$$group"; \
 	  awk -F ':.*## | *[|] *' -v group=$$group \
-	    '/^[a-z]+:.*## / && $$2 == group { printf "  make %-9s %-10s %s\n", $$1, $$3, $$4 }' Makefile; done
+	    '/^[a-z]+:.*## / && $$2 == group { printf "  make %-12s %-10s %s\n", $$1, $$3, $$4 }' Makefile; done
 	@echo "Times are those of two cores. The first of run, test, build and the cases also compiles: 10 min the program, 5 min the tests; long: over 20 min."
 
 # Builds the program alone: the tests can wait.
@@ -37,6 +37,10 @@ cases: build ## cases | 1 min | reruns all cases in both profiles and compares t
 index: build ## cases | 1 min | reruns all cases and rewrites the table of legacy_cases/README.md
 	@$(call install_missing,python3)
 	python3 legacy_cases/index.py build/keyblock
+
+verification: build ## cases | 6 min | reruns all cases, slow ones too, and rewrites the verification manual, docs/verification
+	@$(call install_missing,python3)
+	python3 docs/make_verification.py build/keyblock
 
 # Whole tables and pictures; processor time, so that what else runs disturbs little.
 FRONTS = legacy_cases/fronts

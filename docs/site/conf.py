@@ -1,4 +1,7 @@
 """Builds the pages of this repository as a site (`make docs`), with Debian's packages alone; nothing is fetched."""
+import posixpath
+import re
+from pathlib import Path
 
 project = "Keyblock"
 author = "the authors of Keyblock"
@@ -6,7 +9,7 @@ root_doc = "docs/site/index"
 extensions = ["myst_parser", "sphinx.ext.mathjax"]
 include_patterns = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "docs/*.md", "docs/**/*.md", "formats/README.md", "formats/**/README.md",
-    "src/README.md", "legacy_cases/README.md", "legacy_cases/**/README.md",
+    "src/README.md", "legacy_cases/README.md", "legacy_cases/fronts/README.md", "legacy_cases/berkeley_tables/README.md",
 ]
 exclude_patterns = ["build*", "out"]
 myst_enable_extensions = ["dollarmath"]
@@ -16,3 +19,20 @@ html_theme = "furo"
 html_title = "Keyblock"
 html_static_path = ["static", "/usr/share/javascript/katex"]
 mathjax_path = "draw_maths.js"  # KaTeX, from the static files
+
+
+def lead_to_manual(app, page, text):
+    """Lets links to the README of a case lead to its page of the verification manual, which has the same text and the values."""
+    folder = posixpath.dirname(page)
+
+    def target(match):
+        case = re.fullmatch(r"legacy_cases/(\w+)/README\.md", posixpath.normpath(posixpath.join(folder, match[1])))
+        manual = f"docs/verification/{case[1]}.md" if case else ""
+        if not case or not (Path(app.srcdir) / manual).is_file():
+            return match[0]
+        return f"]({posixpath.relpath(manual, folder or '.')}{match[2] or ''})"
+    text[0] = re.sub(r"\]\(([^()\s#]+)(#[^()\s]*)?\)", target, text[0])
+
+
+def setup(app):
+    app.connect("source-read", lead_to_manual)
