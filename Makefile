@@ -10,7 +10,7 @@ PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3
            libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev \
            libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 libyaml-cpp-dev zlib1g-dev
 
-.PHONY: help build install uninstall deb debug run test docs cases index verification fronts validate bench bare sanitize fuzz format tidy clean packages
+.PHONY: help build install uninstall deb debug run test docs cases index verification board fronts validate bench bare sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## use | | this list
@@ -41,6 +41,11 @@ index: build ## cases | 1 min | reruns all cases and rewrites the table of legac
 verification: build ## cases | 6 min | reruns all cases, slow ones too, and rewrites the verification manual, docs/verification
 	@$(call install_missing,python3)
 	python3 docs/make_verification.py build/keyblock
+
+board: ## cases | 1 s | writes out/board.html: all cases with pictures, values and errors, then cost of accuracy and speed
+	@$(call install_missing,python3)
+	@mkdir -p out
+	python3 docs/make_board.py out/board.html
 
 # Whole tables and pictures; processor time, so that what else runs disturbs little.
 FRONTS = legacy_cases/fronts
