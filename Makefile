@@ -10,7 +10,7 @@ PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3
            libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev \
            libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 libyaml-cpp-dev zlib1g-dev
 
-.PHONY: help build install uninstall deb debug run test docs cases index verification board fronts validate bench bare sanitize fuzz format tidy clean packages
+.PHONY: help build install uninstall deb debug run test docs cases index verification board gallery fronts validate bench bare sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## use | | this list
@@ -46,6 +46,12 @@ board: ## cases | 1 s | writes out/board.html: all cases with pictures, values a
 	@$(call install_missing,python3)
 	@mkdir -p out
 	python3 docs/make_board.py out/board.html
+
+gallery: packages ## cases | 1 min | runs a dozen scenes of the repository: pictures in out/gallery/index.html
+	@$(call install_missing,python3)
+	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+	cmake --build build --parallel $(JOBS) --target keyblock
+	python3 docs/make_gallery.py build/keyblock out/gallery
 
 # Whole tables and pictures; processor time, so that what else runs disturbs little.
 FRONTS = legacy_cases/fronts
