@@ -38,7 +38,7 @@ index: build ## cases | 1 min | reruns all cases and rewrites the table of legac
 	@$(call install_missing,python3)
 	python3 legacy_cases/index.py build/keyblock
 
-verification: build ## cases | 6 min | reruns all cases, slow ones too, and rewrites the verification manual, docs/verification
+verification: build ## cases | 5 min | reruns all cases, slow ones too, and rewrites the verification manual, docs/verification
 	@$(call install_missing,python3)
 	python3 docs/make_verification.py build/keyblock
 
@@ -47,7 +47,7 @@ board: ## cases | 1 s | writes out/board.html: all cases with pictures, values a
 	@mkdir -p out
 	python3 docs/make_board.py out/board.html
 
-gallery: packages ## cases | 1 min | runs a dozen scenes of the repository: pictures in out/gallery/index.html
+gallery: packages ## cases | 10 s | runs a dozen scenes of the repository: pictures in out/gallery/index.html
 	@$(call install_missing,python3)
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build --parallel $(JOBS) --target keyblock
