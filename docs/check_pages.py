@@ -1,4 +1,5 @@
-"""Checks the Markdown pages of the repository: links, anchors, tables, sentences, words, equations of the theory.
+"""Checks the Markdown pages of the repository: links, anchors, tables, sentences, words; equations and citations of the
+theory, files that the developer's guide names.
 
 Used by make_reference.py --check; `python3 docs/check_pages.py [PAGE…]` checks all pages, or some, without the program,
 and those of NOT_YET in full if they are named.
@@ -116,7 +117,7 @@ def blocks_of(text):
             if block:
                 yield first, " ".join(block)
             block = []
-        if bare and not bare.startswith(("#", "|")):
+        if bare and not bare.startswith(("#", "|")) and not re.match(r"\[[^\]]+\]: \S+$", bare):
             bare = re.sub(r"^>\s?", "", bare[begins.end():] if begins else bare)
             if not block:
                 first = number
@@ -187,8 +188,46 @@ def theory_faults(root, text):
         yield 1, f"a row under \"## Implementation\" names ({tag}), which no equation has"
 
 
+# "Burman 2010", "Simo and Tarnow (1992)", "Liu et al. 2009", "Doolin and Sitar 2001, 2002"
+NAME = r"(?:de Souza Neto|[A-ZÀ-ÝŠŽ][\w’\-–]+)"
+CITATION = re.compile(rf"\b({NAME}(?:,? et al\.|(?:, {NAME})*(?:,? (?:and|&) {NAME})?)) \(?((?:1[6-9]|20)\d\d(?:, (?:1[6-9]|20)\d\d)*)\b")
+
+
+def works_of(root):
+    """Of the bibliography: (surname of the first author, year) → surnames of the heading."""
+    works = {}
+    for heading in re.findall(r"^### +(.*?) *$", (root / "docs/theory/references.md").read_text(encoding="utf-8"), re.M):
+        names, _, year = heading.rpartition(" ")
+        surnames = re.split(r", | and ", names.replace(" et al.", ""))
+        works[surnames[0], year] = surnames
+    return works
+
+
+def citation_faults(text, works, cited):
+    """Citations without an entry in the bibliography, in theory, reference, formats and cases."""
+    text = re.sub(r"^\[[^\]]+\]: .*$", "", text, flags=re.M)  # definitions of links
+    text = re.sub(r"\$\$.*?\$\$|\$[^$\n]+\$|`[^`\n]*`", lambda m: "\n" * m.group(0).count("\n") or "code", text, flags=re.S)
+    text = re.sub(r"\[([^\[\]]*)\](?:\([^()]*\)|\[[^\[\]]*\])?", r"\1", text)  # the words of links
+    for found in CITATION.finditer(re.sub(r"(?<=\S)\n(?=\S)", " ", text)):  # a line may end within a name
+        surnames = re.split(r", | and | & ", re.sub(r",? et al\.", "", found[1]))
+        for year in found[2].split(", "):
+            known = works.get((surnames[0], year))
+            cited.add((surnames[0], year))
+            if known is None or ("et al." not in found[1] and surnames != known):
+                yield line_of(text, found.start()), f"the citation \"{found[1]} {year}\" has no entry in docs/theory/references.md"
+
+
+def dev_faults(root, text):
+    """Files that the developer's guide names and that are not there."""
+    for found in re.finditer(r"`((?:src|formats|tests|docs|legacy_cases|include|python|examples)/[\w./-]+)`", text):
+        name = found[1]
+        if not (root / name).exists() and not re.search(r"/(?:NAME|CASE)", name):
+            yield line_of(text, found.start()), f"there is no file {name}"
+
+
 def faults_of(root, only=None):
     faults = []
+    works, cited = works_of(root), set()
     for path in only or pages(root):
         name = path.resolve().relative_to(root).as_posix()
         whole = path.read_text(encoding="utf-8")
@@ -201,10 +240,15 @@ def faults_of(root, only=None):
             print(f"{name} is clean: take it off the list NOT_YET of docs/check_pages.py", file=sys.stderr)
         if name.startswith("docs/theory/"):
             found += theory_faults(root, whole)
+        if name.startswith("docs/dev/"):
+            found += dev_faults(root, whole)
+        if name.startswith(("docs/theory/", "docs/reference/", "formats/", "legacy_cases/")) and name != "docs/theory/references.md":
+            found += citation_faults(text, works, cited)
         faults += [f"{name}:{number}: {fault}" for number, fault in sorted(found)]
     if not only:
         faults += [f"docs/check_pages.py: NOT_YET names {name}, which is not there" for name in NOT_YET
                    if not (root / name).is_file()]
+        faults += [f"docs/theory/references.md: no page cites {name} {year}" for name, year in works if (name, year) not in cited]
     return faults
 
 
