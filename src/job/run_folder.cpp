@@ -272,6 +272,7 @@ std::vector<int> RunFolder::finish(const RunResults& results) {
   }
   if (!results.field.cracks.empty()) files_.write("cracks.dxf", dxf_of(results.field.cracks, units_));
   if (trace_ == Trace::yes) write_traces(results);
+  if (results.has_page) files_.name(kPageFile);
   return hidden;
 }
 
@@ -284,6 +285,10 @@ void RunFolder::write_traces(const RunResults& results) {
 
 void RunFolder::write_record(const std::string& json) {
   files_.write(kRecord, json);
+}
+
+void RunFolder::write_page(const std::string& page) {
+  files_.write(kPageFile, page);
 }
 
 fs::path checkpoint_in(const fs::path& folder) {

@@ -52,6 +52,7 @@ struct RunResults {
   std::vector<int> idle_bolts = {};  ///< numbers, from 0, of bolts without properties
   std::vector<int> held = {};        ///< numbers, from 0, of blocks with a fixed point at the end
   bool has_pictures = true;
+  bool has_page = false;   ///< the page follows the record
   std::string shown = {};  ///< in field.svg, a word of `report::kFieldWords`; empty: the stress that varies most
 };
 
@@ -116,6 +117,9 @@ class RunFolder {
 
   /// Writes run.json last: its presence means that all other files are there.
   void write_record(const std::string& json);
+
+  /// Writes the page, after the record that it shows.
+  void write_page(const std::string& page);
 
   const Frame& first_frame() const { return frames_.front(); }
   const Frame& last_frame() const { return frames_.back(); }
