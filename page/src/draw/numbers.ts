@@ -53,10 +53,6 @@ const LADDERS: Record<string, [string, number][]> = {
     ['mm/s', 1e-3],
     ['µm/s', 1e-6],
   ],
-  's': [
-    ['s', 1],
-    ['ms', 1e-3],
-  ],
   'N/m': [
     ['MN/m', 1e6],
     ['kN/m', 1e3],
@@ -78,6 +74,17 @@ export function show_with(value: number, unit: string, digits = 4): string {
   if (Number.isNaN(value)) return '–';
   const { factor, unit: name } = scaled_unit(unit, Math.abs(value));
   return `${show(value / factor, digits)}${name ? THIN + name : ''}`.replace(THIN, '\u00a0');
+}
+
+/** Two ends of a range with one unit. */
+export function show_range(low: number, high: number, unit: string, digits = 4): string {
+  const { factor, unit: name } = scaled_unit(unit, Math.max(Math.abs(low), Math.abs(high)));
+  return `${show(low / factor, digits)} to ${show(high / factor, digits)}${name ? `\u00a0${name}` : ''}`;
+}
+
+/** A time, always in the unit of the case. */
+export function show_time(time: number, unit?: string): string {
+  return `${show(time, 4)}${unit ? `\u00a0${unit}` : ''}`;
 }
 
 /** A round number (1, 2 or 5 times a power of ten) at or below a size. */

@@ -16,7 +16,6 @@ export interface Paint {
   outline: string;
   plain: string;
   plain_fixed: string;
-  hatch: string;
   chosen: string;
   near: string;
   stick: string;
@@ -38,7 +37,6 @@ export const LIGHT: Paint = {
   outline: '#2b3442',
   plain: '#dfe4ea',
   plain_fixed: '#b9c1cb',
-  hatch: '#1b2330',
   chosen: '#d6006c',
   near: '#d6006c',
   stick: '#0b5fa5',
@@ -60,7 +58,6 @@ export const DARK: Paint = {
   outline: '#0c0f13',
   plain: '#46515f',
   plain_fixed: '#2f3843',
-  hatch: '#e6eaf0',
   chosen: '#ff5aa5',
   near: '#ff5aa5',
   stick: '#63b3ff',
@@ -168,6 +165,8 @@ export function outline_width(figure: Figure): number {
   return size > 25 ? 1 : size > 8 ? 0.7 : 0.4;
 }
 
+const HATCH_LINE: Line = { colour: '#10151c', second: '#ffffff', width: 1, opacity: 0.42 };
+
 /** Fills, hatches and outlines. */
 export function paint_bodies(pen: Pen, figure: Figure, screen: Float32Array): void {
   const { geometry } = figure.pose;
@@ -183,7 +182,7 @@ export function paint_bodies(pen: Pen, figure: Figure, screen: Float32Array): vo
   }
   for (let b = 0; b < geometry.bodies; b++) {
     if (!fixed[b]) continue;
-    pen.hatch(screen, loop_start, body_loop[b], body_loop[b + 1], { colour: paint.hatch, width: 1, opacity: 0.45 });
+    pen.hatch(screen, loop_start, body_loop[b], body_loop[b + 1], HATCH_LINE);
   }
   if (figure.outlines) {
     pen.loops(screen, loop_start, 0, geometry.loops, { colour: paint.outline, width: outline_width(figure) });
@@ -223,7 +222,8 @@ export function contact_line(figure: Figure, marks: ContactMarks, i: number): [n
   const reach = Math.max(5, Math.min(26, 0.24 * figure.typical * camera.scale)) * (0.55 + 0.45 * Math.sqrt(share));
   const ex = force > 0 ? fx / force : 0;
   const ey = force > 0 ? -fy / force : 0;
-  return [x - ex * reach, y - ey * reach, x + ex * reach, y + ey * reach, 1 + 6 * share];
+  const widest = Math.max(1.5, Math.min(6, 0.1 * figure.typical * camera.scale));
+  return [x - ex * reach, y - ey * reach, x + ex * reach, y + ey * reach, 1 + widest * share];
 }
 
 function paint_contacts(pen: Pen, figure: Figure, marks: ContactMarks): void {
@@ -328,6 +328,9 @@ export function paint_over(pen: Pen, figure: Figure, screen: Float32Array): void
   }
   for (const trail of figure.trails) {
     const line = screen_of(figure, trail);
+    let length = 0;
+    for (let i = 2; i < line.length; i += 2) length += Math.hypot(line[i] - line[i - 2], line[i + 1] - line[i - 1]);
+    if (length < 1.5) continue;
     pen.polyline(line, { colour: paint.background, width: 3.5, opacity: 0.6 });
     pen.polyline(line, { colour: paint.chosen, width: 1.5 });
   }

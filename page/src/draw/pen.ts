@@ -5,6 +5,8 @@ export interface Line {
   width: number;
   dash?: number[];
   opacity?: number;
+  /** Second colour of hatch lines. */
+  second?: string;
 }
 
 export interface TextStyle {
@@ -92,14 +94,20 @@ export class CanvasPen implements Pen {
       tile.width = tile.height = HATCH * ratio;
       const t = tile.getContext('2d')!;
       t.scale(ratio, ratio);
-      t.strokeStyle = line.colour;
       t.lineWidth = line.width;
-      t.beginPath();
-      for (const shift of [-HATCH, 0, HATCH]) {
-        t.moveTo(shift - 1, HATCH + 1);
-        t.lineTo(shift + HATCH + 1, -1);
+      // A dark and a light line side by side are seen on every colour.
+      for (const [colour, aside] of [
+        [line.colour, 0],
+        [line.second ?? line.colour, line.width],
+      ] as const) {
+        t.strokeStyle = colour;
+        t.beginPath();
+        for (const shift of [-HATCH, 0, HATCH]) {
+          t.moveTo(shift - 1 + aside, HATCH + 1);
+          t.lineTo(shift + HATCH + 1 + aside, -1);
+        }
+        t.stroke();
       }
-      t.stroke();
       const made = c.createPattern(tile, 'repeat')!;
       made.setTransform(new DOMMatrix().scale(1 / ratio));
       this.pattern = { key, made };
@@ -229,10 +237,13 @@ export class SvgPen implements Pen {
     if (!id) {
       id = `hatch${this.patterns.size}`;
       this.patterns.set(key, id);
-      const d = `M-1 ${HATCH + 1}L${HATCH + 1} -1`;
+      const path = (colour: string, aside: number) => {
+        const d = [-HATCH, 0, HATCH].map(x => `M${x - 1 + aside} ${HATCH + 1}L${x + HATCH + 1 + aside} -1`).join('');
+        return `<path d="${d}" stroke="${colour}" stroke-width="${line.width}"/>`;
+      };
       this.out.unshift(
         `<defs><pattern id="${id}" width="${HATCH}" height="${HATCH}" patternUnits="userSpaceOnUse">` +
-          `<path d="${d}" stroke="${line.colour}" stroke-width="${line.width}"/></pattern></defs>`,
+          `${path(line.colour, 0)}${path(line.second ?? line.colour, line.width)}</pattern></defs>`,
       );
     }
     const path = this.path(places, starts, from, to);

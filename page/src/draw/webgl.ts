@@ -1,4 +1,5 @@
-// Draws bodies with WebGL2: filled triangles with a colour table, hatch in the shader, outlines as instanced quads.
+// Draws bodies with WebGL2: filled triangles with a colour table, hatch in the shader, outlines as six vertices a segment,
+// whose ends come from a texture: instances are slow where no card draws them.
 
 import type { Geometry } from '../data/decode';
 import { outline_width, type Figure } from './paint';
@@ -26,7 +27,6 @@ uniform sampler2D table;
 uniform vec3 missing;
 uniform vec3 plain;
 uniform vec3 plain_fixed;
-uniform vec3 hatch;
 uniform float has_values;
 uniform float spacing;
 out vec4 colour;
@@ -41,25 +41,32 @@ void main() {
     float at = mod(gl_FragCoord.x - gl_FragCoord.y, spacing);
     float width = spacing / 7.0 * 1.3;
     float edge = min(at, spacing - at);
-    base = mix(base, hatch, 0.45 * (1.0 - smoothstep(width * 0.5 - 0.5, width * 0.5 + 0.5, edge)));
+    float lit = mod(at + width, spacing);
+    float light = min(lit, spacing - lit);
+    base = mix(base, vec3(1.0), 0.42 * (1.0 - smoothstep(width * 0.5 - 0.5, width * 0.5 + 0.5, light)));
+    base = mix(base, vec3(0.06, 0.08, 0.11), 0.42 * (1.0 - smoothstep(width * 0.5 - 0.5, width * 0.5 + 0.5, edge)));
   }
   colour = vec4(base, 1.0);
 }`;
 
 const LINE_VERTEX = `#version 300 es
-layout(location=0) in vec4 ends;
+uniform highp sampler2D ends_of;
 uniform vec4 view;
 uniform vec2 pixel;
 uniform float width;
 void main() {
+  int segment = gl_VertexID / 6;
+  int corner = gl_VertexID - 6 * segment;
+  corner = corner < 3 ? corner : 6 - corner;
+  vec4 ends = texelFetch(ends_of, ivec2(segment & 2047, segment >> 11), 0);
   vec2 a = (ends.xy - view.xy) * view.zw;
   vec2 b = (ends.zw - view.xy) * view.zw;
   vec2 along = (b - a) / pixel;
   float size = max(length(along), 1e-6);
   vec2 e = along / size;
   vec2 n = vec2(-e.y, e.x);
-  float side = float(gl_VertexID & 1) * 2.0 - 1.0;
-  float end = float(gl_VertexID >> 1);
+  float side = float(corner & 1) * 2.0 - 1.0;
+  float end = float(corner >> 1);
   vec2 at = mix(a, b, end) + (n * side + e * (end * 2.0 - 1.0) * 0.5) * width * 0.5 * pixel;
   gl_Position = vec4(at, 0.0, 1.0);
 }`;
@@ -104,7 +111,7 @@ export class WebglBodies {
   private readonly values: WebGLBuffer;
   private readonly fixed: WebGLBuffer;
   private readonly index: WebGLBuffer;
-  private readonly ends: WebGLBuffer;
+  private readonly ends: WebGLTexture;
   private readonly table: WebGLTexture;
   private readonly fill_array: WebGLVertexArrayObject;
   private readonly line_array: WebGLVertexArrayObject;
@@ -117,13 +124,17 @@ export class WebglBodies {
     this.fill = program_of(gl, FILL_VERTEX, FILL_FRAGMENT);
     this.line = program_of(gl, LINE_VERTEX, LINE_FRAGMENT);
     const buffer = () => gl.createBuffer()!;
-    [this.places, this.values, this.fixed, this.index, this.ends] = [buffer(), buffer(), buffer(), buffer(), buffer()];
+    [this.places, this.values, this.fixed, this.index] = [buffer(), buffer(), buffer(), buffer()];
     this.table = gl.createTexture()!;
-    gl.bindTexture(gl.TEXTURE_2D, this.table);
-    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) {
-      gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    this.ends = gl.createTexture()!;
+    for (const texture of [this.table, this.ends]) {
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) {
+        gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+      }
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
     }
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
     this.fill_array = gl.createVertexArray()!;
     gl.bindVertexArray(this.fill_array);
     [this.places, this.values, this.fixed].forEach((own, i) => {
@@ -133,18 +144,13 @@ export class WebglBodies {
     });
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.index);
     this.line_array = gl.createVertexArray()!;
-    gl.bindVertexArray(this.line_array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.ends);
-    gl.enableVertexAttribArray(0);
-    gl.vertexAttribPointer(0, 4, gl.FLOAT, false, 0, 0);
-    gl.vertexAttribDivisor(0, 1);
     gl.bindVertexArray(null);
   }
 
   /** Makes a renderer, or nothing where the page had better draw on a plain canvas. */
   static make(canvas: HTMLCanvasElement, even_without_card: boolean): WebglBodies | null {
     try {
-      const gl = canvas.getContext('webgl2', { antialias: true, preserveDrawingBuffer: true, alpha: false });
+      const gl = canvas.getContext('webgl2', { antialias: !even_without_card, preserveDrawingBuffer: true, alpha: false });
       if (!gl || (!even_without_card && !has_card(gl))) return null;
       return new WebglBodies(gl);
     } catch {
@@ -163,7 +169,8 @@ export class WebglBodies {
     const fixed = Float32Array.from(geometry.vertex_body, b => geometry.fixed[b]);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.fixed);
     gl.bufferData(gl.ARRAY_BUFFER, fixed, gl.STATIC_DRAW);
-    this.segments = new Float32Array(4 * geometry.vertices);
+    // The texture of segments is 2,048 wide, in whole rows.
+    this.segments = new Float32Array(4 * 2048 * Math.ceil(geometry.vertices / 2048));
     this.value_of_vertex = new Float32Array(geometry.vertices);
   }
 
@@ -191,7 +198,6 @@ export class WebglBodies {
     gl.uniform3f(at('missing'), ...rgb(paint.missing));
     gl.uniform3f(at('plain'), ...rgb(paint.plain));
     gl.uniform3f(at('plain_fixed'), ...rgb(paint.plain_fixed));
-    gl.uniform3f(at('hatch'), ...rgb(paint.hatch));
     gl.uniform1f(at('has_values'), shade ? 1 : 0);
     gl.uniform1f(at('spacing'), 7 * ratio);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.places);
@@ -231,10 +237,10 @@ export class WebglBodies {
       gl.uniform2f(on('pixel'), 2 / width, 2 / height);
       gl.uniform1f(on('width'), Math.max(1, outline_width(figure) * ratio));
       gl.uniform4f(on('paint'), ...rgb(paint.outline), 1);
-      gl.bindBuffer(gl.ARRAY_BUFFER, this.ends);
-      gl.bufferData(gl.ARRAY_BUFFER, segments, gl.DYNAMIC_DRAW);
+      gl.bindTexture(gl.TEXTURE_2D, this.ends);
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2048, segments.length / 8192, 0, gl.RGBA, gl.FLOAT, segments);
       gl.bindVertexArray(this.line_array);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, geometry.vertices);
+      gl.drawArrays(gl.TRIANGLES, 0, 6 * geometry.vertices);
     }
     gl.bindVertexArray(null);
   }

@@ -1,6 +1,7 @@
 // Tab Blocks: a table of all blocks at the present frame, for readers who cannot see the drawing and for look-ups.
 
 import { computed, signal } from '@preact/signals';
+import { scaled_unit, show } from '../draw/numbers';
 import { body_value, unit_of_value, values_of } from '../draw/scene';
 import { material_name } from './chosen';
 import * as state from './state';
@@ -27,13 +28,15 @@ const rows = computed(() => {
   }
   if (order.value === 'value') list.sort((a, b) => (b.value || 0) - (a.value || 0));
   else list.sort((a, b) => geometry.number[a.row] - geometry.number[b.row]);
-  return { geometry, own, list };
+  let size = 0;
+  for (const { value } of list) if (Math.abs(value) > size) size = Math.abs(value);
+  return { geometry, own, list, scaled: scaled_unit(own.unit, size) };
 });
 
 export function BlocksTab() {
   const now = rows.value;
   if (!now) return null;
-  const { geometry, own, list } = now;
+  const { geometry, own, list, scaled } = now;
   const pages = Math.max(1, Math.ceil(list.length / PAGE));
   const at = Math.min(page.value, pages - 1);
   const chosen = state.chosen.value;
@@ -89,6 +92,7 @@ export function BlocksTab() {
               <th scope="col">Support</th>
               <th scope="col" class="number">
                 {own.label}
+                {own.kind === 'real' && scaled.unit && ` [${scaled.unit}]`}
               </th>
             </tr>
           </thead>
@@ -111,7 +115,9 @@ export function BlocksTab() {
                   </td>
                   <td>{material_name(geometry.material[row])}</td>
                   <td>{geometry.fixed[row] ? 'fixed' : 'free'}</td>
-                  <td class="number">{unit_of_value(own, value)}</td>
+                  <td class="number">
+                    {own.kind === 'state' ? unit_of_value(own, value) : show(value / scaled.factor, own.digits)}
+                  </td>
                 </tr>
               );
             })}

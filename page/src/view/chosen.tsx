@@ -150,9 +150,9 @@ function BodyPanel({ body, geometry, live }: { body: number; geometry: Geometry;
     <div class="stack">
       <section class="group" aria-label="Chosen block">
         <div class="chosen-head" aria-live={live}>
-          <h3>
+          <h2>
             {is_element ? 'Element of block' : 'Block'} {geometry.number[row]}
-          </h3>
+          </h2>
           <p>
             {geometry.fixed[row] ? 'Fixed' : 'Free'}, material {material_name(geometry.material[row])}
             {moved && `, displacement ${show_with(Math.hypot(...moved), length, 4)}`}
@@ -207,7 +207,7 @@ function History({ body }: { body: number }) {
   if (state.last_frame() < 1) return null;
   return (
     <section class="group" aria-labelledby="history-title">
-      <h3 id="history-title">History</h3>
+      <h2 id="history-title">History</h2>
       <label class="field">
         <span>Quantity</span>
         <select
@@ -245,7 +245,7 @@ function ContactsOf({ row, geometry }: { row: number; geometry: Geometry }) {
   const names = state.head.parts?.contacts?.columns.find(c => c.name === 'state')?.names ?? STATES;
   return (
     <section class="group" aria-labelledby="contacts-title">
-      <h3 id="contacts-title">Contacts</h3>
+      <h2 id="contacts-title">Contacts</h2>
       {list.length === 0 ? (
         <p class="note">This block has no closed contact at this frame.</p>
       ) : (
@@ -376,7 +376,7 @@ function PartPanel({
     <div class="stack">
       <section class="group" aria-label={title}>
         <div class="chosen-head" aria-live={live}>
-          <h3>{title}</h3>
+          <h2>{title}</h2>
           {pair.length > 0 && (
             <p>
               between{' '}
@@ -447,7 +447,7 @@ function PartHistory({
   if (!own || state.last_frame() < 1) return null;
   return (
     <section class="group" aria-labelledby="part-history">
-      <h3 id="part-history">History</h3>
+      <h2 id="part-history">History</h2>
       <label class="field">
         <span>Quantity</span>
         <select

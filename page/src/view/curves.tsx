@@ -3,6 +3,7 @@
 import { signal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import type { CurveColumn, CurveTable } from '../data/contract';
+import { nearest_row } from '../draw/chart';
 import { show_with } from '../draw/numbers';
 import { Chart, curve_colour } from './chart';
 import { axis_label, column_label } from './chosen';
@@ -60,8 +61,7 @@ export function CurvesTab() {
     [table, names.join('|')],
   );
   const now = x_of(state.frame.value);
-  let at = 0;
-  for (let i = 1; i < xs.length; i++) if (Math.abs(xs[i] - now) <= Math.abs(xs[at] - now)) at = i;
+  const at = nearest_row(xs, now);
   const toggle = (name: string) => {
     const next = names.includes(name) ? names.filter(n => n !== name) : [...names, name];
     picked.value = { ...picked.value, [table.name]: next };

@@ -4,7 +4,7 @@ import { NO_ROW, type PartHead } from '../data/contract';
 import type { PartRows } from '../data/decode';
 import type { Arrows, ContactMarks, Crosses, Figure, LineMarks, PointMarks } from '../draw/paint';
 import { pick_point, typical_size } from '../draw/pick';
-import { show, show_with } from '../draw/numbers';
+import { show, show_time } from '../draw/numbers';
 import {
   body_fractions,
   body_value,
@@ -294,10 +294,9 @@ function trails_of(pose: Pose): Float32Array[] {
 
 export function caption_of(frame: number, s: number): string {
   const own = state.head.frames[frame];
-  const time_unit = state.head.units?.time ?? '';
   const parts = [`Step ${own.step}`];
   if (own.load_factor !== null && own.load_factor !== undefined) parts.push(`load factor ${show(own.load_factor, 4)}`);
-  else if (state.head.run?.is_static !== true) parts.push(`time ${show_with(own.time, time_unit, 4)}`);
+  else if (state.head.run?.is_static !== true) parts.push(`time ${show_time(own.time, state.head.units?.time)}`);
   if (own.stage) parts.push(own.stage);
   if (s !== 1) parts.push(s === 0 ? 'undeformed' : `displacements × ${show(s, 4)}`);
   return parts.join(' · ');

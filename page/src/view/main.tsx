@@ -4,9 +4,11 @@ import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { accept_head, PageError } from '../data/contract';
 import { Store } from '../data/store';
+import { pick_body } from '../draw/pick';
 import { App } from './app';
 import { shown, timing } from './drawing';
 import { chart_times } from './chart';
+import { record_video, video_kind } from './exports';
 import { on_key } from './keys';
 import { start_clock } from './player';
 import * as state from './state';
@@ -96,6 +98,9 @@ Object.assign(window, {
     chart_times,
     figure: () => shown,
     all_decoded_at: () => all_decoded_at,
+    pick: pick_body,
+    record_video,
+    video_kind,
   },
 });
 

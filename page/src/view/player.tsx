@@ -1,7 +1,7 @@
 // Player: buttons, slider with marks of stages, step and time, speed.
 
 import { effect } from '@preact/signals';
-import { show, show_with } from '../draw/numbers';
+import { show, show_time } from '../draw/numbers';
 import { Icon } from './icons';
 import * as state from './state';
 
@@ -55,7 +55,7 @@ export function Player() {
   const is_static = own.load_factor !== null && own.load_factor !== undefined;
   const time = is_static
     ? `load factor ${show(own.load_factor, 4)}`
-    : show_with(own.time, head.units?.time ?? '', 4);
+    : show_time(own.time, head.units?.time);
   const playing = state.playing.value;
   const text = `step ${own.step}, ${is_static ? time : `time ${time}`}${own.stage ? `, stage ${own.stage}` : ''}`;
   return (

@@ -1,6 +1,6 @@
 // Tab Run: verdict, facts, warnings, stages, settings of run.json in plain words.
 
-import { show, show_with } from '../draw/numbers';
+import { show, show_time, show_with } from '../draw/numbers';
 import { Icon } from './icons';
 import * as state from './state';
 
@@ -90,7 +90,7 @@ export function RunTab() {
     return (
       <div class="stack">
         <section class="group">
-          <h3>Record of the run</h3>
+          <h2>Record of the run</h2>
           <p>The run was stopped before it wrote its record. Frames and tables up to there are shown.</p>
           <p class="note">{head.precision}</p>
         </section>
@@ -110,7 +110,7 @@ export function RunTab() {
   return (
     <div class="stack">
       <section class="group" aria-labelledby="run-verdict">
-        <h3 id="run-verdict">Result</h3>
+        <h2 id="run-verdict">Result</h2>
         <p class={`verdict ${verdict.tone}`}>
           <Icon name={verdict.tone === 'good' ? 'good' : verdict.tone === 'plain' ? 'fit' : 'warn'} />
           {verdict.text}
@@ -127,7 +127,7 @@ export function RunTab() {
 
       {extremes.length > 0 && (
         <section class="group" aria-labelledby="run-extremes">
-          <h3 id="run-extremes">Extremes</h3>
+          <h2 id="run-extremes">Extremes</h2>
           <table class="facts">
             <tbody>
               {extremes.map(([name, own]) => {
@@ -153,14 +153,14 @@ export function RunTab() {
       )}
 
       <section class="group" aria-labelledby="run-facts">
-        <h3 id="run-facts">Facts</h3>
+        <h2 id="run-facts">Facts</h2>
         <table class="facts">
           <tbody>
             <Row name="Analysis" value={run.is_static ? 'static' : run.is_of_motion ? 'dynamic' : words(run.settings?.motion ?? '')} />
             <Row name="Profile" value={run.profile && `${run.profile} (${run.profile_because})`} />
             <Row name="Steps" value={run.outcome?.steps} />
             {!run.is_static && run.outcome?.time !== undefined && (
-              <Row name="Time" value={show_with(run.outcome.time, units?.time ?? '', 4)} />
+              <Row name="Time" value={show_time(run.outcome.time, units?.time)} />
             )}
             <Row name="Frames on this page" value={head.frames.length} />
             <Row name="Blocks" value={counts.blocks} />
@@ -181,7 +181,7 @@ export function RunTab() {
 
       {stages.length > 0 && (
         <section class="group" aria-labelledby="run-stages">
-          <h3 id="run-stages">Stages</h3>
+          <h2 id="run-stages">Stages</h2>
           <table class="list">
             <thead>
               <tr>
@@ -217,7 +217,7 @@ export function RunTab() {
       )}
 
       <section class="group" aria-labelledby="run-warnings">
-        <h3 id="run-warnings">Warnings and notes</h3>
+        <h2 id="run-warnings">Warnings and notes</h2>
         {warnings.length === 0 && <p class="note">None.</p>}
         <ul class="warnings">
           {warnings.map(own => {
@@ -234,7 +234,7 @@ export function RunTab() {
       </section>
 
       <section class="group" aria-labelledby="run-files">
-        <h3 id="run-files">Input files</h3>
+        <h2 id="run-files">Input files</h2>
         <ul class="files">
           {(run.inputs ?? []).map((input: { file: string; sha256?: string; format?: string }) => (
             <li key={input.file}>

@@ -1,6 +1,6 @@
 // Tab Show: colours, range, magnification, layers.
 
-import { show, show_with } from '../draw/numbers';
+import { show, show_range } from '../draw/numbers';
 import { SEQUENTIAL } from '../draw/colours';
 import { shade_at } from './figure';
 import { pose_of } from '../draw/scene';
@@ -70,7 +70,7 @@ export function ShowTab() {
   return (
     <div class="stack">
       <section class="group" aria-labelledby="show-colour">
-        <h3 id="show-colour">Colour</h3>
+        <h2 id="show-colour">Colour</h2>
         <label class="field">
           <span>Colour by</span>
           <select
@@ -117,7 +117,7 @@ export function ShowTab() {
             ) : (
               shade && (
                 <p class="note">
-                  {show_with(shade.low, own.unit, own.digits)} to {show_with(shade.high, own.unit, own.digits)}
+                  {show_range(shade.low, shade.high, own.unit, own.digits)}
                 </p>
               )
             )}
@@ -145,7 +145,7 @@ export function ShowTab() {
       </section>
 
       <section class="group" aria-labelledby="show-motion">
-        <h3 id="show-motion">Displacements</h3>
+        <h2 id="show-motion">Displacements</h2>
         <Magnification />
         <LayerCheck name="undeformed" label="Undeformed outline" hint="u" />
         <label class="field">
@@ -177,7 +177,7 @@ export function ShowTab() {
       </section>
 
       <section class="group" aria-labelledby="show-layers">
-        <h3 id="show-layers">Layers</h3>
+        <h2 id="show-layers">Layers</h2>
         <div class="checks">
           {has('contacts') && <LayerCheck name="contacts" label="Contact forces" hint="c" />}
           {has_field('stress') && <LayerCheck name="crosses" label="Principal stresses" hint="p" />}
