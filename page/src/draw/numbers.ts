@@ -31,10 +31,11 @@ export interface Scaled {
   unit: string;
 }
 
-const LADDERS: Record<string, [string, number][]> = {
+/** Names of units with their factors and, where not 0.9 of it, the least size that they are used for. */
+const LADDERS: Record<string, [string, number, number?][]> = {
   m: [
     ['m', 1],
-    ['mm', 1e-3],
+    ['mm', 1e-3, 9e-6],
     ['µm', 1e-6],
   ],
   Pa: [
@@ -50,7 +51,7 @@ const LADDERS: Record<string, [string, number][]> = {
   ],
   'm/s': [
     ['m/s', 1],
-    ['mm/s', 1e-3],
+    ['mm/s', 1e-3, 9e-6],
     ['µm/s', 1e-6],
   ],
   'N/m': [
@@ -64,7 +65,7 @@ const LADDERS: Record<string, [string, number][]> = {
 export function scaled_unit(unit: string, size: number): Scaled {
   const ladder = LADDERS[unit];
   if (!ladder || !(size > 0)) return { factor: 1, unit };
-  for (const [name, factor] of ladder) if (size >= factor * 0.9) return { factor, unit: name };
+  for (const [name, factor, least] of ladder) if (size >= (least ?? factor * 0.9)) return { factor, unit: name };
   const [name, factor] = ladder[ladder.length - 1];
   return { factor, unit: name };
 }

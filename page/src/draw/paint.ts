@@ -14,6 +14,8 @@ export interface Paint {
   ink: string;
   muted: string;
   outline: string;
+  /** Colour of outlines about dark fills. */
+  outline_on_dark: string;
   plain: string;
   plain_fixed: string;
   chosen: string;
@@ -35,6 +37,7 @@ export const LIGHT: Paint = {
   ink: '#1b2330',
   muted: '#566273',
   outline: '#2b3442',
+  outline_on_dark: '#a9b4c2',
   plain: '#dfe4ea',
   plain_fixed: '#b9c1cb',
   chosen: '#d6006c',
@@ -56,6 +59,7 @@ export const DARK: Paint = {
   ink: '#e6eaf0',
   muted: '#a3b0bf',
   outline: '#0c0f13',
+  outline_on_dark: '#8b97a6',
   plain: '#46515f',
   plain_fixed: '#2f3843',
   chosen: '#ff5aa5',
@@ -167,6 +171,24 @@ export function outline_width(figure: Figure): number {
 
 const HATCH_LINE: Line = { colour: '#10151c', second: '#ffffff', width: 1, opacity: 0.42 };
 
+/** Loops of bodies with light and with dark fills, whose outlines differ. */
+export function split_loops(figure: Figure): [number[], number[]] {
+  const { geometry } = figure.pose;
+  const { shade, fractions } = figure;
+  const light: number[] = [];
+  const dark: number[] = [];
+  for (let l = 0; l < geometry.loops; l++) {
+    let is_dark = false;
+    const t = fractions?.[geometry.loop_body[l]] ?? Number.NaN;
+    if (shade && !Number.isNaN(t)) {
+      const i = 3 * index_of(t);
+      is_dark = 0.3 * shade.table[i] + 0.59 * shade.table[i + 1] + 0.11 * shade.table[i + 2] < 72;
+    }
+    (is_dark ? dark : light).push(l);
+  }
+  return [light, dark];
+}
+
 /** Fills, hatches and outlines. */
 export function paint_bodies(pen: Pen, figure: Figure, screen: Float32Array): void {
   const { geometry } = figure.pose;
@@ -185,7 +207,10 @@ export function paint_bodies(pen: Pen, figure: Figure, screen: Float32Array): vo
     pen.hatch(screen, loop_start, body_loop[b], body_loop[b + 1], HATCH_LINE);
   }
   if (figure.outlines) {
-    pen.loops(screen, loop_start, 0, geometry.loops, { colour: paint.outline, width: outline_width(figure) });
+    const width = outline_width(figure);
+    const [light, dark] = split_loops(figure);
+    pen.some_loops(screen, loop_start, dark, { colour: paint.outline_on_dark, width });
+    pen.some_loops(screen, loop_start, light, { colour: paint.outline, width });
   }
 }
 

@@ -23,6 +23,8 @@ export interface Pen {
   area(places: ArrayLike<number>, starts: ArrayLike<number>, from: number, to: number, fill: string): void;
   /** Strokes closed loops, all in one style. */
   loops(places: ArrayLike<number>, starts: ArrayLike<number>, from: number, to: number, line: Line): void;
+  /** Strokes the closed loops of a list. */
+  some_loops(places: ArrayLike<number>, starts: ArrayLike<number>, list: ArrayLike<number>, line: Line): void;
   /** Separate segments x1, y1, x2, y2 in turn. */
   segments(ends: ArrayLike<number>, line: Line): void;
   polyline(places: ArrayLike<number>, line: Line): void;
@@ -81,6 +83,18 @@ export class CanvasPen implements Pen {
     for (let first = from; first < to; first += 200) {
       c.beginPath();
       this.trace(places, starts, first, Math.min(first + 200, to));
+      this.stroke(line);
+    }
+  }
+
+  some_loops(places: ArrayLike<number>, starts: ArrayLike<number>, list: ArrayLike<number>, line: Line): void {
+    const c = this.c;
+    c.lineJoin = 'round';
+    c.lineCap = 'butt';
+    for (let first = 0; first < list.length; first += 200) {
+      c.beginPath();
+      const end = Math.min(first + 200, list.length);
+      for (let i = first; i < end; i++) this.trace(places, starts, list[i], list[i] + 1);
       this.stroke(line);
     }
   }
@@ -229,6 +243,12 @@ export class SvgPen implements Pen {
 
   loops(places: ArrayLike<number>, starts: ArrayLike<number>, from: number, to: number, line: Line): void {
     this.out.push(`<path d="${this.path(places, starts, from, to)}" ${this.look(line)} stroke-linejoin="round"/>`);
+  }
+
+  some_loops(places: ArrayLike<number>, starts: ArrayLike<number>, list: ArrayLike<number>, line: Line): void {
+    let d = '';
+    for (let i = 0; i < list.length; i++) d += this.path(places, starts, list[i], list[i] + 1);
+    if (d) this.out.push(`<path d="${d}" ${this.look(line)} stroke-linejoin="round"/>`);
   }
 
   hatch(places: ArrayLike<number>, starts: ArrayLike<number>, from: number, to: number, line: Line): void {

@@ -2,7 +2,7 @@
 // whose ends come from a texture: instances are slow where no card draws them.
 
 import type { Geometry } from '../data/decode';
-import { outline_width, type Figure } from './paint';
+import { type Figure, outline_width, split_loops } from './paint';
 import { fraction } from './scene';
 import { triangles_of } from './triangles';
 
@@ -221,26 +221,34 @@ export class WebglBodies {
     if (figure.outlines) {
       const { segments } = this;
       const { loop_start } = geometry;
-      for (let l = 0; l < geometry.loops; l++) {
-        const end = loop_start[l + 1];
-        for (let v = loop_start[l]; v < end; v++) {
-          const next = v + 1 === end ? loop_start[l] : v + 1;
-          segments[4 * v] = places[2 * v];
-          segments[4 * v + 1] = places[2 * v + 1];
-          segments[4 * v + 2] = places[2 * next];
-          segments[4 * v + 3] = places[2 * next + 1];
+      const [light, dark] = split_loops(figure);
+      let at = 0;
+      // Outlines about dark fills come first, in a lighter colour.
+      for (const list of [dark, light]) {
+        for (const l of list) {
+          const end = loop_start[l + 1];
+          for (let v = loop_start[l]; v < end; v++) {
+            const next = v + 1 === end ? loop_start[l] : v + 1;
+            segments[at++] = places[2 * v];
+            segments[at++] = places[2 * v + 1];
+            segments[at++] = places[2 * next];
+            segments[at++] = places[2 * next + 1];
+          }
         }
       }
+      const dark_segments = dark.reduce((sum, l) => sum + loop_start[l + 1] - loop_start[l], 0);
       gl.useProgram(this.line);
       const on = (name: string) => gl.getUniformLocation(this.line, name);
       gl.uniform4f(on('view'), ...view);
       gl.uniform2f(on('pixel'), 2 / width, 2 / height);
       gl.uniform1f(on('width'), Math.max(1, outline_width(figure) * ratio));
-      gl.uniform4f(on('paint'), ...rgb(paint.outline), 1);
       gl.bindTexture(gl.TEXTURE_2D, this.ends);
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2048, segments.length / 8192, 0, gl.RGBA, gl.FLOAT, segments);
       gl.bindVertexArray(this.line_array);
-      gl.drawArrays(gl.TRIANGLES, 0, 6 * geometry.vertices);
+      gl.uniform4f(on('paint'), ...rgb(paint.outline_on_dark), 1);
+      gl.drawArrays(gl.TRIANGLES, 0, 6 * dark_segments);
+      gl.uniform4f(on('paint'), ...rgb(paint.outline), 1);
+      gl.drawArrays(gl.TRIANGLES, 6 * dark_segments, 6 * (geometry.vertices - dark_segments));
     }
     gl.bindVertexArray(null);
   }

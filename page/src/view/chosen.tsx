@@ -35,7 +35,7 @@ export function material_name(index: number): string {
 
 function time_axis(): { x: number[]; label: string; of: (frame: number) => number } {
   const { head } = state;
-  const is_static = head.run?.is_static === true;
+  const is_static = state.is_static();
   const of = (f: number) => (is_static ? head.frames[f].step : head.frames[f].time);
   return { x: head.frames.map((_, f) => of(f)), label: is_static ? 'step' : axis_label('time', head.units?.time), of };
 }
@@ -151,7 +151,7 @@ function BodyPanel({ body, geometry, live }: { body: number; geometry: Geometry;
       <section class="group" aria-label="Chosen block">
         <div class="chosen-head" aria-live={live}>
           <h2>
-            {is_element ? 'Element of block' : 'Block'} {geometry.number[row]}
+            {is_element ? 'Element' : 'Block'} {geometry.number[row]}
           </h2>
           <p>
             {geometry.fixed[row] ? 'Fixed' : 'Free'}, material {material_name(geometry.material[row])}

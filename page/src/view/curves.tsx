@@ -15,7 +15,7 @@ const picked = signal<Record<string, string[]>>({});
 /** Column on the x axis: time, or step where nothing moves in time. */
 export function x_column(table: CurveTable): CurveColumn {
   const named = (name: string) => table.columns.find(c => c.name === name);
-  const is_static = state.head.run?.is_static === true;
+  const is_static = state.is_static();
   const order = is_static ? ['step', 'load_factor', 'time'] : ['time', 'step'];
   for (const name of order) {
     const own = named(name);

@@ -271,7 +271,7 @@ function Hover() {
   const place = `x ${show(at.x + ox, 5)}, y ${show(at.y + oy, 5)}${unit ? ` ${unit}` : ''}`;
   let block = '';
   if (at.row !== null && at.row < pose.geometry.bodies) {
-    block = `Block ${pose.geometry.number[at.row]}`;
+    block = `${(pose.geometry.kind[at.row] & 255) === 1 ? 'Element' : 'Block'} ${pose.geometry.number[at.row]}`;
     if (shade) block += `: ${unit_of_value(shade.measure, body_value(shade.measure, shade.values, pose.geometry, at.row))}`;
   }
   return (

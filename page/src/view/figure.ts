@@ -4,7 +4,7 @@ import { NO_ROW, type PartHead } from '../data/contract';
 import type { PartRows } from '../data/decode';
 import type { Arrows, ContactMarks, Crosses, Figure, LineMarks, PointMarks } from '../draw/paint';
 import { pick_point, typical_size } from '../draw/pick';
-import { show, show_time } from '../draw/numbers';
+import { show } from '../draw/numbers';
 import {
   body_fractions,
   body_value,
@@ -260,15 +260,26 @@ function crosses_of(pose: Pose): Crosses | null {
   return { at: pose.centres, greatest, least, angle, largest, unit: wanted[0].unit };
 }
 
+function is_near(a: Float32Array, i: number, b: Float32Array, j: number): boolean {
+  const size = 1e-5 * (1 + Math.abs(b[2 * j]) + Math.abs(b[2 * j + 1]));
+  return Math.abs(a[2 * i] - b[2 * j]) < size && Math.abs(a[2 * i + 1] - b[2 * j + 1]) < size;
+}
+
 /** Path of a body's centroid up to this frame, magnified; at most `most` places. */
 function trail_of(key: number, to: number, s: number, most: number): Float32Array {
   const out: number[] = [];
   const stride = Math.max(1, Math.ceil((to + 1) / most));
+  const now = state.store.geometry_now(state.store.epoch_of(to));
+  const now_row = now?.row_of_key.get(key);
+  if (!now || now_row === undefined) return new Float32Array(0);
   for (let f = 0; ; f = Math.min(to, f + stride)) {
     const geometry = state.store.geometry_now(state.store.epoch_of(f));
     const row = geometry?.row_of_key.get(key);
     const moved = geometry && row !== undefined ? displacement_of(state.store, f, row) : undefined;
-    if (geometry && row !== undefined && moved) {
+    // A body that was cut has another centroid: its trail begins anew.
+    const same =
+      geometry === now || (row !== undefined && geometry !== undefined && is_near(geometry.centroid, row, now.centroid, now_row));
+    if (geometry && row !== undefined && moved && same) {
       out.push(geometry.centroid[2 * row] + s * moved[0], geometry.centroid[2 * row + 1] + s * moved[1]);
     }
     if (f >= to) break;
@@ -295,8 +306,8 @@ function trails_of(pose: Pose): Float32Array[] {
 export function caption_of(frame: number, s: number): string {
   const own = state.head.frames[frame];
   const parts = [`Step ${own.step}`];
-  if (own.load_factor !== null && own.load_factor !== undefined) parts.push(`load factor ${show(own.load_factor, 4)}`);
-  else if (state.head.run?.is_static !== true) parts.push(`time ${show_time(own.time, state.head.units?.time)}`);
+  const place = state.place_in_run(own);
+  if (place) parts.push(place);
   if (own.stage) parts.push(own.stage);
   if (s !== 1) parts.push(s === 0 ? 'undeformed' : `displacements × ${show(s, 4)}`);
   return parts.join(' · ');

@@ -1,7 +1,6 @@
 // Player: buttons, slider with marks of stages, step and time, speed.
 
 import { effect } from '@preact/signals';
-import { show, show_time } from '../draw/numbers';
 import { Icon } from './icons';
 import * as state from './state';
 
@@ -52,12 +51,9 @@ export function Player() {
   const own = head.frames[frame];
   const last = state.last_frame();
   const marks = state.marks_of(head);
-  const is_static = own.load_factor !== null && own.load_factor !== undefined;
-  const time = is_static
-    ? `load factor ${show(own.load_factor, 4)}`
-    : show_time(own.time, head.units?.time);
+  const place = state.place_in_run(own);
   const playing = state.playing.value;
-  const text = `step ${own.step}, ${is_static ? time : `time ${time}`}${own.stage ? `, stage ${own.stage}` : ''}`;
+  const text = `step ${own.step}${place && `, ${place}`}${own.stage ? `, stage ${own.stage}` : ''}`;
   return (
     <section class="player" aria-label="Player">
       <div class="buttons">
@@ -112,7 +108,7 @@ export function Player() {
         )}
       </div>
       <output class="time" aria-live="off">
-        <b>{time}</b>
+        <b>{place.replace(/^time /, state.head.units?.time ? '' : 't = ')}</b>
         <span>
           step {own.step} <i>of {head.frames[last].step}</i>
         </span>

@@ -50,7 +50,8 @@ export function message_of(first: string): { kind: string; text: string } {
 function sentence(text: unknown): string {
   const own = String(text).trim();
   const start = own.charAt(0).toUpperCase() + own.slice(1);
-  return /[.!?]$/.test(start) ? start : `${start}.`;
+  const numbers = start.replace(/(\d(?:\.\d+)?e[+-]\d+)/g, value => show(Number(value), 3));
+  return /[.!?]$/.test(numbers) ? numbers : `${numbers}.`;
 }
 
 function Row({ name, value }: { name: string; value: unknown }) {
@@ -79,7 +80,7 @@ const EXTREMES: Record<string, { label: string; unit: 'length' | 'stress' | '' }
   greatest_displacement: { label: 'Greatest displacement', unit: 'length' },
   least_principal_stress: { label: 'Least principal stress', unit: 'stress' },
   greatest_principal_stress: { label: 'Greatest principal stress', unit: 'stress' },
-  least_area_share: { label: 'Least area, share of the first', unit: '' },
+  least_area_share: { label: 'Least share of area left', unit: '' },
   greatest_speed: { label: 'Greatest speed', unit: '' },
 };
 
@@ -104,7 +105,9 @@ export function RunTab() {
   const counts = run.counts ?? {};
   const units = head.units;
   const seconds = run.seconds ? Object.values(run.seconds as Record<string, number>).reduce((a, b) => a + b, 0) : null;
-  const extremes = Object.entries((run.extremes ?? {}) as Record<string, { value: number; element?: number }>);
+  const extremes = Object.entries((run.extremes ?? {}) as Record<string, { value: number; element?: number }>).filter(
+    ([name, own]) => name !== 'least_area_share' || own.value < 0.999,
+  );
   const stages: { name: string; steps: [number, number]; end_time?: number; balanced?: boolean }[] = run.stages ?? [];
   const closure = run.ledger?.closure?.energy;
   return (

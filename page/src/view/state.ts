@@ -1,10 +1,11 @@
 // State of the page as signals, and what follows from it.
 
 import { batch, computed, signal } from '@preact/signals';
-import type { Head } from '../data/contract';
+import type { FrameHead, Head } from '../data/contract';
 import type { Store } from '../data/store';
 import { add_places, type Camera, empty_box, fit, type Size } from '../draw/camera';
 import { type Measure, measures_of } from '../draw/measures';
+import { show, show_time } from '../draw/numbers';
 import { DARK, LIGHT } from '../draw/paint';
 import { pose_of, type Range, range_of, values_of } from '../draw/scene';
 
@@ -90,6 +91,19 @@ export function start_state(new_head: Head, new_store: Store): void {
   measures = measures_of(head, store);
   if (!measures.some(m => m.id === measure_id.value)) measure_id.value = '';
   frame.value = head.frames.length - 1;
+}
+
+/** Whether load, not time, goes on from frame to frame. A run without record is static if its load factor changes. */
+export function is_static(): boolean {
+  if (head.run) return head.run.is_static === true;
+  const first = head.frames[0].load_factor ?? null;
+  return head.frames.some(own => (own.load_factor ?? null) !== first);
+}
+
+/** What a frame's place in the run is called: its time, or its load factor. */
+export function place_in_run(own: FrameHead): string {
+  if (!is_static()) return `time ${show_time(own.time, head.units?.time)}`;
+  return own.load_factor === null || own.load_factor === undefined ? '' : `load factor ${show(own.load_factor, 4)}`;
 }
 
 export function set_layer(layer: Layer, on: boolean): void {

@@ -166,7 +166,8 @@ describe('numbers', () => {
     expect(show(1.5e-9, 3)).toBe('1.5·10⁻⁹');
     expect(show(Number.NaN)).toBe('–');
     expect(show(100, 2)).toBe('100');
-    expect(show_with(0.000775, 'm')).toBe('775\u00a0µm');
+    expect(show_with(0.000775, 'm')).toBe('0.775\u00a0mm');
+    expect(show_with(0.000000775, 'm')).toBe('0.775\u00a0µm');
     expect(show_with(-269530, 'Pa', 3)).toBe('−270\u00a0kPa');
     expect(show_with(3, 'kJ')).toBe('3\u00a0kJ');
     expect(show_range(0, 0.4565, 'm')).toBe('0 to 456.5\u00a0mm');
