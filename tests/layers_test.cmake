@@ -10,7 +10,7 @@ set(floor_5 legacy step)
 set(floor_6 run)
 set(floor_7 api)
 set(floor_8 study report job)
-set(floor_9 library)
+set(floor_9 library serve)
 set(floor_10 app)
 set(closed_floors 3 4)
 set(may_read_files app library api study job formats)   # the rooms that may include formats
