@@ -1,7 +1,7 @@
 // Draws curves with a pen: axes with round ticks, up to two units, a cursor.
 
-import type { Paint } from './paint';
 import { scaled_unit, show, ticks_of } from './numbers';
+import type { Paint } from './paint';
 import type { Pen } from './pen';
 
 export interface Curve {

@@ -1,6 +1,7 @@
 // Paints a figure with a pen: bodies, what lies over them, legend and scale bar.
 
 import type { StillThing } from '../data/contract';
+import type { Geometry } from '../data/decode';
 import { type Camera, type Size, to_screen } from './camera';
 import { css_of, index_of } from './colours';
 import { round_below, scaled_unit, show, ticks_of } from './numbers';
@@ -37,7 +38,7 @@ export const LIGHT: Paint = {
   ink: '#1b2330',
   muted: '#566273',
   outline: '#2b3442',
-  outline_on_dark: '#a9b4c2',
+  outline_on_dark: '#8592a3',
   plain: '#dfe4ea',
   plain_fixed: '#b9c1cb',
   chosen: '#d6006c',
@@ -59,7 +60,7 @@ export const DARK: Paint = {
   ink: '#e6eaf0',
   muted: '#a3b0bf',
   outline: '#0c0f13',
-  outline_on_dark: '#8b97a6',
+  outline_on_dark: '#7d8a9b',
   plain: '#46515f',
   plain_fixed: '#2f3843',
   chosen: '#ff5aa5',
@@ -84,6 +85,7 @@ export interface ContactMarks {
   near: Uint8Array;
   /** Force that gets the widest line. */
   largest: number;
+  unit: string;
   /** Index of the chosen contact. */
   chosen: number | null;
 }
@@ -163,10 +165,10 @@ export function screen_of(figure: Figure, places: ArrayLike<number>): Float32Arr
   return out;
 }
 
-/** Width of outlines: thin where bodies are small on the screen. */
+/** Width of outlines: thin where bodies are small on the screen, 0 where outlines would hide their colours. */
 export function outline_width(figure: Figure): number {
   const size = figure.typical * figure.camera.scale;
-  return size > 25 ? 1 : size > 8 ? 0.7 : 0.4;
+  return !figure.outlines || size < 4 ? 0 : size > 25 ? 1 : size > 8 ? 0.7 : 0.4;
 }
 
 const HATCH_LINE: Line = { colour: '#10151c', second: '#ffffff', width: 1, opacity: 0.42 };
@@ -206,8 +208,8 @@ export function paint_bodies(pen: Pen, figure: Figure, screen: Float32Array): vo
     if (!fixed[b]) continue;
     pen.hatch(screen, loop_start, body_loop[b], body_loop[b + 1], HATCH_LINE);
   }
-  if (figure.outlines) {
-    const width = outline_width(figure);
+  const width = outline_width(figure);
+  if (width > 0) {
     const [light, dark] = split_loops(figure);
     pen.some_loops(screen, loop_start, dark, { colour: paint.outline_on_dark, width });
     pen.some_loops(screen, loop_start, light, { colour: paint.outline, width });
@@ -348,8 +350,13 @@ export function paint_over(pen: Pen, figure: Figure, screen: Float32Array): void
   const { geometry } = pose;
   if (figure.rest) {
     const rest = screen_of(figure, figure.rest.places);
-    const line = { colour: paint.ink, width: 0.9, dash: [5, 4], opacity: 0.75 };
-    pen.loops(rest, geometry.loop_start, 0, geometry.loops, line);
+    const edges = rest_edges(geometry, figure.rest.places, figure.typical);
+    const ends = new Float32Array(2 * edges.length);
+    for (let i = 0; i < edges.length; i++) {
+      ends[2 * i] = rest[2 * edges[i]];
+      ends[2 * i + 1] = rest[2 * edges[i] + 1];
+    }
+    pen.segments(ends, { colour: paint.ink, width: 0.9, dash: [5, 4], opacity: 0.75 });
   }
   for (const trail of figure.trails) {
     const line = screen_of(figure, trail);
@@ -388,7 +395,12 @@ export function paint_over(pen: Pen, figure: Figure, screen: Float32Array): void
     const at = screen_of(figure, figure.arrows.at);
     const factor = figure.arrows.largest > 0 ? 48 / figure.arrows.largest : 0;
     const { vector } = figure.arrows;
+    // Dense meshes get one arrow a cell of the screen: the first of each.
+    const taken = new Set<number>();
     for (let i = 0; i < at.length; i += 2) {
+      const cell = Math.floor(at[i] / 22) * 10000 + Math.floor(at[i + 1] / 22);
+      if (taken.has(cell)) continue;
+      taken.add(cell);
       const x1 = at[i] + vector[i] * factor;
       const y1 = at[i + 1] - vector[i + 1] * factor;
       arrow(pen, at[i], at[i + 1], x1, y1, { colour: paint.ink, width: 1.4 });
@@ -446,14 +458,18 @@ export function paint_legend(pen: Pen, figure: Figure): void {
   const rows: string[] = [];
   if (figure.arrows) {
     const { factor, unit } = scaled_unit(figure.arrows.unit, figure.arrows.largest);
-    rows.push(`Longest arrow: ${figure.arrows.label.toLowerCase()} ${show(figure.arrows.largest / factor, 3)} ${unit}`);
+    const largest = `${show(figure.arrows.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
+    rows.push(`Longest arrow: ${figure.arrows.label.toLowerCase()} ${largest}`);
   }
   if (figure.crosses) {
     const { factor, unit } = scaled_unit(figure.crosses.unit, figure.crosses.largest);
-    rows.push(`Longest cross: ${show(figure.crosses.largest / factor, 3)} ${unit}; blue compression, orange tension`);
+    const largest = `${show(figure.crosses.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
+    rows.push(`Longest cross: ${largest}; blue compression, orange tension`);
   }
   if (figure.contacts) {
-    rows.push('Contact force by width: blue sticks, orange slides');
+    const { factor, unit } = scaled_unit(figure.contacts.unit, figure.contacts.largest);
+    const largest = `${show(figure.contacts.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
+    rows.push(`Widest contact line: ${largest}; blue sticks, orange slides`);
   }
   const width = Math.min(320, size.width - 24);
   const states = shade?.measure.kind === 'state' ? (shade.measure.names ?? []) : null;
@@ -526,9 +542,10 @@ function paint_scale_bar(pen: Pen, figure: Figure): void {
   const { paint, size, camera } = figure;
   const length = round_below(Math.min(160, size.width * 0.25) / camera.scale);
   const width = length * camera.scale;
-  const right = size.width - 16;
-  // On narrow drawings the legend takes the bottom, so the bar goes to the top right below the tools.
-  const y = size.width < 640 ? 22 : size.height - 14;
+  // On narrow drawings the legend takes the bottom, so the bar goes to the top left.
+  const is_narrow = size.width < 640;
+  const right = is_narrow ? 16 + width : size.width - 16;
+  const y = is_narrow ? 28 : size.height - 14;
   const { factor, unit } = scaled_unit(figure.length_unit, length);
   const label = `${show(length / factor, 3)}${unit ? ` ${unit}` : ''}`;
   pen.box(right - width - 8, y - 20, width + 16, 28, paint.surface, 6, 0.88);
@@ -542,6 +559,39 @@ function paint_scale_bar(pen: Pen, figure: Figure): void {
 /** Caption for exported drawings, top left. */
 export function paint_caption(pen: Pen, figure: Figure): void {
   pen.text(12, 20, figure.caption, { size: 13, colour: figure.paint.ink, weight: 600, halo: figure.paint.background });
+}
+
+const known_edges = new WeakMap<Geometry, Uint32Array>();
+
+/** Vertices of edges, two an edge, without those that two elements share: outlines of blocks and of meshed bodies. */
+export function rest_edges(geometry: Geometry, places: ArrayLike<number>, typical: number): Uint32Array {
+  let edges = known_edges.get(geometry);
+  if (edges) return edges;
+  const grid = 1e-4 * typical;
+  const name = (v: number) => `${Math.round(places[2 * v] / grid)},${Math.round(places[2 * v + 1] / grid)}`;
+  const list: number[] = [];
+  const seen = new Map<string, number>();
+  for (let l = 0; l < geometry.loops; l++) {
+    const is_element = (geometry.kind[geometry.loop_body[l]] & 255) === 1;
+    const end = geometry.loop_start[l + 1];
+    for (let v = geometry.loop_start[l]; v < end; v++) {
+      const next = v + 1 === end ? geometry.loop_start[l] : v + 1;
+      if (is_element) {
+        const [a, b] = [name(v), name(next)].sort();
+        const before = seen.get(`${a} ${b}`);
+        if (before !== undefined) {
+          // Shared: neither of the two is drawn.
+          list[before] = list[before + 1] = -1;
+          continue;
+        }
+        seen.set(`${a} ${b}`, list.length);
+      }
+      list.push(v, next);
+    }
+  }
+  edges = Uint32Array.from(list.filter(v => v >= 0));
+  known_edges.set(geometry, edges);
+  return edges;
 }
 
 /** Whole drawing. */

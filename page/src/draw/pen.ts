@@ -292,9 +292,7 @@ export class SvgPen implements Pen {
 
   circle(x: number, y: number, radius: number, fill: string | null, line: Line | null): void {
     const stroke = line ? ` stroke="${line.colour}" stroke-width="${line.width}"` : '';
-    this.out.push(
-      `<circle cx="${short(x)}" cy="${short(y)}" r="${short(radius)}" fill="${fill ?? 'none'}"${stroke}/>`,
-    );
+    this.out.push(`<circle cx="${short(x)}" cy="${short(y)}" r="${short(radius)}" fill="${fill ?? 'none'}"${stroke}/>`);
   }
 
   box(x: number, y: number, width: number, height: number, fill: string, radius = 0, opacity = 1): void {
@@ -305,7 +303,9 @@ export class SvgPen implements Pen {
   }
 
   text(x: number, y: number, text: string, style: TextStyle): void {
-    const halo = style.halo ? ` stroke="${style.halo}" stroke-width="3" paint-order="stroke" stroke-linejoin="round"` : '';
+    const halo = style.halo
+      ? ` stroke="${style.halo}" stroke-width="3" paint-order="stroke" stroke-linejoin="round"`
+      : '';
     this.out.push(
       `<text x="${short(x)}" y="${short(y)}" font-size="${style.size}" font-weight="${style.weight ?? 400}" ` +
         `text-anchor="${style.anchor ?? 'start'}" fill="${style.colour}"${halo}>${escape_xml(text)}</text>`,

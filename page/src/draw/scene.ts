@@ -109,7 +109,14 @@ export function vertices_of(geometry: Geometry, row: number): [number, number] {
  * Moves a place that a table gives for frame `from`, on body `row`, to where the pose has it: with the body's motion,
  * magnified.
  */
-export function carry_place(store: Store, from: number, pose: Pose, row: number, x: number, y: number): [number, number] {
+export function carry_place(
+  store: Store,
+  from: number,
+  pose: Pose,
+  row: number,
+  x: number,
+  y: number,
+): [number, number] {
   if (row === NO_ROW || row >= pose.geometry.bodies) return [x, y];
   if (from === pose.frame && pose.magnification === 1) return [x, y];
   const { geometry, magnification: s } = pose;
@@ -256,6 +263,7 @@ export function part_at(store: Store, what: string, frame: number): PartAt | und
 
 /** A measure's value as text: name of its state, or number with unit. */
 export function unit_of_value(measure: Measure, value: number): string {
-  if (measure.kind === 'state') return measure.names?.[Math.round(value)] ?? (Number.isNaN(value) ? '–' : String(value));
+  if (measure.kind === 'state')
+    return measure.names?.[Math.round(value)] ?? (Number.isNaN(value) ? '–' : String(value));
   return show_with(value, measure.unit, measure.digits);
 }

@@ -150,7 +150,11 @@ export class WebglBodies {
   /** Makes a renderer, or nothing where the page had better draw on a plain canvas. */
   static make(canvas: HTMLCanvasElement, even_without_card: boolean): WebglBodies | null {
     try {
-      const gl = canvas.getContext('webgl2', { antialias: !even_without_card, preserveDrawingBuffer: true, alpha: false });
+      const gl = canvas.getContext('webgl2', {
+        antialias: !even_without_card,
+        preserveDrawingBuffer: true,
+        alpha: false,
+      });
       if (!gl || (!even_without_card && !has_card(gl))) return null;
       return new WebglBodies(gl);
     } catch {
@@ -218,7 +222,7 @@ export class WebglBodies {
     gl.bindVertexArray(this.fill_array);
     gl.drawElements(gl.TRIANGLES, this.count, gl.UNSIGNED_INT, 0);
 
-    if (figure.outlines) {
+    if (outline_width(figure) > 0) {
       const { segments } = this;
       const { loop_start } = geometry;
       const [light, dark] = split_loops(figure);

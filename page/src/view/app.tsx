@@ -5,7 +5,15 @@ import { BlocksTab } from './blocks';
 import { ChosenTab } from './chosen';
 import { CurvesTab } from './curves';
 import { Drawing } from './drawing';
-import { cancel_video, save_blocks_csv, save_contacts_csv, save_png, save_svg, save_video, video_kind } from './exports';
+import {
+  cancel_video,
+  save_blocks_csv,
+  save_contacts_csv,
+  save_png,
+  save_svg,
+  save_video,
+  video_kind,
+} from './exports';
 import { caption_of } from './figure';
 import { Icon } from './icons';
 import { KEYS } from './keys';
@@ -37,7 +45,9 @@ export function App() {
       {state.help_open.value && <Help />}
       {state.recording.value && (
         <div class="recording" role="status">
-          <span>Recording frame {state.frame.value + 1} of {state.last_frame() + 1}</span>
+          <span>
+            Recording frame {state.frame.value + 1} of {state.last_frame() + 1}
+          </span>
           <button type="button" class="small" onClick={cancel_video}>
             Stop
           </button>
@@ -108,14 +118,14 @@ function SaveMenu() {
     const close = (event: Event) => {
       if (menu.current?.open && !menu.current.contains(event.target as Node)) menu.current.open = false;
     };
-    const escape = (event: KeyboardEvent) => {
+    const on_escape = (event: KeyboardEvent) => {
       if (event.key === 'Escape' && menu.current) menu.current.open = false;
     };
     document.addEventListener('pointerdown', close);
-    document.addEventListener('keydown', escape);
+    document.addEventListener('keydown', on_escape);
     return () => {
       document.removeEventListener('pointerdown', close);
-      document.removeEventListener('keydown', escape);
+      document.removeEventListener('keydown', on_escape);
     };
   }, []);
   const item = (label: string, note: string, run: () => void) => (
@@ -143,8 +153,10 @@ function SaveMenu() {
         {item('Blocks, CSV', 'all values of this frame', save_blocks_csv)}
         {state.store.has('contacts') && item('Contacts, CSV', 'closed contacts of this frame', save_contacts_csv)}
         {kind &&
-          item(`Video, ${kind.includes('mp4') ? 'MP4' : 'WebM'}`, 'all frames at the speed of the player', () =>
-            void save_video(base_rate(state.head.frames.length) * state.speed.value),
+          item(
+            `Video, ${kind.includes('mp4') ? 'MP4' : 'WebM'}`,
+            'all frames at the speed of the player',
+            () => void save_video(base_rate(state.head.frames.length) * state.speed.value),
           )}
         {item('Print', 'drawing and record of the run', () => window.print())}
       </div>
@@ -229,8 +241,8 @@ function Help() {
         </button>
       </div>
       <p>
-        Drag to move the view. Turn the wheel, or pinch, to zoom. Click a block, contact, bolt, crack or point to see its
-        values and history.
+        Drag to move the view. Turn the wheel, or pinch, to zoom. Click a block, contact, bolt, crack or point to see
+        its values and history.
       </p>
       <p>Hatched blocks are fixed. Stresses are positive in tension.</p>
       <h3>Keys</h3>

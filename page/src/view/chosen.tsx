@@ -5,8 +5,8 @@ import { useMemo } from 'preact/hooks';
 import { type ColumnHead, NO_ROW } from '../data/contract';
 import type { Geometry } from '../data/decode';
 import { value_at } from '../data/store';
-import { show, show_with } from '../draw/numbers';
 import type { Measure } from '../draw/measures';
+import { show, show_with } from '../draw/numbers';
 import { body_value, displacement_of, part_at, unit_of_value, values_of, vertices_of } from '../draw/scene';
 import { Chart, type Curve } from './chart';
 import { ident_of, nth_of, row_of } from './figure';
@@ -413,13 +413,7 @@ function PartPanel({
   );
 }
 
-function PartHistory({
-  chosen,
-  columns,
-}: {
-  chosen: Extract<state.Chosen, { kind: 'part' }>;
-  columns: ColumnHead[];
-}) {
+function PartHistory({ chosen, columns }: { chosen: Extract<state.Chosen, { kind: 'part' }>; columns: ColumnHead[] }) {
   const real = columns.filter(c => c.type !== 'u32' && !['place', 'normal', 'ends', 'from', 'to'].includes(c.name));
   const options = real.flatMap(c =>
     parts_of_column(c).map((part, p) => ({

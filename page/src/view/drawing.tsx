@@ -4,7 +4,7 @@ import { effect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { to_world, zoom } from '../draw/camera';
 import { show } from '../draw/numbers';
-import { type Figure, contact_line, paint_bodies, paint_legend, paint_over, screen_of } from '../draw/paint';
+import { contact_line, type Figure, paint_bodies, paint_legend, paint_over, screen_of } from '../draw/paint';
 import { CanvasPen } from '../draw/pen';
 import { pick_body, pick_point, pick_segment } from '../draw/pick';
 import { body_value, unit_of_value } from '../draw/scene';
@@ -225,13 +225,27 @@ function hover(x: number, y: number): void {
 /** Chooses what stands at a pixel: marks first, then contacts that are shown, then bodies. */
 export function pick_at(x: number, y: number, reach: number): void {
   const figure = shown;
-  if (!figure) return;
+  if (!figure || pick_mark(figure, x, y, reach)) return;
+  const { pose } = figure;
+  const [wx, wy] = to_world(state.camera.value, state.size.value, x, y);
+  const row = pick_body(pose, wx, wy);
+  if (row === null) {
+    state.chosen.value = null;
+    return;
+  }
+  state.chosen.value = { kind: 'body', key: pose.geometry.key[row] };
+  if (window.innerWidth >= 900) state.tab.value = 'chosen';
+}
+
+/** Chooses a point, contact, bolt or crack at a pixel, if one is there. */
+function pick_mark(figure: Figure, x: number, y: number, reach: number): boolean {
   const { pose } = figure;
   const { geometry } = pose;
   const choose = (what: string, rows: Parameters<typeof ident_of>[1], i: number) => {
     const ident = ident_of(what, rows, i, geometry);
     state.chosen.value = { kind: 'part', what, ident, nth: nth_of(what, rows, i, geometry) };
     state.tab.value = 'chosen';
+    return true;
   };
   for (const { marks, at } of points_of(pose)) {
     const i = pick_point(screen_of(figure, marks.at), x, y, reach);
@@ -250,14 +264,7 @@ export function pick_at(x: number, y: number, reach: number): void {
     const i = pick_segment(screen_of(figure, marks.ends), x, y, reach);
     if (i !== null) return choose(marks.name, at.rows, i);
   }
-  const [wx, wy] = to_world(state.camera.value, state.size.value, x, y);
-  const row = pick_body(pose, wx, wy);
-  if (row === null) {
-    state.chosen.value = null;
-    return;
-  }
-  state.chosen.value = { kind: 'body', key: geometry.key[row] };
-  if (window.innerWidth >= 900 || state.tab.value === 'chosen') state.tab.value = 'chosen';
+  return false;
 }
 
 /** Line at the top left: block and value under the pointer, and its place. */
@@ -272,7 +279,8 @@ function Hover() {
   let block = '';
   if (at.row !== null && at.row < pose.geometry.bodies) {
     block = `${(pose.geometry.kind[at.row] & 255) === 1 ? 'Element' : 'Block'} ${pose.geometry.number[at.row]}`;
-    if (shade) block += `: ${unit_of_value(shade.measure, body_value(shade.measure, shade.values, pose.geometry, at.row))}`;
+    if (shade)
+      block += `: ${unit_of_value(shade.measure, body_value(shade.measure, shade.values, pose.geometry, at.row))}`;
   }
   return (
     <div class="hover" aria-hidden="true">

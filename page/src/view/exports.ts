@@ -108,9 +108,7 @@ export function blocks_csv(): string | null {
       number(geometry.centroid[2 * row + 1] + head.origin[1] + moved[1], 7),
       ...measures.map(({ own, values }) => {
         const value = body_value(own, values!, geometry, row);
-        return own.kind === 'state'
-          ? (own.names?.[Math.round(value)] ?? value)
-          : number(value, own.digits + 1);
+        return own.kind === 'state' ? (own.names?.[Math.round(value)] ?? value) : number(value, own.digits + 1);
       }),
     ]);
   }

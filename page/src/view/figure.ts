@@ -2,17 +2,17 @@
 
 import { NO_ROW, type PartHead } from '../data/contract';
 import type { PartRows } from '../data/decode';
-import type { Arrows, ContactMarks, Crosses, Figure, LineMarks, PointMarks } from '../draw/paint';
-import { pick_point, typical_size } from '../draw/pick';
 import { show } from '../draw/numbers';
+import type { Arrows, ContactMarks, Crosses, Figure, LineMarks, PointMarks } from '../draw/paint';
+import { pick_body, pick_point, typical_size } from '../draw/pick';
 import {
   body_fractions,
   body_value,
   carry_place,
   displacement_of,
   type PartAt,
-  part_at,
   type Pose,
+  part_at,
   pose_of,
   type Range,
   range_of,
@@ -112,6 +112,7 @@ export function contacts_of(pose: Pose): { marks: ContactMarks; at: PartAt } | n
       state: states ? Uint32Array.from(states) : new Uint32Array(n).fill(1),
       near,
       largest,
+      unit: part_head('contacts')?.columns.find(c => c.name === 'normal_force')?.unit ?? '',
       chosen: chosen_row('contacts', at, pose.geometry),
     },
   };
@@ -125,6 +126,24 @@ function ends_of(rows: PartRows): Float32Array | null {
   const out = new Float32Array(4 * rows.rows);
   for (let i = 0; i < rows.rows; i++) out.set([from[2 * i], from[2 * i + 1], to[2 * i], to[2 * i + 1]], 4 * i);
   return out;
+}
+
+/** Moves ends of bolts with the bodies that hold them at the frame of their table. */
+function carry_ends(ends: Float32Array, from: number, pose: Pose): void {
+  const held = pose_of(state.store, from, 1);
+  if (!held || held.geometry !== pose.geometry || ends.length > 4000) return;
+  for (let i = 0; i < ends.length; i += 2) {
+    const row = pick_body(held, ends[i], ends[i + 1]) ?? pick_near(held, ends[i], ends[i + 1]);
+    const [x, y] = carry_place(state.store, from, pose, row, ends[i], ends[i + 1]);
+    ends[i] = x;
+    ends[i + 1] = y;
+  }
+}
+
+/** Body of the vertex nearest to a place. */
+function pick_near(pose: Pose, x: number, y: number): number {
+  const v = pick_point(pose.places, x, y, Infinity);
+  return v === null ? NO_ROW : pose.geometry.vertex_body[v];
 }
 
 /** Places of a table's rows, moved with magnification where a column tells displacements. */
@@ -161,6 +180,8 @@ export function lines_of(pose: Pose): { marks: LineMarks; at: PartAt }[] {
     const { displacement, is_broken, broken } = at.rows.columns;
     if (displacement && displacement.length === ends.length && pose.magnification !== 1) {
       for (let i = 0; i < ends.length; i++) ends[i] += (pose.magnification - 1) * displacement[i];
+    } else if (pose.magnification !== 1 || at.frame !== pose.frame) {
+      carry_ends(ends, at.frame, pose);
     }
     const marks: LineMarks = {
       name: what,
@@ -278,7 +299,8 @@ function trail_of(key: number, to: number, s: number, most: number): Float32Arra
     const moved = geometry && row !== undefined ? displacement_of(state.store, f, row) : undefined;
     // A body that was cut has another centroid: its trail begins anew.
     const same =
-      geometry === now || (row !== undefined && geometry !== undefined && is_near(geometry.centroid, row, now.centroid, now_row));
+      geometry === now ||
+      (row !== undefined && geometry !== undefined && is_near(geometry.centroid, row, now.centroid, now_row));
     if (geometry && row !== undefined && moved && same) {
       out.push(geometry.centroid[2 * row] + s * moved[0], geometry.centroid[2 * row + 1] + s * moved[1]);
     }
@@ -369,6 +391,7 @@ function contacts_shown(pose: Pose): ContactMarks | null {
     state: Uint32Array.from(kept, i => marks.state[i]),
     near: Uint8Array.from(kept, i => marks.near[i]),
     largest: marks.largest,
+    unit: marks.unit,
     chosen: marks.chosen === null ? null : kept.indexOf(marks.chosen),
   };
 }

@@ -6,9 +6,9 @@ import { accept_head, PageError } from '../data/contract';
 import { Store } from '../data/store';
 import { pick_body } from '../draw/pick';
 import { App } from './app';
-import { shown, timing } from './drawing';
 import { chart_times } from './chart';
-import { record_video, video_kind } from './exports';
+import { shown, timing } from './drawing';
+import { record_video, svg_text, video_kind } from './exports';
 import { on_key } from './keys';
 import { start_clock } from './player';
 import * as state from './state';
@@ -100,6 +100,7 @@ Object.assign(window, {
     all_decoded_at: () => all_decoded_at,
     pick: pick_body,
     record_video,
+    svg_text,
     video_kind,
   },
 });

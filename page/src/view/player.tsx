@@ -57,7 +57,13 @@ export function Player() {
   return (
     <section class="player" aria-label="Player">
       <div class="buttons">
-        <Key name="first" label="First frame" hint="Home" run={() => state.go_to(0)} />
+        <Key
+          kind={marks.length > 1 ? 'edge' : ''}
+          name="first"
+          label="First frame"
+          hint="Home"
+          run={() => state.go_to(0)}
+        />
         {marks.length > 1 && <Key name="earlier" label="Stage before" hint="[" run={() => state.jump(-1)} />}
         <Key name="back" label="One frame back" hint="←" run={() => state.go_to(frame - 1)} />
         <button
@@ -71,7 +77,13 @@ export function Player() {
         </button>
         <Key name="forward" label="One frame on" hint="→" run={() => state.go_to(frame + 1)} />
         {marks.length > 1 && <Key name="later" label="Next stage" hint="]" run={() => state.jump(1)} />}
-        <Key name="last" label="Last frame" hint="End" run={() => state.go_to(last)} />
+        <Key
+          kind={marks.length > 1 ? 'edge' : ''}
+          name="last"
+          label="Last frame"
+          hint="End"
+          run={() => state.go_to(last)}
+        />
       </div>
       <div class="track">
         <input
@@ -94,8 +106,11 @@ export function Player() {
                   type="button"
                   key={mark.frame}
                   class={frame >= mark.frame && (frame < next || i === marks.length - 1) ? 'on' : ''}
-                  style={{ left: `${(100 * mark.frame) / (last || 1)}%`, width: `${(100 * (next - mark.frame)) / (last || 1)}%` }}
-                  title={`Stage: ${mark.label}`}
+                  style={{
+                    left: `${(100 * mark.frame) / (last || 1)}%`,
+                    width: `${(100 * (next - mark.frame)) / (last || 1)}%`,
+                  }}
+                  title={mark.label}
                   aria-label={`Go to ${mark.label}`}
                   tabIndex={-1}
                   onClick={() => state.go_to(mark.frame)}
@@ -143,9 +158,21 @@ export function Player() {
   );
 }
 
-function Key({ name, label, hint, run }: { name: string; label: string; hint: string; run: () => void }) {
+function Key({
+  kind = '',
+  name,
+  label,
+  hint,
+  run,
+}: {
+  kind?: string;
+  name: string;
+  label: string;
+  hint: string;
+  run: () => void;
+}) {
   return (
-    <button type="button" title={`${label} (${hint})`} aria-label={label} onClick={run}>
+    <button type="button" class={kind} title={`${label} (${hint})`} aria-label={label} onClick={run}>
       <Icon name={name} />
     </button>
   );

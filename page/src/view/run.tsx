@@ -12,10 +12,15 @@ export interface Verdict {
 const ENDS: Record<string, string> = {
   finished: 'Finished',
   stopped: 'Stopped early',
-  interrupted: 'Interrupted',
   failed: 'Failed',
-  time_limit: 'Time limit reached',
-  step_limit: 'Step limit reached',
+};
+
+const MOTIONS: Record<string, Verdict> = {
+  at_rest: { tone: 'good', text: 'Came to rest' },
+  moving: { tone: 'warn', text: 'Still moving' },
+  equilibrium: { tone: 'good', text: 'In equilibrium' },
+  no_equilibrium: { tone: 'bad', text: 'No equilibrium' },
+  not_equilibrium: { tone: 'warn', text: 'Equilibrium not reached' },
 };
 
 function words(name: string): string {
@@ -26,13 +31,12 @@ function words(name: string): string {
 /** State of motion at the end of a run, in two or three words. */
 export function verdict_of(run: state_run): Verdict {
   if (!run) return { tone: 'plain', text: 'Run not finished' };
-  const doubts = run.outcome?.doubts ?? [];
-  if (doubts.length) return { tone: 'bad', text: 'Results unreliable' };
   const end = run.outcome?.end;
+  if (end === 'failed') return { tone: 'bad', text: 'Run failed' };
+  if (run.outcome?.doubts?.length) return { tone: 'bad', text: 'Results unreliable' };
   if (end && end !== 'finished') return { tone: 'warn', text: ENDS[end] ?? words(end) };
   const motion = run.outcome?.motion?.state;
-  if (motion === 'at_rest') return { tone: 'good', text: 'Came to rest' };
-  if (motion === 'moving') return { tone: 'warn', text: 'Still moving' };
+  if (MOTIONS[motion]) return MOTIONS[motion];
   if (motion) return { tone: 'plain', text: words(motion) };
   return { tone: 'plain', text: 'Finished' };
 }
@@ -121,6 +125,19 @@ export function RunTab() {
         {sentences.map(text => (
           <p key={text}>{sentence(text)}</p>
         ))}
+        {run.outcome?.reason && <p class="doubt">{sentence(run.outcome.reason)}</p>}
+        {run.outcome?.ended_early && <p>{sentence(run.outcome.ended_early)}</p>}
+        {run.outcome?.try?.length > 0 && (
+          <p>
+            Settings to try:{' '}
+            {run.outcome.try.map((own: string, i: number) => (
+              <span key={own}>
+                {i > 0 && ', '}
+                <code>{own}</code>
+              </span>
+            ))}
+          </p>
+        )}
         {doubts.map(text => (
           <p class="doubt" key={String(text)}>
             {sentence(text)}
@@ -159,7 +176,10 @@ export function RunTab() {
         <h2 id="run-facts">Facts</h2>
         <table class="facts">
           <tbody>
-            <Row name="Analysis" value={run.is_static ? 'static' : run.is_of_motion ? 'dynamic' : words(run.settings?.motion ?? '')} />
+            <Row
+              name="Analysis"
+              value={run.is_static ? 'static' : run.is_of_motion ? 'dynamic' : words(run.settings?.motion ?? '')}
+            />
             <Row name="Profile" value={run.profile && `${run.profile} (${run.profile_because})`} />
             <Row name="Steps" value={run.outcome?.steps} />
             {!run.is_static && run.outcome?.time !== undefined && (
@@ -167,12 +187,20 @@ export function RunTab() {
             )}
             <Row name="Frames on this page" value={head.frames.length} />
             <Row name="Blocks" value={counts.blocks} />
+            <Row name="Elements" value={counts.elements} />
+            <Row name="Covers" value={counts.covers} />
             <Row name="Unknowns" value={counts.unknowns} />
             <Row name="Most contacts" value={counts.most_contacts} />
             <Row
               name="Deepest overlap"
-              value={counts.greatest_penetration !== undefined && show_with(counts.greatest_penetration, units?.length ?? '', 3)}
+              value={
+                counts.greatest_penetration !== undefined &&
+                show_with(counts.greatest_penetration, units?.length ?? '', 3)
+              }
             />
+            {run.plastic?.yielded_fraction !== undefined && (
+              <Row name="Yielded share of area" value={`${show(100 * run.plastic.yielded_fraction, 3)} %`} />
+            )}
             {closure !== undefined && <Row name="Error of energy balance" value={show(closure, 2)} />}
             {seconds !== null && <Row name="Computing time" value={`${show(seconds, 3)} s`} />}
             <Row name="Program" value={head.program} />

@@ -1,14 +1,24 @@
 // Tab Show: colours, range, magnification, layers.
 
-import { show, show_range } from '../draw/numbers';
 import { SEQUENTIAL } from '../draw/colours';
-import { shade_at } from './figure';
+import { show, show_range } from '../draw/numbers';
 import { pose_of } from '../draw/scene';
+import { shade_at } from './figure';
 import * as state from './state';
 
 const MAP_NAMES: Record<string, string> = { viridis: 'Viridis', cividis: 'Cividis', grey: 'Grey' };
 
-export function Check({ label, hint, on, set }: { label: string; hint?: string; on: boolean; set: (on: boolean) => void }) {
+export function Check({
+  label,
+  hint,
+  on,
+  set,
+}: {
+  label: string;
+  hint?: string;
+  on: boolean;
+  set: (on: boolean) => void;
+}) {
   return (
     <label class="check">
       <input type="checkbox" checked={on} onChange={event => set(event.currentTarget.checked)} />
@@ -115,11 +125,7 @@ export function ShowTab() {
                 {own.unit && <span class="unit">{own.unit}</span>}
               </div>
             ) : (
-              shade && (
-                <p class="note">
-                  {show_range(shade.low, shade.high, own.unit, own.digits)}
-                </p>
-              )
+              shade && <p class="note">{show_range(shade.low, shade.high, own.unit, own.digits)}</p>
             )}
             <label class="field">
               <span>Map</span>

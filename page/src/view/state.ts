@@ -129,7 +129,8 @@ export function marks_of(from: Head): Mark[] {
     if (!own.stage && own.epoch === (before?.epoch ?? own.epoch)) return;
     if (before && own.stage === before.stage && own.epoch === before.epoch) return;
     const is_stage = own.stage && (!before || own.stage !== before.stage);
-    marks.push({ frame: i, label: is_stage ? String(own.stage) : `geometry ${own.epoch + 1}` });
+    // Geometry changes without a new stage where cracks grow or blocks are cut.
+    marks.push({ frame: i, label: is_stage ? String(own.stage) : `step ${own.step}` });
   });
   return marks;
 }
@@ -207,7 +208,7 @@ export function fit_view(): void {
 /** Room that tools, legend and scale bar take. */
 export function margins_of(room: Size) {
   const narrow = room.width < 640;
-  return { top: narrow ? 44 : 44, right: narrow ? 14 : 56, bottom: narrow ? 88 : 84, left: 18 };
+  return { top: narrow ? 44 : 44, right: narrow ? 14 : 56, bottom: narrow ? 92 : 102, left: 18 };
 }
 
 /** Magnification at which the largest displacement of the run is 5 % of the model's width. */

@@ -40,7 +40,10 @@ describe('coding', () => {
   });
 
   test('numbers that are none, and infinite ones, survive rounding', () => {
-    const values = [[[Number.NaN], [Number.POSITIVE_INFINITY]], [[1], [Number.NEGATIVE_INFINITY]]];
+    const values = [
+      [[Number.NaN], [Number.POSITIVE_INFINITY]],
+      [[1], [Number.NEGATIVE_INFINITY]],
+    ];
     const chunk = decode_field(encode_field(values, 1, 10), 1, 2, 2);
     expect([...chunk.values]).toEqual([Number.NaN, Infinity, 1, -Infinity]);
     expect(round_bits(0x3f800000, 10)).toBe(0x3f800000);

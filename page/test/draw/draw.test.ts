@@ -1,4 +1,5 @@
 import { beforeAll, describe, expect, test } from 'vitest';
+import { decode_geometry } from '../../src/data/decode';
 import { Store, value_at } from '../../src/data/store';
 import { fit, to_screen, to_world, zoom } from '../../src/draw/camera';
 import { class_table, css_of, index_of, table_of } from '../../src/draw/colours';
@@ -18,7 +19,6 @@ import {
   values_of,
 } from '../../src/draw/scene';
 import { triangles_of } from '../../src/draw/triangles';
-import { decode_geometry } from '../../src/data/decode';
 import { type Body, encode_geometry } from '../encode';
 import { make_wall, type Wall } from '../scenes';
 
@@ -146,13 +146,115 @@ describe('triangles', () => {
   const body = (loops: [number, number][][]): Body => ({ key: 0, number: 1, material: 0, kind: 0, loops });
 
   test.each([
-    ['convex', [[[0, 0], [2, 0], [2, 1], [0, 1]]], 2],
-    ['clockwise', [[[0, 1], [2, 1], [2, 0], [0, 0]]], 2],
-    ['notched', [[[0, 0], [3, 0], [3, 3], [1.5, 1], [0, 3]]], 6],
-    ['star', [[[0, 0], [2, 1], [4, 0], [3, 2], [4, 4], [2, 3], [0, 4], [1, 2]]], 8],
-    ['hole', [[[0, 0], [4, 0], [4, 4], [0, 4]], [[1, 1], [2, 1], [2, 2], [1, 2]]], 15],
-    ['two holes', [[[0, 0], [6, 0], [6, 4], [0, 4]], [[1, 1], [2, 1], [2, 3], [1, 3]], [[4, 1], [5, 1], [5, 2], [4, 2]]], 21],
-    ['straight corner', [[[0, 0], [1, 0], [2, 0], [2, 2], [1, 1], [0, 2]]], 3],
+    [
+      'convex',
+      [
+        [
+          [0, 0],
+          [2, 0],
+          [2, 1],
+          [0, 1],
+        ],
+      ],
+      2,
+    ],
+    [
+      'clockwise',
+      [
+        [
+          [0, 1],
+          [2, 1],
+          [2, 0],
+          [0, 0],
+        ],
+      ],
+      2,
+    ],
+    [
+      'notched',
+      [
+        [
+          [0, 0],
+          [3, 0],
+          [3, 3],
+          [1.5, 1],
+          [0, 3],
+        ],
+      ],
+      6,
+    ],
+    [
+      'star',
+      [
+        [
+          [0, 0],
+          [2, 1],
+          [4, 0],
+          [3, 2],
+          [4, 4],
+          [2, 3],
+          [0, 4],
+          [1, 2],
+        ],
+      ],
+      8,
+    ],
+    [
+      'hole',
+      [
+        [
+          [0, 0],
+          [4, 0],
+          [4, 4],
+          [0, 4],
+        ],
+        [
+          [1, 1],
+          [2, 1],
+          [2, 2],
+          [1, 2],
+        ],
+      ],
+      15,
+    ],
+    [
+      'two holes',
+      [
+        [
+          [0, 0],
+          [6, 0],
+          [6, 4],
+          [0, 4],
+        ],
+        [
+          [1, 1],
+          [2, 1],
+          [2, 3],
+          [1, 3],
+        ],
+        [
+          [4, 1],
+          [5, 1],
+          [5, 2],
+          [4, 2],
+        ],
+      ],
+      21,
+    ],
+    [
+      'straight corner',
+      [
+        [
+          [0, 0],
+          [1, 0],
+          [2, 0],
+          [2, 2],
+          [1, 1],
+          [0, 2],
+        ],
+      ],
+      3,
+    ],
   ] as [string, [number, number][][], number][])('%s body keeps its area', (_, loops, expected) => {
     const geometry = decode_geometry(encode_geometry([body(loops)]));
     expect(area(geometry.place, triangles_of(geometry))).toBeCloseTo(expected, 4);

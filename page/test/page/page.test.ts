@@ -1,7 +1,7 @@
 // The built page in headless Chromium, from file://: what it shows, what it costs, whether all can use it.
 
-import { createRequire } from 'node:module';
 import { readFileSync, statSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { gzipSync } from 'node:zlib';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
@@ -146,7 +146,9 @@ describe.skipIf(!has_browser)('page', () => {
     const text = readFileSync(svg.path, 'utf8');
     expect(text).toContain('Displacement, magnitude [mm]');
     expect(text).not.toContain('NaN');
-    const csv = readFileSync((await save('Blocks, CSV')).path, 'utf8').trim().split('\n');
+    const csv = readFileSync((await save('Blocks, CSV')).path, 'utf8')
+      .trim()
+      .split('\n');
     expect(csv.length).toBe(wall.bodies.length);
     expect(csv[0]).toContain('displacement.x [m]');
     const png = await save('Picture, PNG');
