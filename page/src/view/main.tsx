@@ -5,10 +5,12 @@ import { render } from 'preact';
 import { accept_head, PageError } from '../data/contract';
 import { Store } from '../data/store';
 import { pick_body } from '../draw/pick';
+import { part_at } from '../draw/scene';
 import { App } from './app';
 import { chart_times } from './chart';
 import { shown, timing } from './drawing';
 import { record_video, svg_text, video_kind } from './exports';
+import { ident_of, nth_of } from './figure';
 import { on_key } from './keys';
 import { start_clock } from './player';
 import * as state from './state';
@@ -90,6 +92,18 @@ async function start(): Promise<void> {
 
 let all_decoded_at = 0;
 
+/** Chooses a row of a table in time at the present frame; false where there is none. */
+function choose(what: string, i: number): boolean {
+  const { store, frame } = state;
+  const at = part_at(store, what, frame.value);
+  const geometry = store.geometry_now(store.epoch_of(frame.value));
+  if (!at?.rows.rows || !geometry) return false;
+  const row = Math.min(i, at.rows.rows - 1);
+  const ident = ident_of(what, at.rows, row, geometry);
+  state.chosen.value = { kind: 'part', what, ident, nth: nth_of(what, at.rows, row, geometry) };
+  return true;
+}
+
 // What the tests of the page read.
 Object.assign(window, {
   keyblock_page: {
@@ -101,6 +115,7 @@ Object.assign(window, {
     pick: pick_body,
     record_video,
     svg_text,
+    choose,
     video_kind,
   },
 });
