@@ -13,7 +13,7 @@ set(floor_8 study report job)
 set(floor_9 library serve)
 set(floor_10 app)
 set(closed_floors 3 4)
-set(may_read_files app library api study job formats)   # the rooms that may include formats
+set(may_read_files app serve library api study job formats)   # the rooms that may include formats
 
 # Floors within a room, lowest first: sub-rooms, single units, "." for all other files of the room itself. Those of one line (joined by
 # a comma) do not see each other.

@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "job/files.hpp"
+#include "serve/pictures.hpp"
 #include "serve/request_words.hpp"
 #include "serve/run_differences.hpp"
 #include "serve/start_page.hpp"
@@ -38,10 +39,14 @@ std::string parameter(const std::map<std::string, std::string>& parameters, cons
   return found->second;
 }
 
-std::string bytes_of(const fs::path& file, std::uintmax_t most) {
+void require_file(const fs::path& file, std::uintmax_t most) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) throw NotServed("there is no such file");
   if (fs::file_size(file, error) > most) throw BadRequest("the file is too long");
+}
+
+std::string bytes_of(const fs::path& file, std::uintmax_t most) {
+  require_file(file, most);
   return file_bytes(file.string());
 }
 
@@ -88,6 +93,7 @@ Reply Service::get(const Target& target) {
   if (path == "/api/list") return json_reply(list());
   if (path == "/api/read") return json_reply(read(parameters));
   if (path == "/api/drawing") return drawing(parameters);
+  if (path == "/api/thumbnail") return thumbnail(parameters);
   if (path == "/api/picture") return picture(parameters);
   if (path == "/api/record") return json_reply(record(parameters));
   if (path == "/api/compare") return json_reply(compare(parameters));
@@ -128,6 +134,10 @@ Json Service::read(const Parameters& parameters) const {
 
 Reply Service::drawing(const Parameters& parameters) const {
   const std::string file = file_argument(folder_, parameter(parameters, "path"));
+  const fs::path whole = folder_.whole(parameter(parameters, "path"));
+  require_file(whole, kMostText);
+  if (std::string blocks = blocks_picture_of(whole, parameters.contains("numbers")); !blocks.empty())
+    return svg_reply(std::move(blocks));
   const fs::path svg = drafts_.file(".svg"), blocks = drafts_.file(".blk");
   std::vector<std::string> words{"cut", file, "-o", blocks.string(), "--svg", svg.string()};
   if (parameters.contains("numbers")) words.emplace_back("--numbers");
@@ -138,6 +148,13 @@ Reply Service::drawing(const Parameters& parameters) const {
   Reply reply = svg_reply(file_bytes(svg.string()));
   fs::remove(svg, error);
   return reply;
+}
+
+Reply Service::thumbnail(const Parameters& parameters) const {
+  const fs::path file = folder_.whole(parameter(parameters, "path"));
+  require_file(file, kMostText);
+  std::string svg = thumbnail_of(file);
+  return svg.empty() ? refusal(404, "the file has no geometry of its own") : svg_reply(std::move(svg));
 }
 
 Reply Service::picture(const Parameters& parameters) const {

@@ -36,6 +36,7 @@ class Service {
   Json list() const;
   Json read(const Parameters& parameters) const;
   Reply drawing(const Parameters& parameters) const;
+  Reply thumbnail(const Parameters& parameters) const;
   Reply picture(const Parameters& parameters) const;
   Reply page(const Parameters& parameters) const;
   Json record(const Parameters& parameters) const;

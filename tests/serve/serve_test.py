@@ -138,7 +138,7 @@ class ServeTest(unittest.TestCase):
                    "..%2fsecret.json", "%2e%2e/secret.json", "link.json", ".hidden.json", "./.hidden.json", "",
                    "case.json%00.svg", "....//secret.json", "case.json/../../secret.json"]
         for path in secrets:
-            for target in ("/api/read?path=", "/api/drawing?path=", "/page?result=", "/api/record?result="):
+            for target in ("/api/read?path=", "/api/drawing?path=", "/api/thumbnail?path=", "/page?result=", "/api/record?result="):
                 status, text, _ = self.server.ask("GET", target + path)
                 self.assertIn(status, (400, 404), target + path)
                 self.assertNotIn(b"secret\"", text)
@@ -225,6 +225,10 @@ class ServeTest(unittest.TestCase):
         status, report = server.json("POST", "/api/check", {"paths": ["case.json"], "trial": True})
         self.assertEqual((status, report["errors"]), (200, []))
         self.assertIn("cost", report["case"])
+        for target in ("/api/drawing?path=case.json", "/api/thumbnail?path=case.json"):
+            status, svg, headers = server.ask("GET", target)
+            self.assertEqual((status, headers["Content-Type"]), (200, "image/svg+xml"))
+            self.assertIn(b"<path", svg)
         self.assertEqual(server.json("POST", "/api/save", {"path": "own.json", "text": json.dumps(CASE)})[0], 200)
         jobs = []
         for result, steps in (("a", "4"), ("b", "6")):
