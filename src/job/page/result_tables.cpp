@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -63,8 +64,9 @@ std::vector<std::size_t> kept_rows(std::size_t count) {
   return kept;
 }
 
+/// Nine digits are half as long as all.
 Json json_of(double number) {
-  return std::isfinite(number) ? Json(number) : Json();
+  return std::isfinite(number) ? Json(std::strtod(fmt::format("{:.9g}", number).c_str(), nullptr)) : Json();
 }
 
 struct Curve {
