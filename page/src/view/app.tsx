@@ -30,9 +30,12 @@ const TABS: [state.Tab, string][] = [
   ['blocks', 'Blocks'],
 ];
 
+/** Whether the page is one of two side by side: the window about it has the player and the options. */
+export const is_bare = location.hash === '#bare';
+
 export function App() {
   return (
-    <div class="page">
+    <div class={`page${is_bare ? ' bare' : ''}`}>
       <Header />
       <main>
         <div class="stage">

@@ -424,13 +424,18 @@ function PartHistory({ chosen, columns }: { chosen: Extract<state.Chosen, { kind
     })),
   );
   const own = options.find(o => o.id === part_column.value) ?? options[0];
-  const axis = useMemo(time_axis, []);
   const stamp = settled.value;
+  // Tables that are stored at every n-th frame have a curve over those frames alone.
+  const axis = useMemo(() => {
+    const frames = state.head.frames.map((_, f) => f).filter(f => state.store.covers(chosen.what, f));
+    const { of, label } = time_axis();
+    return { frames, x: frames.map(of), label, of };
+  }, [chosen.what]);
   const curves = useMemo(() => {
     if (!own) return [];
     const values: (number | null)[] = [];
     const n = own.column.parts ?? 1;
-    for (let f = 0; f <= state.last_frame(); f++) {
+    for (const f of axis.frames) {
       const rows = state.store.part_now(chosen.what, f);
       const geometry = state.store.geometry_now(state.store.epoch_of(f));
       const i = rows && geometry ? row_of(chosen.what, chosen.ident, chosen.nth, rows, geometry) : null;

@@ -28,13 +28,13 @@ const IDENT: Record<string, string[]> = {
   contacts: ['block', 'other', 'joint'],
   bolts: ['bolt'],
   cracks: ['crack', 'side'],
-  tips: ['crack', 'end', 'tip'],
+  tips: ['crack', 'end'],
   points: ['point'],
 };
 
 /** Numbers that name a row; rows of bodies become keys, which hold over epochs. */
 export function ident_of(what: string, rows: PartRows, i: number, pose_geometry: Pose['geometry']): number[] {
-  const names = (IDENT[what] ?? []).filter(name => rows.columns[name]);
+  const names = what === 'tips' && rows.columns.tip ? ['tip'] : (IDENT[what] ?? []).filter(name => rows.columns[name]);
   return names.map(name => {
     const value = rows.columns[name][i];
     if (name !== 'block' && name !== 'other') return value;

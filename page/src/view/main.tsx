@@ -5,7 +5,7 @@ import { render } from 'preact';
 import { accept_head, PageError } from '../data/contract';
 import { Store } from '../data/store';
 import { pick_body } from '../draw/pick';
-import { part_at } from '../draw/scene';
+import { part_at, shown_range } from '../draw/scene';
 import { App } from './app';
 import { chart_times } from './chart';
 import { shown, timing } from './drawing';
@@ -13,6 +13,7 @@ import { record_video, svg_text, video_kind } from './exports';
 import { ident_of, nth_of } from './figure';
 import { on_key } from './keys';
 import { start_clock } from './player';
+import { verdict_of } from './run';
 import * as state from './state';
 import './style.css';
 
@@ -104,7 +105,7 @@ function choose(what: string, i: number): boolean {
   return true;
 }
 
-// What the tests of the page read.
+// What the tests of the page read, and a window that shows two pages side by side.
 Object.assign(window, {
   keyblock_page: {
     state,
@@ -116,6 +117,11 @@ Object.assign(window, {
     record_video,
     svg_text,
     choose,
+    verdict: () => verdict_of(state.head.run).text,
+    shown_range: (id: string) => {
+      const own = state.measures.find(m => m.id === id);
+      return own && own.kind === 'real' ? shown_range(state.run_range(own), own) : null;
+    },
     video_kind,
   },
 });
