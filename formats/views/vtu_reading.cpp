@@ -161,7 +161,8 @@ class VtuReader {
     const std::size_t rows = frame.numbers.size();
     if (!found || rows == 0) return;
     const std::size_t width = found->size() == 3 * rows ? 3 : 1;
-    frame.values.push_back({std::string(name), piece_.unit("CellData", name), width, VtkArray(*found).of(width * rows).numbers()});
+    frame.values.push_back(
+        {std::string(name), piece_.unit("CellData", name), width, VtkArray(*found).of(width * rows).numbers()});
   }
 
   VtkPiece piece_;

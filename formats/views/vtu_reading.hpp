@@ -33,8 +33,8 @@ struct VtuFrame {
 };
 
 /// Reads elements with displacement and stress at corners and middle; the stress of a block is that of all its corners.
-/// `wanted` names further arrays of the elements; those that the file lacks are left out. If any are wanted, corners get
-/// their equivalent plastic strain. Ignores other plastic states, and cracks. Throws InputError.
+/// `wanted` names further arrays of the elements; those that the file lacks are left out. If any are wanted, corners
+/// get their equivalent plastic strain. Ignores other plastic states, and cracks. Throws InputError.
 VtuFrame read_vtu(const Source& source, std::span<const std::string_view> wanted = {});
 
 }  // namespace keyblock::formats

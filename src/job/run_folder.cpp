@@ -283,12 +283,9 @@ void RunFolder::write_traces(const RunResults& results) {
   files_.write(formats::kTraceOfBlocks.file, formats::blocks_csv(frames_, units_));
 }
 
-void RunFolder::write_record(const std::string& json) {
+void RunFolder::write_record(const std::string& json, const std::function<std::string()>& page) {
   files_.write(kRecord, json);
-}
-
-void RunFolder::write_page(const std::string& page) {
-  files_.write(kPageFile, page);
+  if (page) files_.write(kPageFile, page());
 }
 
 fs::path checkpoint_in(const fs::path& folder) {

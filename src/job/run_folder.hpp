@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -115,11 +116,8 @@ class RunFolder {
   /// elements that the pictures leave out.
   std::vector<int> finish(const RunResults& results);
 
-  /// Writes run.json last: its presence means that all other files are there.
-  void write_record(const std::string& json);
-
-  /// Writes the page, after the record that it shows.
-  void write_page(const std::string& page);
+  /// Writes run.json last: its presence means that all other files are there. The page, which shows it, follows.
+  void write_record(const std::string& json, const std::function<std::string()>& page = {});
 
   const Frame& first_frame() const { return frames_.front(); }
   const Frame& last_frame() const { return frames_.back(); }

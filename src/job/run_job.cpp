@@ -289,8 +289,9 @@ std::string RunJob::finish(const std::string& title, double seconds) {
   record_.outputs = folder_.outputs();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  folder_.write_record(json + "\n");
-  if (options_.has_page) folder_.write_page(run_page(options_.folder));
+  std::function<std::string()> page;
+  if (options_.has_page) page = [this] { return run_page(options_.folder); };
+  folder_.write_record(json + "\n", page);
   if (record_.outcome.end != RunEnd::stopped) folder_.remove_checkpoint();
   return json;
 }

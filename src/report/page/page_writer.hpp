@@ -10,8 +10,9 @@
 // from the origin; loop_body[L] (row), loop_size[L]; place[2V] from the centroid of the body. Holes by the even-odd
 // rule.
 // Field: floats in the order [part][frame][row], rounded to `bits` bits of fraction. Each frame is its exclusive or
-// with the frame before in the chunk. Byte planes follow: all lowest bytes first. `motion` of a body: ux, uy, g11, g12, g21,
-// g22; a corner at X from the centroid moves by u + G X. `vertex_motion` is there if bodies of a chunk move otherwise.
+// with the frame before in the chunk. Byte planes follow: all lowest bytes first. `motion` of a body: ux, uy, g11, g12,
+// g21, g22; a corner at X from the centroid moves by u + G X. `vertex_motion` is there if bodies of a chunk move
+// otherwise.
 // Table in time: count[frames], then each column's numbers of all frames, in byte planes.
 // A chunk has at most 25 frames, all of one epoch. An epoch ends if a body goes, comes or changes its undeformed shape.
 #pragma once
