@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/printable.hpp"
+#include "base/words/diagnostics.hpp"
 
 namespace keyblock::serve {
 namespace {
@@ -103,6 +104,19 @@ Json errors_in(const std::string& messages) {
     if (at != std::string::npos) errors.push_back(error_json(line.substr(0, at), line.substr(at + kMark.size())));
   }
   return errors;
+}
+
+void add_levels(Json& report) {
+  if (report.is_array())
+    for (Json& item : report) add_levels(item);
+  if (!report.is_object()) return;
+  const Json name = report.value("name", Json());
+  if (name.is_string() && report.contains("sentence")) {
+    report["level"] = word_of(level_of(name.get<std::string>()));
+    if (const Diagnostic* row = find_diagnostic(name.get<std::string>())) report["remedy"] = row->remedy;
+    return;
+  }
+  for (auto& [key, value] : report.items()) add_levels(value);
 }
 
 std::vector<std::pair<std::string, std::string>> page_headers() {

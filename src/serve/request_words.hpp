@@ -39,6 +39,10 @@ std::vector<std::string> setting_arguments(const ServedFolder& folder, const nlo
 /// Returns the errors among messages of the program: file, line, column, sentence; without a place the sentence alone.
 nlohmann::ordered_json errors_in(const std::string& messages);
 
+/// Adds `level` (error, warning, note or silent) and `remedy` to each warning of a report, which is an object with a
+/// `name` and a `sentence`.
+void add_levels(nlohmann::ordered_json& report);
+
 /// Returns the headers of a page of our own: it may load nothing from elsewhere.
 std::vector<std::pair<std::string, std::string>> page_headers();
 

@@ -161,7 +161,22 @@ Reply Service::picture(const Parameters& parameters) const {
   const std::string name = parameters.contains("name") ? parameter(parameters, "name") : "picture.svg";
   if (!is_plain_word(name) || !name.ends_with(".svg")) throw BadRequest("expected the name of a picture, NAME.svg");
   const fs::path folder = folder_.whole(parameter(parameters, "result"));
-  return svg_reply(bytes_of(folder_.whole(folder_.name(folder / name)), kMostText));
+  const fs::path file = folder_.whole(folder_.name(folder / name));
+  std::error_code error;
+  if (name == "picture.svg" && !fs::exists(file, error)) return drawn(folder);
+  return svg_reply(bytes_of(file, kMostText));
+}
+
+// Runs without pictures, and those that go on, have none: the last frame is drawn.
+Reply Service::drawn(const fs::path& folder) const {
+  const fs::path svg = drafts_.file(".svg");
+  const Answer answer =
+      program({"plot", as_argument(folder_.name(folder)), "--field", "displacement", "-o", svg.string()});
+  std::error_code error;
+  if (!fs::is_regular_file(svg, error)) return refusal(404, words_of(answer));
+  Reply reply = svg_reply(file_bytes(svg.string()));
+  fs::remove(svg, error);
+  return reply;
 }
 
 Reply Service::page(const Parameters& parameters) const {
@@ -213,6 +228,7 @@ Json Service::check(const Json& body) const {
   report["exit_code"] = answer.exit_code;
   report["errors"] = errors_in(answer.messages);
   if (answer.ran_out_of_time) report["errors"].push_back({{"sentence", words_of(answer)}});
+  add_levels(report);
   return report;
 }
 

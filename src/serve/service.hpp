@@ -38,6 +38,7 @@ class Service {
   Reply drawing(const Parameters& parameters) const;
   Reply thumbnail(const Parameters& parameters) const;
   Reply picture(const Parameters& parameters) const;
+  Reply drawn(const std::filesystem::path& folder) const;
   Reply page(const Parameters& parameters) const;
   Json record(const Parameters& parameters) const;
   Json compare(const Parameters& parameters) const;

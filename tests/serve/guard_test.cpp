@@ -111,6 +111,14 @@ TEST(RequestWords, errors_have_their_place) {
   EXPECT_EQ(errors[2], Json::parse(R"({"file": "keyblock", "sentence": "two"})"));
 }
 
+TEST(RequestWords, warnings_of_a_report_get_their_level_and_remedy) {
+  Json report = Json::parse(R"({"case": {"warnings": [{"name": "slivers", "sentence": "x"}], "errors": ["y"]}})");
+  serve::add_levels(report);
+  const Json& warning = report["case"]["warnings"][0];
+  EXPECT_EQ(warning.at("level"), "warning");
+  EXPECT_FALSE(warning.at("remedy").get<std::string>().empty());
+}
+
 TEST(RunDifferences, values_that_differ_are_listed_with_their_paths) {
   const Json first = Json::parse(R"({"a": 1, "b": {"c": [1, 2], "d": "x"}, "seconds": {"run": 1}, "e": 4})");
   const Json second = Json::parse(R"({"a": 1, "b": {"c": [1, 4], "d": "y"}, "seconds": {"run": 2}, "f": 5})");

@@ -251,6 +251,8 @@ class ServeTest(unittest.TestCase):
         status, svg, headers = server.ask("GET", "/api/picture?result=a")
         self.assertIn(b"<svg", svg)
         self.assertIn("sandbox", headers["Content-Security-Policy"])
+        (server.folder / "a/picture.svg").unlink()
+        self.assertIn(b"<svg", server.ask("GET", "/api/picture?result=a")[1], "drawn from the last frame")
         results = [r["path"] for r in server.json("GET", "/api/list")[1]["results"]]
         self.assertEqual(results, ["a", "b"])
 
