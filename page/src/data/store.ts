@@ -40,6 +40,9 @@ export const VERTEX_MOTION: FieldHead = {
   bits: 14,
 };
 
+/** Chunks that are decoded at once. */
+const AT_ONCE = 4;
+
 export class Store {
   private readonly by_what = new Map<string, ChunkHead[]>();
   private readonly geometries = new Map<number, Geometry>();
@@ -170,8 +173,10 @@ export class Store {
     for (let epoch = 0; epoch < this.head.epochs.length; epoch++) await this.need_geometry(epoch);
     const order = [...first, ...[...this.by_what.keys()].filter(what => !first.includes(what))];
     for (const what of order) {
-      for (const chunk of this.by_what.get(what) ?? []) {
-        await this.need_chunk(chunk);
+      // Browsers undo zlib beside the page's own thread, so a few chunks are under way at once.
+      const chunks = this.by_what.get(what) ?? [];
+      for (let i = 0; i < chunks.length; i += AT_ONCE) {
+        await Promise.all(chunks.slice(i, i + AT_ONCE).map(chunk => this.need_chunk(chunk)));
         progress();
       }
       await new Promise(resolve => setTimeout(resolve));

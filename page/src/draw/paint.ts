@@ -336,8 +336,8 @@ function paint_still(pen: Pen, figure: Figure): void {
       const [fx, fy] = [(thing.force[0] / length) * 30, (-thing.force[1] / length) * 30];
       arrow(pen, x - fx, y - fy, x, y, { colour: paint.crack, width: 2 });
     } else if (thing.kind.startsWith('fixed')) {
-      pen.polygon([x, y, x - 6, y + 10, x + 6, y + 10], paint.mark);
-      pen.segments([x - 8, y + 11, x + 8, y + 11], { colour: paint.mark, width: 1.5 });
+      const half = figure.still.length > 20 ? 3.5 : 5.5;
+      pen.polygon([x, y, x - half, y + 1.7 * half, x + half, y + 1.7 * half], paint.mark);
     } else {
       pen.circle(x, y, 3.5, paint.background, { colour: paint.mark, width: 2 });
     }

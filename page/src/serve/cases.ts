@@ -31,7 +31,8 @@ export function leaf_of(path: string): string {
 
 /** Cases in the order of their names. A geometry and an analysis file with one name are one case. */
 export function cases_of(files: FileEntry[]): Case[] {
-  const inputs = files.filter(file => !OTHER.test(file.path));
+  // A search for a factor of safety leaves its record beside cases.
+  const inputs = files.filter(file => !OTHER.test(file.path) && leaf_of(file.path) !== 'fos.json');
   const cases: Case[] = [];
   const taken = new Set<string>();
   for (const file of inputs) {

@@ -27,7 +27,7 @@ const filter = signal('');
 function App() {
   const now = route.value;
   return (
-    <div class="page window">
+    <div class={`page window${now.kind === 'home' ? '' : ' in-view'}`}>
       <header>
         <a class="title" href="#/">
           <h1>Keyblock</h1>

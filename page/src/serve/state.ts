@@ -4,6 +4,8 @@ import { computed, signal } from '@preact/signals';
 import * as api from './api';
 import { cases_of } from './cases';
 
+export { link, type Route, route_of } from './routes';
+
 export const listing = signal<api.Listing | null>(null);
 export const jobs = signal<api.Job[]>([]);
 export const trouble = signal('');
@@ -13,34 +15,15 @@ export const unsaved = signal<Record<string, boolean>>({});
 
 export const cases = computed(() => cases_of(listing.value?.files ?? []));
 
-export type Route =
-  | { kind: 'home' }
-  | { kind: 'case'; paths: string[] }
-  | { kind: 'result'; path: string }
-  | { kind: 'compare'; first: string; second: string };
-
-export function route_of(hash: string): Route {
-  const [, kind, ...rest] = hash.split('/');
-  const parts = rest.map(decodeURIComponent);
-  if (kind === 'case' && parts.length) return { kind, paths: parts };
-  if (kind === 'result' && parts[0]) return { kind, path: parts[0] };
-  if (kind === 'compare' && parts.length === 2) return { kind, first: parts[0], second: parts[1] };
-  return { kind: 'home' };
-}
-
-export function link(kind: string, ...parts: string[]): string {
-  return `#/${kind}/${parts.map(encodeURIComponent).join('/')}`;
-}
-
 export function go(hash: string): void {
   location.hash = hash;
 }
 
-/** Does something with the server; what it refuses is shown. */
+/** Does something with the server; what it refuses is shown until something else succeeds or the route changes. */
 export async function attempt<T>(work: () => Promise<T>): Promise<T | null> {
   try {
     const value = await work();
-    trouble.value = '';
+    if (work !== (api.list as unknown)) trouble.value = '';
     return value;
   } catch (error) {
     trouble.value = error instanceof Error ? error.message : String(error);
