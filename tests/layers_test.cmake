@@ -26,6 +26,7 @@ set(inner_legacy contact,terms step)
 set(inner_run settings_of bodies stages growth,mesh,ahead,verdict . follow)
 set(inner_step stepper newton bodies groups scene time rest .)
 set(inner_report drawing page . rock)
+set(inner_serve http .)
 set(inner_study strength cases trade,batch,convert,element,fit,fracture)
 set(inner_app . run_words input templates,shell strength commands,batch,rock)
 

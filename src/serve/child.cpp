@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kCannotStart = 126;
+constexpr std::chrono::seconds kPatience{120};  // for a check, a drawing, a page
 constexpr std::chrono::milliseconds kPause{10};
 constexpr std::size_t kMostOutput = 64U << 20U;  // bytes
 
@@ -109,14 +110,13 @@ fs::path Drafts::file(const std::string& ending) const {
   return folder_ / fmt::format("{}{}", ++count, ending);
 }
 
-Answer answer_of(const std::vector<std::string>& arguments, const fs::path& folder, const Drafts& drafts,
-                 std::chrono::seconds limit, const std::atomic<bool>& is_stopping) {
-  const fs::path output = drafts.file(".out"), messages = drafts.file(".err");
+Answer Program::operator()(const std::vector<std::string>& arguments) const {
+  const fs::path output = drafts_.file(".out"), messages = drafts_.file(".err");
   Answer answer;
   {
-    Child child(arguments, folder, output, messages);
-    const auto end = std::chrono::steady_clock::now() + limit;
-    while (!child.ended() && !is_stopping && std::chrono::steady_clock::now() < end)
+    Child child(arguments, folder_, output, messages);
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (!child.ended() && !is_stopping_ && std::chrono::steady_clock::now() < end)
       std::this_thread::sleep_for(kPause);
     answer.ran_out_of_time = !child.ended();
     answer.exit_code = child.ended().value_or(128 + SIGKILL);

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace keyblock::serve {
@@ -57,9 +58,21 @@ struct Answer {
   std::string messages;
 };
 
-/// Runs the program to its end, or kills it after `limit`, or as soon as `is_stopping`. Its output goes by files in
-/// `drafts`.
-Answer answer_of(const std::vector<std::string>& arguments, const std::filesystem::path& folder, const Drafts& drafts,
-                 std::chrono::seconds limit, const std::atomic<bool>& is_stopping);
+/// Runs this program for a request that waits for its answer.
+class Program {
+ public:
+  /// Children work in `folder`; their output goes by files in `drafts`, to which it refers.
+  Program(std::filesystem::path folder, const Drafts& drafts) : folder_(std::move(folder)), drafts_(drafts) {}
+
+  /// Runs the program to its end, or kills it after two minutes, or after `stop`.
+  Answer operator()(const std::vector<std::string>& arguments) const;
+
+  void stop() { is_stopping_ = true; }
+
+ private:
+  std::filesystem::path folder_;
+  const Drafts& drafts_;
+  std::atomic<bool> is_stopping_ = false;
+};
 
 }  // namespace keyblock::serve

@@ -15,8 +15,8 @@
 #include "base/printable.hpp"
 #include "job/files.hpp"
 #include "serve/pictures.hpp"
+#include "serve/replies.hpp"
 #include "serve/request_words.hpp"
-#include "serve/run_differences.hpp"
 #include "serve/start_page.hpp"
 
 namespace keyblock::serve {
@@ -25,48 +25,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::chrono::seconds kPatience{120};    // for a check, a drawing, a page
-constexpr std::uintmax_t kMostText = 16U << 20U;  // bytes of a file in the editor
-constexpr std::uintmax_t kMostRecord = 64U << 20U;
-
-Reply json_reply(const Json& json) {
-  return {200, "application/json", json.dump(-1, ' ', false, Json::error_handler_t::replace)};
-}
-
-std::string parameter(const std::map<std::string, std::string>& parameters, const char* name) {
-  const auto found = parameters.find(name);
-  if (found == parameters.end()) throw BadRequest(fmt::format("expected the parameter {}", name));
-  return found->second;
-}
-
-void require_file(const fs::path& file, std::uintmax_t most) {
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) throw NotServed("there is no such file");
-  if (fs::file_size(file, error) > most) throw BadRequest("the file is too long");
-}
-
-std::string bytes_of(const fs::path& file, std::uintmax_t most) {
-  require_file(file, most);
-  return file_bytes(file.string());
-}
-
-/// Pictures may come from a foreign folder: no script in them may run.
-Reply svg_reply(std::string svg) {
-  return {200,
-          "image/svg+xml",
-          std::move(svg),
-          {{"Content-Security-Policy", "sandbox; default-src 'none'; style-src 'unsafe-inline'; img-src data:"}}};
-}
-
-/// Messages of a child as one text for the reader, without control characters.
-std::string words_of(const Answer& answer) {
-  return answer.ran_out_of_time ? std::string("it took too long and was ended") : valid_utf8(answer.messages);
-}
-
 }  // namespace
 
 Service::Service(const ServedFolder& folder, const Drafts& drafts, Jobs& jobs)
-    : folder_(folder), drafts_(drafts), jobs_(jobs) {}
+    : folder_(folder),
+      drafts_(drafts),
+      jobs_(jobs),
+      program_(folder.root(), drafts),
+      results_(folder, drafts, program_) {}
 
 Reply Service::answer(const Request& request) {
   try {
@@ -94,12 +60,12 @@ Reply Service::get(const Target& target) {
   if (path == "/api/read") return json_reply(read(parameters));
   if (path == "/api/drawing") return drawing(parameters);
   if (path == "/api/thumbnail") return thumbnail(parameters);
-  if (path == "/api/picture") return picture(parameters);
-  if (path == "/api/record") return json_reply(record(parameters));
-  if (path == "/api/compare") return json_reply(compare(parameters));
+  if (path == "/api/picture") return results_.picture(parameters);
+  if (path == "/api/record") return json_reply(results_.record(parameters));
+  if (path == "/api/compare") return json_reply(results_.compare(parameters));
   if (path == "/api/jobs") return json_reply({{"jobs", jobs_.list()}});
   if (path == "/api/schema") return schema();
-  if (path == "/page") return page(parameters);
+  if (path == "/page") return results_.page(parameters);
   if (path == "/") return {200, "text/html; charset=utf-8", std::string(start_page()), page_headers()};
   return refusal(404, "there is no such address");
 }
@@ -113,10 +79,6 @@ Reply Service::post(const std::string& path, const Json& body) {
   if (path == "/api/convert") return json_reply(convert(body));
   if (path == "/api/stop") return json_reply(stop(body));
   return refusal(404, "there is no such address");
-}
-
-Answer Service::program(const std::vector<std::string>& arguments) const {
-  return answer_of(arguments, folder_.root(), drafts_, kPatience, is_stopping_);
 }
 
 Json Service::list() const {
@@ -141,7 +103,7 @@ Reply Service::drawing(const Parameters& parameters) const {
   const fs::path svg = drafts_.file(".svg"), blocks = drafts_.file(".blk");
   std::vector<std::string> words{"cut", file, "-o", blocks.string(), "--svg", svg.string()};
   if (parameters.contains("numbers")) words.emplace_back("--numbers");
-  const Answer answer = program(words);
+  const Answer answer = program_(words);
   std::error_code error;
   fs::remove(blocks, error);
   if (!fs::is_regular_file(svg, error)) return refusal(422, words_of(answer));
@@ -157,56 +119,8 @@ Reply Service::thumbnail(const Parameters& parameters) const {
   return svg.empty() ? refusal(404, "the file has no geometry of its own") : svg_reply(std::move(svg));
 }
 
-Reply Service::picture(const Parameters& parameters) const {
-  const std::string name = parameters.contains("name") ? parameter(parameters, "name") : "picture.svg";
-  if (!is_plain_word(name) || !name.ends_with(".svg")) throw BadRequest("expected the name of a picture, NAME.svg");
-  const fs::path folder = folder_.whole(parameter(parameters, "result"));
-  const fs::path file = folder_.whole(folder_.name(folder / name));
-  std::error_code error;
-  if (name == "picture.svg" && !fs::exists(file, error)) return drawn(folder);
-  return svg_reply(bytes_of(file, kMostText));
-}
-
-// Runs without pictures, and those that go on, have none: the last frame is drawn.
-Reply Service::drawn(const fs::path& folder) const {
-  const fs::path svg = drafts_.file(".svg");
-  const Answer answer =
-      program({"plot", as_argument(folder_.name(folder)), "--field", "displacement", "-o", svg.string()});
-  std::error_code error;
-  if (!fs::is_regular_file(svg, error)) return refusal(404, words_of(answer));
-  Reply reply = svg_reply(file_bytes(svg.string()));
-  fs::remove(svg, error);
-  return reply;
-}
-
-Reply Service::page(const Parameters& parameters) const {
-  const std::string folder = file_argument(folder_, parameter(parameters, "result"));
-  const fs::path file = drafts_.file(".html");
-  const Answer answer = program({"view", folder, "-o", file.string()});
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) return refusal(422, words_of(answer));
-  Reply reply{200, "text/html; charset=utf-8", file_bytes(file.string()), page_headers()};
-  fs::remove(file, error);
-  return reply;
-}
-
-Json Service::record(const Parameters& parameters) const {
-  const fs::path folder = folder_.whole(parameter(parameters, "result"));
-  const Json found =
-      Json::parse(bytes_of(folder_.whole(folder_.name(folder / "run.json")), kMostRecord), nullptr, false);
-  if (!found.is_object()) throw BadRequest("expected the record of a run, found another file");
-  return found;
-}
-
-Json Service::compare(const Parameters& parameters) const {
-  const std::string first = parameter(parameters, "first"), second = parameter(parameters, "second");
-  return {{"first", first},
-          {"second", second},
-          {"differences", run_differences(record({{"result", first}}), record({{"result", second}}))}};
-}
-
 Reply Service::schema() const {
-  Answer answer = program({"formats", "--schema"});
+  Answer answer = program_({"formats", "--schema"});
   return {200, "application/json", std::move(answer.output)};
 }
 
@@ -222,7 +136,7 @@ Json Service::check(const Json& body) const {
   std::vector<std::string> words{"check"};
   for (const std::string& word : case_arguments(body)) words.push_back(word);
   words.insert(words.end(), {"--json", "--trial", body.value("trial", Json()) == true ? "2" : "0"});
-  const Answer answer = program(words);
+  const Answer answer = program_(words);
   Json report = Json::parse(answer.output, nullptr, false);
   if (!report.is_object()) report = Json::object();
   report["exit_code"] = answer.exit_code;
@@ -296,7 +210,7 @@ Json Service::convert(const Json& body) const {
   for (const std::string& path : texts(body, "paths")) words.push_back(file_argument(folder_, path));
   words.insert(words.end(), {"-o", as_argument(folder_.name(target))});
   if (body.contains("to")) words.push_back("--to=" + text(body, "to"));
-  const Answer answer = program(words);
+  const Answer answer = program_(words);
   return {{"path", folder_.name(target)},
           {"exit_code", answer.exit_code},
           {"output", valid_utf8(answer.output)},

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "serve/child.hpp"
-#include "serve/http.hpp"
+#include "serve/http/http.hpp"
 #include "serve/jobs.hpp"
 #include "serve/served_folder.hpp"
+#include "serve/served_results.hpp"
 
 namespace keyblock::serve {
 
@@ -24,11 +24,10 @@ class Service {
   Reply answer(const Request& request);
 
   /// Ends the commands that requests wait for; jobs go on.
-  void stop_waiting() { is_stopping_ = true; }
+  void stop_waiting() { program_.stop(); }
 
  private:
   using Json = nlohmann::ordered_json;
-  using Parameters = std::map<std::string, std::string>;
 
   Reply get(const Target& target);
   Reply post(const std::string& path, const Json& body);
@@ -37,11 +36,6 @@ class Service {
   Json read(const Parameters& parameters) const;
   Reply drawing(const Parameters& parameters) const;
   Reply thumbnail(const Parameters& parameters) const;
-  Reply picture(const Parameters& parameters) const;
-  Reply drawn(const std::filesystem::path& folder) const;
-  Reply page(const Parameters& parameters) const;
-  Json record(const Parameters& parameters) const;
-  Json compare(const Parameters& parameters) const;
   Reply schema() const;
 
   Json check(const Json& body) const;
@@ -52,7 +46,6 @@ class Service {
   Json convert(const Json& body) const;
   Json stop(const Json& body);
 
-  Answer program(const std::vector<std::string>& arguments) const;
   std::vector<std::string> case_arguments(const Json& body) const;
   std::string new_result(const Json& body) const;
   Json started(Order order);
@@ -60,7 +53,8 @@ class Service {
   const ServedFolder& folder_;
   const Drafts& drafts_;
   Jobs& jobs_;
-  std::atomic<bool> is_stopping_ = false;
+  Program program_;
+  ServedResults results_;
 };
 
 }  // namespace keyblock::serve

@@ -1,6 +1,6 @@
 // Requests are let in by host, origin, token and cookie; paths stay within the folder; words become no options.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "serve/guard.hpp"
+#include "serve/http/guard.hpp"
 
 #include <gtest/gtest.h>
 

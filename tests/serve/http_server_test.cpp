@@ -1,6 +1,6 @@
 // A slow client is cut off, and does not keep others waiting.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "serve/http_server.hpp"
+#include "serve/http/http_server.hpp"
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>

@@ -11,8 +11,8 @@
 
 #include "app/command.hpp"
 #include "base/error.hpp"
-#include "serve/guard.hpp"
-#include "serve/http_server.hpp"
+#include "serve/http/guard.hpp"
+#include "serve/http/http_server.hpp"
 #include "serve/service.hpp"
 
 namespace keyblock {

@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
+#include "base/bytes/file_bytes.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "formats/views/vtk_piece.hpp"
@@ -28,11 +30,11 @@ using report::PageField;
 using report::PageRows;
 using report::PageRowsOf;
 
-constexpr double kMostContactBytes = 60e6;  // of contact files; their closed ones make about a tenth on the page
+constexpr std::size_t kMostPageContacts = 1'200'000;  // in files: closed ones take about 10 MB on the page
+constexpr int kVelocityBits = 7;  // those of blocks at rest are noise, and take as much room as others
 constexpr std::uint32_t kNoBody = 0xffffffff;
 
-constexpr std::array<std::string_view, 11> kWanted{"velocity",
-                                                   "rotation_rate",
+constexpr std::array<std::string_view, 10> kWanted{"velocity",
                                                    "fixed_points",
                                                    "plastic_strain_xx",
                                                    "plastic_strain_yy",
@@ -114,12 +116,12 @@ class FieldsOf {
  private:
   void add_velocity() {
     if (const formats::VtuValues* velocity = find(values_, "velocity")) {
-      report::PageValues field{{"velocity", "Velocity", velocity->unit, PageRowsOf::body, {"x", "y"}}, {}};
+      report::PageValues field{
+          {"velocity", "Velocity", velocity->unit, PageRowsOf::body, {"x", "y"}, {}, kVelocityBits}, {}};
       for (std::size_t i = 0; i < velocity->values.size(); i += 3)
         field.numbers.insert(field.numbers.end(), {velocity->values[i], velocity->values[i + 1]});
       found_.push_back(std::move(field));
     }
-    add_number("rotation_rate", "Rotation rate");
   }
 
   void add_stresses() {
@@ -290,6 +292,19 @@ PageRows cracks_of(const fs::path& file, const Units& units) {
   return std::move(part).rows();
 }
 
+/// Returns the number of contacts that the head of a file names; 0 without a file.
+std::size_t contacts_in(const fs::path& file) {
+  constexpr std::size_t kHead = 1000;
+  constexpr std::string_view kCount = "NumberOfPoints=\"";
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return 0;
+  const std::string head = file_head(file.string(), kHead);
+  const std::size_t at = head.find(kCount);
+  std::size_t count = 0;
+  if (at != std::string::npos) std::from_chars(head.data() + at + kCount.size(), head.data() + head.size(), count);
+  return count;
+}
+
 bool has_part(const fs::path& folder, std::string_view part, int step) {
   return fs::exists(frame_part(folder, part, step));
 }
@@ -298,18 +313,16 @@ bool has_part(const fs::path& folder, std::string_view part, int step) {
 
 std::vector<ResultFrame> result_frames(const fs::path& folder) {
   std::vector<ResultFrame> frames;
-  double bytes = 0;
+  std::size_t rows = 0;
   for (const auto& [step, file] : frames_in(folder)) {
     frames.push_back({step, file});
-    std::error_code error;
-    const auto size = fs::file_size(frame_part(folder, "contacts", step), error);
-    if (!error) bytes += static_cast<double>(size);
+    rows += contacts_in(frame_part(folder, "contacts", step));
   }
   if (frames.empty())
     throw InputError({folder.string()},
                      fmt::format("expected the folder of a run, with {}/*.vtu, found none", kFrameFolder));
-  const auto every = static_cast<std::size_t>(1 + bytes / kMostContactBytes);
-  for (std::size_t i = 0; bytes > 0 && i < frames.size(); ++i)
+  const std::size_t every = 1 + rows / kMostPageContacts;
+  for (std::size_t i = 0; rows > 0 && i < frames.size(); ++i)
     frames[i].has_contacts = i % every == 0 || i + 1 == frames.size();
   return frames;
 }

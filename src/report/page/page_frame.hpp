@@ -37,6 +37,7 @@ struct PageField {
   PageRowsOf on = PageRowsOf::body;
   std::vector<std::string> components = {};  ///< names of the numbers of a row; empty: one
   std::vector<std::string> states = {};      ///< words for 0, 1, 2, …; empty: a real number
+  int bits = 10;                             ///< of fraction, of a real number
 
   std::size_t parts() const { return components.empty() ? 1 : components.size(); }
 };

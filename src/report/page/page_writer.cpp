@@ -207,7 +207,7 @@ void PageWriter::write_vertex_motion() {
 }
 
 void PageWriter::write_field(const PageField& field) {
-  const int bits = field.states.empty() ? kFieldBits : 23;
+  const int bits = field.states.empty() ? field.bits : 23;
   name_field(field, bits);
   const std::size_t parts = field.parts();
   const std::size_t rows = field.on == PageRowsOf::body ? shape_.bodies() : shape_.places.size();

@@ -29,7 +29,6 @@ namespace keyblock::report {
 
 inline constexpr std::size_t kFramesOfChunk = 25;
 inline constexpr int kMotionBits = 14;
-inline constexpr int kFieldBits = 10;
 inline constexpr int kRowBits = 12;    ///< of contacts, bolts and other tables in time
 inline constexpr int kPlaceBits = 18;  ///< of places in such tables
 

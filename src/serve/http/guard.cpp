@@ -1,6 +1,6 @@
 // Checks host, origin, token and cookie; see guard.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "serve/guard.hpp"
+#include "serve/http/guard.hpp"
 
 #include <fmt/format.h>
 #include <openssl/rand.h>

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "serve/http.hpp"
+#include "serve/http/http.hpp"
 
 namespace keyblock::serve {
 

@@ -1,6 +1,6 @@
 // Decodes targets and makes refusals.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "serve/http.hpp"
+#include "serve/http/http.hpp"
 
 #include <nlohmann/json.hpp>
 

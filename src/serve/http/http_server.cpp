@@ -1,6 +1,6 @@
 // Carries requests and replies by Boost.Beast; the only file that includes it.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "serve/http_server.hpp"
+#include "serve/http/http_server.hpp"
 
 #include <utility>
 // Boost 1.74 uses std::exchange without this header.
