@@ -191,19 +191,33 @@ export function split_loops(figure: Figure): [number[], number[]] {
   return [light, dark];
 }
 
+/** Bodies from which on those of one colour are filled together. */
+const MANY = 1500;
+
 /** Fills, hatches and outlines. */
 export function paint_bodies(pen: Pen, figure: Figure, screen: Float32Array): void {
   const { geometry } = figure.pose;
   const { paint, shade, fractions } = figure;
   const { body_loop, loop_start, fixed } = geometry;
+  // Bodies of one colour share paths where there are many: they are drawn by colour then, not by number.
+  const classes = new Map<string, number[]>();
+  const is_many = geometry.bodies > MANY;
   for (let b = 0; b < geometry.bodies; b++) {
     let fill = fixed[b] ? paint.plain_fixed : paint.plain;
     if (shade && fractions) {
       const t = fractions[b];
       fill = Number.isNaN(t) ? paint.missing : css_of(shade.table, index_of(t));
     }
-    pen.area(screen, loop_start, body_loop[b], body_loop[b + 1], fill);
+    const [from, to] = [body_loop[b], body_loop[b + 1]];
+    if (!is_many || to - from !== 1) {
+      pen.area(screen, loop_start, from, to, fill);
+      continue;
+    }
+    const list = classes.get(fill);
+    if (list) list.push(from);
+    else classes.set(fill, [from]);
   }
+  for (const [fill, list] of classes) pen.areas(screen, loop_start, list, fill);
   for (let b = 0; b < geometry.bodies; b++) {
     if (!fixed[b]) continue;
     pen.hatch(screen, loop_start, body_loop[b], body_loop[b + 1], HATCH_LINE);
@@ -258,7 +272,7 @@ function paint_contacts(pen: Pen, figure: Figure, marks: ContactMarks): void {
   const count = marks.state.length;
   const some_near = figure.chosen !== null || marks.chosen !== null;
   // Lines of one look go into one path: widths in seven classes, three states, dimmed or not.
-  const classes = new Map<string, { line: Line; ends: number[] }>();
+  const classes = new Map<number, { line: Line; ends: number[] }>();
   const rim: number[] = [];
   for (let i = 0; i < count; i++) {
     const [x0, y0, x1, y1, width] = contact_line(figure, marks, i);
@@ -268,10 +282,10 @@ function paint_contacts(pen: Pen, figure: Figure, marks: ContactMarks): void {
     const colour = state === 2 ? paint.slide : state === 1 ? paint.stick : paint.open;
     const dim = some_near && !marks.near[i] && marks.chosen !== i;
     const rounded = Math.round(width);
-    const key = `${colour} ${rounded} ${dim}`;
+    const key = 64 * state + 2 * rounded + (dim ? 1 : 0);
     let entry = classes.get(key);
     if (!entry) {
-      entry = { line: { colour, width: rounded, opacity: dim ? 0.35 : 1 }, ends: [] };
+      entry = { line: { colour, width: rounded, opacity: dim ? 0.35 : 1, is_square: count > 1500 }, ends: [] };
       classes.set(key, entry);
     }
     entry.ends.push(x0, y0, x1, y1);

@@ -25,6 +25,8 @@ export interface Problem {
   line?: number;
   column?: number;
   sentence: string;
+  level?: 'error' | 'warning' | 'note' | 'silent';
+  remedy?: string;
 }
 
 export interface Report {

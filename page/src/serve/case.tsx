@@ -148,7 +148,7 @@ export function CaseView({ paths }: { paths: string[] }) {
             is_ready={!!file}
             marks={[...errors, ...warnings]
               .filter(own => own.line && own.file && leaf_of(own.file) === leaf_of(current))
-              .map(own => ({ line: own.line!, is_error: errors.includes(own) }))}
+              .map(own => ({ line: own.line!, is_error: errors.includes(own) || own.level === 'error' }))}
             set={text => set_texts(before => ({ ...before, [current]: text }))}
             save={save}
           />
@@ -236,6 +236,12 @@ function Picture({ paths, stamp }: { paths: string[]; stamp: number }) {
   return <img class="picture" alt={`Drawing of ${paths[0]}`} src={source} onError={() => set_bad(true)} />;
 }
 
+const ORDER = ['error', 'warning', 'note'];
+
+function level_of(problem: api.Problem): 'error' | 'warning' | 'note' {
+  return problem.level === 'error' || problem.level === 'warning' ? problem.level : 'note';
+}
+
 function Problems({
   errors,
   warnings,
@@ -247,25 +253,29 @@ function Problems({
   is_checked: boolean;
   go_to: (problem: api.Problem) => void;
 }) {
-  const item = (problem: api.Problem, kind: 'error' | 'warning', i: number) => (
+  const shown = warnings
+    .filter(own => own.level !== 'silent')
+    .sort((a, b) => ORDER.indexOf(level_of(a)) - ORDER.indexOf(level_of(b)));
+  const item = (problem: api.Problem, kind: 'error' | 'warning' | 'note', i: number) => (
     <li class={kind} key={`${kind}${i}`}>
-      <b>{kind === 'error' ? 'Error' : 'Note'}</b> {problem.name && <code>{problem.name}</code>}{' '}
+      <b>{kind.charAt(0).toUpperCase() + kind.slice(1)}</b> {problem.name && <code>{problem.name}</code>}{' '}
       {problem.line ? (
         <button type="button" class="link" onClick={() => go_to(problem)}>
           line {problem.line}
         </button>
       ) : null}
       <p>{sentence(problem.sentence)}</p>
+      {problem.remedy && <p class="note">{sentence(problem.remedy)}</p>}
     </li>
   );
   return (
     <div class="group" aria-live="polite">
       <h2>Check</h2>
       {!is_checked && <p class="note">Checking…</p>}
-      {is_checked && !errors.length && !warnings.length && <p class="note">No problem found.</p>}
+      {is_checked && !errors.length && !shown.length && <p class="note">No problem found.</p>}
       <ul class="warnings">
         {errors.map((own, i) => item(own, 'error', i))}
-        {warnings.map((own, i) => item(own, 'warning', i))}
+        {shown.map((own, i) => item(own, level_of(own), i))}
       </ul>
     </div>
   );

@@ -220,7 +220,10 @@ function CaseCard({ own }: { own: Case }) {
   return (
     <li>
       <a class="card" href={state.link('case', ...own.paths)}>
-        <Thumb source={api.address('/api/drawing', { path: own.paths[0] })} />
+        <Thumb
+          source={api.address('/api/thumbnail', { path: own.paths[0] })}
+          second={api.address('/api/drawing', { path: own.paths[0] })}
+        />
         <b>{leaf_of(own.name)}</b>
         <span>
           {folder_of(own.name) ? `${folder_of(own.name)}, ` : ''}
@@ -231,11 +234,13 @@ function CaseCard({ own }: { own: Case }) {
   );
 }
 
-function Thumb({ source }: { source: string }) {
-  const [is_bad, set_bad] = useState(false);
+/** Small picture; the second address is asked where the first has none. */
+function Thumb({ source, second }: { source: string; second?: string }) {
+  const [tries, set_tries] = useState(0);
+  const address = [source, second][tries];
   return (
     <span class="thumb">
-      {is_bad ? <em>no drawing</em> : <img alt="" loading="lazy" src={source} onError={() => set_bad(true)} />}
+      {address ? <img alt="" loading="lazy" src={address} onError={() => set_tries(tries + 1)} /> : <em>no drawing</em>}
     </span>
   );
 }

@@ -197,7 +197,7 @@ function Fact({ name, value, indent }: { name: string; value: string; indent?: b
   );
 }
 
-const settled = computed(() => (state.all_decoded.value ? -1 : state.decoded.value));
+const settled = computed(() => state.all_decoded.value);
 
 function History({ body }: { body: number }) {
   const axis = useMemo(time_axis, []);

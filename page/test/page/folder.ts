@@ -71,6 +71,7 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
         return send({ path, is_text: true, sha256: sum(text), text });
       }
       case '/api/drawing':
+      case '/api/thumbnail':
       case '/api/picture':
         reply.writeHead(200, { 'Content-Type': 'image/svg+xml' });
         reply.end(DRAWING);

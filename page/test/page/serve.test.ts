@@ -73,7 +73,7 @@ describe.skipIf(!has_browser)('window', () => {
     expect(await page.locator('.warnings').textContent()).toContain('<b>of the case</b>');
     await page.locator('textarea').fill('{\n "keyblock": 2\n}\n');
     await page.locator('textarea').press('Control+s');
-    await page.waitForFunction(() => document.body.innerText.includes('No problem found'));
+    await page.waitForFunction(() => document.body.textContent.includes('No problem found'));
     const saved = folder.asked.filter(own => own.path === '/api/save').at(-1)!.body;
     expect(saved.overwrite).toBe(true);
     expect(String(saved.sha256)).toMatch(/^[0-9a-f]{64}$/);
