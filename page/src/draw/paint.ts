@@ -3,7 +3,7 @@
 import type { StillThing } from '../data/contract';
 import type { Geometry } from '../data/decode';
 import { type Camera, type Size, to_screen } from './camera';
-import { css_of, index_of } from './colours';
+import { CLASSES, css_of, index_of } from './colours';
 import { round_below, scaled_unit, show, ticks_of } from './numbers';
 import type { Line, Pen } from './pen';
 import { fraction, type Pose, type Shade, vertices_of } from './scene';
@@ -24,6 +24,8 @@ export interface Paint {
   stick: string;
   slide: string;
   open: string;
+  /** Colours of classes that lines have. */
+  classes: string[];
   bolt: string;
   crack: string;
   mark: string;
@@ -46,6 +48,7 @@ export const LIGHT: Paint = {
   stick: '#0b5fa5',
   slide: '#d24a00',
   open: '#7a8594',
+  classes: ['#0b5fa5', '#c04a00', '#0a7a55', '#a03a78', '#7a6a00', '#3a7fa8', '#5b3fa0', '#555555'],
   bolt: '#7b2fbf',
   crack: '#c00000',
   mark: '#0a7a55',
@@ -68,6 +71,7 @@ export const DARK: Paint = {
   stick: '#63b3ff',
   slide: '#ff9146',
   open: '#8b97a6',
+  classes: ['#63b3ff', '#ff9146', '#4fd1a0', '#ee8fc4', '#e6d24a', '#8fd3ff', '#b79cff', '#c0c0c0'],
   bolt: '#c792ff',
   crack: '#ff6b6b',
   mark: '#4fd1a0',
@@ -81,6 +85,9 @@ export interface ContactMarks {
   at: Float32Array;
   force: Float32Array;
   state: Uint32Array;
+  /** Class of each contact's joint, for colours by joint; its names are in the legend. */
+  joint: Uint32Array | null;
+  joint_names: string[];
   /** 1 for contacts of the chosen body. */
   near: Uint8Array;
   /** Force that gets the widest line. */
@@ -279,10 +286,17 @@ function paint_contacts(pen: Pen, figure: Figure, marks: ContactMarks): void {
     if (Math.max(x0, x1) < -20 || Math.min(x0, x1) > figure.size.width + 20) continue;
     if (Math.max(y0, y1) < -20 || Math.min(y0, y1) > figure.size.height + 20) continue;
     const state = marks.state[i];
-    const colour = state === 2 ? paint.slide : state === 1 ? paint.stick : paint.open;
+    const joint = marks.joint ? marks.joint[i] % CLASSES.length : 0;
+    const colour = marks.joint
+      ? paint.classes[joint]
+      : state === 2
+        ? paint.slide
+        : state === 1
+          ? paint.stick
+          : paint.open;
     const dim = some_near && !marks.near[i] && marks.chosen !== i;
     const rounded = Math.round(width);
-    const key = 64 * state + 2 * rounded + (dim ? 1 : 0);
+    const key = 64 * (marks.joint ? joint : state) + 2 * rounded + (dim ? 1 : 0);
     let entry = classes.get(key);
     if (!entry) {
       entry = { line: { colour, width: rounded, opacity: dim ? 0.35 : 1, is_square: count > 1500 }, ends: [] };
@@ -470,6 +484,7 @@ export function paint_legend(pen: Pen, figure: Figure): void {
   const { paint, size, shade } = figure;
   const left = 12;
   const rows: string[] = [];
+  const swatches: { name: string; colour: string }[] = [];
   if (figure.arrows) {
     const { factor, unit } = scaled_unit(figure.arrows.unit, figure.arrows.largest);
     const largest = `${show(figure.arrows.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
@@ -483,19 +498,34 @@ export function paint_legend(pen: Pen, figure: Figure): void {
   if (figure.contacts) {
     const { factor, unit } = scaled_unit(figure.contacts.unit, figure.contacts.largest);
     const largest = `${show(figure.contacts.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
-    rows.push(`Widest contact line: ${largest}; blue sticks, orange slides`);
+    const { joint, joint_names } = figure.contacts;
+    rows.push(`Widest contact line: ${largest}${joint ? '' : '; blue sticks, orange slides'}`);
+    if (joint) swatches.push(...joint_names.map((name, i) => ({ name, colour: paint.classes[i % CLASSES.length] })));
   }
   const width = Math.min(320, size.width - 24);
   const states = shade?.measure.kind === 'state' ? (shade.measure.names ?? []) : null;
   const bar = shade && !states;
   const state_rows = states?.length ? layout_states(states, width) : null;
   const height = (shade ? (states && !state_rows ? 0 : 22) : 0) + (bar ? 32 : 0) + (state_rows?.height ?? 0);
-  const room = height + rows.length * 16;
+  const swatch_rows = swatches.length
+    ? layout_states(
+        swatches.map(own => own.name),
+        width,
+      )
+    : null;
+  const room = height + rows.length * 16 + (swatch_rows?.height ?? 0);
   let y = size.height - 10 - room;
   if (room > 0) pen.box(left - 4, y - 4, width + 8, room + 8, paint.surface, 6, 0.88);
   for (const row of rows) {
     pen.text(left, y + 12, row, { size: 11.5, colour: paint.muted });
     y += 16;
+  }
+  if (swatch_rows) {
+    swatch_rows.places.forEach(([x, dy], i) => {
+      pen.box(left + x, y + dy + 4, 12, 4, swatches[i].colour, 2);
+      pen.text(left + x + 17, y + dy + 10.5, swatches[i].name, { size: 11.5, colour: paint.ink });
+    });
+    y += swatch_rows.height;
   }
   if (shade && height > 0) {
     const scaled = states ? { factor: 1, unit: '' } : unit_of(shade);

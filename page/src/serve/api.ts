@@ -11,6 +11,7 @@ export interface ResultEntry {
   time: number;
   is_finished: boolean;
   has_checkpoint: boolean;
+  kind?: 'run' | 'fos';
 }
 
 export interface Listing {

@@ -532,7 +532,7 @@ export function JobItem({ job }: { job: api.Job }) {
             Stop
           </button>
         )}
-        {!is_open && entry?.has_checkpoint && !entry.is_finished && (
+        {!is_open && entry?.has_checkpoint && (
           <button
             type="button"
             class="small"

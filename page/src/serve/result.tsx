@@ -4,11 +4,13 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
 import * as api from './api';
 import * as state from './state';
+import { StrengthView } from './strength';
 
 export function ResultView({ path }: { path: string }) {
   const entry = state.listing.value?.results.find(own => own.path === path);
   const job = state.jobs.value.find(own => own.result === path && (own.state === 'runs' || own.state === 'waits'));
-  const others = (state.listing.value?.results ?? []).filter(own => own.path !== path);
+  const is_strength = entry?.kind === 'fos';
+  const others = (state.listing.value?.results ?? []).filter(own => own.path !== path && own.kind !== 'fos');
   const [stamp, set_stamp] = useState(0);
   // A run that goes on is shown anew every few seconds if its reader asks for it.
   const [follow, set_follow] = useState(false);
@@ -23,6 +25,9 @@ export function ResultView({ path }: { path: string }) {
     ended.current = !!job;
   }, [!!job]);
   const source = api.address('/page', { result: path });
+  if (is_strength) return <StrengthView path={path} />;
+  // A listing tells the kind of a result; without it the frame would ask for a page that may not exist.
+  if (!state.listing.value) return <p class="note pad">Reading the folder…</p>;
   return (
     <div class="result">
       <div class="bar">
@@ -52,7 +57,7 @@ export function ResultView({ path }: { path: string }) {
             </button>
           </>
         )}
-        {!job && entry?.has_checkpoint && !entry.is_finished && (
+        {!job && entry?.has_checkpoint && (
           <button
             type="button"
             class="small"

@@ -48,7 +48,10 @@ export async function refresh_jobs(): Promise<void> {
     const changed = ended(now) !== ended(jobs.value) || now.length !== jobs.value.length;
     jobs.value = now;
     if (trouble.value.startsWith('The server does not answer')) trouble.value = '';
-    if (changed) await refresh();
+    // The folder of a run is made a moment after the run has started.
+    const listed = new Set(listing.value?.results.map(own => own.path));
+    const is_new = now.some(job => job.state === 'runs' && (job.step ?? 0) > 0 && !listed.has(job.result));
+    if (changed || is_new) await refresh();
   } catch (error) {
     trouble.value = error instanceof Error ? error.message : String(error);
   } finally {

@@ -18,12 +18,9 @@ export interface ChartProps {
   height?: number;
 }
 
-// Okabe and Ito's colours, darker in the light theme where they would be faint on white.
-const LIGHT = ['#0b5fa5', '#c04a00', '#0a7a55', '#a03a78', '#7a6a00', '#3a7fa8', '#5b3fa0', '#555555'];
-const DARK = ['#63b3ff', '#ff9146', '#4fd1a0', '#ee8fc4', '#e6d24a', '#8fd3ff', '#b79cff', '#c0c0c0'];
-
 export function curve_colour(i: number): string {
-  return (state.is_dark.value ? DARK : LIGHT)[i % LIGHT.length];
+  const { classes } = state.paint.value;
+  return classes[i % classes.length];
 }
 
 /** Times of drawing, for the tests of the page, and the cursor's place. */
@@ -51,7 +48,7 @@ export function Chart({ label, x, x_label, x_of, curves, height = 200 }: ChartPr
         x,
         x_label,
         curves,
-        colours: dark ? DARK : LIGHT,
+        colours: state.paint.value.classes,
         paint: state.paint.value,
         grid: dark ? '#2c3541' : '#e3e7ec',
         cursor: x_of(state.frame.value),

@@ -81,6 +81,14 @@ export function chosen_body(geometry: Pose['geometry']): number | null {
   return geometry.row_of_key.get(own.key) ?? null;
 }
 
+function joint_names(): string[] {
+  return state.head.joints.map((name, i) => (name === String(i + 1) ? `Joint material ${name}` : name));
+}
+
+function joint_of(joint: ArrayLike<number>): Uint32Array {
+  return Uint32Array.from(joint, j => (j === NO_ROW ? 0 : j));
+}
+
 export function contacts_of(pose: Pose): { marks: ContactMarks; at: PartAt } | null {
   const at = part_at(state.store, 'contacts', pose.frame);
   if (!at) return null;
@@ -110,6 +118,8 @@ export function contacts_of(pose: Pose): { marks: ContactMarks; at: PartAt } | n
       at: places,
       force,
       state: states ? Uint32Array.from(states) : new Uint32Array(n).fill(1),
+      joint: state.contact_colour.value === 'joint' && at.rows.columns.joint ? joint_of(at.rows.columns.joint) : null,
+      joint_names: joint_names(),
       near,
       largest,
       unit: part_head('contacts')?.columns.find(c => c.name === 'normal_force')?.unit ?? '',
@@ -389,6 +399,8 @@ function contacts_shown(pose: Pose): ContactMarks | null {
     at: pair(marks.at),
     force: pair(marks.force),
     state: Uint32Array.from(kept, i => marks.state[i]),
+    joint: marks.joint && Uint32Array.from(kept, i => marks.joint![i]),
+    joint_names: marks.joint_names,
     near: Uint8Array.from(kept, i => marks.near[i]),
     largest: marks.largest,
     unit: marks.unit,

@@ -33,8 +33,8 @@ export function verdict_of(run: state_run): Verdict {
   if (!run) return { tone: 'plain', text: 'Run not finished' };
   const end = run.outcome?.end;
   if (end === 'failed') return { tone: 'bad', text: 'Run failed' };
-  if (run.outcome?.doubts?.length) return { tone: 'bad', text: 'Results unreliable' };
   if (end && end !== 'finished') return { tone: 'warn', text: ENDS[end] ?? words(end) };
+  if (run.outcome?.doubts?.length) return { tone: 'bad', text: 'Results unreliable' };
   const motion = run.outcome?.motion?.state;
   if (MOTIONS[motion]) return MOTIONS[motion];
   if (motion) return { tone: 'plain', text: words(motion) };

@@ -196,6 +196,20 @@ export function ShowTab() {
           {!!head.still?.length && <LayerCheck name="still" label="Supports and loads" />}
           <LayerCheck name="legend" label="Legend" hint="l" />
         </div>
+        {state.layers.value.contacts && head.joints.length > 1 && (
+          <label class="field">
+            <span>Contacts by</span>
+            <select
+              value={state.contact_colour.value}
+              onChange={event => {
+                state.contact_colour.value = event.currentTarget.value as 'state' | 'joint';
+              }}
+            >
+              <option value="state">State</option>
+              <option value="joint">Joint material</option>
+            </select>
+          </label>
+        )}
         <StoredNote />
       </section>
     </div>

@@ -55,6 +55,8 @@ export const layers = signal<Record<Layer, boolean>>({
   still: true,
   legend: true,
 });
+/** What the colour of contact lines shows. */
+export const contact_colour = signal<'state' | 'joint'>('state');
 export const arrows = signal<'none' | 'displacement' | 'velocity'>('none');
 export const trails = signal<'none' | 'chosen' | 'all'>('none');
 
@@ -208,7 +210,7 @@ export function fit_view(): void {
 /** Room that tools, legend and scale bar take. */
 export function margins_of(room: Size) {
   const narrow = room.width < 640;
-  return { top: narrow ? 44 : 44, right: narrow ? 14 : 56, bottom: narrow ? 92 : 102, left: 18 };
+  return { top: narrow ? 56 : 44, right: narrow ? 14 : 56, bottom: narrow ? 92 : 102, left: 18 };
 }
 
 /** Magnification at which the largest displacement of the run is 5 % of the model's width. */

@@ -35,7 +35,7 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
     server: null as unknown as Server,
     address: '',
     files: new Map(Object.entries(files)),
-    results: new Set(['first', 'second']),
+    results: new Set(['first', 'second', ...(files['strength/fos.json'] ? ['strength'] : [])]),
     asked: [],
   };
   const sum = (text: string) => createHash('sha256').update(text).digest('hex');
@@ -62,7 +62,13 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
         return send({
           folder: 'cases',
           files: [...own.files].map(([path, text]) => ({ path, bytes: text.length, time: 1.79e9 })),
-          results: [...own.results].map(path => ({ path, time: 1.79e9, is_finished: true, has_checkpoint: false })),
+          results: [...own.results].map(path => ({
+            path,
+            time: 1.79e9,
+            is_finished: true,
+            has_checkpoint: false,
+            kind: own.files.has(`${path}/fos.json`) ? 'fos' : 'run',
+          })),
         });
       case '/api/read': {
         const path = url.searchParams.get('path') ?? '';

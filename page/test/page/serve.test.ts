@@ -34,6 +34,12 @@ describe.skipIf(!has_browser)('window', () => {
         'old/tips.blk': '2 0\n',
         'old/tips.ana': '<DDA/>\n',
         'old/expected.csv': 'a,b\n',
+        'strength/fos.json': JSON.stringify({
+          reduced: 'joints',
+          factor_of_safety: 3.2872,
+          bracket: { stands: 3.2842, falls: 3.29018 },
+          trials: [{ factor: 1, verdict: 'stands', largest_displacement: 0.000773 }],
+        }),
         '<img src=x onerror=alert(1)>.json': '{}\n',
       },
       wall.writer.scripts(wall.head),
@@ -55,6 +61,7 @@ describe.skipIf(!has_browser)('window', () => {
       'slope.json',
       'first',
       'second',
+      'strength',
     ]);
     expect(await page.locator('nav img').count()).toBe(0);
     await page.context().close();
@@ -108,6 +115,16 @@ describe.skipIf(!has_browser)('window', () => {
     await page.context().close();
   });
 
+  test('a factor of safety has a view of its own', async () => {
+    const page = await open('#/result/strength');
+    await page.waitForSelector('.factor');
+    expect(await page.locator('.strength').textContent()).toContain(
+      'stable at a factor of 3.284 and unstable at 3.290.',
+    );
+    expect(await page.locator('iframe').count()).toBe(0);
+    await page.context().close();
+  });
+
   test('an answer of the server that refuses is shown', async () => {
     const page = await open('#/case/none.json');
     await page.waitForSelector('.trouble');
@@ -120,7 +137,7 @@ describe.skipIf(!has_browser)('window', () => {
     for (const width of [1280, 400]) {
       test(`no axe violations, ${scheme}, ${width} px`, async () => {
         const found: string[] = [];
-        for (const hash of ['', '#/case/slope.json', '#/result/first', '#/compare/first/second']) {
+        for (const hash of ['', '#/case/slope.json', '#/result/first', '#/result/strength', '#/compare/first/second']) {
           const page = await open(hash, scheme, width);
           await page.waitForTimeout(700);
           found.push(...(await violations(page)));
