@@ -10,13 +10,13 @@ PACKAGES = g++ cmake ninja-build libboost-dev libcgal-dev libcli11-dev libeigen3
            libhdf5-dev libmuparser-dev libopenblas0-serial libssl-dev libsuitesparse-dev nlohmann-json3-dev \
            libpugixml-dev libspdlog-dev libtbb-dev libtbbmalloc2 libyaml-cpp-dev zlib1g-dev
 
-.PHONY: help build install uninstall deb debug run test docs cases index verification board gallery fronts validate bench bare sanitize fuzz format tidy clean packages
+.PHONY: help build install uninstall deb debug run test test-web docs cases index verification board gallery fronts validate bench bare sanitize fuzz format tidy clean packages
 .DEFAULT_GOAL := help
 
 help: ## use | | this list
 	@for group in use cases care; do echo "$$group"; \
 	  awk -F ':.*## | *[|] *' -v group=$$group \
-	    '/^[a-z]+:.*## / && $$2 == group { printf "  make %-12s %-10s %s\n", $$1, $$3, $$4 }' Makefile; done
+	    '/^[a-z-]+:.*## / && $$2 == group { printf "  make %-12s %-10s %s\n", $$1, $$3, $$4 }' Makefile; done
 	@echo "Times are those of two cores. The first of run, test, build and the cases also compiles: 10 min the program, 5 min the tests; long: over 20 min."
 
 # Builds the program alone: the tests can wait.
@@ -30,6 +30,10 @@ run: packages ## use | 1 s | builds the program, reruns a sliding block, prints 
 test: build ## use | 8 min | builds everything and runs all tests
 	ctest --test-dir build --output-on-failure -j $(JOBS)
 	@awk '/: Skipped$$/ { getline; print "skipped: " $$0 }' build/Testing/Temporary/LastTest.log | sort | uniq -c
+
+test-web: packages ## use | 2 min | tests the page of a run and the window in headless Chromium; needs node from 20.19 on and npm
+	@$(call install_missing,chromium)
+	cd page && npm ci && npm run check && npm test && npm run test-page
 
 cases: build ## cases | 1 min | reruns all cases in both profiles and compares them with their expected values
 	build/keyblock compare legacy_cases

@@ -23,7 +23,7 @@ NOT_YET = []
 def pages(root):
     for folder, folders, files in os.walk(root):
         here = Path(folder)
-        folders[:] = sorted(f for f in folders if not f.startswith((".", "build")) and f not in ("out", "shared", "__pycache__")
+        folders[:] = sorted(f for f in folders if not f.startswith((".", "build")) and f not in ("out", "shared", "__pycache__", "node_modules")
                             and not (here / f / "CMakeCache.txt").exists())
         for name in sorted(files):
             if name.endswith(".md"):

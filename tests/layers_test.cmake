@@ -10,10 +10,10 @@ set(floor_5 legacy step)
 set(floor_6 run)
 set(floor_7 api)
 set(floor_8 study report job)
-set(floor_9 library)
+set(floor_9 library serve)
 set(floor_10 app)
 set(closed_floors 3 4)
-set(may_read_files app library api study job formats)   # the rooms that may include formats
+set(may_read_files app serve library api study job formats)   # the rooms that may include formats
 
 # Floors within a room, lowest first: sub-rooms, single units, "." for all other files of the room itself. Those of one line (joined by
 # a comma) do not see each other.
@@ -25,7 +25,8 @@ set(inner_contact find rows solve)
 set(inner_legacy contact,terms step)
 set(inner_run settings_of bodies stages growth,mesh,ahead,verdict . follow)
 set(inner_step stepper newton bodies groups scene time rest .)
-set(inner_report drawing . rock)
+set(inner_report drawing page . rock)
+set(inner_serve http .)
 set(inner_study strength cases trade,batch,convert,element,fit,fracture)
 set(inner_app . run_words,handout input templates,shell strength commands,batch,rock)
 

@@ -10,8 +10,7 @@
 #include <optional>
 #include <string_view>
 
-#include "formats/text/tokens.hpp"
-#include "formats/xml/xml_document.hpp"
+#include "formats/views/vtk_piece.hpp"
 #include "geometry/polygon.hpp"
 #include "problem/units/unit_conversion.hpp"
 
@@ -66,164 +65,71 @@ Point middle_of(const std::vector<Corners>& loops) {
   return whole == 0 ? loops[0][0].position : (1 / whole) * sum;
 }
 
-/// Numbers of an array; those of a text know their places.
-class VtuArray {
- public:
-  VtuArray(const Element& element, std::string_view name, const VtkParts& parts)
-      : name_(name), place_(element.place()) {
-    const auto attribute = [&](const char* word) {
-      const auto found = element.attribute(word);
-      return found ? found->value : std::string_view();
-    };
-    if (attribute("format") == "appended") {
-      numbers_ = vtk_numbers(parts, attribute("type"), attribute("offset"), place_);
-      if (!std::ranges::all_of(numbers_, [](double number) { return std::isfinite(number); }))
-        throw InputError(place_, fmt::format("expected finite numbers in the array {}, found others", name));
-      return;
-    }
-    tokens_ = element.tokens();
-    if (const auto junk = tokens_->junk())
-      throw InputError(tokens_->place_of(tokens_->numbers.size()),
-                       fmt::format("expected a finite number in the array {}, found {}", name, in_quotes(*junk)));
-    numbers_.assign(tokens_->numbers.begin(), tokens_->numbers.end());
-  }
-
-  std::size_t size() const { return numbers_.size(); }
-  double operator[](std::size_t i) const { return numbers_[i]; }
-
-  /// Throws InputError unless the array has `count` numbers.
-  VtuArray&& of(std::size_t count) && {
-    if (size() != count)
-      throw InputError(place_, fmt::format("expected {} numbers in the array {}, found {}", count, name_, size()));
-    return std::move(*this);
-  }
-  /// Returns a whole number from `least` to `most`. Throws InputError for others.
-  int whole(std::size_t i, int least, int most) const {
-    const double value = numbers_[i];
-    if (!is_whole(value) || value < least || value > most)
-      throw InputError(tokens_ ? tokens_->place_of(i) : place_,
-                       fmt::format("expected a whole number from {} to {} in the array {}, found {}", least, most,
-                                   name_, tokens_ ? in_quotes(tokens_->word(i)) : fmt::format("{}", value)));
-    return static_cast<int>(value);
-  }
-
- private:
-  std::string name_;
-  Place place_;
-  std::optional<Tokens> tokens_;
-  std::vector<double> numbers_;
-};
-
-std::optional<Element> child_of(const Element& parent, std::string_view name) {
-  for (const Element& child : parent.children())
-    if (child.name() == name) return child;
-  return std::nullopt;
-}
+constexpr int kMost = std::numeric_limits<int>::max();
 
 class VtuReader {
  public:
-  explicit VtuReader(const Source& source) : parts_(vtk_parts_of(source)), document_(parts_.xml) {}
+  VtuReader(const Source& source, std::span<const std::string_view> wanted)
+      : piece_(source, "UnstructuredGrid"), wanted_(wanted) {}
 
   VtuFrame read() {
-    require_known_bytes();
-    const Element grid = inner(document_.root(), "UnstructuredGrid");
-    const Element piece = inner(grid, "Piece");
     VtuFrame frame;
-    frame.field.time = array(inner(grid, "FieldData"), "TimeValue").of(1)[0];
-    read_points(piece);
-    read_cells(piece, frame);
-    frame.units = units_in(inner(piece, "CellData"));
+    frame.field.time = piece_.time();
+    read_points();
+    read_cells(frame);
+    frame.units = units();
+    for (const std::string_view name : wanted_) add_values(frame, name);
     return frame;
   }
 
  private:
-  static constexpr int kMost = std::numeric_limits<int>::max();
-
-  // Reads only bytes that `VtkFile` could have written.
-  void require_known_bytes() const {
-    if (parts_.appended.empty()) return;
-    const auto require = [&](const char* word, std::string_view wanted) {
-      const auto found = document_.root().attribute(word);
-      if (found && found->value != wanted)
-        throw InputError(found->place,
-                         fmt::format("expected {}=\"{}\", found {}", word, wanted, in_quotes(found->value)));
-    };
-    require("byte_order", "LittleEndian");
-    require("header_type", "UInt64");
-    if (!parts_.is_packed) require("compressor", "vtkZLibDataCompressor");
-  }
-
-  static Element inner(const Element& parent, std::string_view name) {
-    if (const auto found = child_of(parent, name)) return *found;
-    throw InputError(parent.place(), fmt::format("expected {} of a frame that a run wrote (.vtu), found none", name));
-  }
-  // "stress_xx" finds "stress_xx [Pa]".
-  std::optional<VtuArray> array_in(const Element& parent, std::string_view name) const {
-    for (const Element& child : parent.children()) {
-      const auto title = child.attribute("Name");
-      if (title && title->value.substr(0, title->value.find(" [")) == name) return VtuArray(child, name, parts_);
-    }
-    return std::nullopt;
-  }
-  VtuArray array(const Element& parent, std::string_view name) const {
-    if (auto found = array_in(parent, name)) return std::move(*found);
-    throw InputError(parent.place(), fmt::format("expected the array {}, found none", name));
-  }
-
-  /// Returns "Pa" for "stress_xx [Pa]".
-  static std::string unit_in(const Element& parent, std::string_view name) {
-    for (const Element& child : parent.children()) {
-      const auto title = child.attribute("Name");
-      const std::string start = fmt::format("{} [", name);
-      if (title && title->value.starts_with(start) && title->value.ends_with("]"))
-        return std::string(title->value.substr(start.size(), title->value.size() - start.size() - 1));
-    }
-    return {};
-  }
-  static Units units_in(const Element& data) {
+  Units units() const {
     Units units;
-    units.length = unit_in(data, "displacement");
-    const std::string velocity = unit_in(data, "velocity");
+    units.length = piece_.unit("CellData", "displacement");
+    const std::string velocity = piece_.unit("CellData", "velocity");
     if (velocity.starts_with(units.length + "/")) units.time = velocity.substr(units.length.size() + 1);
-    const std::string stress = unit_in(data, "stress_xx");
+    const std::string stress = piece_.unit("CellData", "stress_xx");
     if (!stress.empty()) units.mass = mass_of_stress(stress, units.length, units.time);
     return units;
   }
 
   struct Stresses {
-    VtuArray xx, yy, xy, zz;
+    VtkArray xx, yy, xy, zz;
 
     Stress at(std::size_t i) const { return {xx[i], yy[i], xy[i], zz[i]}; }
   };
-  Stresses stresses_in(const Element& parent, std::size_t count) const {
-    return {array(parent, "stress_xx").of(count), array(parent, "stress_yy").of(count),
-            array(parent, "stress_xy").of(count), array(parent, "stress_zz").of(count)};
+  Stresses stresses_in(std::string_view section, std::size_t count) const {
+    return {piece_.at(section, "stress_xx").of(count), piece_.at(section, "stress_yy").of(count),
+            piece_.at(section, "stress_xy").of(count), piece_.at(section, "stress_zz").of(count)};
   }
 
-  void read_points(const Element& piece) {
-    const VtuArray places = array(inner(piece, "Points"), "Points");
-    const Element data = inner(piece, "PointData");
-    const VtuArray moves = array(data, "displacement").of(places.size());
+  void read_points() {
+    const VtkArray places = piece_.at("Points", "Points");
+    const std::size_t count = places.size() / 3;
+    const VtkArray moves = piece_.at("PointData", "displacement").of(places.size());
     std::optional<Stresses> stresses;
-    if (array_in(data, "stress_xx")) stresses = stresses_in(data, places.size() / 3);
+    if (piece_.find("PointData", "stress_xx")) stresses = stresses_in("PointData", count);
     has_stress_ = stresses.has_value();
-    for (std::size_t p = 0; p < places.size() / 3; ++p) {
+    std::optional<VtkArray> plastic;
+    if (!wanted_.empty()) plastic = piece_.find("PointData", "equivalent_plastic_strain");
+    for (std::size_t p = 0; p < count; ++p) {
       const Point moved{moves[3 * p], moves[3 * p + 1]};
       corners_.push_back(
           {Point{places[3 * p], places[3 * p + 1]} - moved, moved, stresses ? stresses->at(p) : Stress{}});
+      if (plastic) corners_.back().plastic.emplace().equivalent = (*plastic)[p];
     }
   }
 
-  void read_cells(const Element& piece, VtuFrame& frame) const {
-    const Element cells = inner(piece, "Cells"), data = inner(piece, "CellData");
-    const VtuArray order = array(cells, "connectivity");
-    const VtuArray ends = array(cells, "offsets");
+  void read_cells(VtuFrame& frame) const {
+    const VtkArray order = piece_.at("Cells", "connectivity");
+    const VtkArray ends = piece_.at("Cells", "offsets");
     const std::size_t count = ends.size();
-    const VtuArray numbers = array(data, "block").of(count), materials = array(data, "material").of(count);
-    const VtuArray moves = array(data, "displacement").of(3 * count);
-    const Stresses stresses = stresses_in(data, count);
-    const std::optional<VtuArray> bodies = array_in(data, "body");
-    if (bodies) VtuArray(*bodies).of(count);
+    const VtkArray numbers = piece_.at("CellData", "block").of(count);
+    const VtkArray materials = piece_.at("CellData", "material").of(count);
+    const VtkArray moves = piece_.at("CellData", "displacement").of(3 * count);
+    const Stresses stresses = stresses_in("CellData", count);
+    const std::optional<VtkArray> bodies = piece_.find("CellData", "body");
+    if (bodies) VtkArray(*bodies).of(count);
     frame.field.is_of_blocks = !bodies;
     int first = 0;
     for (std::size_t e = 0; e < count; ++e) {
@@ -239,9 +145,10 @@ class VtuReader {
       frame.numbers.push_back(numbers.whole(e, 1, kMost) - 1);
       first = last;
     }
+    frame.has_corner_stress = has_stress_;
   }
 
-  Corners chain(const VtuArray& order, int first, int last) const {
+  Corners chain(const VtkArray& order, int first, int last) const {
     Corners chain;
     for (int i = first; i < last; ++i)
       chain.push_back(corners_.at(static_cast<std::size_t>(
@@ -249,16 +156,25 @@ class VtuReader {
     return chain;
   }
 
-  VtkParts parts_;
-  Document document_;
+  void add_values(VtuFrame& frame, std::string_view name) const {
+    const auto found = piece_.find("CellData", name);
+    const std::size_t rows = frame.numbers.size();
+    if (!found || rows == 0) return;
+    const std::size_t width = found->size() == 3 * rows ? 3 : 1;
+    frame.values.push_back(
+        {std::string(name), piece_.unit("CellData", name), width, VtkArray(*found).of(width * rows).numbers()});
+  }
+
+  VtkPiece piece_;
+  std::span<const std::string_view> wanted_;
   Corners corners_;          ///< of all elements
   bool has_stress_ = false;  ///< of the corners; otherwise they have that of their element
 };
 
 }  // namespace
 
-VtuFrame read_vtu(const Source& source) {
-  return VtuReader(source).read();
+VtuFrame read_vtu(const Source& source, std::span<const std::string_view> wanted) {
+  return VtuReader(source, wanted).read();
 }
 
 }  // namespace keyblock::formats

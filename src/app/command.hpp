@@ -35,6 +35,8 @@ Action configure_joints(CLI::App& options);    ///< joints_command.cpp
 Action configure_run(CLI::App& options);       ///< run_command.cpp
 Action configure_plot(CLI::App& options);      ///< plot_command.cpp
 Action configure_report(CLI::App& options);    ///< report_command.cpp
+Action configure_view(CLI::App& options);      ///< view_command.cpp
+Action configure_serve(CLI::App& options);     ///< serve_command.cpp
 Action configure_fos(CLI::App& options);       ///< fos_command.cpp
 Action configure_compare(CLI::App& options);   ///< compare_command.cpp
 Action configure_tradeoff(CLI::App& options);  ///< tradeoff_command.cpp

@@ -35,7 +35,7 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<Command, 21> kCommands{{
+constexpr std::array<Command, 23> kCommands{{
     {"new", "create a commented example case: slope, arch, beam, tunnel or block", configure_new,
      "keyblock new slope\nkeyblock new arch -o my_arch.json"},
     {"check", "check input files: format, contents, likely mistakes, estimated run time", configure_check,
@@ -53,6 +53,10 @@ constexpr std::array<Command, 21> kCommands{{
      "keyblock plot out --curve dx1,dy1 -o crest.pdf --width 84"},
     {"report", "write one page about a run, or about a folder of runs, to hand to others", configure_report,
      "keyblock report out\nkeyblock report results -o results.html"},
+    {"view", "write a finished run as one page for a browser", configure_view,
+     "keyblock view out\nkeyblock view out -o slope.html"},
+    {"serve", "open a window in the browser for the cases and results of a folder", configure_serve,
+     "keyblock serve\nkeyblock serve archive --port 8123"},
     {"fos", "compute the factor of safety by strength reduction of joints or rock", configure_fos,
      "keyblock fos slope.json -o out\nkeyblock fos slope.json --reduce joints --to-within 0.005"},
     {"sif", "compute stress intensity factors and J at the crack tips of a case", configure_sif,

@@ -12,7 +12,7 @@
 
 namespace keyblock {
 
-std::array<CLI::Option*, 5> add_output_options(CLI::App& options, OutputOptions& chosen) {
+std::array<CLI::Option*, 6> add_output_options(CLI::App& options, OutputOptions& chosen) {
   CLI::Option* histories =
       options
           .add_option("--history", chosen.histories,
@@ -41,7 +41,10 @@ std::array<CLI::Option*, 5> add_output_options(CLI::App& options, OutputOptions&
   CLI::Option* pictures =
       options.add_flag("!--no-pictures", chosen.has_pictures, "draw no pictures; `keyblock plot` draws them later");
   pictures->excludes(field);
-  return {histories, contacts, field, frames, pictures};
+  CLI::Option* page =
+      options.add_flag("--page", chosen.has_page,
+                       "also write page.html, the run as one page for a browser; `keyblock view` writes it later");
+  return {histories, contacts, field, frames, pictures, page};
 }
 
 }  // namespace keyblock

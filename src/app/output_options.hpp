@@ -1,5 +1,4 @@
-// Adds `--history`, `--contacts`, `--field`, `--frames` and `--no-pictures`: histories, contacts, quantity in pictures
-// and coding of frames, in addition to the case file.
+// Adds the options of `run` that choose its outputs in addition to the case file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +9,8 @@
 
 namespace keyblock {
 
-/// Adds the options and returns them in this order: `--history`, `--contacts`, `--field`, `--frames`, `--no-pictures`.
-std::array<CLI::Option*, 5> add_output_options(CLI::App& options, OutputOptions& chosen);
+/// Adds the options and returns them in this order: `--history`, `--contacts`, `--field`, `--frames`, `--no-pictures`,
+/// `--page`.
+std::array<CLI::Option*, 6> add_output_options(CLI::App& options, OutputOptions& chosen);
 
 }  // namespace keyblock

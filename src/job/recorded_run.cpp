@@ -51,7 +51,8 @@ RunRequest request_of(const RecordingOptions& options, const OpenCase& read, con
                      read.choices.unit,
                      read.choices.join,
                      options.outputs.frames,
-                     options.outputs.has_pictures};
+                     options.outputs.has_pictures,
+                     options.outputs.has_page};
   for (const auto& [name, value] : plan.asked) request.sets.push_back(fmt::format("{}={}", name, value));
   for (const InputRecord& input : record.inputs) {
     request.read.push_back(input.file);
@@ -95,12 +96,13 @@ RecordedRun::Beginning RecordedRun::saved_in(const std::string& folder, double c
   context().use_folder(request.working_folder);
   if (request.record_every < 1 || request.files.empty())
     saved.refuse("request", "expected files and a frame every so many steps, found none");
-  beginning.options = {whole,
-                       Overwrite::no,
-                       request.has_trace ? Trace::yes : Trace::no,
-                       checkpoint_every,
-                       request.record_every,
-                       {request.histories, request.contacts, request.field, request.frames, request.has_pictures}};
+  beginning.options = {
+      whole,
+      Overwrite::no,
+      request.has_trace ? Trace::yes : Trace::no,
+      checkpoint_every,
+      request.record_every,
+      {request.histories, request.contacts, request.field, request.frames, request.has_pictures, request.has_page}};
   beginning.read = opened(
       asked_case({request.files, {}, request.profile, overrides_in(request.sets), {request.unit, request.join}}));
   return beginning;
@@ -141,7 +143,7 @@ RecordedRun::RecordedRun(Beginning beginning)
       RunJobOptions{options_.folder, options_.overwrite, options_.trace, options_.checkpoint_every,
                     plan_.problem.analysis->place, plan_.problem.outputs, options_.outputs.field,
                     formats::names_of(input.files), formats::vtk_coding_of(options_.outputs.frames),
-                    options_.outputs.has_pictures},
+                    options_.outputs.has_pictures, options_.outputs.has_page},
       checkpoint_.get());
 }
 

@@ -272,6 +272,7 @@ std::vector<int> RunFolder::finish(const RunResults& results) {
   }
   if (!results.field.cracks.empty()) files_.write("cracks.dxf", dxf_of(results.field.cracks, units_));
   if (trace_ == Trace::yes) write_traces(results);
+  if (results.has_page) files_.name(kPageFile);
   return hidden;
 }
 
@@ -282,8 +283,9 @@ void RunFolder::write_traces(const RunResults& results) {
   files_.write(formats::kTraceOfBlocks.file, formats::blocks_csv(frames_, units_));
 }
 
-void RunFolder::write_record(const std::string& json) {
+void RunFolder::write_record(const std::string& json, const std::function<std::string()>& page) {
   files_.write(kRecord, json);
+  if (page) files_.write(kPageFile, page());
 }
 
 fs::path checkpoint_in(const fs::path& folder) {

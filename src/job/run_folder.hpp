@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,6 +53,7 @@ struct RunResults {
   std::vector<int> idle_bolts = {};  ///< numbers, from 0, of bolts without properties
   std::vector<int> held = {};        ///< numbers, from 0, of blocks with a fixed point at the end
   bool has_pictures = true;
+  bool has_page = false;   ///< the page follows the record
   std::string shown = {};  ///< in field.svg, a word of `report::kFieldWords`; empty: the stress that varies most
 };
 
@@ -114,8 +116,8 @@ class RunFolder {
   /// elements that the pictures leave out.
   std::vector<int> finish(const RunResults& results);
 
-  /// Writes run.json last: its presence means that all other files are there.
-  void write_record(const std::string& json);
+  /// Writes run.json last: its presence means that all other files are there. The page, which shows it, follows.
+  void write_record(const std::string& json, const std::function<std::string()>& page = {});
 
   const Frame& first_frame() const { return frames_.front(); }
   const Frame& last_frame() const { return frames_.back(); }

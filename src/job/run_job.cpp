@@ -11,6 +11,7 @@
 #include "base/counted.hpp"
 #include "base/error.hpp"
 #include "job/ledger_report.hpp"
+#include "job/page/run_page.hpp"
 #include "job/run_doubts.hpp"
 #include "job/step_tables.hpp"
 #include "run/steppers.hpp"
@@ -234,6 +235,20 @@ std::vector<int> held_blocks(const Frame& end) {
   return {numbers.begin(), numbers.end()};
 }
 
+// Returns fixed points and loading points before the first step; of more than `kMostSupports` of a kind every n-th.
+std::vector<SupportRecord> supports_of(const Frame& start) {
+  constexpr std::size_t kMostSupports = 500;
+  std::vector<SupportRecord> supports;
+  const auto add = [&](const char* kind, const std::vector<PointFrame>& points) {
+    const std::size_t every = 1 + points.size() / kMostSupports;
+    for (std::size_t i = 0; i < points.size(); i += every)
+      supports.push_back({kind, points[i].position - points[i].displacement, points[i].element + 1});
+  };
+  add("fixed_point", start.fixed_points);
+  add("loading_point", start.loading_points);
+  return supports;
+}
+
 }  // namespace
 
 // Adds warnings to the record and judges the run.
@@ -252,6 +267,8 @@ std::string RunJob::finish(const std::string& title, double seconds) {
   record_.timings.run = seconds;
   judge();
   record_.held = held_blocks(folder_.last_frame());
+  record_.names = options_.names;
+  record_.supports = supports_of(folder_.first_frame());
   record_.left_out = folder_.finish({title,
                                      tables(record_.outcome.ledger_scope),
                                      record_.traced,
@@ -267,11 +284,14 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                                      idle_bolts(prepared_.scene),
                                      record_.held,
                                      options_.has_pictures,
+                                     options_.has_page,
                                      options_.shown});
   record_.outputs = folder_.outputs();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  folder_.write_record(json + "\n");
+  std::function<std::string()> page;
+  if (options_.has_page) page = [this] { return run_page(options_.folder); };
+  folder_.write_record(json + "\n", page);
   if (record_.outcome.end != RunEnd::stopped) folder_.remove_checkpoint();
   return json;
 }

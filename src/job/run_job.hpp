@@ -28,6 +28,7 @@ struct RunJobOptions {
   formats::MaterialNames names = {};
   formats::VtkCoding frames = formats::VtkCoding::raw;
   bool has_pictures = true;
+  bool has_page = false;  ///< write page.html at the end
 };
 
 class RunJob {

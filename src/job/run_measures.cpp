@@ -51,6 +51,8 @@ constexpr auto kPaths = std::to_array<PathMeasure>({
     {"reactions[].driven", m::kLength},
     {"reactions[].reaction", m::kForce},
     {"reactions[].plateau.since_driven", m::kLength},
+    {"supports[].x", m::kLength},
+    {"supports[].y", m::kLength},
     {"ledger.largest_energy", m::kEnergy},
     {"ledger.momentum_about[]", m::kLength},
 });

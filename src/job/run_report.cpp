@@ -303,6 +303,11 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
   put_numbers("left_out", record.left_out);
   json["held"] = Json::array();
   put_numbers("held", record.held);
+  if (!record.names.rocks.empty()) json["names"]["materials"] = record.names.rocks;
+  if (!record.names.joints.empty()) json["names"]["joints"] = record.names.joints;
+  for (const SupportRecord& support : record.supports)
+    json["supports"].push_back(
+        {{"kind", support.kind}, {"x", support.at.x}, {"y", support.at.y}, {"block", support.block}});
   if (record.units != Units{}) json["units"] = json_of(record.units);
   if (record.outcome.forces) json["forces"] = json_of(*record.outcome.forces);
   if (record.plastic) json["plastic"] = json_of(*record.plastic);

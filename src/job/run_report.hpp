@@ -26,6 +26,13 @@ struct InputRecord {
   std::string evidence;
 };
 
+/// Support or load of the scene before the first step.
+struct SupportRecord {
+  std::string kind;  ///< fixed_point, loading_point
+  Point at;
+  int block = 0;  ///< its number, from 1
+};
+
 /// Wall time of each phase [s].
 struct Timings {
   double read = 0;
@@ -64,8 +71,10 @@ struct RunRecord {
   double energy_created = 0;  ///< over the largest stored energy, for comparison with `energy_limit`
   Warnings doubts;            ///< reasons to distrust a completed run; also among `warnings`
   int record_every = 1;
-  std::vector<int> left_out = {};    ///< numbers, from 0, of elements that the pictures leave out
-  std::vector<int> held = {};        ///< numbers, from 0, of blocks with a fixed point at the end
+  std::vector<int> left_out = {};  ///< numbers, from 0, of elements that the pictures leave out
+  std::vector<int> held = {};      ///< numbers, from 0, of blocks with a fixed point at the end
+  formats::MaterialNames names = {};
+  std::vector<SupportRecord> supports = {};
   std::vector<std::string> outputs;  ///< file names in the run's folder
 };
 

@@ -55,8 +55,9 @@ TEST(Shell, slips_are_told_the_nearest_name) {
 }
 
 TEST(Shell, every_command_shows_examples) {
-  for (const char* command : {"new", "check", "cut", "joints", "run", "plot", "fos", "compare", "tradeoff", "sweep",
-                              "batch", "convert", "element", "fit", "formats", "explain", "shell", "version"}) {
+  for (const char* command :
+       {"new",      "check", "cut",   "joints",  "run",     "plot", "view",    "serve",   "fos",   "compare",
+        "tradeoff", "sweep", "batch", "convert", "element", "fit",  "formats", "explain", "shell", "version"}) {
     const ProgramRun help = run_keyblock({command, "--help"});
     EXPECT_TRUE(contains(help.output, std::string("Examples:\n  keyblock ") + command)) << help.output;
   }
@@ -64,8 +65,8 @@ TEST(Shell, every_command_shows_examples) {
 
 // Names, what they take, sentences in lines of a terminal; none of the parser's own words for its checks.
 TEST(Shell, help_says_what_options_take_in_plain_words) {
-  for (const char* command : {"check", "cut", "joints", "run", "plot", "fos", "sif", "compare", "tradeoff", "sweep",
-                              "batch", "convert", "element", "fit", "new"}) {
+  for (const char* command : {"check", "cut", "joints", "run", "plot", "view", "serve", "fos", "sif", "compare",
+                              "tradeoff", "sweep", "batch", "convert", "element", "fit", "new"}) {
     const std::string help = run_keyblock({command, "--help"}).output;
     for (const char* raw : {"TEXT", "ENUM", "FLOAT", "UINT", "Excludes", "Needs", "->", " in [", "{"})
       EXPECT_FALSE(contains(help, raw)) << command << ": " << raw << "\n" << help;
@@ -315,8 +316,8 @@ TEST(Shell, every_list_is_printed_as_json_too) {
   const std::string folder = fresh_folder("new_json");
   const ProgramRun made = run_keyblock({"new", "block", "-o", folder + "/b.json", "--json"});
   EXPECT_EQ(nlohmann::json::parse(made.output).at("kind"), "block");
-  for (const char* command : {"check", "cut", "joints", "run", "plot", "fos", "sif", "compare", "tradeoff", "sweep",
-                              "batch", "convert", "element", "fit", "formats", "explain", "new", "version"})
+  for (const char* command : {"check", "cut", "joints", "run", "plot", "view", "fos", "sif", "compare", "tradeoff",
+                              "sweep", "batch", "convert", "element", "fit", "formats", "explain", "new", "version"})
     EXPECT_TRUE(contains(run_keyblock({command, "--help"}).output, "--json")) << command;
 }
 

@@ -37,7 +37,8 @@ RunRequest request() {
           .unit = "mm",
           .join = 0.1,
           .frames = "raw",
-          .has_pictures = false};
+          .has_pictures = false,
+          .has_page = true};
 }
 
 /// What the bytes hold of a request.
@@ -85,6 +86,7 @@ TEST(SavedRun, a_request_is_restored_whole) {
   EXPECT_EQ(found.join, saved.join);
   EXPECT_EQ(found.frames, saved.frames);
   EXPECT_EQ(found.has_pictures, saved.has_pictures);
+  EXPECT_EQ(found.has_page, saved.has_page);
 }
 
 TEST(SavedRun, lists_may_be_empty_and_texts_may_hold_anything) {

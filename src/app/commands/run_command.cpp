@@ -195,7 +195,7 @@ Action configure_run(CLI::App& options) {
           ->check(above_zero());
   CLI::Option* trace =
       options.add_flag("--trace", chosen->trace, "also write steps.csv (every step) and blocks.csv (every frame)");
-  const auto [histories, contacts, field, frames, pictures] = add_output_options(options, chosen->outputs);
+  const auto [histories, contacts, field, frames, pictures, page] = add_output_options(options, chosen->outputs);
   CLI::Option* both = options.add_flag(
       "--both", chosen->both,
       "run the profiles legacy and standard into FOLDER/legacy and FOLDER/standard; print results, differences and "
@@ -217,11 +217,11 @@ Action configure_run(CLI::App& options) {
       options.add_option("--reduce-strength", chosen->reduction.what, "same as `keyblock fos --reduce`")
           ->check(one_word_of({"joints", "rock", "both"}));
   for (CLI::Option* of_search : add_reduction_options(options, chosen->reduction)) of_search->needs(reduced);
-  for (CLI::Option* of_run : {every, trace, both, histories, contacts, field, frames, pictures})
+  for (CLI::Option* of_run : {every, trace, both, histories, contacts, field, frames, pictures, page})
     reduced->excludes(of_run);
   both->excludes(profile);
   for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force, reduced, both, histories,
-                             contacts, field, frames, pictures})
+                             contacts, field, frames, pictures, page})
     resume->excludes(other);
   for (CLI::Option* of_drawing : reading) resume->excludes(of_drawing);
   add_thread_option(options);

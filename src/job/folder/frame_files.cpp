@@ -65,6 +65,10 @@ std::map<int, fs::path> frames_in(const fs::path& folder) {
   return frames;
 }
 
+fs::path frame_part(const fs::path& folder, std::string_view part, int step) {
+  return folder / kFrameFolder / fmt::format("{}_{:08}.vtp", part, step);
+}
+
 void FrameFiles::write(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts, const Units& units) {
   const formats::FrameColumns columns = formats::with_derived(formats::columns_of(frame, contacts, field), materials_);
   const auto& [blocks, points, lines, cracks] = kParts;

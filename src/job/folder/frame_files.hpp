@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,9 @@ inline constexpr const char* kFrameFolder = "frames";
 
 /// Returns the files of the bodies in the folder of a run, by step.
 std::map<int, std::filesystem::path> frames_in(const std::filesystem::path& folder);
+
+/// Returns the file of a part, "contacts", "bolts" or "cracks"; a frame without rows of it has no such file.
+std::filesystem::path frame_part(const std::filesystem::path& folder, std::string_view part, int step);
 
 /// Frame files that a run has written, in order.
 class FrameFiles {

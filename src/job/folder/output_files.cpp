@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 namespace {
 
 // Files that a run may leave in its folder next to its tables.
-constexpr std::array<std::string_view, 10> kOtherFiles{kRecord,      kFrameList,    "picture.svg", "energy.svg",
+constexpr std::array<std::string_view, 11> kOtherFiles{kRecord,      kFrameList,    "picture.svg", "energy.svg",
                                                        "field.svg",  "plastic.svg", kReactionFile, "cracks.svg",
-                                                       "cracks.dxf", kCheckpoint};
+                                                       "cracks.dxf", kCheckpoint,   kPageFile};
 // Tables written during the run: a killed run leaves them without a record.
 constexpr std::array<const formats::RunTable*, 9> kGrowing{
     &formats::kContactsTable, &formats::kJointsTable,    &formats::kJointLinesTable,

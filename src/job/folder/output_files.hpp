@@ -16,6 +16,7 @@ inline constexpr const char* kRecord = "run.json";
 inline constexpr const char* kCheckpoint = "checkpoint.h5";
 inline constexpr const char* kFrameList = "fields.pvd";
 inline constexpr const char* kReactionFile = "reactions.svg";
+inline constexpr const char* kPageFile = "page.html";
 
 class OutputFiles {
  public:

@@ -16,6 +16,7 @@ struct OutputOptions {
   std::string field;                   ///< quantity of field.svg; empty: the stress that varies most
   std::string frames = formats::vtk_coding_names().front();
   bool has_pictures = true;
+  bool has_page = false;
 };
 
 /// Returns the plan of the case file with the requested results. Throws UsageError if it cannot read a history or a

@@ -1,0 +1,153 @@
+// Contract between the program, which writes the page's data, and the page, which reads them: version 1.
+
+export const FORMAT = 'keyblock-page';
+export const VERSION = 1;
+
+/** Longest series of frames in one chunk. */
+export const CHUNK_FRAMES = 25;
+
+/** Row of a body that is missing, as contacts with nothing on one side have it. */
+export const NO_ROW = 0xffffffff;
+
+/** Bit of a body's kind that marks it as fixed; the low byte is 0 for a block, 1 for an element on covers. */
+export const FIXED_BIT = 256;
+
+export interface FrameHead {
+  step: number;
+  time: number;
+  load_factor?: number | null;
+  epoch: number;
+  stage?: string;
+}
+
+export interface EpochHead {
+  bodies: number;
+  loops: number;
+  vertices: number;
+  geometry: string;
+}
+
+export interface FieldHead {
+  name: string;
+  label: string;
+  unit: string;
+  on: 'body' | 'vertex';
+  parts: number;
+  components?: string[];
+  bits: number;
+  kind?: 'real' | 'state';
+  names?: string[];
+}
+
+export interface ChunkHead {
+  id: string;
+  what: string;
+  from: number;
+  to: number;
+  epoch: number;
+  frames?: number[];
+}
+
+export interface ColumnHead {
+  name: string;
+  unit?: string;
+  parts?: number;
+  type?: 'f32' | 'u32';
+  names?: string[];
+}
+
+export interface PartHead {
+  columns: ColumnHead[];
+  title?: string;
+}
+
+export interface CurveColumn {
+  name: string;
+  unit?: string;
+  values: (number | null)[];
+}
+
+export interface CurveTable {
+  name: string;
+  title: string;
+  columns: CurveColumn[];
+}
+
+export interface StillThing {
+  kind: string;
+  /** Place, not taken from the origin. */
+  x?: number;
+  y?: number;
+  /** Place from the origin. */
+  at?: [number, number];
+  from?: [number, number];
+  to?: [number, number];
+  force?: [number, number];
+  [more: string]: unknown;
+}
+
+export interface Units {
+  length?: string;
+  mass?: string;
+  time?: string;
+  force?: string;
+  stress?: string;
+}
+
+// biome-ignore lint/suspicious/noExplicitAny: run.json is shown as the run left it.
+export type RunRecord = Record<string, any>;
+
+export interface Head {
+  format: string;
+  version: number;
+  program: string;
+  title: string;
+  /** What run.json holds; nothing for a run that was stopped before it was written. */
+  run: RunRecord | null;
+  origin: [number, number];
+  precision: string;
+  units: Units | null;
+  frames: FrameHead[];
+  epochs: EpochHead[];
+  fields: FieldHead[];
+  parts?: Record<string, PartHead>;
+  chunks: ChunkHead[];
+  materials: string[];
+  joints: string[];
+  tables: CurveTable[];
+  still?: StillThing[];
+}
+
+/** Thrown for data that the page cannot show; its message is for the reader. */
+export class PageError extends Error {}
+
+/** Checks format and version, and fills what may be missing. */
+export function accept_head(value: unknown): Head {
+  const head = value as Head;
+  if (!head || head.format !== FORMAT) throw new PageError('This page holds no results of Keyblock.');
+  if (head.version !== VERSION) {
+    throw new PageError(
+      `This page holds data of version ${head.version}, and it can show version ${VERSION} only: ` +
+        'write it again with one version of Keyblock.',
+    );
+  }
+  if (!head.frames?.length || !head.epochs?.length) throw new PageError('This run has no frames to show.');
+  return {
+    ...head,
+    run: head.run ?? null,
+    origin: head.origin ?? [0, 0],
+    precision: head.precision ?? '',
+    units: head.units ?? null,
+    fields: head.fields ?? [],
+    parts: head.parts ?? {},
+    chunks: head.chunks ?? [],
+    materials: head.materials ?? [],
+    joints: head.joints ?? [],
+    tables: head.tables ?? [],
+    still: (head.still ?? []).map(thing =>
+      thing.at || thing.x === undefined || thing.y === undefined
+        ? thing
+        : { ...thing, at: [thing.x - (head.origin?.[0] ?? 0), thing.y - (head.origin?.[1] ?? 0)] },
+    ),
+  };
+}

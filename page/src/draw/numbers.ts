@@ -1,0 +1,108 @@
+// Numbers and units as the page shows them.
+
+const MINUS = '\u2212';
+const THIN = '\u2009';
+
+/** A number with `digits` significant digits, a true minus sign, and powers of ten beyond 10^6 and 10^-4. */
+export function show(value: number | null | undefined, digits = 4): string {
+  if (value === null || value === undefined || Number.isNaN(value)) return '–';
+  if (!Number.isFinite(value)) return value > 0 ? '∞' : `${MINUS}∞`;
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  let text: string;
+  if (size >= 1e6 || size < 1e-4) {
+    const [mantissa, power] = size.toExponential(digits - 1).split('e');
+    text = `${mantissa.includes('.') ? mantissa.replace(/\.?0+$/, '') : mantissa}·10${raised(Number(power))}`;
+  } else {
+    text = size.toPrecision(digits);
+    if (text.includes('e')) text = String(Number(text));
+    if (text.includes('.')) text = text.replace(/\.?0+$/, '');
+  }
+  return value < 0 ? MINUS + text : text;
+}
+
+function raised(power: number): string {
+  const digits = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+  return (power < 0 ? '⁻' : '') + [...String(Math.abs(power))].map(d => digits[Number(d)]).join('');
+}
+
+export interface Scaled {
+  factor: number;
+  unit: string;
+}
+
+/** Names of units with their factors and, where not 0.9 of it, the least size that they are used for. */
+const LADDERS: Record<string, [string, number, number?][]> = {
+  m: [
+    ['m', 1],
+    ['mm', 1e-3, 9e-6],
+    ['µm', 1e-6],
+  ],
+  Pa: [
+    ['GPa', 1e9],
+    ['MPa', 1e6],
+    ['kPa', 1e3],
+    ['Pa', 1],
+  ],
+  N: [
+    ['MN', 1e6],
+    ['kN', 1e3],
+    ['N', 1],
+  ],
+  'm/s': [
+    ['m/s', 1],
+    ['mm/s', 1e-3, 9e-6],
+    ['µm/s', 1e-6],
+  ],
+  'N/m': [
+    ['MN/m', 1e6],
+    ['kN/m', 1e3],
+    ['N/m', 1],
+  ],
+};
+
+/** Unit with a prefix that suits values up to `size`; factor times the new unit's value is the old one's. */
+export function scaled_unit(unit: string, size: number): Scaled {
+  const ladder = LADDERS[unit];
+  if (!ladder || !(size > 0)) return { factor: 1, unit };
+  for (const [name, factor, least] of ladder) if (size >= (least ?? factor * 0.9)) return { factor, unit: name };
+  const [name, factor] = ladder[ladder.length - 1];
+  return { factor, unit: name };
+}
+
+/** A value with a unit of its own. */
+export function show_with(value: number, unit: string, digits = 4): string {
+  if (Number.isNaN(value)) return '–';
+  const { factor, unit: name } = scaled_unit(unit, Math.abs(value));
+  return `${show(value / factor, digits)}${name ? THIN + name : ''}`.replace(THIN, '\u00a0');
+}
+
+/** Two ends of a range with one unit. */
+export function show_range(low: number, high: number, unit: string, digits = 4): string {
+  const { factor, unit: name } = scaled_unit(unit, Math.max(Math.abs(low), Math.abs(high)));
+  return `${show(low / factor, digits)} to ${show(high / factor, digits)}${name ? `\u00a0${name}` : ''}`;
+}
+
+/** A time, always in the unit of the case. */
+export function show_time(time: number, unit?: string): string {
+  return `${show(time, 4)}${unit ? `\u00a0${unit}` : ''}`;
+}
+
+/** A round number (1, 2 or 5 times a power of ten) at or below a size. */
+export function round_below(size: number): number {
+  const power = 10 ** Math.floor(Math.log10(size));
+  const lead = size / power;
+  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
+}
+
+/** Round ticks within a range, about `count` of them. */
+export function ticks_of(low: number, high: number, count = 5): number[] {
+  if (!(high > low)) return [low];
+  const raw = (high - low) / Math.max(1, count);
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const lead = raw / power;
+  const step = (lead > 5 ? 10 : lead > 2 ? 5 : lead > 1 ? 2 : 1) * power;
+  const out: number[] = [];
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9; i++) out.push(i === 0 ? 0 : i * step);
+  return out;
+}

@@ -1,0 +1,157 @@
+// Requests of `keyblock serve`, as SERVER.md lists them.
+
+export interface FileEntry {
+  path: string;
+  bytes: number;
+  time: number;
+}
+
+export interface ResultEntry {
+  path: string;
+  time: number;
+  is_finished: boolean;
+  has_checkpoint: boolean;
+  kind?: 'run' | 'fos';
+}
+
+export interface Listing {
+  folder: string;
+  files: FileEntry[];
+  results: ResultEntry[];
+}
+
+export interface Problem {
+  name?: string;
+  file?: string;
+  line?: number;
+  column?: number;
+  sentence: string;
+  level?: 'error' | 'warning' | 'note' | 'silent';
+  remedy?: string;
+}
+
+export interface Report {
+  files: { file: string; format?: string; warnings?: Problem[]; error?: string; counts?: Record<string, number> }[];
+  case?: {
+    warnings: Problem[];
+    profile?: string;
+    profile_because?: string;
+    size?: string;
+    smallest_block?: string;
+    requires?: { unknowns: number; basis: string; terms: { term: string; reason: string }[] };
+    settings?: Record<string, unknown>;
+    cost?: { seconds_in_all?: number; step_seconds?: number; failure?: string } | null;
+  };
+  exit_code: number;
+  errors: Problem[];
+}
+
+export interface Job {
+  id: number;
+  kind: 'run' | 'resume' | 'fos';
+  title: string;
+  result: string;
+  state: 'waits' | 'runs' | 'ended' | 'stopped';
+  is_stopping: boolean;
+  step?: number;
+  steps?: number;
+  left?: string;
+  seconds?: number;
+  exit_code?: number;
+  messages?: string;
+  output?: string;
+}
+
+export interface Difference {
+  path: string;
+  first?: unknown;
+  second?: unknown;
+  relative?: number;
+}
+
+export class RequestError extends Error {
+  constructor(
+    readonly status: number,
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+async function answer<T>(reply: Response): Promise<T> {
+  const text = await reply.text();
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    value = null;
+  }
+  if (!reply.ok) {
+    const sentence = (value as { error?: string } | null)?.error;
+    throw new RequestError(reply.status, sentence ?? `The server refused the request (${reply.status}).`);
+  }
+  return value as T;
+}
+
+/** Address with its parameters. */
+export function address(path: string, parameters: Record<string, string>): string {
+  return `${path}?${new URLSearchParams(parameters)}`;
+}
+
+async function get<T>(path: string, parameters: Record<string, string> = {}): Promise<T> {
+  let reply: Response;
+  try {
+    reply = await fetch(Object.keys(parameters).length ? address(path, parameters) : path);
+  } catch {
+    throw new RequestError(0, 'The server does not answer: start keyblock serve again.');
+  }
+  return answer<T>(reply);
+}
+
+async function post<T>(path: string, body: unknown): Promise<T> {
+  let reply: Response;
+  try {
+    reply = await fetch(path, {
+      method: 'POST',
+      headers: { 'Content-Type': 'application/json' },
+      body: JSON.stringify(body),
+    });
+  } catch {
+    throw new RequestError(0, 'The server does not answer: start keyblock serve again.');
+  }
+  return answer<T>(reply);
+}
+
+export const list = () => get<Listing>('/api/list');
+export const read = (path: string) =>
+  get<{ path: string; is_text: boolean; sha256: string; text?: string }>('/api/read', { path });
+export const jobs = () => get<{ jobs: Job[] }>('/api/jobs').then(reply => reply.jobs);
+export const record = (result: string) => get<Record<string, unknown>>('/api/record', { result });
+export const compare = (first: string, second: string) =>
+  get<{ differences: Difference[] }>('/api/compare', { first, second }).then(reply => reply.differences);
+export const check = (paths: string[], profile: string, set: Record<string, string>, trial = false) =>
+  post<Report>('/api/check', {
+    paths,
+    ...(profile && { profile }),
+    ...(Object.keys(set).length && { set }),
+    ...(trial && { trial }),
+  });
+export const save = (path: string, text: string, options: { overwrite?: boolean; sha256?: string } = {}) =>
+  post<{ path: string; sha256: string }>('/api/save', { path, text, ...options });
+export const run = (
+  kind: 'run' | 'fos',
+  paths: string[],
+  result: string,
+  profile: string,
+  set: Record<string, string>,
+  more: Record<string, unknown> = {},
+) =>
+  post<{ id: number }>(`/api/${kind}`, {
+    paths,
+    result,
+    ...(profile && { profile }),
+    ...(Object.keys(set).length && { set }),
+    ...more,
+  });
+export const resume = (result: string) => post<{ id: number }>('/api/resume', { result });
+export const stop = (id: number) => post<{ jobs: Job[] }>('/api/stop', { id });

@@ -1,0 +1,572 @@
+// A case: its text, its drawing, its problems and plan, and what can be started.
+
+import { signal } from '@preact/signals';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { show } from '../draw/numbers';
+import * as api from './api';
+import { folder_of, index_at, leaf_of, new_result, stem_of } from './cases';
+import * as state from './state';
+
+interface Loaded {
+  text: string;
+  sha256: string;
+  is_text: boolean;
+}
+
+export function CaseView({ paths }: { paths: string[] }) {
+  const key = paths.join('\n');
+  const [files, set_files] = useState<Record<string, Loaded>>({});
+  const [texts, set_texts] = useState<Record<string, string>>({});
+  const [current, set_current] = useState(paths[0]);
+  const [report, set_report] = useState<api.Report | null>(null);
+  const [checking, set_checking] = useState(false);
+  const [stamp, set_stamp] = useState(0);
+  const [profile, set_profile] = useState('');
+  const [settings, set_settings] = useState<[string, string][]>([]);
+  const area = useRef<HTMLTextAreaElement>(null);
+
+  const chosen_settings = () => Object.fromEntries(settings.filter(([name, value]) => name && value));
+
+  const run_check = async (trial = false) => {
+    set_checking(true);
+    const value = await state.attempt(() => api.check(paths, profile, chosen_settings(), trial));
+    if (value) set_report(value);
+    set_checking(false);
+  };
+
+  useEffect(() => {
+    let is_old = false;
+    set_files({});
+    set_texts({});
+    set_report(null);
+    set_current(paths[0]);
+    void (async () => {
+      for (const path of paths) {
+        const own = await state.attempt(() => api.read(path));
+        if (!own || is_old) return;
+        set_files(before => ({
+          ...before,
+          [path]: { text: own.text ?? '', sha256: own.sha256, is_text: own.is_text },
+        }));
+        set_texts(before => ({ ...before, [path]: own.text ?? '' }));
+      }
+      await run_check();
+    })();
+    return () => {
+      is_old = true;
+    };
+  }, [key]);
+
+  const changed = paths.filter(path => files[path] && texts[path] !== files[path].text);
+  useEffect(() => {
+    state.unsaved.value = Object.fromEntries(changed.map(path => [path, true]));
+    return () => {
+      state.unsaved.value = {};
+    };
+  }, [changed.join('\n')]);
+
+  const save = async () => {
+    for (const path of changed) {
+      const sent = texts[path];
+      const saved = await state.attempt(() => api.save(path, sent, { overwrite: true, sha256: files[path].sha256 }));
+      if (!saved) return false;
+      set_files(before => ({ ...before, [path]: { text: sent, sha256: saved.sha256, is_text: true } }));
+    }
+    set_stamp(before => before + 1);
+    await run_check();
+    void state.refresh();
+    return true;
+  };
+
+  const save_as = async () => {
+    const path = window.prompt(
+      'New file, in this folder:',
+      `${stem_of(current)}_new${current.slice(stem_of(current).length)}`,
+    );
+    if (!path) return;
+    const saved = await state.attempt(() => api.save(path, texts[current]));
+    if (!saved) return;
+    await state.refresh();
+    state.go(state.link('case', ...paths.map(own => (own === current ? saved.path : own))));
+  };
+
+  const go_to = (problem: api.Problem) => {
+    const path = paths.find(own => problem.file && (own === problem.file || leaf_of(own) === leaf_of(problem.file)));
+    if (!path || !problem.line) return;
+    set_current(path);
+    setTimeout(() => {
+      const box = area.current;
+      if (!box) return;
+      const from = index_at(box.value, problem.line!, problem.column || 1);
+      const line_end = box.value.indexOf('\n', from);
+      box.focus();
+      box.setSelectionRange(from, Math.max(from, line_end < 0 ? box.value.length : line_end));
+      const height = Number.parseFloat(getComputedStyle(box).lineHeight);
+      box.scrollTop = Math.max(0, (problem.line! - 4) * height);
+    });
+  };
+
+  const file = files[current];
+  const errors = report?.errors ?? [];
+  const warnings = [...(report?.files ?? []).flatMap(own => own.warnings ?? []), ...(report?.case?.warnings ?? [])];
+  return (
+    <div class="case">
+      <section class="editor" aria-label="Text">
+        <div class="bar">
+          <h2>{leaf_of(paths[0])}</h2>
+          {paths.length > 1 && (
+            <select
+              aria-label="File"
+              value={current}
+              onChange={event => {
+                set_current(event.currentTarget.value);
+              }}
+            >
+              {paths.map(path => (
+                <option value={path} key={path}>
+                  {leaf_of(path)}
+                </option>
+              ))}
+            </select>
+          )}
+          {changed.length > 0 && <span class="note">not saved</span>}
+          <span class="space" />
+          <button type="button" class="small" disabled={!file?.is_text} onClick={save_as}>
+            Save as…
+          </button>
+          <button type="button" class="small strong" disabled={!changed.length} onClick={save}>
+            Save
+          </button>
+        </div>
+        {file && !file.is_text ? (
+          <p class="empty">This file is not text, so it cannot be edited here.</p>
+        ) : (
+          <TextArea
+            box={area}
+            label={`Text of ${leaf_of(current)}`}
+            value={texts[current] ?? ''}
+            is_ready={!!file}
+            marks={[...errors, ...warnings]
+              .filter(own => own.line && own.file && leaf_of(own.file) === leaf_of(current))
+              .map(own => ({ line: own.line!, is_error: errors.includes(own) || own.level === 'error' }))}
+            set={text => set_texts(before => ({ ...before, [current]: text }))}
+            save={save}
+          />
+        )}
+      </section>
+      <section class="plan" aria-label="Check and run">
+        <Picture paths={paths} stamp={stamp} />
+        <RunForm
+          paths={paths}
+          report={report}
+          profile={profile}
+          set_profile={set_profile}
+          settings={settings}
+          set_settings={set_settings}
+          checking={checking}
+          check={run_check}
+          before={async () => changed.length === 0 || (await save())}
+        />
+        <Problems errors={errors} warnings={warnings} is_checked={!!report} go_to={go_to} />
+        <Plan report={report} />
+      </section>
+    </div>
+  );
+}
+
+/** Text with numbers of lines beside it. */
+function TextArea({
+  box,
+  label,
+  value,
+  is_ready,
+  marks,
+  set,
+  save,
+}: {
+  box: { current: HTMLTextAreaElement | null };
+  label: string;
+  value: string;
+  is_ready: boolean;
+  marks: { line: number; is_error: boolean }[];
+  set: (text: string) => void;
+  save: () => void;
+}) {
+  const gutter = useRef<HTMLPreElement>(null);
+  const lines = value.split('\n').length;
+  const numbers = [];
+  for (let l = 1; l <= lines; l++) {
+    const mark = marks.find(own => own.line === l && own.is_error) ?? marks.find(own => own.line === l);
+    numbers.push(mark ? <b class={mark.is_error ? 'bad' : 'warn'}>{`${l}\n`}</b> : `${l}\n`);
+  }
+  return (
+    <div class="text">
+      <pre ref={gutter} aria-hidden="true">
+        {numbers}
+      </pre>
+      <textarea
+        ref={box}
+        aria-label={label}
+        spellcheck={false}
+        autocomplete="off"
+        wrap="off"
+        value={value}
+        readOnly={!is_ready}
+        onInput={event => set(event.currentTarget.value)}
+        onScroll={event => {
+          if (gutter.current) gutter.current.scrollTop = event.currentTarget.scrollTop;
+        }}
+        onKeyDown={event => {
+          if ((event.ctrlKey || event.metaKey) && event.key === 's') {
+            event.preventDefault();
+            save();
+          }
+        }}
+      />
+    </div>
+  );
+}
+
+/** Drawing of the case's geometry, once it can be read. */
+function Picture({ paths, stamp }: { paths: string[]; stamp: number }) {
+  const [is_bad, set_bad] = useState(false);
+  const source = `${api.address('/api/drawing', { path: paths[0] })}&${stamp}`;
+  useEffect(() => set_bad(false), [source]);
+  if (is_bad) return <p class="no-picture">No drawing: the program cannot read the geometry yet.</p>;
+  return <img class="picture" alt={`Drawing of ${paths[0]}`} src={source} onError={() => set_bad(true)} />;
+}
+
+const ORDER = ['error', 'warning', 'note'];
+
+function level_of(problem: api.Problem): 'error' | 'warning' | 'note' {
+  return problem.level === 'error' || problem.level === 'warning' ? problem.level : 'note';
+}
+
+function Problems({
+  errors,
+  warnings,
+  is_checked,
+  go_to,
+}: {
+  errors: api.Problem[];
+  warnings: api.Problem[];
+  is_checked: boolean;
+  go_to: (problem: api.Problem) => void;
+}) {
+  const shown = warnings
+    .filter(own => own.level !== 'silent')
+    .sort((a, b) => ORDER.indexOf(level_of(a)) - ORDER.indexOf(level_of(b)));
+  const item = (problem: api.Problem, kind: 'error' | 'warning' | 'note', i: number) => (
+    <li class={kind} key={`${kind}${i}`}>
+      <b>{kind.charAt(0).toUpperCase() + kind.slice(1)}</b> {problem.name && <code>{problem.name}</code>}{' '}
+      {problem.line ? (
+        <button type="button" class="link" onClick={() => go_to(problem)}>
+          line {problem.line}
+        </button>
+      ) : null}
+      <p>{sentence(problem.sentence)}</p>
+      {problem.remedy && <p class="note">{sentence(problem.remedy)}</p>}
+    </li>
+  );
+  return (
+    <div class="group" aria-live="polite">
+      <h2>Check</h2>
+      {!is_checked && <p class="note">Checking…</p>}
+      {is_checked && !errors.length && !shown.length && <p class="note">No problem found.</p>}
+      <ul class="warnings">
+        {errors.map((own, i) => item(own, 'error', i))}
+        {shown.map((own, i) => item(own, level_of(own), i))}
+      </ul>
+    </div>
+  );
+}
+
+function sentence(text: string): string {
+  const own = text.charAt(0).toUpperCase() + text.slice(1);
+  return /[.!?]$/.test(own) ? own : `${own}.`;
+}
+
+function Plan({ report }: { report: api.Report | null }) {
+  const own = report?.case;
+  if (!own?.requires) return null;
+  return (
+    <div class="group">
+      <h2>Plan</h2>
+      <table class="facts">
+        <tbody>
+          <Fact name="Profile" value={own.profile && `${own.profile} (${own.profile_because})`} />
+          <Fact name="Size" value={own.size} />
+          <Fact name="Unknowns" value={own.requires.unknowns} />
+          <Fact name="Unknowns of" value={own.requires.basis} />
+          <Fact name="Smallest block" value={own.smallest_block?.replace(/^smallest block: /, '')} />
+        </tbody>
+      </table>
+      <details>
+        <summary>Terms of the equations</summary>
+        <table class="facts">
+          <tbody>
+            {own.requires.terms.map(term => (
+              <tr key={term.term}>
+                <th scope="row">{term.term.replace(/_/g, ' ')}</th>
+                <td class="left">{term.reason}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </details>
+    </div>
+  );
+}
+
+function Fact({ name, value }: { name: string; value: unknown }) {
+  if (value === undefined || value === null || value === '') return null;
+  return (
+    <tr>
+      <th scope="row">{name}</th>
+      <td>{String(value)}</td>
+    </tr>
+  );
+}
+
+const reduce = signal('joints');
+
+function RunForm({
+  paths,
+  report,
+  profile,
+  set_profile,
+  settings,
+  set_settings,
+  checking,
+  check,
+  before,
+}: {
+  paths: string[];
+  report: api.Report | null;
+  profile: string;
+  set_profile: (profile: string) => void;
+  settings: [string, string][];
+  set_settings: (settings: [string, string][]) => void;
+  checking: boolean;
+  check: (trial: boolean) => Promise<void>;
+  before: () => Promise<boolean>;
+}) {
+  const base = stem_of(paths[0]);
+  const taken = (state.listing.value?.results ?? [])
+    .map(own => own.path)
+    .concat(state.jobs.value.map(own => own.result));
+  const [result, set_result] = useState('');
+  const suggestion = new_result(`${base}_run`, taken);
+  const known = report?.case?.settings ?? {};
+  const cost = report?.case?.cost;
+  const can_run = report !== null && report.exit_code === 0;
+  const start = async (kind: 'run' | 'fos') => {
+    if (!(await before())) return;
+    const name = result || (kind === 'fos' ? new_result(`${base}_fos`, taken) : suggestion);
+    const chosen = Object.fromEntries(settings.filter(([own, value]) => own && value));
+    const more = kind === 'fos' ? { reduce: reduce.value } : {};
+    const started = await state.attempt(() => api.run(kind, paths, name, profile, chosen, more));
+    if (!started) return;
+    set_result('');
+    await state.refresh_jobs();
+  };
+  return (
+    <div class="group">
+      <h2>Run</h2>
+      <label class="field">
+        <span>Result folder</span>
+        <input
+          type="text"
+          value={result}
+          placeholder={suggestion}
+          onInput={event => set_result(event.currentTarget.value)}
+        />
+      </label>
+      <label class="field">
+        <span>Profile</span>
+        <select value={profile} onChange={event => set_profile(event.currentTarget.value)}>
+          <option value="">of the case{report?.case?.profile ? ` (${report.case.profile})` : ''}</option>
+          <option value="standard">standard</option>
+          <option value="legacy">legacy</option>
+        </select>
+      </label>
+      {settings.map(([name, value], i) => (
+        <div class="setting" key={i}>
+          <input
+            type="text"
+            list="settings"
+            aria-label="Setting"
+            placeholder="setting"
+            value={name}
+            onInput={event => {
+              const own = event.currentTarget.value;
+              set_settings(settings.map((old, j) => (j === i ? [own, old[1]] : old)));
+            }}
+          />
+          <input
+            type="text"
+            aria-label={`Value of ${name || 'the setting'}`}
+            placeholder={name in known ? String(known[name]) : 'value'}
+            value={value}
+            onInput={event => {
+              const own = event.currentTarget.value;
+              set_settings(settings.map((old, j) => (j === i ? [old[0], own] : old)));
+            }}
+          />
+          <button
+            type="button"
+            class="small"
+            aria-label="Remove the setting"
+            onClick={() => set_settings(settings.filter((_, j) => j !== i))}
+          >
+            ×
+          </button>
+        </div>
+      ))}
+      <datalist id="settings">
+        {Object.keys(known).map(name => (
+          <option value={name} key={name} />
+        ))}
+      </datalist>
+      <div class="row wide">
+        <button type="button" class="small" onClick={() => set_settings([...settings, ['', '']])}>
+          Add a setting
+        </button>
+        <button type="button" class="small" disabled={checking} onClick={() => check(false)}>
+          Check
+        </button>
+        <button type="button" class="small" disabled={checking || !can_run} onClick={() => check(true)}>
+          Estimate the time
+        </button>
+      </div>
+      {cost?.seconds_in_all !== undefined && (
+        <p class="note">The run takes about {duration(cost.seconds_in_all)} on this machine.</p>
+      )}
+      <div class="row wide">
+        <button type="button" class="small strong" disabled={!can_run} onClick={() => start('run')}>
+          Run
+        </button>
+        <span class="space" />
+        <select
+          aria-label="Strength to reduce"
+          value={reduce.value}
+          onChange={event => {
+            reduce.value = event.currentTarget.value;
+          }}
+        >
+          <option value="joints">joints</option>
+          <option value="rock">rock</option>
+          <option value="both">joints and rock</option>
+        </select>
+        <button type="button" class="small" disabled={!can_run} onClick={() => start('fos')}>
+          Factor of safety
+        </button>
+      </div>
+      <CaseJobs paths={paths} />
+    </div>
+  );
+}
+
+export function duration(seconds: number): string {
+  if (seconds < 90) return `${show(Math.max(0.1, seconds), 2)} s`;
+  if (seconds < 5400) return `${Math.round(seconds / 60)} min`;
+  return `${show(seconds / 3600, 2)} h`;
+}
+
+/** Jobs that this case started, newest first. */
+function CaseJobs({ paths }: { paths: string[] }) {
+  const folder = folder_of(paths[0]);
+  const title = leaf_of(paths[0]);
+  const own = state.jobs.value.filter(
+    job => (job.title.includes(title) || job.title.includes(paths[0])) && folder_of(job.result) === folder,
+  );
+  if (!own.length) return null;
+  return (
+    <ul class="jobs">
+      {own
+        .slice()
+        .reverse()
+        .slice(0, 5)
+        .map(job => (
+          <JobItem job={job} key={job.id} />
+        ))}
+    </ul>
+  );
+}
+
+const KINDS = { run: 'Run', resume: 'Run, resumed', fos: 'Factor of safety' };
+
+export function JobItem({ job }: { job: api.Job }) {
+  const is_open = job.state === 'runs' || job.state === 'waits';
+  const share = job.steps ? (job.step ?? 0) / job.steps : 0;
+  const failed = job.state === 'ended' && job.exit_code !== 0;
+  const entry = state.listing.value?.results.find(own => own.path === job.result);
+  const words = job.is_stopping
+    ? 'stopping'
+    : job.state === 'waits'
+      ? 'waits'
+      : job.state === 'runs'
+        ? `${job.steps ? `step ${job.step} of ${job.steps}` : 'starting'}${job.left ? `, ${job.left} left` : ''}`
+        : job.state === 'stopped'
+          ? 'stopped'
+          : failed
+            ? `ended with code ${job.exit_code}`
+            : `finished in ${duration(job.seconds ?? 0)}`;
+  const factor = job.kind === 'fos' && job.state === 'ended' ? factor_of(job.output ?? '') : '';
+  return (
+    <li class={`job ${failed ? 'bad' : ''}`}>
+      <div class="bar">
+        <b>{leaf_of(job.result)}</b>
+        <span class="note">{KINDS[job.kind]}</span>
+        <span class="space" />
+        {is_open && (
+          <button
+            type="button"
+            class="small"
+            disabled={job.is_stopping}
+            onClick={async () => {
+              await state.attempt(() => api.stop(job.id));
+              await state.refresh_jobs();
+            }}
+          >
+            Stop
+          </button>
+        )}
+        {!is_open && entry?.has_checkpoint && (
+          <button
+            type="button"
+            class="small"
+            onClick={async () => {
+              await state.attempt(() => api.resume(job.result));
+              await state.refresh_jobs();
+            }}
+          >
+            Resume
+          </button>
+        )}
+        {entry && (
+          <a class="button" href={state.link('result', job.result)}>
+            {is_open ? 'Watch' : 'Open'}
+          </a>
+        )}
+      </div>
+      {is_open && <progress value={share} max={1} aria-label={`Progress of ${job.result}`} />}
+      <p class="note" aria-live="polite">
+        {factor || words}
+      </p>
+      {failed && job.messages && <pre class="messages">{job.messages.trim().split('\n').slice(-6).join('\n')}</pre>}
+    </li>
+  );
+}
+
+/** Sentence on the factor that a search found. */
+function factor_of(output: string): string {
+  try {
+    const value = JSON.parse(output);
+    const number = value.factor ?? value.factor_of_safety ?? value.stable;
+    if (typeof number === 'number') return `Factor of safety ${show(number, 3)}`;
+  } catch {
+    // What is not JSON is no factor.
+  }
+  return '';
+}

@@ -1,0 +1,74 @@
+// Groups the files of a folder into cases.
+
+import type { FileEntry } from './api';
+
+export interface Case {
+  /** Name to show: the path of a lone file, or the shared path without endings. */
+  name: string;
+  paths: string[];
+  time: number;
+}
+
+/** Endings of files that are no input of the program. */
+const OTHER = /\.(csv|md|txt|py|svg|html?|log|png|pdf|pvd|vt[upkm]|gif|zip|gz|toml|sh)$/i;
+
+/** Endings of geometry files of old programs, which stand first, and of their analysis files. */
+const GEOMETRY = /\.(geo|blk|dc|dcg|dl|mc|ml)$/i;
+const ANALYSIS = /\.(ana|df|mf)$/i;
+
+export function stem_of(path: string): string {
+  return path.replace(/\.[^./]*$/, '');
+}
+
+export function folder_of(path: string): string {
+  const slash = path.lastIndexOf('/');
+  return slash < 0 ? '' : path.slice(0, slash);
+}
+
+export function leaf_of(path: string): string {
+  return path.slice(path.lastIndexOf('/') + 1);
+}
+
+/** Cases in the order of their names. A geometry and an analysis file with one name are one case. */
+export function cases_of(files: FileEntry[]): Case[] {
+  // A search for a factor of safety leaves its record beside cases.
+  const inputs = files.filter(file => !OTHER.test(file.path) && leaf_of(file.path) !== 'fos.json');
+  const cases: Case[] = [];
+  const taken = new Set<string>();
+  for (const file of inputs) {
+    if (!GEOMETRY.test(file.path)) continue;
+    const partner = inputs.find(
+      other => ANALYSIS.test(other.path) && stem_of(other.path) === stem_of(file.path) && !taken.has(other.path),
+    );
+    if (!partner) continue;
+    taken.add(file.path);
+    taken.add(partner.path);
+    cases.push({
+      name: stem_of(file.path),
+      paths: [file.path, partner.path],
+      time: Math.max(file.time, partner.time),
+    });
+  }
+  for (const file of inputs) {
+    if (!taken.has(file.path)) cases.push({ name: file.path, paths: [file.path], time: file.time });
+  }
+  return cases.sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
+}
+
+/** A name for a new result that no result has yet. */
+export function new_result(base: string, taken: string[]): string {
+  const own = new Set(taken);
+  if (!own.has(base)) return base;
+  for (let i = 2; ; i++) if (!own.has(`${base}_${i}`)) return `${base}_${i}`;
+}
+
+/** Index in a text of a line and column, both from 1. */
+export function index_at(text: string, line: number, column: number): number {
+  let at = 0;
+  for (let l = 1; l < line; l++) {
+    const next = text.indexOf('\n', at);
+    if (next < 0) return text.length;
+    at = next + 1;
+  }
+  return Math.min(text.length, at + Math.max(0, column - 1));
+}

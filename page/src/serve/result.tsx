@@ -1,0 +1,283 @@
+// A result in its own page, and two results side by side with one slider, linked by time.
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { show } from '../draw/numbers';
+import * as api from './api';
+import * as state from './state';
+import { StrengthView } from './strength';
+
+export function ResultView({ path }: { path: string }) {
+  const entry = state.listing.value?.results.find(own => own.path === path);
+  const job = state.jobs.value.find(own => own.result === path && (own.state === 'runs' || own.state === 'waits'));
+  const is_strength = entry?.kind === 'fos';
+  const others = (state.listing.value?.results ?? []).filter(own => own.path !== path && own.kind !== 'fos');
+  const [stamp, set_stamp] = useState(0);
+  // A run that goes on is shown anew every few seconds if its reader asks for it.
+  const [follow, set_follow] = useState(false);
+  useEffect(() => {
+    if (!follow || !job) return;
+    const timer = setInterval(() => set_stamp(before => before + 1), 5000);
+    return () => clearInterval(timer);
+  }, [follow, job?.id]);
+  const ended = useRef(false);
+  useEffect(() => {
+    if (!job && ended.current) set_stamp(before => before + 1);
+    ended.current = !!job;
+  }, [!!job]);
+  const source = api.address('/page', { result: path });
+  if (is_strength) return <StrengthView path={path} />;
+  // A listing tells the kind of a result; without it the frame would ask for a page that may not exist.
+  if (!state.listing.value) return <p class="note pad">Reading the folder…</p>;
+  return (
+    <div class="result">
+      <div class="bar">
+        <h2>{path}</h2>
+        {job && (
+          <>
+            <span class="note">
+              {job.steps ? `step ${job.step} of ${job.steps}` : job.state}
+              {job.left && `, ${job.left} left`}
+            </span>
+            <button type="button" class="small" onClick={() => set_stamp(stamp + 1)}>
+              Show newest frames
+            </button>
+            <label class="check">
+              <input type="checkbox" checked={follow} onChange={event => set_follow(event.currentTarget.checked)} />
+              <span>Follow</span>
+            </label>
+            <button
+              type="button"
+              class="small"
+              onClick={async () => {
+                await state.attempt(() => api.stop(job.id));
+                await state.refresh_jobs();
+              }}
+            >
+              Stop
+            </button>
+          </>
+        )}
+        {!job && entry?.has_checkpoint && (
+          <button
+            type="button"
+            class="small"
+            onClick={async () => {
+              await state.attempt(() => api.resume(path));
+              await state.refresh_jobs();
+            }}
+          >
+            Resume
+          </button>
+        )}
+        <span class="space" />
+        {others.length > 0 && (
+          <select
+            aria-label="Compare with"
+            value=""
+            onChange={event => state.go(state.link('compare', path, event.currentTarget.value))}
+          >
+            <option value="">Compare with…</option>
+            {others.map(own => (
+              <option value={own.path} key={own.path}>
+                {own.path}
+              </option>
+            ))}
+          </select>
+        )}
+        <a class="button" href={source} target="_blank" rel="noreferrer">
+          Own window
+        </a>
+      </div>
+      <iframe key={stamp} title={`Page of ${path}`} src={source} />
+    </div>
+  );
+}
+
+// biome-ignore lint/suspicious/noExplicitAny: the page of a run in a frame.
+type Page = any;
+
+/** The page in a frame once it has decoded its data. */
+function page_in(frame: HTMLIFrameElement | null): Page | null {
+  const own = (frame?.contentWindow as Page)?.keyblock_page;
+  return own?.state?.measures?.length ? own : null;
+}
+
+export function CompareView({ first, second }: { first: string; second: string }) {
+  const frames = [useRef<HTMLIFrameElement>(null), useRef<HTMLIFrameElement>(null)];
+  const [differences, set_differences] = useState<api.Difference[] | null>(null);
+  const [pages, set_pages] = useState<Page[]>([]);
+  const [time, set_time] = useState(0);
+  const [measure, set_measure] = useState('displacement.size');
+  const [same, set_same] = useState(true);
+  const [playing, set_playing] = useState(false);
+
+  useEffect(() => {
+    let is_old = false;
+    set_pages([]);
+    set_differences(null);
+    void state
+      .attempt(() => api.compare(first, second))
+      .then(value => {
+        if (!is_old && value) set_differences(value);
+      });
+    const timer = setInterval(() => {
+      const now = frames.map(frame => page_in(frame.current));
+      if (!now.every(page => page?.state.all_decoded.value)) return;
+      clearInterval(timer);
+      if (is_old) return;
+      set_pages(now);
+      set_time(Math.max(...now.map(last_time)));
+    }, 200);
+    return () => {
+      is_old = true;
+      clearInterval(timer);
+    };
+  }, [first, second]);
+
+  const last = pages.length ? Math.max(...pages.map(last_time)) : 1;
+  useEffect(() => {
+    for (const page of pages) page.state.frame.value = frame_at(page, time);
+  }, [pages, time]);
+  useEffect(() => {
+    for (const page of pages) page.state.measure_id.value = measure;
+    if (!pages.length) return;
+    // One range for both, or each its own.
+    const ranges = pages.map(page => page.shown_range(measure)).filter(Boolean);
+    for (const page of pages) {
+      if (same && ranges.length === 2) {
+        page.state.own_range.value = {
+          low: Math.min(...ranges.map(r => r.low)),
+          high: Math.max(...ranges.map(r => r.high)),
+        };
+        page.state.range_mode.value = 'own';
+      } else {
+        page.state.range_mode.value = 'run';
+      }
+    }
+  }, [pages, measure, same]);
+  useEffect(() => {
+    if (!playing || !pages.length) return;
+    let request = 0;
+    let before = performance.now();
+    let now = time >= last ? 0 : time;
+    const tick = (at: number) => {
+      now += ((at - before) / 10_000) * last;
+      before = at;
+      set_time(Math.min(last, now));
+      if (now >= last) set_playing(false);
+      else request = requestAnimationFrame(tick);
+    };
+    request = requestAnimationFrame(tick);
+    return () => cancelAnimationFrame(request);
+  }, [playing, pages]);
+
+  const shared: { id: string; label: string }[] = pages.length
+    ? pages[0].state.measures.filter((m: Page) => pages[1].state.measures.some((n: Page) => n.id === m.id))
+    : [];
+  const unit = pages[0]?.state.head.units?.time ?? '';
+  return (
+    <div class="compare">
+      <div class="pair-pages">
+        {[first, second].map((path, i) => (
+          <figure key={path}>
+            <figcaption>
+              <a href={state.link('result', path)}>{path}</a>
+              {pages[i] && <span class="note">{verdict(pages[i])}</span>}
+            </figcaption>
+            <iframe ref={frames[i]} title={`Page of ${path}`} src={`${api.address('/page', { result: path })}#bare`} />
+          </figure>
+        ))}
+      </div>
+      <div class="bar">
+        <button type="button" class="small strong" disabled={!pages.length} onClick={() => set_playing(!playing)}>
+          {playing ? 'Pause' : 'Play'}
+        </button>
+        <input
+          type="range"
+          min={0}
+          max={last}
+          step={last / 1000}
+          value={time}
+          style={{ '--share': time / last }}
+          aria-label="Time of both runs"
+          aria-valuetext={`${show(time, 4)} ${unit}`}
+          onInput={event => {
+            set_playing(false);
+            set_time(Number(event.currentTarget.value));
+          }}
+        />
+        <output class="note">
+          {show(time, 3)} {unit}
+        </output>
+        <select aria-label="Colour by" value={measure} onChange={event => set_measure(event.currentTarget.value)}>
+          {shared.map(own => (
+            <option value={own.id} key={own.id}>
+              {own.label}
+            </option>
+          ))}
+        </select>
+        <label class="check">
+          <input type="checkbox" checked={same} onChange={event => set_same(event.currentTarget.checked)} />
+          <span>Same range</span>
+        </label>
+      </div>
+      <Differences list={differences} />
+    </div>
+  );
+}
+
+function verdict(page: Page): string {
+  return page.verdict?.() ?? '';
+}
+
+function last_time(page: Page): number {
+  const { frames } = page.state.head;
+  return frames[frames.length - 1].time || 1;
+}
+
+/** Frame of a run nearest to a time. */
+function frame_at(page: Page, time: number): number {
+  const { frames } = page.state.head;
+  let best = 0;
+  for (let f = 1; f < frames.length; f++) {
+    if (Math.abs(frames[f].time - time) <= Math.abs(frames[best].time - time)) best = f;
+  }
+  return best;
+}
+
+function Differences({ list }: { list: api.Difference[] | null }) {
+  if (!list) return <p class="note pad">Comparing…</p>;
+  if (!list.length) return <p class="note pad">The records of both runs are equal.</p>;
+  const text = (value: unknown) =>
+    value === undefined || value === null ? '–' : typeof value === 'number' ? show(value, 5) : String(value);
+  return (
+    <div class="pad">
+      <table class="list">
+        <caption>
+          {list.length} {list.length === 1 ? 'difference' : 'differences'} of both records
+        </caption>
+        <thead>
+          <tr>
+            <th scope="col">Entry</th>
+            <th scope="col">First</th>
+            <th scope="col">Second</th>
+            <th scope="col" class="number">
+              Relative
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {list.slice(0, 200).map(own => (
+            <tr key={own.path}>
+              <th scope="row">{own.path.replace(/[_.]/g, ' ')}</th>
+              <td>{text(own.first)}</td>
+              <td>{text(own.second)}</td>
+              <td class="number">{own.relative === undefined ? '' : `${show(100 * own.relative, 3)} %`}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {list.length > 200 && <p class="note">{list.length - 200} more are not listed.</p>}
+    </div>
+  );
+}

@@ -1,0 +1,82 @@
+// State of the window: folder, jobs, route.
+
+import { computed, signal } from '@preact/signals';
+import * as api from './api';
+import { cases_of } from './cases';
+
+export { link, type Route, route_of } from './routes';
+
+export const listing = signal<api.Listing | null>(null);
+export const jobs = signal<api.Job[]>([]);
+export const trouble = signal('');
+export const route = signal(location.hash);
+/** Files with changes that are not saved. */
+export const unsaved = signal<Record<string, boolean>>({});
+
+export const cases = computed(() => cases_of(listing.value?.files ?? []));
+
+export function go(hash: string): void {
+  location.hash = hash;
+}
+
+/** Does something with the server; what it refuses is shown until something else succeeds or the route changes. */
+export async function attempt<T>(work: () => Promise<T>): Promise<T | null> {
+  try {
+    const value = await work();
+    if (work !== (api.list as unknown)) trouble.value = '';
+    return value;
+  } catch (error) {
+    trouble.value = error instanceof Error ? error.message : String(error);
+    return null;
+  }
+}
+
+export async function refresh(): Promise<void> {
+  const value = await attempt(api.list);
+  if (value) listing.value = value;
+}
+
+let busy = false;
+
+/** Asks for jobs; a folder is listed anew where one has ended. */
+export async function refresh_jobs(): Promise<void> {
+  if (busy) return;
+  busy = true;
+  try {
+    const now = await api.jobs();
+    const ended = (list: api.Job[]) => list.filter(job => job.state === 'ended' || job.state === 'stopped').length;
+    const changed = ended(now) !== ended(jobs.value) || now.length !== jobs.value.length;
+    jobs.value = now;
+    if (trouble.value.startsWith('The server does not answer')) trouble.value = '';
+    // The folder of a run is made a moment after the run has started.
+    const listed = new Set(listing.value?.results.map(own => own.path));
+    const is_new = now.some(job => job.state === 'runs' && (job.step ?? 0) > 0 && !listed.has(job.result));
+    if (changed || is_new) await refresh();
+  } catch (error) {
+    trouble.value = error instanceof Error ? error.message : String(error);
+  } finally {
+    busy = false;
+  }
+}
+
+export function start_clock(): void {
+  const tick = async () => {
+    if (!document.hidden) await refresh_jobs();
+    const is_busy = jobs.value.some(job => job.state === 'runs' || job.state === 'waits');
+    setTimeout(tick, is_busy ? 700 : 4000);
+  };
+  void tick();
+  document.addEventListener('visibilitychange', () => {
+    if (!document.hidden) void refresh();
+  });
+}
+
+export function when(time: number): string {
+  return new Date(time * 1000).toLocaleString('en-GB', {
+    day: 'numeric',
+    month: 'short',
+    year: 'numeric',
+    hour: '2-digit',
+    minute: '2-digit',
+  });
+}

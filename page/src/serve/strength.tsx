@@ -1,0 +1,102 @@
+// Result of a search for the factor of safety: factor, bracket, trials.
+
+import { useEffect, useState } from 'preact/hooks';
+import { show } from '../draw/numbers';
+import * as api from './api';
+import * as state from './state';
+
+interface Trial {
+  factor: number;
+  verdict: string;
+  largest_displacement?: number | null;
+  why?: string;
+}
+
+interface Strength {
+  case?: string;
+  profile?: string;
+  reduced?: string;
+  factor_of_safety?: number | null;
+  bracket?: { stands?: number | null; falls?: number | null };
+  notes?: string[];
+  trials?: Trial[];
+}
+
+const REDUCED: Record<string, string> = { joints: 'joints', rock: 'rock', both: 'joints and rock' };
+const VERDICTS: Record<string, string> = { stands: 'stable', falls: 'unstable' };
+
+export function StrengthView({ path }: { path: string }) {
+  const [record, set_record] = useState<Strength | null>(null);
+  useEffect(() => {
+    let is_old = false;
+    void state
+      .attempt(() => api.read(`${path}/fos.json`))
+      .then(file => {
+        if (file?.text && !is_old) set_record(JSON.parse(file.text));
+      });
+    return () => {
+      is_old = true;
+    };
+  }, [path]);
+  if (!record) return <p class="note pad">Reading the record…</p>;
+  const { bracket } = record;
+  const trials = (record.trials ?? []).slice().sort((a, b) => a.factor - b.factor);
+  return (
+    <div class="strength">
+      <h2>{path}</h2>
+      {typeof record.factor_of_safety === 'number' ? (
+        <p class="factor">
+          Factor of safety <b>{show(record.factor_of_safety, 3)}</b>
+        </p>
+      ) : (
+        <p class="factor">No factor of safety was found.</p>
+      )}
+      {bracket && (
+        <p>
+          Strength of {REDUCED[record.reduced ?? ''] ?? record.reduced} was reduced.
+          {typeof bracket.stands === 'number' && ` The model is stable at a factor of ${bracket.stands.toPrecision(4)}`}
+          {typeof bracket.falls === 'number' && ` and unstable at ${bracket.falls.toPrecision(4)}`}.
+        </p>
+      )}
+      {(record.notes ?? []).map(text => (
+        <p class="note" key={text}>
+          {text.charAt(0).toUpperCase() + text.slice(1)}.
+        </p>
+      ))}
+      <img
+        class="picture"
+        alt={`Model of ${path} at both ends of the bracket`}
+        src={api.address('/api/picture', { result: path })}
+        onError={event => {
+          event.currentTarget.hidden = true;
+        }}
+      />
+      <table class="list">
+        <caption>Trials</caption>
+        <thead>
+          <tr>
+            <th scope="col" class="number">
+              Factor
+            </th>
+            <th scope="col">Model</th>
+            <th scope="col" class="number">
+              Largest displacement
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {trials.map(own => (
+            <tr key={own.factor}>
+              <td class="number">{show(own.factor, 5)}</td>
+              <td>
+                {VERDICTS[own.verdict] ?? own.verdict}
+                {own.why && <span class="note"> ({own.why})</span>}
+              </td>
+              <td class="number">{show(own.largest_displacement, 3)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}

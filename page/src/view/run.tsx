@@ -1,0 +1,316 @@
+// Tab Run: verdict, facts, warnings, stages, settings of run.json in plain words.
+
+import { show, show_time, show_with } from '../draw/numbers';
+import { Icon } from './icons';
+import * as state from './state';
+
+export interface Verdict {
+  tone: 'good' | 'warn' | 'bad' | 'plain';
+  text: string;
+}
+
+const ENDS: Record<string, string> = {
+  finished: 'Finished',
+  stopped: 'Stopped early',
+  failed: 'Failed',
+};
+
+const MOTIONS: Record<string, Verdict> = {
+  at_rest: { tone: 'good', text: 'Came to rest' },
+  moving: { tone: 'warn', text: 'Still moving' },
+  equilibrium: { tone: 'good', text: 'In equilibrium' },
+  no_equilibrium: { tone: 'bad', text: 'No equilibrium' },
+  not_equilibrium: { tone: 'warn', text: 'Equilibrium not reached' },
+};
+
+function words(name: string): string {
+  const text = name.replace(/[_.]/g, ' ');
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
+/** State of motion at the end of a run, in two or three words. */
+export function verdict_of(run: state_run): Verdict {
+  if (!run) return { tone: 'plain', text: 'Run not finished' };
+  const end = run.outcome?.end;
+  if (end === 'failed') return { tone: 'bad', text: 'Run failed' };
+  if (end && end !== 'finished') return { tone: 'warn', text: ENDS[end] ?? words(end) };
+  if (run.outcome?.doubts?.length) return { tone: 'bad', text: 'Results unreliable' };
+  const motion = run.outcome?.motion?.state;
+  if (MOTIONS[motion]) return MOTIONS[motion];
+  if (motion) return { tone: 'plain', text: words(motion) };
+  return { tone: 'plain', text: 'Finished' };
+}
+
+type state_run = typeof state.head.run;
+
+/** Message of a warning without its file and its code; both are shown elsewhere. */
+export function message_of(first: string): { kind: string; text: string } {
+  const match = /^(?:.*?:\s)?(error|warning|note):\s([\s\S]*?)(?:\s\[[\w]+\])?$/.exec(first);
+  if (!match) return { kind: 'note', text: first };
+  const text = match[2].trim();
+  return { kind: match[1], text: text.charAt(0).toUpperCase() + text.slice(1) };
+}
+
+function sentence(text: unknown): string {
+  const own = String(text).trim();
+  const start = own.charAt(0).toUpperCase() + own.slice(1);
+  const numbers = start.replace(/(\d(?:\.\d+)?e[+-]\d+)/g, value => show(Number(value), 3));
+  return /[.!?]$/.test(numbers) ? numbers : `${numbers}.`;
+}
+
+function Row({ name, value }: { name: string; value: unknown }) {
+  if (value === undefined || value === null || value === '') return null;
+  return (
+    <tr>
+      <th scope="row">{name}</th>
+      <td>{String(value)}</td>
+    </tr>
+  );
+}
+
+function go_to_block(number: number): void {
+  const geometry = state.store.geometry_now(state.store.epoch_of(state.frame.value));
+  if (!geometry) return;
+  for (let row = 0; row < geometry.bodies; row++) {
+    if (geometry.number[row] === number) {
+      state.chosen.value = { kind: 'body', key: geometry.key[row] };
+      state.tab.value = 'chosen';
+      return;
+    }
+  }
+}
+
+const EXTREMES: Record<string, { label: string; unit: 'length' | 'stress' | '' }> = {
+  greatest_displacement: { label: 'Greatest displacement', unit: 'length' },
+  least_principal_stress: { label: 'Least principal stress', unit: 'stress' },
+  greatest_principal_stress: { label: 'Greatest principal stress', unit: 'stress' },
+  least_area_share: { label: 'Least share of area left', unit: '' },
+  greatest_speed: { label: 'Greatest speed', unit: '' },
+};
+
+export function RunTab() {
+  const { head } = state;
+  const run = head.run;
+  if (!run) {
+    return (
+      <div class="stack">
+        <section class="group">
+          <h2>Record of the run</h2>
+          <p>The run was stopped before it wrote its record. Frames and tables up to there are shown.</p>
+          <p class="note">{head.precision}</p>
+        </section>
+      </div>
+    );
+  }
+  const verdict = verdict_of(run);
+  const sentences: string[] = run.outcome?.motion?.sentences ?? [];
+  const doubts: unknown[] = run.outcome?.doubts ?? [];
+  const warnings: { name: string; count: number; first: string }[] = run.warnings ?? [];
+  const counts = run.counts ?? {};
+  const units = head.units;
+  const seconds = run.seconds ? Object.values(run.seconds as Record<string, number>).reduce((a, b) => a + b, 0) : null;
+  const extremes = Object.entries((run.extremes ?? {}) as Record<string, { value: number; element?: number }>).filter(
+    ([name, own]) => name !== 'least_area_share' || own.value < 0.999,
+  );
+  const stages: { name: string; steps: [number, number]; end_time?: number; balanced?: boolean }[] = run.stages ?? [];
+  const closure = run.ledger?.closure?.energy;
+  return (
+    <div class="stack">
+      <section class="group" aria-labelledby="run-verdict">
+        <h2 id="run-verdict">Result</h2>
+        <p class={`verdict ${verdict.tone}`}>
+          <Icon name={verdict.tone === 'good' ? 'good' : verdict.tone === 'plain' ? 'fit' : 'warn'} />
+          {verdict.text}
+        </p>
+        {sentences.map(text => (
+          <p key={text}>{sentence(text)}</p>
+        ))}
+        {run.outcome?.reason && <p class="doubt">{sentence(run.outcome.reason)}</p>}
+        {run.outcome?.ended_early && <p>{sentence(run.outcome.ended_early)}</p>}
+        {run.outcome?.try?.length > 0 && (
+          <p>
+            Settings to try:{' '}
+            {run.outcome.try.map((own: string, i: number) => (
+              <span key={own}>
+                {i > 0 && ', '}
+                <code>{own}</code>
+              </span>
+            ))}
+          </p>
+        )}
+        {doubts.map(text => (
+          <p class="doubt" key={String(text)}>
+            {sentence(text)}
+          </p>
+        ))}
+      </section>
+
+      {extremes.length > 0 && (
+        <section class="group" aria-labelledby="run-extremes">
+          <h2 id="run-extremes">Extremes</h2>
+          <table class="facts">
+            <tbody>
+              {extremes.map(([name, own]) => {
+                const known = EXTREMES[name];
+                const unit = known?.unit ? (units?.[known.unit] ?? '') : '';
+                return (
+                  <tr key={name}>
+                    <th scope="row">{known?.label ?? words(name)}</th>
+                    <td>
+                      {show_with(own.value, unit, name === 'least_area_share' ? 6 : 4)}
+                      {own.element !== undefined && (
+                        <button type="button" class="link" onClick={() => go_to_block(own.element!)}>
+                          block {own.element}
+                        </button>
+                      )}
+                    </td>
+                  </tr>
+                );
+              })}
+            </tbody>
+          </table>
+        </section>
+      )}
+
+      <section class="group" aria-labelledby="run-facts">
+        <h2 id="run-facts">Facts</h2>
+        <table class="facts">
+          <tbody>
+            <Row
+              name="Analysis"
+              value={run.is_static ? 'static' : run.is_of_motion ? 'dynamic' : words(run.settings?.motion ?? '')}
+            />
+            <Row name="Profile" value={run.profile && `${run.profile} (${run.profile_because})`} />
+            <Row name="Steps" value={run.outcome?.steps} />
+            {!run.is_static && run.outcome?.time !== undefined && (
+              <Row name="Time" value={show_time(run.outcome.time, units?.time)} />
+            )}
+            <Row name="Frames on this page" value={head.frames.length} />
+            <Row name="Blocks" value={counts.blocks} />
+            <Row name="Elements" value={counts.elements} />
+            <Row name="Covers" value={counts.covers} />
+            <Row name="Unknowns" value={counts.unknowns} />
+            <Row name="Most contacts" value={counts.most_contacts} />
+            <Row
+              name="Deepest overlap"
+              value={
+                counts.greatest_penetration !== undefined &&
+                show_with(counts.greatest_penetration, units?.length ?? '', 3)
+              }
+            />
+            {run.plastic?.yielded_fraction !== undefined && (
+              <Row name="Yielded share of area" value={`${show(100 * run.plastic.yielded_fraction, 3)} %`} />
+            )}
+            {closure !== undefined && <Row name="Error of energy balance" value={show(closure, 2)} />}
+            {seconds !== null && <Row name="Computing time" value={`${show(seconds, 3)} s`} />}
+            <Row name="Program" value={head.program} />
+          </tbody>
+        </table>
+        <p class="note">{head.precision}</p>
+        {!units && <p class="note">The case declares no units. Numbers are in the units of its input.</p>}
+      </section>
+
+      {stages.length > 0 && (
+        <section class="group" aria-labelledby="run-stages">
+          <h2 id="run-stages">Stages</h2>
+          <table class="list">
+            <thead>
+              <tr>
+                <th scope="col">Stage</th>
+                <th scope="col" class="number">
+                  Steps
+                </th>
+              </tr>
+            </thead>
+            <tbody>
+              {stages.map(stage => (
+                <tr key={stage.name}>
+                  <td>
+                    <button
+                      type="button"
+                      class="link"
+                      onClick={() => {
+                        const first = head.frames.findIndex(f => f.step >= stage.steps[0]);
+                        state.go_to(first < 0 ? state.last_frame() : first);
+                      }}
+                    >
+                      {stage.name}
+                    </button>
+                  </td>
+                  <td class="number">
+                    {stage.steps[0]} to {stage.steps[1]}
+                  </td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </section>
+      )}
+
+      <section class="group" aria-labelledby="run-warnings">
+        <h2 id="run-warnings">Warnings and notes</h2>
+        {warnings.length === 0 && <p class="note">None.</p>}
+        <ul class="warnings">
+          {warnings.map(own => {
+            const { kind, text } = message_of(own.first);
+            return (
+              <li key={own.name} class={kind}>
+                <b>{kind === 'note' ? 'Note' : kind === 'error' ? 'Error' : 'Warning'}</b> <code>{own.name}</code>
+                {own.count > 1 && <span class="note"> {own.count} times</span>}
+                <p>{sentence(text)}</p>
+              </li>
+            );
+          })}
+        </ul>
+      </section>
+
+      <section class="group" aria-labelledby="run-files">
+        <h2 id="run-files">Input files</h2>
+        <ul class="files">
+          {(run.inputs ?? []).map((input: { file: string; sha256?: string; format?: string }) => (
+            <li key={input.file}>
+              <b>{input.file.split('/').pop()}</b> {input.format && <span class="note">{input.format}</span>}
+              {input.sha256 && (
+                <code class="sum" title="SHA-256 checksum">
+                  {input.sha256}
+                </code>
+              )}
+            </li>
+          ))}
+        </ul>
+      </section>
+
+      {run.settings && (
+        <details class="group">
+          <summary>Settings</summary>
+          <table class="facts">
+            <tbody>
+              {Object.entries(run.settings as Record<string, unknown>).map(([name, value]) => (
+                <tr key={name}>
+                  <th scope="row">{name.replace(/_/g, ' ')}</th>
+                  <td>{value === '' ? '–' : typeof value === 'number' ? show(value, 6) : String(value)}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </details>
+      )}
+
+      {run.requirements?.terms && (
+        <details class="group">
+          <summary>Terms of the equations</summary>
+          <table class="facts">
+            <tbody>
+              {run.requirements.terms.map((own: { term: string; reason: string }) => (
+                <tr key={own.term}>
+                  <th scope="row">{words(own.term)}</th>
+                  <td class="left">{own.reason}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </details>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,231 @@
+// State of the page as signals, and what follows from it.
+
+import { batch, computed, signal } from '@preact/signals';
+import type { FrameHead, Head } from '../data/contract';
+import type { Store } from '../data/store';
+import { add_places, type Camera, empty_box, fit, type Size } from '../draw/camera';
+import { type Measure, measures_of } from '../draw/measures';
+import { show, show_time } from '../draw/numbers';
+import { DARK, LIGHT } from '../draw/paint';
+import { pose_of, type Range, range_of, values_of } from '../draw/scene';
+
+export let head: Head;
+export let store: Store;
+export let measures: Measure[] = [];
+
+/** Counts decoded chunks, so that all that waits for data looks again. */
+export const decoded = signal(0);
+export const all_decoded = signal(false);
+export const failure = signal('');
+
+export const frame = signal(0);
+export const playing = signal(false);
+export const speed = signal(1);
+export const repeat = signal(false);
+export const recording = signal(false);
+
+export const size = signal<Size>({ width: 0, height: 0 });
+export const camera = signal<Camera>({ x: 0, y: 0, scale: 1 });
+/** Whether the camera is still the one that fits, so that a new size fits again. */
+export const fitted = signal(true);
+
+export type Layer =
+  | 'outlines'
+  | 'undeformed'
+  | 'numbers'
+  | 'contacts'
+  | 'crosses'
+  | 'bolts'
+  | 'cracks'
+  | 'tips'
+  | 'points'
+  | 'still'
+  | 'legend';
+
+export const layers = signal<Record<Layer, boolean>>({
+  outlines: true,
+  undeformed: false,
+  numbers: false,
+  contacts: false,
+  crosses: false,
+  bolts: true,
+  cracks: true,
+  tips: true,
+  points: true,
+  still: true,
+  legend: true,
+});
+/** What the colour of contact lines shows. */
+export const contact_colour = signal<'state' | 'joint'>('state');
+export const arrows = signal<'none' | 'displacement' | 'velocity'>('none');
+export const trails = signal<'none' | 'chosen' | 'all'>('none');
+
+export const measure_id = signal('displacement.size');
+export const range_mode = signal<'run' | 'frame' | 'own'>('run');
+export const own_range = signal<Range>({ low: 0, high: 1 });
+export const map_name = signal('viridis');
+export const magnification = signal(1);
+
+export type Chosen = { kind: 'body'; key: number } | { kind: 'part'; what: string; ident: number[]; nth: number };
+export const chosen = signal<Chosen | null>(null);
+
+/** Place under the pointer, in the model's coordinates. */
+export const pointer = signal<{ x: number; y: number; row: number | null } | null>(null);
+
+export type Theme = 'auto' | 'light' | 'dark';
+export const theme = signal<Theme>('auto');
+export const system_dark = signal(false);
+export const printing = signal(false);
+export const is_dark = computed(
+  () => !printing.value && (theme.value === 'dark' || (theme.value === 'auto' && system_dark.value)),
+);
+export const paint = computed(() => (is_dark.value ? DARK : LIGHT));
+
+export type Tab = 'show' | 'chosen' | 'curves' | 'run' | 'blocks';
+export const tab = signal<Tab>('show');
+export const help_open = signal(false);
+
+export const measure = computed(() => measures.find(m => m.id === measure_id.value) ?? null);
+
+export function start_state(new_head: Head, new_store: Store): void {
+  head = new_head;
+  store = new_store;
+  measures = measures_of(head, store);
+  if (!measures.some(m => m.id === measure_id.value)) measure_id.value = '';
+  frame.value = head.frames.length - 1;
+}
+
+/** Whether load, not time, goes on from frame to frame. A run without record is static if its load factor changes. */
+export function is_static(): boolean {
+  if (head.run) return head.run.is_static === true;
+  const first = head.frames[0].load_factor ?? null;
+  return head.frames.some(own => (own.load_factor ?? null) !== first);
+}
+
+/** What a frame's place in the run is called: its time, or its load factor. */
+export function place_in_run(own: FrameHead): string {
+  if (!is_static()) return `time ${show_time(own.time, head.units?.time)}`;
+  return own.load_factor === null || own.load_factor === undefined ? '' : `load factor ${show(own.load_factor, 4)}`;
+}
+
+export function set_layer(layer: Layer, on: boolean): void {
+  layers.value = { ...layers.value, [layer]: on };
+}
+
+export const last_frame = () => head.frames.length - 1;
+
+export function go_to(next: number): void {
+  frame.value = Math.max(0, Math.min(last_frame(), Math.round(next)));
+}
+
+/** Starts of stages and epochs, where the page jumps to. */
+export interface Mark {
+  frame: number;
+  label: string;
+}
+
+export function marks_of(from: Head): Mark[] {
+  const marks: Mark[] = [];
+  from.frames.forEach((own, i) => {
+    const before = from.frames[i - 1];
+    if (!own.stage && own.epoch === (before?.epoch ?? own.epoch)) return;
+    if (before && own.stage === before.stage && own.epoch === before.epoch) return;
+    const is_stage = own.stage && (!before || own.stage !== before.stage);
+    // Geometry changes without a new stage where cracks grow or blocks are cut.
+    marks.push({ frame: i, label: is_stage ? String(own.stage) : `step ${own.step}` });
+  });
+  return marks;
+}
+
+export function jump(direction: 1 | -1): void {
+  const marks = marks_of(head).map(m => m.frame);
+  const stops = [0, ...marks, last_frame()];
+  const next =
+    direction > 0
+      ? stops.find(f => f > frame.value)
+      : stops
+          .slice()
+          .reverse()
+          .find(f => f < frame.value);
+  if (next !== undefined) go_to(next);
+}
+
+// Ranges over the run: grown as chunks are decoded.
+const run_ranges = new Map<string, { range: Range; frames: Set<number> }>();
+
+/** Range of a measure over the frames decoded so far. */
+export function run_range(own: Measure): Range {
+  void decoded.value;
+  let entry = run_ranges.get(own.id);
+  if (!entry) {
+    entry = { range: { low: Infinity, high: -Infinity }, frames: new Set() };
+    run_ranges.set(own.id, entry);
+  }
+  if (entry.frames.size < head.frames.length) {
+    for (let f = 0; f < head.frames.length; f++) {
+      if (entry.frames.has(f)) continue;
+      const values = values_of(store, own, f);
+      if (!values) continue;
+      entry.frames.add(f);
+      range_of(values, entry.range);
+    }
+  }
+  return entry.range;
+}
+
+let force_range: { largest: number; done: boolean } = { largest: 0, done: false };
+
+/** Largest contact force over the run, as far as decoded. */
+export function largest_force(): number {
+  void decoded.value;
+  if (force_range.done) return force_range.largest;
+  let largest = 0;
+  for (let f = 0; f < head.frames.length; f++) {
+    const rows = store.part_now('contacts', f);
+    const normal = rows?.columns.normal_force;
+    const shear = rows?.columns.shear_force;
+    if (!normal) continue;
+    for (let i = 0; i < normal.length; i++) largest = Math.max(largest, Math.hypot(normal[i], shear?.[i] ?? 0));
+  }
+  force_range = { largest, done: all_decoded.value };
+  return largest;
+}
+
+/** Extent of the undeformed model and of its last places. */
+export function fit_view(): void {
+  const box = empty_box();
+  const now = pose_of(store, frame.value, magnification.value);
+  const rest = pose_of(store, frame.value, 0);
+  if (rest) add_places(box, rest.places);
+  if (now) add_places(box, now.places);
+  if (!(box.right >= box.left)) return;
+  const room = size.value;
+  if (!room.width) return;
+  batch(() => {
+    camera.value = fit(box, room, margins_of(room));
+    fitted.value = true;
+  });
+}
+
+/** Room that tools, legend and scale bar take. */
+export function margins_of(room: Size) {
+  const narrow = room.width < 640;
+  return { top: narrow ? 56 : 44, right: narrow ? 14 : 56, bottom: narrow ? 92 : 102, left: 18 };
+}
+
+/** Magnification at which the largest displacement of the run is 5 % of the model's width. */
+export function suited_magnification(): number {
+  const own = measures.find(m => m.id === 'displacement.size');
+  const box = empty_box();
+  const rest = pose_of(store, frame.value, 0);
+  if (!own || !rest) return 1;
+  add_places(box, rest.places);
+  const largest = run_range(own).high;
+  const wide = Math.max(box.right - box.left, box.top - box.bottom);
+  if (!(largest > 0)) return 1;
+  const raw = (0.05 * wide) / largest;
+  if (raw <= 1) return 1;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const lead = raw / power;
+  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
+}

@@ -1,0 +1,33 @@
+import { describe, expect, test } from 'vitest';
+import { cases_of, folder_of, index_at, leaf_of, new_result, stem_of } from '../../src/serve/cases';
+import { link, route_of } from '../../src/serve/routes';
+
+describe('cases', () => {
+  test('old files with one name are one case, geometry first', () => {
+    const file = (path: string) => ({ path, bytes: 1, time: 1 });
+    const cases = cases_of(
+      ['b.json', 'a/x.ana', 'a/x.blk', 'a/y.ana', 'a/expected.csv', 'c.dxf', 'z/fos.json'].map(file),
+    );
+    expect(cases.map(own => own.paths)).toEqual([['a/x.blk', 'a/x.ana'], ['a/y.ana'], ['b.json'], ['c.dxf']]);
+  });
+  test('parts of paths', () => {
+    expect([stem_of('a.b/c.json'), stem_of('a.b/c'), folder_of('a/b/c'), folder_of('c'), leaf_of('a/b')]).toEqual([
+      'a.b/c',
+      'a.b/c',
+      'a/b',
+      '',
+      'b',
+    ]);
+    expect(new_result('run', ['run', 'run_2'])).toBe('run_3');
+    expect(index_at('ab\ncd\nef', 2, 2)).toBe(4);
+    expect(index_at('ab', 9, 1)).toBe(2);
+  });
+  test('routes come back', () => {
+    const path = 'a b/ü#?%.json';
+    expect(route_of(link('case', path, 'x'))).toEqual({ kind: 'case', paths: [path, 'x'] });
+    expect(route_of(link('compare', 'a', 'b/c'))).toEqual({ kind: 'compare', first: 'a', second: 'b/c' });
+    expect(route_of('#/compare/a')).toEqual({ kind: 'home' });
+    expect(route_of('')).toEqual({ kind: 'home' });
+    expect(route_of('#/case/%E0%A4%A')).toEqual({ kind: 'home' });
+  });
+});

@@ -1,0 +1,136 @@
+// A server for tests that answers as `keyblock serve` does, with a small folder in memory.
+
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { createServer, type IncomingMessage, type Server } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { built } from './browser';
+
+const DRAWING =
+  '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 90 60"><rect width="90" height="60" fill="#e3d9c6"/></svg>';
+
+/** What the server of the program sends with its pages. */
+const POLICY =
+  "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src 'self' data: blob:; " +
+  "media-src blob:; connect-src 'self'; frame-src 'self'; frame-ancestors 'self'; base-uri 'none'; form-action 'none'";
+
+async function body_of(request: IncomingMessage): Promise<Record<string, unknown>> {
+  let text = '';
+  for await (const part of request) text += part;
+  return text ? JSON.parse(text) : {};
+}
+
+export interface Folder {
+  server: Server;
+  address: string;
+  files: Map<string, string>;
+  results: Set<string>;
+  /** Bodies of requests, by address. */
+  asked: { path: string; body: Record<string, unknown> }[];
+}
+
+/** Starts the server; pages of results are the built page with `scripts`. */
+export async function serve_folder(files: Record<string, string>, scripts: string): Promise<Folder> {
+  const own: Folder = {
+    server: null as unknown as Server,
+    address: '',
+    files: new Map(Object.entries(files)),
+    results: new Set(['first', 'second', ...(files['strength/fos.json'] ? ['strength'] : [])]),
+    asked: [],
+  };
+  const sum = (text: string) => createHash('sha256').update(text).digest('hex');
+  const jobs: Record<string, unknown>[] = [];
+  const start_page = readFileSync(new URL('../../built/serve.html', import.meta.url), 'utf8');
+  own.server = createServer(async (request, reply) => {
+    const url = new URL(request.url ?? '/', 'http://localhost');
+    const send = (value: unknown, status = 200) => {
+      reply.writeHead(status, { 'Content-Type': 'application/json' });
+      reply.end(JSON.stringify(value));
+    };
+    const page = (text: string) => {
+      reply.writeHead(200, { 'Content-Type': 'text/html; charset=utf-8', 'Content-Security-Policy': POLICY });
+      reply.end(text);
+    };
+    const body = request.method === 'POST' ? await body_of(request) : {};
+    if (request.method === 'POST') own.asked.push({ path: url.pathname, body });
+    switch (url.pathname) {
+      case '/':
+        return page(start_page);
+      case '/page':
+        return page(built().replace('<!--keyblock-data-->', () => scripts));
+      case '/api/list':
+        return send({
+          folder: 'cases',
+          files: [...own.files].map(([path, text]) => ({ path, bytes: text.length, time: 1.79e9 })),
+          results: [...own.results].map(path => ({
+            path,
+            time: 1.79e9,
+            is_finished: true,
+            has_checkpoint: false,
+            kind: own.files.has(`${path}/fos.json`) ? 'fos' : 'run',
+          })),
+        });
+      case '/api/read': {
+        const path = url.searchParams.get('path') ?? '';
+        const text = own.files.get(path);
+        if (text === undefined) return send({ error: `there is no file ${path}` }, 404);
+        return send({ path, is_text: true, sha256: sum(text), text });
+      }
+      case '/api/drawing':
+      case '/api/thumbnail':
+      case '/api/picture':
+        reply.writeHead(200, { 'Content-Type': 'image/svg+xml' });
+        reply.end(DRAWING);
+        return;
+      case '/api/jobs':
+        return send({ jobs });
+      case '/api/compare':
+        return send({ differences: [{ path: 'outcome.steps', first: 300, second: 100, relative: 0.667 }] });
+      case '/api/check': {
+        const [path] = body.paths as string[];
+        const text = own.files.get(path) ?? '';
+        const at = text.split('\n').findIndex(line => line.includes('wrong'));
+        const errors =
+          at < 0 ? [] : [{ file: path, line: at + 1, column: 2, sentence: 'expected a key <b>of the case</b>' }];
+        return send({
+          files: [{ file: path, warnings: [] }],
+          case: {
+            warnings: [],
+            profile: 'standard',
+            profile_because: "the case is Keyblock's own",
+            size: '30 m by 14 m',
+            requires: { unknowns: 252, basis: 'affine', terms: [] },
+            settings: { steps: 300 },
+            ...(body.trial ? { cost: { seconds_in_all: 3.2 } } : {}),
+          },
+          exit_code: errors.length ? 3 : 0,
+          errors,
+        });
+      }
+      case '/api/save': {
+        const path = String(body.path);
+        if (own.files.has(path) && !body.overwrite) return send({ error: `${path} exists already` }, 409);
+        own.files.set(path, String(body.text));
+        return send({ path, sha256: sum(String(body.text)) });
+      }
+      case '/api/run': {
+        const result = String(body.result);
+        own.results.add(result);
+        const job = {
+          id: jobs.length + 1,
+          kind: 'run',
+          title: (body.paths as string[])[0],
+          result,
+          is_stopping: false,
+        };
+        jobs.push({ ...job, state: 'ended', step: 300, steps: 300, left: '', seconds: 1, exit_code: 0, messages: '' });
+        return send({ id: job.id });
+      }
+      default:
+        return send({ error: `there is nothing at ${url.pathname}` }, 404);
+    }
+  });
+  await new Promise<void>(resolve => own.server.listen(0, '127.0.0.1', resolve));
+  own.address = `http://127.0.0.1:${(own.server.address() as AddressInfo).port}/`;
+  return own;
+}

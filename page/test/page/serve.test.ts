@@ -1,0 +1,153 @@
+// The window of `keyblock serve` in headless Chromium, before a server that answers from memory.
+
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { make_wall } from '../scenes';
+import { violations } from './axe';
+import { has_browser, launch } from './browser';
+import { type Folder, serve_folder } from './folder';
+
+describe.skipIf(!has_browser)('window', () => {
+  let browser: Browser;
+  let folder: Folder;
+  const wall = make_wall({ columns: 8, rows: 5, frames: 20, contacts: true });
+  const errors: string[] = [];
+
+  async function open(hash = '', scheme: 'light' | 'dark' = 'light', width = 1280): Promise<Page> {
+    const context = await browser.newContext({ viewport: { width, height: 800 }, colorScheme: scheme });
+    const page = await context.newPage();
+    page.on('pageerror', error => errors.push(String(error)));
+    page.on('console', text => {
+      if (text.type() === 'error') errors.push(text.text());
+    });
+    await page.goto(folder.address + hash);
+    await page.waitForSelector('nav a', { state: 'attached' });
+    return page;
+  }
+
+  beforeAll(async () => {
+    browser = await launch();
+    folder = await serve_folder(
+      {
+        'slope.json': '{\n "keyblock": 2\n}\n',
+        'bad.json': '{\n "keyblock": 2,\n "wrong": 1\n}\n',
+        'old/tips.blk': '2 0\n',
+        'old/tips.ana': '<DDA/>\n',
+        'old/expected.csv': 'a,b\n',
+        'strength/fos.json': JSON.stringify({
+          reduced: 'joints',
+          factor_of_safety: 3.2872,
+          bracket: { stands: 3.2842, falls: 3.29018 },
+          trials: [{ factor: 1, verdict: 'stands', largest_displacement: 0.000773 }],
+        }),
+        '<img src=x onerror=alert(1)>.json': '{}\n',
+      },
+      wall.writer.scripts(wall.head),
+    );
+  });
+  afterAll(async () => {
+    await browser?.close();
+    folder?.server.close();
+    expect(errors).toEqual([]);
+  });
+
+  test('lists cases and results; a pair of old files is one case; names are text', async () => {
+    const page = await open();
+    const names = await page.locator('nav li a').allInnerTexts();
+    expect(names.map(name => name.split('\n')[0])).toEqual([
+      '<img src=x onerror=alert(1)>.json',
+      'bad.json',
+      'tips',
+      'slope.json',
+      'first',
+      'second',
+      'strength',
+    ]);
+    expect(await page.locator('nav img').count()).toBe(0);
+    await page.context().close();
+  });
+
+  test('a problem leads to its line; a correction is saved and run', async () => {
+    const page = await open('#/case/bad.json');
+    await page.getByRole('button', { name: 'line 3' }).click();
+    await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
+    const selected = await page.evaluate(() => {
+      const box = document.activeElement as HTMLTextAreaElement;
+      return box.value.slice(box.selectionStart, box.selectionEnd);
+    });
+    expect(selected).toBe('"wrong": 1');
+    expect(await page.getByRole('button', { name: 'Run', exact: true }).isDisabled()).toBe(true);
+    expect(await page.locator('.warnings').textContent()).toContain('<b>of the case</b>');
+    await page.locator('textarea').fill('{\n "keyblock": 2\n}\n');
+    await page.locator('textarea').press('Control+s');
+    await page.waitForFunction(() => document.body.textContent.includes('No problem found'));
+    const saved = folder.asked.filter(own => own.path === '/api/save').at(-1)!.body;
+    expect(saved.overwrite).toBe(true);
+    expect(String(saved.sha256)).toMatch(/^[0-9a-f]{64}$/);
+    expect(folder.files.get('bad.json')).toBe('{\n "keyblock": 2\n}\n');
+    await page.getByRole('button', { name: 'Add a setting' }).click();
+    await page.getByLabel('Setting', { exact: true }).fill('steps');
+    await page.getByLabel('Value of steps').fill('50');
+    await page.getByRole('button', { name: 'Estimate the time' }).click();
+    await page.waitForSelector('text=about 3.2 s');
+    await page.getByRole('button', { name: 'Run', exact: true }).click();
+    await page.getByRole('link', { name: 'Open' }).waitFor();
+    const run = folder.asked.filter(own => own.path === '/api/run').at(-1)!.body;
+    expect(run).toEqual({ paths: ['bad.json'], result: 'bad_run', set: { steps: '50' } });
+    await page.getByRole('link', { name: 'Open' }).click();
+    await page.frameLocator('iframe').locator('h1').waitFor();
+    await page.context().close();
+  });
+
+  test('two results side by side follow one slider', async () => {
+    const page = await open('#/compare/first/second');
+    await page.waitForFunction(
+      () => !(document.querySelector('.compare .strong') as HTMLButtonElement | null)?.disabled,
+      null,
+      { timeout: 30_000 },
+    );
+    await page.getByRole('slider').fill('0.1');
+    for (const frame of page.frames().slice(1)) {
+      await expect.poll(() => frame.evaluate('keyblock_page.state.frame.value'), { timeout: 5000 }).toBe(10);
+      expect(await frame.locator('.player').isVisible()).toBe(false);
+    }
+    expect(await page.locator('.compare table').textContent()).toContain('outcome steps');
+    await page.context().close();
+  });
+
+  test('a factor of safety has a view of its own', async () => {
+    const page = await open('#/result/strength');
+    await page.waitForSelector('.factor');
+    expect(await page.locator('.strength').textContent()).toContain(
+      'stable at a factor of 3.284 and unstable at 3.290.',
+    );
+    expect(await page.locator('iframe').count()).toBe(0);
+    await page.context().close();
+  });
+
+  test('an answer of the server that refuses is shown', async () => {
+    const page = await open('#/case/none.json');
+    await page.waitForSelector('.trouble');
+    expect(await page.locator('.trouble').textContent()).toContain('there is no file none.json');
+    errors.length = 0;
+    await page.context().close();
+  });
+
+  for (const scheme of ['light', 'dark'] as const) {
+    for (const width of [1280, 400]) {
+      test(`no axe violations, ${scheme}, ${width} px`, async () => {
+        const found: string[] = [];
+        for (const hash of ['', '#/case/slope.json', '#/result/first', '#/result/strength', '#/compare/first/second']) {
+          const page = await open(hash, scheme, width);
+          await page.waitForTimeout(700);
+          found.push(...(await violations(page)));
+          const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+          expect(wide).toBeLessThanOrEqual(0);
+          await page.context().close();
+        }
+        process.stdout.write(`figure: axe violations of the window, ${scheme}, ${width} px: ${found.length}\n`);
+        expect(found).toEqual([]);
+      });
+    }
+  }
+});

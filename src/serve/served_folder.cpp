@@ -1,0 +1,98 @@
+// Resolves paths and lists cases and results.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "serve/served_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <string_view>
+
+namespace keyblock::serve {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 16> kInputs{".json",  ".yaml", ".yml", ".dxf", ".geo", ".ana",
+                                                   ".blk",   ".cv",   ".df",  ".xml", ".dc",  ".block",
+                                                   ".ddaml", ".txt",  ".dat", ".csv"};
+
+bool is_hidden(const fs::path& name) {
+  return name.string().starts_with(".") && name != "." && name != "..";
+}
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool is_input(const fs::path& file) {
+  return std::ranges::find(kInputs, lower(file.extension().string())) != kInputs.end();
+}
+
+bool is_result(const fs::path& folder) {
+  std::error_code error;
+  return fs::is_directory(folder / "frames", error);
+}
+
+double seconds_of(const fs::directory_entry& entry) {
+  std::error_code error;
+  const auto time = entry.last_write_time(error);
+  if (error) return 0;
+  return std::chrono::duration<double>(std::chrono::file_clock::to_sys(time).time_since_epoch()).count();
+}
+
+}  // namespace
+
+ServedFolder::ServedFolder(const fs::path& folder) : root_(fs::canonical(folder)) {}
+
+fs::path ServedFolder::whole(const std::string& path) const {
+  const fs::path asked(path);
+  if (path.empty() || path.find('\0') != std::string::npos || asked.is_absolute())
+    throw NotServed("expected a path within the served folder");
+  if (std::ranges::any_of(asked, [](const fs::path& part) { return is_hidden(part) || part == ".."; }))
+    throw NotServed(fmt::format("{} is hidden or outside of the served folder", path));
+  std::error_code error;
+  const fs::path found = fs::weakly_canonical(root_ / asked, error);
+  const auto [end, rest] = std::mismatch(root_.begin(), root_.end(), found.begin(), found.end());
+  if (error || end != root_.end()) throw NotServed(fmt::format("{} lies outside of the served folder", path));
+  if (!fs::is_directory(found.parent_path(), error)) throw NotServed(fmt::format("{} has no folder", path));
+  return found;
+}
+
+std::string ServedFolder::name(const fs::path& whole) const {
+  return whole.lexically_relative(root_).generic_string();
+}
+
+Json ServedFolder::list() const {
+  Json files = Json::array(), results = Json::array();
+  std::error_code error;
+  fs::recursive_directory_iterator at(root_, fs::directory_options::skip_permission_denied, error), end;
+  for (; !error && at != end; at.increment(error)) {
+    const fs::directory_entry& entry = *at;
+    std::error_code of_entry;
+    if (is_hidden(entry.path().filename()) || entry.is_symlink(of_entry)) {
+      at.disable_recursion_pending();
+      continue;
+    }
+    if (entry.is_directory(of_entry)) {
+      if (at.depth() >= kDeepest || is_result(entry.path())) at.disable_recursion_pending();
+      if (is_result(entry.path()) && results.size() < kMostEntries)
+        results.push_back({{"path", name(entry.path())},
+                           {"time", seconds_of(entry)},
+                           {"is_finished", fs::exists(entry.path() / "run.json", of_entry)},
+                           {"has_checkpoint", fs::exists(entry.path() / "checkpoint.h5", of_entry)}});
+    } else if (entry.is_regular_file(of_entry) && is_input(entry.path()) && files.size() < kMostEntries) {
+      files.push_back(
+          {{"path", name(entry.path())}, {"bytes", entry.file_size(of_entry)}, {"time", seconds_of(entry)}});
+    }
+  }
+  const auto by_path = [](const Json& a, const Json& b) { return a.at("path") < b.at("path"); };
+  std::sort(files.begin(), files.end(), by_path);
+  std::sort(results.begin(), results.end(), by_path);
+  return {{"folder", root_.filename().string()}, {"files", files}, {"results", results}};
+}
+
+}  // namespace keyblock::serve

@@ -1,0 +1,34 @@
+// Gives pages, pictures, records and differences of results.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "serve/child.hpp"
+#include "serve/http/http.hpp"
+#include "serve/replies.hpp"
+#include "serve/served_folder.hpp"
+
+namespace keyblock::serve {
+
+/// Refers to all three.
+class ServedResults {
+ public:
+  ServedResults(const ServedFolder& folder, const Drafts& drafts, const Program& program)
+      : folder_(folder), drafts_(drafts), program_(program) {}
+
+  Reply picture(const Parameters& parameters) const;
+  Reply page(const Parameters& parameters) const;
+  nlohmann::ordered_json record(const Parameters& parameters) const;
+  nlohmann::ordered_json compare(const Parameters& parameters) const;
+
+ private:
+  Reply drawn(const std::filesystem::path& folder) const;
+
+  const ServedFolder& folder_;
+  const Drafts& drafts_;
+  const Program& program_;
+};
+
+}  // namespace keyblock::serve

@@ -1,0 +1,225 @@
+// Turns each request into files to read or commands to run; see service.hpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "serve/service.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+#include <stdexcept>
+#include <utility>
+
+#include "base/bytes/file_bytes.hpp"
+#include "base/bytes/sha256.hpp"
+#include "base/error.hpp"
+#include "base/printable.hpp"
+#include "job/files.hpp"
+#include "serve/pictures.hpp"
+#include "serve/replies.hpp"
+#include "serve/request_words.hpp"
+#include "serve/start_page.hpp"
+
+namespace keyblock::serve {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+Service::Service(const ServedFolder& folder, const Drafts& drafts, Jobs& jobs)
+    : folder_(folder),
+      drafts_(drafts),
+      jobs_(jobs),
+      program_(folder.root(), drafts),
+      results_(folder, drafts, program_) {}
+
+Reply Service::answer(const Request& request) {
+  try {
+    const Target target = target_of(request.target);
+    if (request.method == "GET") return get(target);
+    const Json body = Json::parse(request.body, nullptr, false);
+    if (!body.is_object()) throw BadRequest("expected a JSON object");
+    return post(target.path, body);
+  } catch (const BadRequest& error) {
+    return refusal(400, error.what());
+  } catch (const NotServed& error) {
+    return refusal(404, error.what());
+  } catch (const UsageError& error) {  // a file that may not be overwritten
+    return refusal(409, error.what());
+  } catch (const InputError& error) {
+    return refusal(422, error.what());
+  } catch (const OutputError& error) {
+    return refusal(500, error.what());
+  }
+}
+
+Reply Service::get(const Target& target) {
+  const auto& [path, parameters] = target;
+  if (path == "/api/list") return json_reply(list());
+  if (path == "/api/read") return json_reply(read(parameters));
+  if (path == "/api/drawing") return drawing(parameters);
+  if (path == "/api/thumbnail") return thumbnail(parameters);
+  if (path == "/api/picture") return results_.picture(parameters);
+  if (path == "/api/record") return json_reply(results_.record(parameters));
+  if (path == "/api/compare") return json_reply(results_.compare(parameters));
+  if (path == "/api/jobs") return json_reply({{"jobs", jobs_.list()}});
+  if (path == "/api/schema") return schema();
+  if (path == "/page") return results_.page(parameters);
+  if (path == "/") return {200, "text/html; charset=utf-8", std::string(start_page()), page_headers()};
+  return refusal(404, "there is no such address");
+}
+
+Reply Service::post(const std::string& path, const Json& body) {
+  if (path == "/api/check") return json_reply(check(body));
+  if (path == "/api/save") return json_reply(save(body));
+  if (path == "/api/run") return json_reply(run(body));
+  if (path == "/api/resume") return json_reply(resume(body));
+  if (path == "/api/fos") return json_reply(fos(body));
+  if (path == "/api/convert") return json_reply(convert(body));
+  if (path == "/api/stop") return json_reply(stop(body));
+  return refusal(404, "there is no such address");
+}
+
+Json Service::list() const {
+  return folder_.list();
+}
+
+Json Service::read(const Parameters& parameters) const {
+  const fs::path file = folder_.whole(parameter(parameters, "path"));
+  const std::string bytes = bytes_of(file, kMostText);
+  const bool is_text = bytes.find('\0') == std::string::npos && valid_utf8(bytes) == bytes;
+  Json json{{"path", folder_.name(file)}, {"is_text", is_text}, {"sha256", sha256(bytes)}};
+  if (is_text) json["text"] = bytes;
+  return json;
+}
+
+Reply Service::drawing(const Parameters& parameters) const {
+  const std::string file = file_argument(folder_, parameter(parameters, "path"));
+  const fs::path whole = folder_.whole(parameter(parameters, "path"));
+  require_file(whole, kMostText);
+  if (std::string blocks = blocks_picture_of(whole, parameters.contains("numbers")); !blocks.empty())
+    return svg_reply(std::move(blocks));
+  const fs::path svg = drafts_.file(".svg"), blocks = drafts_.file(".blk");
+  std::vector<std::string> words{"cut", file, "-o", blocks.string(), "--svg", svg.string()};
+  if (parameters.contains("numbers")) words.emplace_back("--numbers");
+  const Answer answer = program_(words);
+  std::error_code error;
+  fs::remove(blocks, error);
+  if (!fs::is_regular_file(svg, error)) return refusal(422, words_of(answer));
+  Reply reply = svg_reply(file_bytes(svg.string()));
+  fs::remove(svg, error);
+  return reply;
+}
+
+Reply Service::thumbnail(const Parameters& parameters) const {
+  const fs::path file = folder_.whole(parameter(parameters, "path"));
+  require_file(file, kMostText);
+  std::string svg = thumbnail_of(file);
+  return svg.empty() ? refusal(404, "the file has no geometry of its own") : svg_reply(std::move(svg));
+}
+
+Reply Service::schema() const {
+  Answer answer = program_({"formats", "--schema"});
+  return {200, "application/json", std::move(answer.output)};
+}
+
+std::vector<std::string> Service::case_arguments(const Json& body) const {
+  std::vector<std::string> words;
+  for (const std::string& path : texts(body, "paths")) words.push_back(file_argument(folder_, path));
+  if (words.empty()) throw BadRequest("expected the files of a case in \"paths\"");
+  for (const std::string& word : setting_arguments(folder_, body)) words.push_back(word);
+  return words;
+}
+
+Json Service::check(const Json& body) const {
+  std::vector<std::string> words{"check"};
+  for (const std::string& word : case_arguments(body)) words.push_back(word);
+  words.insert(words.end(), {"--json", "--trial", body.value("trial", Json()) == true ? "2" : "0"});
+  const Answer answer = program_(words);
+  Json report = Json::parse(answer.output, nullptr, false);
+  if (!report.is_object()) report = Json::object();
+  report["exit_code"] = answer.exit_code;
+  report["errors"] = errors_in(answer.messages);
+  if (answer.ran_out_of_time) report["errors"].push_back({{"sentence", words_of(answer)}});
+  add_levels(report);
+  return report;
+}
+
+Json Service::save(const Json& body) const {
+  const fs::path file = folder_.whole(text(body, "path"));
+  const std::string bytes = text(body, "text");
+  const bool overwrites = body.value("overwrite", Json()) == true;
+  std::error_code error;
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) throw BadRequest("this is no file");
+  if (overwrites && body.contains("sha256") && fs::exists(file, error) &&
+      sha256(bytes_of(file, kMostText)) != text(body, "sha256"))
+    throw UsageError("the file has changed since it was read");
+  write_file(file, bytes, overwrite_if(overwrites));
+  return {{"path", folder_.name(file)}, {"sha256", sha256(bytes)}};
+}
+
+std::string Service::new_result(const Json& body) const {
+  const std::string result = folder_.name(folder_.whole(text(body, "result")));
+  std::error_code error;
+  if (fs::exists(folder_.root() / result, error) || jobs_.is_busy(result))
+    throw UsageError(fmt::format("{} exists already", result));
+  return result;
+}
+
+Json Service::started(Order order) {
+  const int id = jobs_.add(std::move(order));
+  if (id == 0) throw UsageError("too many runs wait");
+  return {{"id", id}};
+}
+
+Json Service::run(const Json& body) {
+  const std::string result = new_result(body);
+  std::vector<std::string> words{"run"};
+  for (const std::string& word : case_arguments(body)) words.push_back(word);
+  words.insert(words.end(), {"-o", as_argument(result)});
+  for (const std::string& history : texts(body, "histories")) words.push_back("--history=" + history);
+  if (body.contains("record_every"))
+    words.insert(words.end(), {"--record-every", fmt::format("{}", whole_number(body, "record_every"))});
+  return started({"run", texts(body, "paths").front(), result, std::move(words)});
+}
+
+Json Service::resume(const Json& body) {
+  const std::string result = folder_.name(folder_.whole(text(body, "result")));
+  std::error_code error;
+  if (!fs::is_regular_file(folder_.root() / result / "checkpoint.h5", error))
+    throw NotServed(fmt::format("{} has no checkpoint to resume from", result));
+  if (jobs_.is_busy(result)) throw UsageError(fmt::format("{} is in use by another run", result));
+  return started({"resume", result, result, {"run", "--resume", as_argument(result)}});
+}
+
+Json Service::fos(const Json& body) {
+  const std::string result = new_result(body);
+  std::vector<std::string> words{"fos"};
+  for (const std::string& word : case_arguments(body)) words.push_back(word);
+  words.insert(words.end(), {"-o", as_argument(result), "--json"});
+  if (body.contains("reduce")) words.push_back("--reduce=" + text(body, "reduce"));
+  return started({"fos", texts(body, "paths").front(), result, std::move(words)});
+}
+
+Json Service::convert(const Json& body) const {
+  const fs::path target = folder_.whole(text(body, "target"));
+  std::error_code error;
+  if (fs::exists(target, error)) throw UsageError(fmt::format("{} exists already", folder_.name(target)));
+  std::vector<std::string> words{"convert"};
+  for (const std::string& path : texts(body, "paths")) words.push_back(file_argument(folder_, path));
+  words.insert(words.end(), {"-o", as_argument(folder_.name(target))});
+  if (body.contains("to")) words.push_back("--to=" + text(body, "to"));
+  const Answer answer = program_(words);
+  return {{"path", folder_.name(target)},
+          {"exit_code", answer.exit_code},
+          {"output", valid_utf8(answer.output)},
+          {"messages", words_of(answer)}};
+}
+
+Json Service::stop(const Json& body) {
+  if (!jobs_.stop(whole_number(body, "id"))) throw NotServed("there is no such job");
+  return {{"jobs", jobs_.list()}};
+}
+
+}  // namespace keyblock::serve

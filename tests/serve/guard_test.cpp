@@ -1,0 +1,134 @@
+// Requests are let in by host, origin, token and cookie; paths stay within the folder; words become no options.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "serve/http/guard.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "serve/request_words.hpp"
+#include "serve/run_differences.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::guard_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using serve::Guard;
+using serve::Request;
+
+constexpr const char* kHost = "127.0.0.1:8000";
+
+std::string cookie_of(const Guard& guard, const std::string& token) {
+  const auto reply = guard.answer({"GET", "/?token=" + token, kHost, "", "", "", ""});
+  if (!reply || reply->status != 303) return {};
+  for (const auto& [name, value] : reply->headers)
+    if (name == "Set-Cookie") return value.substr(0, value.find(';'));
+  return {};
+}
+
+int status_of(const Guard& guard, const Request& request) {
+  const auto reply = guard.answer(request);
+  return reply ? reply->status : 200;
+}
+
+TEST(Guard, the_token_gives_a_cookie_and_only_the_cookie_lets_in) {
+  const std::string token = serve::random_token();
+  EXPECT_EQ(token.size(), 64U);
+  EXPECT_NE(token, serve::random_token());
+  const Guard guard(token, 8000);
+  EXPECT_EQ(guard.address(), "http://127.0.0.1:8000/?token=" + token);
+  const std::string cookie = cookie_of(guard, token);
+  ASSERT_FALSE(cookie.empty());
+  EXPECT_EQ(cookie_of(guard, token.substr(1)), "");
+  EXPECT_EQ(status_of(guard, {"GET", "/api/list", kHost, "", cookie, "", ""}), 200);
+  EXPECT_EQ(status_of(guard, {"GET", "/api/list", "localhost:8000", "", "a=b; " + cookie + ";c=d", "", ""}), 200);
+  EXPECT_EQ(status_of(guard, {"GET", "/api/list", kHost, "", "", "", ""}), 403);
+  EXPECT_EQ(status_of(guard, {"GET", "/api/list", kHost, "", cookie + "0", "", ""}), 403);
+  EXPECT_EQ(status_of(guard, {"GET", "/api/list?token=" + token, kHost, "", "", "", ""}), 403);
+  EXPECT_EQ(status_of(guard, {"POST", "/?token=" + token, kHost, "http://127.0.0.1:8000", "", "", ""}), 403);
+  EXPECT_EQ(status_of(Guard(token, 8000), {"GET", "/api/list", kHost, "", cookie, "", ""}), 403) << "another server";
+}
+
+TEST(Guard, foreign_hosts_and_origins_are_refused) {
+  const std::string token = serve::random_token();
+  const Guard guard(token, 8000);
+  const std::string cookie = cookie_of(guard, token);
+  const auto post = [&](const std::string& host, const std::string& origin, const std::string& type) {
+    return status_of(guard, {"POST", "/api/save", host, origin, cookie, type, "{}"});
+  };
+  EXPECT_EQ(post(kHost, "http://127.0.0.1:8000", "application/json; charset=utf-8"), 200);
+  EXPECT_EQ(post(kHost, "http://127.0.0.1:8000", "text/plain"), 415);
+  EXPECT_EQ(post(kHost, "", "application/json"), 403);
+  EXPECT_EQ(post(kHost, "http://127.0.0.1:80000", "application/json"), 403);
+  EXPECT_EQ(post(kHost, "null", "application/json"), 403);
+  EXPECT_EQ(post("evil.example:8000", "http://127.0.0.1:8000", "application/json"), 403);
+  EXPECT_EQ(status_of(guard, {"DELETE", "/", kHost, "", cookie, "", ""}), 405);
+}
+
+TEST(Guard, targets_are_decoded) {
+  const serve::Target target = serve::target_of("/api/read?path=a%20b%2Fc+d&numbers&x=%zz");
+  EXPECT_EQ(target.path, "/api/read");
+  EXPECT_EQ(target.parameters.at("path"), "a b/c d");
+  EXPECT_EQ(target.parameters.at("numbers"), "");
+  EXPECT_EQ(target.parameters.at("x"), "%zz");
+}
+
+TEST(ServedFolder, no_path_leads_out) {
+  const std::string top = support::fresh_folder("served");
+  std::filesystem::create_directories(top + "/in/side");
+  std::filesystem::create_symlink(top, top + "/in/out");
+  support::write_text(top + "/secret", "x");
+  support::write_text(top + "/in/-o", "{}");
+  const serve::ServedFolder folder(top + "/in");
+  EXPECT_EQ(folder.name(folder.whole("side/new.json")), "side/new.json");
+  EXPECT_EQ(serve::file_argument(folder, "-o"), "./-o");
+  const std::vector<std::string> outside{"../secret", "/etc/passwd", "side/../../secret",      "out/secret", "",
+                                         "side/.x",   "none/x",      std::string("side\0x", 6)};
+  for (const std::string& path : outside) EXPECT_THROW(folder.whole(path), serve::NotServed) << path;
+  EXPECT_THROW(serve::file_argument(folder, "side/none"), serve::NotServed);
+}
+
+TEST(RequestWords, settings_become_no_options) {
+  const serve::ServedFolder folder(support::fresh_folder("served_words"));
+  EXPECT_EQ(serve::setting_arguments(folder, Json::parse(R"({"profile": "standard", "set": {"steps": "-5"}})")),
+            (std::vector<std::string>{"--profile", "standard", "--set", "steps=-5"}));
+  for (const char* body : {R"({"profile": "--force"})", R"({"profile": 3})", R"({"set": {"-o": "1"}})",
+                           R"({"set": {"steps": 5}})", R"({"set": ["steps=5"]})", R"({"set": {"": "1"}})"})
+    EXPECT_THROW(serve::setting_arguments(folder, Json::parse(body)), serve::BadRequest) << body;
+  EXPECT_THROW(serve::setting_arguments(folder, Json::parse(R"({"set": {"file": "../x"}})")), serve::NotServed);
+}
+
+TEST(RequestWords, errors_have_their_place) {
+  const Json errors = serve::errors_in(
+      "note\na b.json:12:3: error: expected x, found \"y: error: z\"\nc.geo:7: error: one\nkeyblock: error: two\n");
+  ASSERT_EQ(errors.size(), 3U);
+  EXPECT_EQ(errors[0], Json::parse(R"({"file": "a b.json", "line": 12, "column": 3,
+                                       "sentence": "expected x, found \"y: error: z\""})"));
+  EXPECT_EQ(errors[1], Json::parse(R"({"file": "c.geo", "line": 7, "sentence": "one"})"));
+  EXPECT_EQ(errors[2], Json::parse(R"({"file": "keyblock", "sentence": "two"})"));
+}
+
+TEST(RequestWords, warnings_of_a_report_get_their_level_and_remedy) {
+  Json report = Json::parse(R"({"case": {"warnings": [{"name": "slivers", "sentence": "x"}], "errors": ["y"]}})");
+  serve::add_levels(report);
+  const Json& warning = report["case"]["warnings"][0];
+  EXPECT_EQ(warning.at("level"), "warning");
+  EXPECT_FALSE(warning.at("remedy").get<std::string>().empty());
+}
+
+TEST(RunDifferences, values_that_differ_are_listed_with_their_paths) {
+  const Json first = Json::parse(R"({"a": 1, "b": {"c": [1, 2], "d": "x"}, "seconds": {"run": 1}, "e": 4})");
+  const Json second = Json::parse(R"({"a": 1, "b": {"c": [1, 4], "d": "y"}, "seconds": {"run": 2}, "f": 5})");
+  const Json found = serve::run_differences(first, second);
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ(found[0], Json::parse(R"({"path": "b.c[2]", "first": 2, "second": 4, "relative": 0.5})"));
+  EXPECT_EQ(found[1], Json::parse(R"({"path": "b.d", "first": "x", "second": "y"})"));
+  EXPECT_EQ(found[2], Json::parse(R"({"path": "e", "first": 4, "second": null})"));
+  EXPECT_EQ(found[3], Json::parse(R"({"path": "f", "first": null, "second": 5})"));
+}
+
+}  // namespace
+}  // namespace keyblock::guard_test

@@ -1,0 +1,119 @@
+// A slow client is cut off, and does not keep others waiting.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "serve/http/http_server.hpp"
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <string>
+#include <thread>
+
+namespace keyblock::http_server_test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using serve::HttpServer;
+using serve::Reply;
+using serve::Request;
+
+class Client {
+ public:
+  explicit Client(unsigned short port) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in there{};
+    there.sin_family = AF_INET;
+    there.sin_port = htons(port);
+    there.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(connect(socket_, reinterpret_cast<const sockaddr*>(&there), sizeof there), 0);
+  }
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+  ~Client() { close(socket_); }
+
+  void send(const std::string& text) const { ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL); }
+  /// All bytes until the server closes.
+  std::string rest() const {
+    std::string text;
+    char part[4096];
+    for (ssize_t count = 0; (count = recv(socket_, part, sizeof part, 0)) > 0;)
+      text.append(part, static_cast<std::size_t>(count));
+    return text;
+  }
+
+ private:
+  int socket_;
+};
+
+/// A server that runs in a thread of its own.
+class Running {
+ public:
+  explicit Running(const serve::ServerLimits& limits)
+      : server_(0, limits), thread_([this] {
+          server_.run([](const Request&) { return std::nullopt; },
+                      [](const Request& request) {
+                        if (request.target == "/throw") throw std::runtime_error("no");
+                        return Reply{200, "text/plain", request.body};
+                      });
+        }) {}
+  ~Running() {
+    server_.stop();
+    thread_.join();
+  }
+  unsigned short port() const { return server_.port(); }
+
+ private:
+  HttpServer server_;
+  std::thread thread_;
+};
+
+TEST(HttpServer, a_slow_client_is_cut_off_and_keeps_nobody_waiting) {
+  serve::ServerLimits limits;
+  limits.patience = std::chrono::milliseconds(300);
+  limits.threads = 1;
+  const Running server(limits);
+  const Client slow(server.port());
+  const auto begun = Clock::now();
+  slow.send("POST / HTTP/1.1\r\nContent-Length: 100\r\n\r\nfew");
+  const Client quick(server.port());
+  quick.send("POST / HTTP/1.1\r\nContent-Length: 5\r\nConnection: close\r\n\r\nhello");
+  const std::string answer = quick.rest();
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 200")) << answer;
+  EXPECT_TRUE(answer.ends_with("hello")) << answer;
+  std::jthread drip([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      slow.send("x");
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  });
+  EXPECT_EQ(slow.rest().find("200"), std::string::npos);
+  EXPECT_GT(Clock::now() - begun, std::chrono::milliseconds(250));
+  EXPECT_LT(Clock::now() - begun, std::chrono::seconds(20));
+}
+
+TEST(HttpServer, connections_beyond_the_limit_are_refused) {
+  serve::ServerLimits limits;
+  limits.connections = 1;
+  const Running server(limits);
+  const Client first(server.port());
+  first.send("GET / HT");
+  const Client second(server.port());
+  EXPECT_TRUE(second.rest().starts_with("HTTP/1.1 503"));
+}
+
+TEST(HttpServer, a_body_beyond_the_limit_is_refused_and_a_fault_is_told) {
+  serve::ServerLimits limits;
+  limits.body = 10;
+  const Running server(limits);
+  const Client large(server.port());
+  large.send("POST / HTTP/1.1\r\nContent-Length: 11\r\n\r\n");
+  EXPECT_TRUE(large.rest().starts_with("HTTP/1.1 413"));
+  const Client fault(server.port());
+  fault.send("GET /throw HTTP/1.1\r\nConnection: close\r\n\r\n");
+  EXPECT_TRUE(fault.rest().starts_with("HTTP/1.1 500"));
+}
+
+}  // namespace
+}  // namespace keyblock::http_server_test

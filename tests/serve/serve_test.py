@@ -1,0 +1,305 @@
+"""The window as a browser sees it: hostile requests are refused, and a case goes the whole way to its compared results.
+
+usage: tests/serve/serve_test.py PROGRAM
+"""
+
+import http.client
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+PROGRAM = sys.argv.pop(1)
+
+CASE = {
+    "keyblock": 2,
+    "units": {"length": "m", "mass": "kg", "time": "s"},
+    "blocks": {
+        "blocks": [
+            {"outer": [[0, -1, 1], [6, -1, 1], [6, 0, 1], [0, 0, 1]]},
+            {"outer": [[1, 0, 1], [5, 0, 1], [5, 1, 1], [1, 1, 1]]},
+        ],
+        "fixed_points": [[0.5, -0.5, 1], [5.5, -0.5, 1]],
+    },
+    "analysis": {
+        "step_count": 4, "time_step": 0.001, "gravity": 9.81,
+        "block_materials": [{"density": 2500, "youngs_modulus": 5e9}],
+        "joint_materials": [{"friction_angle_deg": 30}],
+    },
+}
+
+
+class Server:
+    """The program, serving a fresh folder."""
+
+    def __init__(self):
+        self.top = Path(tempfile.mkdtemp(prefix="keyblock_serve_test_"))
+        self.folder = self.top / "served"
+        self.folder.mkdir()
+        (self.top / "secret.json").write_text("secret")
+        (self.folder / "case.json").write_text(json.dumps(CASE))
+        (self.folder / "bad.json").write_text('{"keyblock": 2,\n "blok": 3}')
+        (self.folder / ".hidden.json").write_text("secret")
+        os.symlink(self.top / "secret.json", self.folder / "link.json")
+        self.process = subprocess.Popen([PROGRAM, "serve", str(self.folder)], stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, text=True)
+        address = self.process.stdout.readline().strip()
+        self.port, self.token = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/\?token=([0-9a-f]{64})", address).groups()
+        self.host = f"127.0.0.1:{self.port}"
+        self.cookie = self.ask("GET", f"/?token={self.token}", cookie=None)[2]["Set-Cookie"].split(";")[0]
+
+    def ask(self, method, target, body=None, cookie="own", **headers):
+        connection = http.client.HTTPConnection("127.0.0.1", int(self.port), timeout=30)
+        sent = {"Host": self.host}
+        if cookie is not None:
+            sent["Cookie"] = self.cookie if cookie == "own" else cookie
+        if method == "POST":
+            sent |= {"Origin": "http://" + self.host, "Content-Type": "application/json"}
+        for name, value in headers.items():
+            name = name.replace("_", "-")
+            sent.pop(name, None)
+            if value is not None:
+                sent[name] = value
+        if body is not None and not isinstance(body, (str, bytes)):
+            body = json.dumps(body)
+        connection.request(method, target, body, sent)
+        reply = connection.getresponse()
+        text = reply.read()
+        connection.close()
+        return reply.status, text, reply.headers
+
+    def json(self, method, target, body=None):
+        status, text, _ = self.ask(method, target, body)
+        return status, json.loads(text)
+
+    def wait_for(self, job):
+        for _ in range(600):
+            found = next(j for j in self.json("GET", "/api/jobs")[1]["jobs"] if j["id"] == job)
+            if found["state"] in ("ended", "stopped"):
+                return found
+            time.sleep(0.05)
+        raise AssertionError(found)
+
+    def end(self, how=signal.SIGINT):
+        self.process.send_signal(how)
+        code = self.process.wait(timeout=30)
+        self.process.stdout.close()
+        self.process.stderr.close()
+        shutil.rmtree(self.top)
+        return code
+
+
+class ServeTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server()
+
+    @classmethod
+    def tearDownClass(cls):
+        assert cls.server.end() == 0, "Ctrl-C ends it cleanly"
+
+    def test_only_the_printed_address_lets_in(self):
+        ask = self.server.ask
+        self.assertEqual(ask("GET", "/", cookie=None)[0], 403)
+        self.assertEqual(ask("GET", "/?token=" + "0" * 64, cookie=None)[0], 403)
+        self.assertEqual(ask("GET", "/api/list", cookie="keyblock=1")[0], 403)
+        self.assertEqual(ask("GET", "/api/list?token=" + self.server.token, cookie=None)[0], 403)
+        status, _, headers = ask("GET", "/?token=" + self.server.token, cookie=None)
+        self.assertEqual((status, headers["Location"]), (303, "/"))
+        for word in ("HttpOnly", "SameSite=Strict"):
+            self.assertIn(word, headers["Set-Cookie"])
+        self.assertNotIn(self.server.token, headers["Set-Cookie"])
+        status, page, headers = ask("GET", "/")
+        self.assertEqual(status, 200)
+        self.assertIn("default-src 'none'", headers["Content-Security-Policy"])
+
+    def test_foreign_pages_and_hosts_are_refused(self):
+        ask = self.server.ask
+        for host in ("evil.example", "evil.example:" + self.server.port, "127.0.0.1", "127.0.0.1:1", ""):
+            self.assertEqual(ask("GET", "/api/list", Host=host)[0], 403, host)
+        for origin in ("http://evil.example", "null", "https://" + self.server.host, "http://127.0.0.1:1"):
+            self.assertEqual(ask("GET", "/api/list", Origin=origin)[0], 403, origin)
+            self.assertEqual(ask("POST", "/api/save", {"path": "x.json", "text": ""}, Origin=origin)[0], 403, origin)
+        self.assertEqual(ask("POST", "/api/save", {"path": "x.json", "text": ""}, Origin=None)[0], 403)
+        self.assertEqual(ask("POST", "/api/save", {"path": "x.json", "text": ""}, Content_Type="text/plain")[0], 415)
+        self.assertEqual(ask("PUT", "/api/save", {"path": "x.json", "text": ""})[0], 405)
+        self.assertFalse((self.server.folder / "x.json").exists())
+
+    def test_no_path_leads_out(self):
+        secrets = ["../secret.json", "/etc/passwd", str(self.server.top / "secret.json"), "a/../../secret.json",
+                   "..%2fsecret.json", "%2e%2e/secret.json", "link.json", ".hidden.json", "./.hidden.json", "",
+                   "case.json%00.svg", "....//secret.json", "case.json/../../secret.json"]
+        for path in secrets:
+            for target in ("/api/read?path=", "/api/drawing?path=", "/api/thumbnail?path=", "/page?result=", "/api/record?result="):
+                status, text, _ = self.server.ask("GET", target + path)
+                self.assertIn(status, (400, 404), target + path)
+                self.assertNotIn(b"secret\"", text)
+            for target, body in (("/api/save", {"path": path, "text": "x", "overwrite": True}),
+                                 ("/api/check", {"paths": [path]}), ("/api/run", {"paths": [path], "result": "r"}),
+                                 ("/api/run", {"paths": ["case.json"], "result": path}),
+                                 ("/api/convert", {"paths": ["case.json"], "target": path})):
+                path_as_text = path.replace("%2f", "/").replace("%2e", ".").replace("%00", "\0")
+                body = json.loads(json.dumps(body).replace(json.dumps(path), json.dumps(path_as_text)))
+                self.assertIn(self.server.ask("POST", target, body)[0], (400, 404), target + path)
+        self.assertEqual((self.server.top / "secret.json").read_text(), "secret")
+        self.assertEqual((self.server.folder / ".hidden.json").read_text(), "secret")
+        names = [f["path"] for f in self.server.json("GET", "/api/list")[1]["files"]]
+        self.assertEqual([n for n in names if n.startswith((".", "link"))], [])
+        settings = {"paths": ["case.json"], "set": {"body_acceleration_file": "../secret.json"}}
+        self.assertEqual(self.server.ask("POST", "/api/check", settings)[0], 404)
+
+    def test_bad_bodies_are_refused(self):
+        for body in ("", "{", "[]", "3", '"x"', "{}", '{"path": 3}', '{"path": "a", "text": null}', "[" * 100000,
+                     '{"paths": "case.json"}', b"\xff\xfe\x00"):
+            for target in ("/api/save", "/api/check", "/api/run", "/api/stop"):
+                self.assertIn(self.server.ask("POST", target, body)[0], (400, 404), body[:20])
+        for option in ("--force", "-o", "a b", "../x"):
+            body = {"paths": ["case.json"], "profile": option}
+            self.assertEqual(self.server.ask("POST", "/api/check", body)[0], 400, option)
+            body = {"paths": ["case.json"], "set": {option: "1"}}
+            self.assertEqual(self.server.ask("POST", "/api/check", body)[0], 400, option)
+
+    def test_what_is_no_http_or_too_long_is_refused(self):
+        def send(data):
+            with socket.create_connection(("127.0.0.1", int(self.server.port)), timeout=10) as client:
+                try:
+                    client.sendall(data)
+                    return client.recv(4096)
+                except ConnectionError:
+                    return b""
+        head = f"Host: {self.server.host}\r\nCookie: {self.server.cookie}\r\n".encode()
+        post = head + f"Origin: http://{self.server.host}\r\nContent-Type: application/json\r\n".encode()
+        self.assertIn(b" 400 ", send(b"\x16\x03\x01 nonsense\r\n\r\n")[:20])
+        self.assertNotIn(b" 200 ", send(b"GET / HTTP/1.1\r\n" + head + b"X: " + b"y" * 100000 + b"\r\n\r\n")[:20])
+        long = b"POST /api/save HTTP/1.1\r\n" + post + b"Content-Length: 99999999999\r\n\r\n"
+        self.assertIn(b" 413 ", send(long)[:20])
+        unseen = b"POST /api/save HTTP/1.1\r\nHost: x\r\nContent-Length: 99999999999\r\n\r\n"
+        self.assertIn(send(unseen)[9:12], (b"403", b"413"), "refused before the body is read")
+
+    def test_a_hundred_at_once_do_not_stop_it(self):
+        clients = []
+        for _ in range(100):
+            client = socket.create_connection(("127.0.0.1", int(self.server.port)), timeout=10)
+            client.sendall(b"GET / HTTP/1.1\r\n")  # and no more
+            clients.append(client)
+        refused = clients[-1].recv(100)
+        self.assertIn(b" 503 ", refused)
+        for client in clients:
+            client.close()
+        for _ in range(100):
+            if self.server.ask("GET", "/api/list")[0] == 200:
+                break
+            time.sleep(0.05)
+        self.assertEqual(self.server.ask("GET", "/api/list")[0], 200)
+
+    def test_errors_have_line_and_column(self):
+        status, report = self.server.json("POST", "/api/check", {"paths": ["bad.json"]})
+        self.assertEqual((status, report["exit_code"]), (200, 3))
+        error = report["errors"][0]
+        self.assertEqual((error["file"], error["line"], error["column"]), ("bad.json", 2, 2))
+        self.assertIn('found "blok"', error["sentence"])
+
+    def test_saving_replaces_nothing_unless_told(self):
+        save = lambda **body: self.server.json("POST", "/api/save", {"path": "saved.json", **body})
+        status, first = save(text="one\n")
+        self.assertEqual(status, 200)
+        self.assertEqual(save(text="two\n")[0], 409)
+        status, read = self.server.json("GET", "/api/read?path=saved.json")
+        self.assertEqual((read["text"], read["sha256"]), ("one\n", first["sha256"]))
+        (self.server.folder / "saved.json").write_text("changed by another program\n")
+        self.assertEqual(save(text="two\n", overwrite=True, sha256=first["sha256"])[0], 409)
+        self.assertEqual((self.server.folder / "saved.json").read_text(), "changed by another program\n")
+        self.assertEqual(save(text="two\n", overwrite=True)[0], 200)
+        self.assertEqual((self.server.folder / "saved.json").read_text(), "two\n")
+
+    def test_a_case_goes_the_whole_way(self):
+        server = self.server
+        status, report = server.json("POST", "/api/check", {"paths": ["case.json"], "trial": True})
+        self.assertEqual((status, report["errors"]), (200, []))
+        self.assertIn("cost", report["case"])
+        for target in ("/api/drawing?path=case.json", "/api/thumbnail?path=case.json"):
+            status, svg, headers = server.ask("GET", target)
+            self.assertEqual((status, headers["Content-Type"]), (200, "image/svg+xml"))
+            self.assertIn(b"<path", svg)
+        self.assertEqual(server.json("POST", "/api/save", {"path": "own.json", "text": json.dumps(CASE)})[0], 200)
+        jobs = []
+        for result, steps in (("a", "4"), ("b", "6")):
+            status, started = server.json("POST", "/api/run",
+                                          {"paths": ["own.json"], "result": result, "set": {"steps": steps}})
+            self.assertEqual(status, 200, started)
+            jobs.append(started["id"])
+        self.assertEqual(server.ask("POST", "/api/run", {"paths": ["own.json"], "result": "a"})[0], 409)
+        for job in jobs:
+            ended = server.wait_for(job)
+            self.assertEqual(ended["exit_code"], 0, ended)
+        self.assertEqual(server.json("GET", "/api/record?result=b")[1]["outcome"]["steps"], 6)
+        differences = server.json("GET", "/api/compare?first=a&second=b")[1]["differences"]
+        steps = next(d for d in differences if d["path"] == "settings.steps")
+        self.assertEqual((steps["first"], steps["second"]), (4, 6))
+        status, page, headers = server.ask("GET", "/page?result=a")
+        self.assertEqual(status, 200)
+        self.assertIn(b'id="keyblock-head"', page)
+        self.assertIn("text/html", headers["Content-Type"])
+        status, svg, headers = server.ask("GET", "/api/picture?result=a")
+        self.assertIn(b"<svg", svg)
+        self.assertIn("sandbox", headers["Content-Security-Policy"])
+        (server.folder / "a/picture.svg").unlink()
+        self.assertIn(b"<svg", server.ask("GET", "/api/picture?result=a")[1], "drawn from the last frame")
+        results = [r["path"] for r in server.json("GET", "/api/list")[1]["results"]]
+        self.assertEqual(results, ["a", "b"])
+
+    def test_a_run_is_stopped_and_resumed(self):
+        server = self.server
+        more = {"paths": ["case.json"], "set": {"steps": "20000"}, "record_every": 1000}
+        job = server.json("POST", "/api/run", {**more, "result": "long"})[1]["id"]
+        waiting = server.json("POST", "/api/run", {**more, "result": "never"})[1]["id"]
+        for _ in range(200):
+            if (server.folder / "long/frames/00001000.vtu").exists():
+                break
+            time.sleep(0.02)
+        server.json("POST", "/api/stop", {"id": waiting})
+        server.json("POST", "/api/stop", {"id": job})
+        self.assertEqual(server.wait_for(job)["state"], "stopped")
+        self.assertEqual(server.wait_for(waiting)["state"], "stopped")
+        self.assertFalse((server.folder / "never").exists())
+        self.assertEqual(server.json("GET", "/api/record?result=long")[1]["outcome"]["end"], "stopped")
+        job = server.json("POST", "/api/resume", {"result": "long"})[1]["id"]
+        self.assertEqual(server.ask("POST", "/api/resume", {"result": "long"})[0], 409, "it runs already")
+        server.json("POST", "/api/stop", {"id": job})
+        server.wait_for(job)
+
+
+class EndOfServerTest(unittest.TestCase):
+    def test_a_server_that_ends_leaves_whole_runs(self):
+        for how in (signal.SIGTERM, signal.SIGKILL):
+            server = Server()
+            server.json("POST", "/api/run", {"paths": ["case.json"], "result": "r", "set": {"steps": "50000"},
+                                             "record_every": 500})
+            record = server.folder / "r/run.json"
+            for _ in range(200):
+                if (server.folder / "r/frames/00000500.vtu").exists():
+                    break
+                time.sleep(0.02)
+            server.process.send_signal(how)
+            server.process.wait(timeout=30)
+            for _ in range(200):
+                if record.exists():
+                    break
+                time.sleep(0.05)
+            self.assertEqual(json.loads(record.read_text())["outcome"]["end"], "stopped")
+            self.assertEqual(server.process.returncode, 0 if how == signal.SIGTERM else -signal.SIGKILL)
+            server.process.stdout.close()
+            server.process.stderr.close()
+            shutil.rmtree(server.top)
+
+
+if __name__ == "__main__":
+    unittest.main()
