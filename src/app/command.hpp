@@ -34,7 +34,7 @@ Action configure_cut(CLI::App& options);       ///< cut_command.cpp
 Action configure_joints(CLI::App& options);    ///< joints_command.cpp
 Action configure_run(CLI::App& options);       ///< run_command.cpp
 Action configure_plot(CLI::App& options);      ///< plot_command.cpp
-Action configure_report(CLI::App& options);    ///< report_command.cpp
+Action configure_report(CLI::App& options);    ///< handout/report_command.cpp
 Action configure_view(CLI::App& options);      ///< view_command.cpp
 Action configure_serve(CLI::App& options);     ///< serve_command.cpp
 Action configure_fos(CLI::App& options);       ///< fos_command.cpp
