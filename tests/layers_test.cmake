@@ -26,7 +26,7 @@ set(inner_legacy contact,terms step)
 set(inner_run settings_of bodies stages growth,mesh,ahead,verdict . follow)
 set(inner_step stepper newton bodies groups scene time rest .)
 set(inner_report drawing . rock)
-set(inner_study strength cases trade,batch,convert,element,fit,fracture)
+set(inner_study strength cases trade,batch,convert,element,fit,fracture,sweep)
 set(inner_app . run_words input templates,shell strength commands,batch,rock)
 
 # Shi's rules are fenced off: the standard step does not see them, and they see of it the stepper that both are, and the size of a step.

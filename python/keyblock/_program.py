@@ -68,14 +68,6 @@ def _options(**given: Any) -> list[str]:
     return all
 
 
-def read_converted(files: list[str], **options: Any) -> Case:
-    """Reads what the program converts into a case file."""
-    with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
-        path = os.path.join(folder, "case.json")
-        _run(["convert", *files, "-o", path, *_options(**options)])
-        return Case(_keyblock.Case.read([path]))
-
-
 def convert(*files: StrPath, output: StrPath, to: str | None = None, strict: bool = False, force: bool = False,
             layers: StrPath | None = None, unit: str | None = None, join: float | None = None) -> Any:
     """Converts files with `keyblock convert`. Returns its report: outputs, losses and warnings."""

@@ -47,6 +47,7 @@ void describe(Archive& archive, RunRequest& request) {
   archive.value("join", request.join);
   archive.value("frames", request.frames);
   archive.value("has_pictures", request.has_pictures);
+  describe(archive, "values", request.values);
 }
 
 std::string this_program() {

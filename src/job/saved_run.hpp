@@ -37,6 +37,7 @@ struct RunRequest {
   double join = 0;                          ///< as on the command line
   std::string frames = {};                  ///< their coding, as on the command line
   bool has_pictures = true;
+  std::vector<std::string> values = {};  ///< POINTER=VALUE, as on the command line
 };
 
 void describe(Archive& archive, RunRequest& request);
