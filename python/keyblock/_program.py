@@ -27,8 +27,12 @@ class ProgramError(_keyblock.Error):
 
 
 def program() -> str:
-    """Returns the path of the program: that of the environment variable KEYBLOCK_PROGRAM, else of the search path."""
-    found = os.environ.get("KEYBLOCK_PROGRAM") or shutil.which("keyblock")
+    """Returns the path of the program.
+
+    That is the environment variable KEYBLOCK_PROGRAM, else the program of this package, else that of the search path.
+    """
+    own = Path(__file__).with_name("bin") / "keyblock"
+    found = os.environ.get("KEYBLOCK_PROGRAM") or (str(own) if own.is_file() else shutil.which("keyblock"))
     if not found:
         raise ProgramError("the program keyblock is not on the search path; KEYBLOCK_PROGRAM may name it", 127)
     return found

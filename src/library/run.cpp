@@ -133,7 +133,7 @@ struct Run::State {
   void leave_step() {
     if (contacts_of_now && contacts_of_now.use_count() > 1)
       contacts_of_now->keep([&]() -> std::function<ContactFrames()> {
-        return [run = stepper, of = plan, made = stepper->contacts()] { return made; };
+        return [run = stepper, of = plan, later = stepper->contacts_later()] { return later(); };
       });
     contacts_of_now.reset();
   }

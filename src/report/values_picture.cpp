@@ -23,6 +23,7 @@ constexpr double kMargin = 30;
 constexpr double kTop = 66;
 constexpr double kBar = 110;
 constexpr std::size_t kMostPanels = 6;
+constexpr double kAround = 0.05;  // of the range of a key: room for marks at its ends
 
 bool is_numeric(const ValuesColumn& column) {
   return std::ranges::any_of(column.numbers, [](double number) { return std::isfinite(number); });
@@ -100,8 +101,8 @@ void draw_map(SvgPage& page, Point corner, const ValuesPicture& picture, const M
   const auto [bottom, top] = std::ranges::minmax(map.y);
   const Plot plot{.corner = corner + Point{kPlotLeft, 10},
                   .size = {kWidth - 2 * kMargin - kPlotLeft - kBar, kPanel - 30 - kPlotBottom},
-                  .x = make_axis(left, right, 7),
-                  .y = make_axis(bottom, top, 5)};
+                  .x = make_axis(left - kAround * (right - left), right + kAround * (right - left), 7),
+                  .y = make_axis(bottom - kAround * (top - bottom), top + kAround * (top - bottom), 5)};
   draw_axes(page, plot, picture.keys[0].name, picture.keys[1].name);
   const double half = std::clamp(120 / std::sqrt(static_cast<double>(map.x.size())), 2.5, 14.0);
   for (std::size_t i = 0; i < map.x.size(); ++i) {

@@ -269,7 +269,7 @@ class Frames(Folder):
         self.assertGreater(len(held.contact_gap), 0)
 
     def test_histories_are_those_of_the_table(self):
-        follow = ["top=point:0.5,1.2", "block:2"]
+        follow = ["top=point:0.5,0.25", "block:2"]
         run = kb.Run(self.wall(2, 2), history=follow)
         run.go_on()
         self.assertEqual(run.histories()[0], "top")

@@ -99,7 +99,7 @@ class Sweeps(Folder):
         self.assertEqual(table.columns, [FRICTION, "time_step", "verdict", "doubt", "displacement", "job"])
         self.assertEqual(len(table.seconds), 4)
         self.assertEqual(list(table[FRICTION]), [10, 10, 20, 20])
-        self.assertAlmostEqual(table[0]["displacement"], way(10), delta=1e-9)
+        self.assertAlmostEqual(table[0]["displacement"], way(10), delta=1e-5)  # of a corner, and of the centroid
         self.assertEqual(set(table["verdict"]), {"finished"})
         table.write("table.csv")
         self.assertEqual((self.folder / "table.csv").read_text().count("\n"), 5)
@@ -125,7 +125,7 @@ class Sweeps(Folder):
     def test_a_function_makes_the_cases(self):
         table = kb.sweep(lambda angle: slide().with_value(FRICTION, angle), {"angle": [10, 20]})
         self.assertEqual(table.columns, ["angle", "verdict", "doubt", "displacement"])
-        np.testing.assert_allclose(table["displacement"], [way(10), way(20)], atol=1e-9)
+        np.testing.assert_allclose(table["displacement"], [way(10), way(20)], atol=1e-5)
 
     def test_a_second_call_computes_missing_rows_alone(self):
         def counted(run):

@@ -28,6 +28,7 @@
 #include "formats/strict_json.hpp"
 #include "job/files.hpp"
 #include "report/values_picture.hpp"
+#include "run/cover_settings.hpp"
 #include "settings/settings_table.hpp"
 #include "study/sweep/varied_key.hpp"
 
@@ -73,7 +74,7 @@ void require_keys(const SweepRow& row, const std::string& case_text, const std::
     } else if (key.starts_with(study::kOfJoints)) {
       if (joints.empty()) throw UsageError(fmt::format("{}: expected --joints with the statistics, found none", key));
       pointers_to(key.substr(study::kOfJoints.size()), joints, true);
-    } else if (std::ranges::find(settings, key) == settings.end()) {
+    } else if (std::ranges::find(settings, key) == settings.end() && !is_of_plan(key)) {
       throw UsageError(fmt::format(
           "--over: expected a pointer that begins with /, joints: with one, or a setting, found \"{}\"", key));
     }
@@ -261,7 +262,7 @@ ExitCode finish(const ValueSweepOptions& options, const ReadySweep& sweep, const
   if (missing > 0 && options.is_merged)
     throw UsageError(fmt::format("{}: {} of {} runs are missing; their shards have not ended", options.folder, missing,
                                  sweep.rows.size()));
-  if (missing > 0) {
+  if (!shard.is_whole()) {
     if (options.as_json) std::fputs(study::table_json(of_shard(table, shard)).c_str(), stdout);
     spdlog::info("shard {} of {} is done; --merge writes the table when all are", shard.k, shard.n);
     return ExitCode::ok;
