@@ -93,7 +93,7 @@ build: packages ## use | 16 min | compiles the program build/keyblock and its te
 PREFIX ?= /usr/local
 install: packages ## use | 1 s | puts program, library, header, man page and completion below PREFIX=/usr/local (DESTDIR before it)
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
-	cmake --build build --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages
+	cmake --build build --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages $$(cmake --build build-deb --target help | grep -o '^keyblock_python\b')
 	cmake --install build --prefix "$(PREFIX)"
 	cp build/install_manifest.txt build/installed.txt
 	[ -n "$(DESTDIR)" ] || [ "$$(id -u)" != 0 ] || ldconfig
@@ -102,10 +102,10 @@ uninstall: ## use | 1 s | removes what `make install` put there last
 	xargs -d '\n' -I {} rm -f "$(DESTDIR){}" <build/installed.txt
 
 # For any machine of this architecture, not for this one alone.
-deb: packages ## use | 16 min | makes a Debian package of what `make install` puts there, in build-deb
+deb: packages ## use | 16 min | makes Debian packages of what `make install` puts there and of the Python package, in build-deb
 	@$(call install_missing,dpkg-dev file)
 	cmake -S . -B build-deb -G Ninja -DCMAKE_BUILD_TYPE=Release
-	cmake --build build-deb --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages
+	cmake --build build-deb --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages $$(cmake --build build-deb --target help | grep -o '^keyblock_python\b')
 	cd build-deb && cpack -G DEB
 
 # Debian's packages alone; a warning fails.

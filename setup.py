@@ -1,7 +1,7 @@
-"""Builds the Python package: the module, with the library of Keyblock beside it.
+"""Builds the Python package: the module, with the library and the program of Keyblock beside it.
 
-CMake builds both, for processors since about 2013 (KEYBLOCK_ARCH). If KEYBLOCK_LIBRARY names a ready libkeyblock.so, only
-the module is compiled, and that library is copied.
+CMake builds all, for processors since about 2013 (KEYBLOCK_ARCH). If KEYBLOCK_LIBRARY names a ready libkeyblock.so, only
+the module is compiled; that library is copied, and the program `keyblock` of its folder if there is one.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
@@ -32,11 +32,15 @@ class Build(build_ext):
             subprocess.check_call(["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                                    "-DKEYBLOCK_PYTHON=ON", f"-DKEYBLOCK_PYTHON_PROGRAM={sys.executable}"])
             jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL") or str(os.cpu_count() or 1)
-            subprocess.check_call(["cmake", "--build", str(folder), "--target", "keyblock_python", "--parallel", jobs])
+            subprocess.check_call(["cmake", "--build", str(folder), "--target", "keyblock_python", "keyblock", "--parallel", jobs])
             module, = (folder / "python" / "keyblock").glob("_keyblock*.so")
             shutil.copy(module, target)
             library = folder / "libkeyblock.so"
         shutil.copy(library, target.parent / SONAME)  # the file that the link leads to
+        program = library.parent / "keyblock"
+        if program.is_file():
+            (target.parent / "bin").mkdir(exist_ok=True)
+            shutil.copy(program, target.parent / "bin" / "keyblock")
 
 
 linked = {}

@@ -27,5 +27,5 @@ def drawn(seed):
 
 table = kb.sweep(drawn, {"seed": range(int(sys.argv[1]) if len(sys.argv) > 1 else 200)}, out=["fos"], time_limit=300)
 table.write("slope_safety.csv")
-known = table["fos"][table["verdict"] == "bracketed"]
+known = table["fos"][table["verdict"] == "finished"]
 print(table, f"probability of failure: {(known < 1).mean():.2f} of {len(known)} joint sets", sep="\n")

@@ -48,17 +48,17 @@ Components elastic_strain(const Stress& s, const BlockMaterial& rock) {
 template <class MaterialOf>
 void add_elastic_strain(FramePart& part, const std::vector<Stress>& stresses, std::span<const BlockMaterial> materials,
                         const MaterialOf& material_of) {
-  struct Rock {
+  struct StressedRock {
     Stress stress;
     const BlockMaterial* material;
   };
-  std::vector<Rock> rocks;
+  std::vector<StressedRock> rocks;
   rocks.reserve(stresses.size());
   for (std::size_t i = 0; i < stresses.size(); ++i)
     rocks.push_back({stresses[i], &materials[static_cast<std::size_t>(material_of(i) - 1)]});
   ColumnFiller(part, rocks)
       .tensor(
-          "elastic_strain", [](const Rock& r) { return elastic_strain(r.stress, *r.material); }, Digits::seven);
+          "elastic_strain", [](const StressedRock& r) { return elastic_strain(r.stress, *r.material); }, Digits::seven);
 }
 
 void add_invariants(const ColumnFiller<Stress>& fill) {

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -80,23 +81,35 @@ class KEYBLOCK_API Context {
 struct Choices {
   std::string profile = {};
   std::vector<std::pair<std::string, std::string>> set = {};
+  /// Histories that a `Run` keeps in memory, beside those of the case; as `keyblock run --history`: "crest=point:12,20".
+  std::vector<std::string> histories = {};
+};
+
+/// Choices for a drawing among the files of a case, as `--unit` and `--join`.
+struct Drawing {
+  std::string unit = {};  ///< of length, of a DXF file instead of its own
+  double join = 0;        ///< ends of lines nearer than this to a line are joined to it; 0: none
 };
 
 /// The content of case files. Copies share it; nothing changes it.
 class KEYBLOCK_API Case {
  public:
-  /// The files of a case in any order, or its folder. Throws InputError.
-  static Case read(const std::vector<std::string>& paths);
+  /// The files of a case in any order, a table of DXF layers among them, or its folder. Throws InputError, SettingError
+  /// for choices without a drawing that they fit.
+  static Case read(const std::vector<std::string>& paths, const Drawing& drawing = {});
   const std::vector<Warning>& warnings() const;
   /// Names of the units of length, mass and time; each empty where the case does not declare it.
   std::vector<std::string> units() const;
   /// The case as a case file of Keyblock (`keyblock formats --schema`).
   std::string json() const;
   /// A value of that file by its JSON pointer (RFC 6901), as JSON: "/analysis/joint_materials/0/friction_angle_deg".
-  /// Throws SettingError if the case has no such value.
+  /// The name of a list item may replace its number; * stands for all items, whose values form a list. Throws
+  /// SettingError if the case has no such value.
   std::string get(std::string_view pointer) const;
-  /// The same case with another value there, given as JSON. Throws SettingError for a pointer to nothing, InputError
-  /// for a value that the file must not have.
+  /// The JSON pointers that a pointer with names and * stands for. Throws SettingError if there are none.
+  std::vector<std::string> pointers(std::string_view pointer) const;
+  /// The same case with another value there, given as JSON; also a key that its object lacks. Throws SettingError for a
+  /// pointer to nothing, InputError for a key or a value that the file must not have.
   Case with(std::string_view pointer, std::string_view value) const;
   Case with(std::string_view pointer, double value) const;
   /// Writes it in a format of `keyblock convert --to`. Gives in sentences what the format cannot hold, what is added,
@@ -165,6 +178,11 @@ class KEYBLOCK_API Frame {
   std::vector<std::string> names(std::string_view part) const;
   std::size_t rows(std::string_view part) const;
   bool is_integer(std::string_view part, std::string_view name) const;
+  /// Names of the numbers of a row, such as "x" and "y"; none for a single number. Throws SettingError for a column that
+  /// no frame has.
+  std::vector<std::string> components(std::string_view part, std::string_view name) const;
+  /// Unit of a column, such as "N/m"; empty for a plain number, and if the case does not declare the units.
+  std::string unit(std::string_view part, std::string_view name) const;
   /// Throw SettingError for a column that is not there; without rows each is empty and of width 1.
   Column<double> reals(std::string_view part, std::string_view name) const;
   Column<int> integers(std::string_view part, std::string_view name) const;
@@ -219,6 +237,8 @@ struct Outcome {
   std::string reason;      ///< why it failed
   int steps = 0;
   double time = 0;
+  double displacement = 0;             ///< the largest of any point at the end, as in run.json
+  double speed = 0;                    ///< of the fastest block at the end
   std::vector<std::string> sentences;  ///< how the motion ended
   std::vector<Warning> warnings;       ///< of the plan and the run, doubts among them
   std::vector<Warning> doubts;
@@ -237,8 +257,15 @@ class KEYBLOCK_API Run {
   /// To the end, or until `until` is true behind a step: the run may then go on.
   const Outcome& go_on(const std::function<bool(const Run&)>& until = {});
   const Step& last() const;
-  Frame frame(Detail detail = Detail::blocks) const;  ///< of now
+  Frame frame(Detail detail = Detail::blocks) const;  ///< of now; its contacts are sought when first asked for
   const Outcome& outcome() const;                     ///< `running` before the end
+  /// Names of the histories so far: those of `Choices::histories` and of the case.
+  std::vector<std::string> histories() const;
+  /// Quantities of a history, each with its unit (a letter if the case does not declare it). Throws SettingError.
+  std::vector<std::pair<std::string, std::string>> quantities(std::string_view history) const;
+  /// Time and value of a quantity, at the start and after each step; long runs keep every n-th step, as their tables
+  /// do. Throws SettingError for a history or quantity that is not there.
+  Column<double> history(std::string_view history, std::string_view quantity) const;
 
   struct State;
 
@@ -312,8 +339,14 @@ struct Intensity {
 KEYBLOCK_API Intensity stress_intensity(const Case& of, const Choices& choices = {},
                                         const Context& context = Context());
 
+/// Rows of a Latin hypercube over "KEY=VALUES", as `keyblock sweep --over --random`: a JSON list of objects. The same
+/// seed gives the same rows. Throws SettingError.
+KEYBLOCK_API std::string random_rows(const std::vector<std::string>& keys, std::size_t count, std::uint64_t seed = 1);
+
 /// "0.2.0".
 KEYBLOCK_API std::string version();
+/// Hash of this build of the library; builds that may compute otherwise differ in it.
+KEYBLOCK_API std::string build();
 
 }  // namespace v1
 }  // namespace keyblock::api

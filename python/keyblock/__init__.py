@@ -11,25 +11,25 @@ Numbers of blocks, materials and cracks count from 1, as in case files and table
 Quantities have the units of the case (`Case.units`).
 
 This module wraps the C++ library (`include/keyblock/keyblock.hpp`). Some functions start the program `keyblock`
-instead, because the library cannot do their work yet: `compare`, `element`, `fit`, `joints`, `convert`, `new`, and `read`
-with `layers`, `unit` or `join`.
+instead: `sweep` of a case with named results, `compare`, `element`, `fit`, `joints`, `convert` and `new`.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from ._keyblock import Error, InputError, Outcome, SettingError, Step, Stopped, Strength, Tip, Trial, Warning
 from ._keyblock import version as _version
 from ._cases import Case, Context, Plan, read
+from ._cite import cite
 from ._frames import Frame, plot
 from ._pool import Failed, Pool
 from ._program import ProgramError, cases, compare, convert, element, fit, joints, new, program
 from ._records import Results, record, resume
 from ._runs import Run, factor_of_safety, stress_intensity
-from ._sweeps import (Table, choice, grid, lognormal, normal, random, sweep, uniform)
+from ._sweeps import Distribution, Table, choice, grid, lognormal, normal, random, sweep, triangular, uniform
 
 __version__ = _version()
 
 __all__ = [
-    "Case", "Context", "Error", "Failed", "Frame", "InputError", "Outcome", "Plan", "Pool", "ProgramError", "Results",
-    "Run", "SettingError", "Step", "Stopped", "Strength", "Table", "Tip", "Trial", "Warning", "cases", "choice", "compare",
-    "convert", "element", "factor_of_safety", "fit", "grid", "joints", "lognormal", "new", "normal", "plot", "program",
-    "random", "read", "record", "resume", "stress_intensity", "sweep", "uniform",
+    "Case", "Context", "Distribution", "Error", "Failed", "Frame", "InputError", "Outcome", "Plan", "Pool", "ProgramError",
+    "Results", "Run", "SettingError", "Step", "Stopped", "Strength", "Table", "Tip", "Trial", "Warning", "cases", "choice",
+    "cite", "compare", "convert", "element", "factor_of_safety", "fit", "grid", "joints", "lognormal", "new", "normal", "plot",
+    "program", "random", "read", "record", "resume", "stress_intensity", "sweep", "triangular", "uniform",
 ]

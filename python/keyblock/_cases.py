@@ -11,7 +11,7 @@ import sys
 import threading
 import time
 from pathlib import Path
-from typing import Any, Iterable, Mapping, Union
+from typing import Any, Iterable, Mapping, Sequence, Union
 
 from . import _keyblock
 
@@ -58,9 +58,15 @@ class Context(_keyblock.Context):
 class Case:
     """Content of case files. Nothing changes it; `with_value` returns another case."""
 
-    def __init__(self, case: _keyblock.Case, files: Iterable[str] = ()) -> None:
+    def __init__(self, case: _keyblock.Case, files: Iterable[str] = (), drawing: Mapping[str, Any] | None = None,
+                 values: Iterable[tuple[str, Any]] = ()) -> None:
         self._case = case
-        self._files = tuple(files)  # empty if no file holds this content
+        self._read = tuple(files)        # paths
+        self._drawing = dict(drawing or {})  # unit, join
+        self._values = tuple(values)     # changed after reading
+
+    def __reduce__(self) -> Any:
+        return _read_again, (self._read, self._drawing, self._values)
 
     @property
     def warnings(self) -> list[_keyblock.Warning]:
@@ -75,7 +81,7 @@ class Case:
     @property
     def files(self) -> tuple[str, ...]:
         """Files of the case; empty if its content was changed."""
-        return self._files
+        return () if self._values else self._read
 
     def json(self) -> str:
         """Returns the text of the case as a case file of Keyblock."""
@@ -87,19 +93,18 @@ class Case:
         A name may stand for the index of a list item: /analysis/joint_materials/bedding/friction_angle_deg. `*` stands for
         all items; the result is then a list. Raises SettingError if the case has no such value.
         """
-        found = [json.loads(self._case.get(p)) for p in self.pointers(pointer)]
-        return found if "*" in pointer.split("/") else found[0]
+        return json.loads(self._case.get(pointer))
 
     def with_value(self, pointer: str, value: Any) -> Case:
         """Returns the same case with another value at this pointer, or at all pointers that `*` stands for.
 
-        A value is a number, a bool, a list, a dict, or a text with a unit ("50 kN") where the case file permits units.
-        Raises SettingError for a pointer to nothing, InputError for a value that the file must not have.
+        A value is a number, a bool, a list, a dict, or a text with a unit ("50 kN") where the case file permits units. A
+        key may be new in its object. Raises SettingError for a pointer to nothing, InputError for a key or a value that the
+        file must not have.
         """
-        case = self._case
-        for each in self.pointers(pointer):
-            case = case.with_json(each, json.dumps(_plain(value)))
-        return Case(case)
+        value = _plain(value)
+        changed = self._case.with_json(pointer, json.dumps(value))
+        return Case(changed, self._read, self._drawing, (*self._values, (pointer, value)))
 
     def with_values(self, values: Mapping[str, Any]) -> Case:
         """Returns the same case with several values: a dict of pointers and values."""
@@ -110,15 +115,7 @@ class Case:
 
     def pointers(self, pointer: str) -> list[str]:
         """Returns the JSON pointers that a pointer with names and `*` stands for. Raises SettingError if there are none."""
-        parts = pointer.split("/")
-        if not pointer or "*" not in parts and _has(self._case, pointer):
-            return [pointer]
-        found = [("", json.loads(self._case.get("")))]
-        for part in parts[1:] if pointer.startswith("/") else [pointer]:
-            found = [(f"{at}/{key}", value) for at, whole in found for key, value in _children(whole, part)]
-        if not found:
-            raise _keyblock.SettingError(f"expected a pointer to a value of the case, found {pointer}")
-        return [at for at, _ in found]
+        return self._case.pointers(pointer)
 
     def write(self, path: StrPath, format: str = "keyblock-case") -> list[str]:
         """Writes the case in a format of `keyblock convert --to`; an existing file is an error.
@@ -128,22 +125,26 @@ class Case:
         return self._case.write(os.fspath(path), format)
 
     def __repr__(self) -> str:
-        names = ", ".join(Path(f).name for f in self._files)
-        return f"<Case {names or 'with changed values'}>"
+        names = ", ".join(Path(f).name for f in self._read)
+        return f"<Case {names}{' with changed values' if self._values else ''}>"
 
 
 def read(*paths: StrPath, layers: StrPath | None = None, unit: str | None = None, join: float | None = None) -> Case:
     """Reads the files of a case in any order, or its folder.
 
     layers: table of the layers of a DXF drawing. unit: unit of length of the drawing. join: distance of `keyblock check
-    --join`. With one of these three the program `keyblock` converts the files first. Raises InputError with file, line
-    and column.
+    --join`. Raises InputError with file, line and column.
     """
-    from . import _program
-    files = [os.fspath(p) for p in paths]
-    if layers is None and unit is None and join is None:
-        return Case(_keyblock.Case.read(files), [os.path.abspath(f) for f in files])
-    return _program.read_converted(files, layers=layers, unit=unit, join=join)
+    files = [os.fspath(p) for p in (*paths, *(() if layers is None else (layers,)))]
+    return _read_again(files, {k: v for k, v in (("unit", unit), ("join", join)) if v is not None})
+
+
+def _read_again(files: Sequence[str], drawing: Mapping[str, Any], values: Iterable[tuple[str, Any]] = ()) -> Case:
+    case = Case(_keyblock.Case.read([os.fspath(f) for f in files], drawing.get("unit", ""), drawing.get("join", 0.0)),
+                [os.path.abspath(f) for f in files], drawing)
+    for pointer, value in values:
+        case = case.with_value(pointer, value)
+    return case
 
 
 class Plan:
@@ -151,14 +152,14 @@ class Plan:
 
     profile: legacy, draft, standard or reference; None takes what the files request.
     settings: a dict, as `--set` of the program: {"time_step": "2 ms", "steps": 500}. True and False mean on and off.
-    Raises InputError, SettingError, Stopped.
+    history: quantities that a run keeps in memory, such as "crest=point:12,20". Raises InputError, SettingError, Stopped.
     """
 
     def __init__(self, case: Case | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
-                 context: _keyblock.Context | None = None) -> None:
+                 context: _keyblock.Context | None = None, history: Iterable[str] = ()) -> None:
         self._case = case if isinstance(case, Case) else read(case)
         self._choices = (profile or "", setting_pairs(settings))
-        self._plan = _keyblock.Plan(self._case._case, *self._choices, context or Context())
+        self._plan = _keyblock.Plan(self._case._case, *self._choices, list(history), context or Context())
 
     @property
     def case(self) -> Case:
@@ -213,27 +214,6 @@ def setting_pairs(settings: Mapping[str, Any] | None) -> list[tuple[str, str]]:
 def _plain(value: Any) -> Any:
     """Numbers and arrays of NumPy as those of Python."""
     return value.tolist() if hasattr(value, "tolist") else value
-
-
-def _has(case: _keyblock.Case, pointer: str) -> bool:
-    try:
-        case.get(pointer)
-        return True
-    except _keyblock.SettingError:
-        return False
-
-
-def _children(value: Any, part: str) -> list[tuple[str, Any]]:
-    """(key, value) of the items of a list or dict that a part of a pointer stands for."""
-    if isinstance(value, dict):
-        name = part.replace("~1", "/").replace("~0", "~")
-        if part == "*":
-            return [(k.replace("~", "~0").replace("/", "~1"), v) for k, v in value.items()]
-        return [(part, value[name])] if name in value else []
-    if isinstance(value, list):
-        return [(str(i), v) for i, v in enumerate(value)
-                if part in ("*", str(i)) or isinstance(v, dict) and part == v.get("name")]
-    return []
 
 
 @atexit.register

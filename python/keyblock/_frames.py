@@ -12,30 +12,6 @@ from . import _keyblock
 
 Array = np.ndarray[Any, Any]
 
-XY = ("x", "y")
-TENSOR = ("xx", "yy", "xy", "zz")
-ENDS = ("x1", "y1", "x2", "y2")
-
-# Shape and dimension of the columns that are not plain numbers: length, mass, time as powers of (L, M, T), "rad" for
-# angles. Forces are those of a slice of unit thickness.
-_LENGTH, _SPEED, _FORCE, _STRESS = (1, 0, 0), (1, 0, -1), (0, 1, -2), (-1, 1, -2)
-_COLUMNS = {
-    "centroid": (XY, _LENGTH), "displacement": (XY, _LENGTH), "place": (XY, _LENGTH), "velocity": (XY, _SPEED),
-    "normal": (XY, None), "force": (XY, _FORCE), "stress": (TENSOR, _STRESS), "plastic_strain": (TENSOR, None),
-    "ends": (ENDS, _LENGTH), "gap": ((), _LENGTH), "slip": ((), _LENGTH), "length": ((), _LENGTH),
-    "normal_force": ((), _FORCE), "shear_force": ((), _FORCE), "area": ((), (2, 0, 0)), "rotation": ((), "rad"),
-    "rotation_rate": ((), "rad"), "K_I": ((), (-0.5, 1, -2)), "K_II": ((), (-0.5, 1, -2)), "J": ((), _FORCE),
-}
-
-
-def _about(part: str, name: str) -> tuple[tuple[str, ...], Any]:
-    if (part, name) == ("cracks", "displacement"):
-        return ENDS, _LENGTH
-    if (part, name) == ("bolts", "force"):
-        return (), _FORCE
-    return _COLUMNS.get(name, ((), None))
-
-
 def _column(part: str, name: str, doc: str) -> property:
     def get(self: Frame) -> Array:
         return self.column(part, name)
@@ -89,7 +65,15 @@ class Frame:
 
     def column(self, part: str, name: str) -> Array:
         """Returns a column of a part as a view. Raises SettingError if there is none."""
-        return self._frame.column(part, name, len(_about(part, name)[0]) or 1)
+        return self._frame.column(part, name)
+
+    def components(self, part: str, name: str) -> list[str]:
+        """Returns the names of the numbers of a row, such as x and y; none for a single number."""
+        return self._frame.components(part, name)
+
+    def unit(self, part: str, name: str) -> str:
+        """Returns the unit of a column; empty for a plain number, and if the case does not declare its units."""
+        return self._frame.unit(part, name)
 
     def index_of(self, number: int) -> int:
         """Returns the row of the block with this number. Raises KeyError if there is none."""
@@ -106,12 +90,12 @@ class Frame:
         """
         columns, units = {}, {}
         for name in self.names(part):
-            suffixes, dimension = _about(part, name)
+            suffixes, unit = self.components(part, name), self.unit(part, name)
             values = self.column(part, name)
             for i, suffix in enumerate(suffixes or ("",)):
                 key = f"{name}_{suffix}" if suffix else name
                 columns[key] = values[:, i] if suffixes else values
-                units[key] = unit_text(dimension, self.units, per_time=name == "rotation_rate")
+                units[key] = unit
         try:
             import pandas
         except ImportError:
@@ -157,27 +141,6 @@ class Frame:
         return f"<Frame of step {self.step}, time {self.time:g}: {len(self.number)} blocks>"
 
 
-def unit_text(dimension: Any, units: Sequence[str], per_time: bool = False) -> str:
-    """Returns a unit made of those of length, mass and time; empty if it has none or they are not declared."""
-    length, mass, time = units
-    if dimension == "rad":
-        return (f"rad/{time}" if time else "") if per_time else "rad"
-    if dimension is None:
-        return ""
-    if any(power and not name for power, name in zip(dimension, units)):
-        return ""
-    if (length, mass, time) == ("m", "kg", "s") and dimension[1]:
-        return {_FORCE: "N/m", _STRESS: "Pa", (-0.5, 1, -2): "N/m^1.5"}[dimension]
-    parts = [(mass, dimension[1]), (length, dimension[0]), (time, dimension[2])]
-    above = "·".join(_power(n, p) for n, p in parts if p > 0) or "1"
-    return above + "".join("/" + _power(n, -p) for n, p in parts if p < 0)
-
-
-def _power(name: str, power: float) -> str:
-    powers: dict[float, str] = {1: "", 2: "²", 3: "³"}
-    return name + powers.get(power, f"^{power:g}")
-
-
 def _values(frame: Frame, colour: Any) -> tuple[Array, str]:
     """A number per block, and its name."""
     if colour is None:
@@ -204,7 +167,7 @@ def _svg(frame: Frame, colour: Any, width: int) -> str:
     least, greatest = (finite.min(), finite.max()) if len(finite) else (0.0, 0.0)
     shares = np.nan_to_num((values - least) / ((greatest - least) or 1.0)) * (len(_SCALE) - 1)
     colours = np.stack([np.interp(shares, range(len(_SCALE)), c) for c in _SCALE.T], axis=1).astype(int)
-    unit = unit_text(_about("blocks", name)[1], frame.units) if name else ""
+    unit = frame.unit("blocks", name) if name else ""
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
              f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="12">',
              '<g stroke="#333" stroke-width="0.6" fill-rule="evenodd">']
@@ -248,7 +211,7 @@ def plot(frame: Frame, colour: Any = None, ax: Any = None, label: str | None = N
     ax.add_collection(blocks)
     ax.autoscale_view()
     ax.set_aspect("equal")
-    unit = unit_text(_about("blocks", name)[1], frame.units) if name else ""
+    unit = frame.unit("blocks", name) if name else ""
     ax.figure.colorbar(blocks, ax=ax, label=label or (f"{name} [{unit}]" if unit else name))
     ax.set_title(f"step {frame.step}, time {frame.time:.4g} {frame.units[2]}".rstrip())
     return ax

@@ -27,8 +27,12 @@ class ProgramError(_keyblock.Error):
 
 
 def program() -> str:
-    """Returns the path of the program: that of the environment variable KEYBLOCK_PROGRAM, else of the search path."""
-    found = os.environ.get("KEYBLOCK_PROGRAM") or shutil.which("keyblock")
+    """Returns the path of the program.
+
+    That is the environment variable KEYBLOCK_PROGRAM, else the program of this package, else that of the search path.
+    """
+    own = Path(__file__).with_name("bin") / "keyblock"
+    found = os.environ.get("KEYBLOCK_PROGRAM") or (str(own) if own.is_file() else shutil.which("keyblock"))
     if not found:
         raise ProgramError("the program keyblock is not on the search path; KEYBLOCK_PROGRAM may name it", 127)
     return found
@@ -66,14 +70,6 @@ def _options(**given: Any) -> list[str]:
         elif value is not None and value is not False:
             all += [option, str(value)]
     return all
-
-
-def read_converted(files: list[str], **options: Any) -> Case:
-    """Reads what the program converts into a case file."""
-    with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
-        path = os.path.join(folder, "case.json")
-        _run(["convert", *files, "-o", path, *_options(**options)])
-        return Case(_keyblock.Case.read([path]))
 
 
 def convert(*files: StrPath, output: StrPath, to: str | None = None, strict: bool = False, force: bool = False,

@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import time
-from typing import Any, Callable, Mapping
+from typing import Any, Callable, Iterable, Mapping
 
 from . import _keyblock
 from ._cases import Case, Context, Plan, StrPath, read, setting_pairs
@@ -16,7 +16,7 @@ from ._records import Results, record
 class Run:
     """Steps of a case, made one at a time. Nothing is printed and nothing is written.
 
-    case: a Case, a Plan, or the path of a case. profile, settings: see Plan. threads: see Context. load: a function of
+    case: a Case, a Plan, or the path of a case. profile, settings, history: see Plan. threads: see Context. load: a function of
     time that returns the acceleration (ax, ay) of a force per mass on every block; it is called once per step of the
     plan, before the run, and its values go to the setting `body_acceleration_file`.
 
@@ -26,18 +26,18 @@ class Run:
     """
 
     def __init__(self, case: Case | Plan | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
-                 threads: int | None = None, context: _keyblock.Context | None = None,
+                 threads: int | None = None, context: _keyblock.Context | None = None, history: Iterable[str] = (),
                  load: Callable[[float], tuple[float, float]] | None = None) -> None:
         self.context = context or Context(threads)
         self.load_seconds = 0.0
         if load is not None:
             settings = dict(settings or {}, **self._table_of(load, case, profile, settings))
         if isinstance(case, Plan):
-            if profile or settings:
-                raise ValueError("a Plan has its profile and settings; give them to the Plan")
+            if profile or settings or history:
+                raise ValueError("a Plan has its profile, settings and histories; give them to the Plan")
             self.plan = case
         else:
-            self.plan = Plan(case, profile, settings, self.context)
+            self.plan = Plan(case, profile, settings, self.context, history)
         self._run = _keyblock.Run(self.plan._plan, self.context)
 
     def _table_of(self, load: Callable[[float], tuple[float, float]], case: Any, profile: str | None,
@@ -86,6 +86,29 @@ class Run:
         if detail not in ("blocks", "corners"):
             raise ValueError(f"detail: expected blocks or corners, found {detail}")
         return Frame(self._run.frame(detail == "corners"), self.plan.case.units)
+
+    def histories(self) -> list[str]:
+        """Returns the names of the histories: those of the case, and those of `history`."""
+        return self._run.histories()
+
+    def history(self, name: str) -> Any:
+        """Returns a history so far: a data frame of time and quantities, with units in `attrs["units"]`.
+
+        Without pandas: a dict of arrays. Raises SettingError for another name. Rows are those of histories.csv.
+        """
+        columns, units = {}, {"time": self.plan.case.units[2]}
+        for quantity, unit in self._run.quantities(name):
+            rows = self._run.history(name, quantity)
+            columns.setdefault("time", rows[:, 0])
+            columns[quantity] = rows[:, 1]
+            units[quantity] = unit
+        try:
+            import pandas
+        except ImportError:
+            return columns
+        table = pandas.DataFrame(columns)
+        table.attrs["units"] = units
+        return table
 
     @property
     def last(self) -> _keyblock.Step:

@@ -1,4 +1,4 @@
-"""Sweeps: one case under many values, each in a child process, as one table.
+"""Sweeps: one case under many values, each in child processes, as one table.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -10,21 +10,27 @@ import html
 import itertools
 import json
 import os
-import random as _random
-import statistics
+import tempfile
 import time
 from typing import Any, Callable, Iterable, Mapping, Sequence
 
 import numpy as np
 
-from . import _keyblock
+from . import _keyblock, _program
 from ._cases import Case, StrPath, _plain, read, setting_pairs
 from ._pool import Failed, Pool
 from ._runs import Run, factor_of_safety
 
 
 class Table(list):  # type: ignore[type-arg]
-    """Rows of a sweep: a list of dicts with the same keys. `table["fos"]` is a column as an array."""
+    """Rows of a sweep: a list of dicts with the same keys. `table["fos"]` is a column as an array.
+
+    `seconds`: wall time of each row; the rows have none, so that a sweep gives the same table on every machine.
+    """
+
+    def __init__(self, rows: Iterable[Mapping[str, Any]] = (), seconds: Iterable[float] = ()) -> None:
+        super().__init__(rows)
+        self.seconds = list(seconds)
 
     def __getitem__(self, key: Any) -> Any:
         if not isinstance(key, str):
@@ -42,11 +48,11 @@ class Table(list):  # type: ignore[type-arg]
         return pandas.DataFrame(list(self), columns=self.columns)
 
     def write(self, path: StrPath) -> None:
-        """Writes the table as CSV; an existing file is replaced."""
+        """Writes the table as CSV, with the bytes of table.csv of `keyblock sweep`; an existing file is replaced."""
         with open(path, "w", newline="", encoding="utf-8") as file:
-            out = csv.DictWriter(file, self.columns, lineterminator="\n")
-            out.writeheader()
-            out.writerows(self)
+            out = csv.writer(file, lineterminator="\n")
+            out.writerow(self.columns)
+            out.writerows([_cell(v) for v in row.values()] for row in self)
 
     def _repr_html_(self) -> str:
         cells = [[_short(v) for v in row.values()] for row in self]
@@ -65,63 +71,88 @@ def _short(value: Any) -> str:
     return f"{value:.6g}" if isinstance(value, float) else str(value)
 
 
+def _cell(value: Any) -> str:
+    """The fewest digits that read back the same, without a point behind whole numbers."""
+    if value is None or isinstance(value, float) and not np.isfinite(value):
+        return ""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, float):
+        text = repr(value)
+        return text[:-2] if text.endswith(".0") else text
+    return json.dumps(value, separators=(",", ":"), ensure_ascii=False)
+
+
 def grid(over: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:
     """Returns all combinations of values: a list of dicts. over: dict of keys and lists; the last key varies fastest."""
     lists = [v if isinstance(v, (list, tuple)) else list(v) for v in over.values()]
     return [dict(zip(over, map(_plain, values))) for values in itertools.product(*lists)]
 
 
-class _Distribution:
-    def __init__(self, inverse: Callable[[float], Any]) -> None:
-        self.inverse = inverse  # of the cumulative distribution
+class Distribution:
+    """A distribution of a key, or values that are each as likely; `unit` belongs to the numbers."""
+
+    def __init__(self, words: str, values: Sequence[Any] = ()) -> None:
+        self.words = words
+        self.values = tuple(values)
+
+    def __repr__(self) -> str:
+        return f"<Distribution {self.words or self.values}>"
 
 
-def uniform(low: float, high: float) -> _Distribution:
+def _law(name: str, numbers: Iterable[float], unit: str) -> Distribution:
+    return Distribution(f"{name}({','.join(repr(float(n)) for n in numbers)}) {unit}".strip())
+
+
+def uniform(low: float, high: float, unit: str = "") -> Distribution:
     """Uniform distribution between two bounds."""
-    return _Distribution(lambda p: low + (high - low) * p)
+    return _law("uniform", (low, high), unit)
 
 
-def normal(mean: float, deviation: float, low: float = -np.inf, high: float = np.inf) -> _Distribution:
+def triangular(low: float, mode: float, high: float, unit: str = "") -> Distribution:
+    """Triangular distribution between two bounds, densest at the mode."""
+    return _law("triangular", (low, mode, high), unit)
+
+
+def normal(mean: float, deviation: float, low: float | None = None, high: float | None = None,
+           unit: str = "") -> Distribution:
     """Normal distribution, cut off below `low` and above `high`: no value lies outside."""
-    base = statistics.NormalDist(mean, deviation)
-    first, last = base.cdf(low) if low > -np.inf else 0.0, base.cdf(high) if high < np.inf else 1.0
-    return _Distribution(lambda p: base.inv_cdf(min(max(first + (last - first) * p, 1e-16), 1 - 1e-16)))
+    if low is None and high is None:
+        return _law("normal", (mean, deviation), unit)
+    return _law("normal", (mean, deviation, -1e300 if low is None else low, 1e300 if high is None else high), unit)
 
 
-def lognormal(mean: float, deviation: float) -> _Distribution:
+def lognormal(mean: float, deviation: float, unit: str = "") -> Distribution:
     """Lognormal distribution with this mean and standard deviation of the value itself."""
-    of_log = np.log1p((deviation / mean) ** 2)
-    base = statistics.NormalDist(np.log(mean) - of_log / 2, np.sqrt(of_log))
-    return _Distribution(lambda p: float(np.exp(base.inv_cdf(p))))
+    return _law("lognormal", (mean, deviation), unit)
 
 
-def choice(*values: Any) -> _Distribution:
+def choice(*values: Any) -> Distribution:
     """One of some values, each as likely."""
-    return _Distribution(lambda p: values[min(int(p * len(values)), len(values) - 1)])
+    return Distribution("", values)
 
 
-def random(over: Mapping[str, _Distribution], count: int, seed: int = 1) -> list[dict[str, Any]]:
-    """Returns a Latin hypercube of `count` rows: a list of dicts. over: dict of keys and distributions.
+def random(over: Mapping[str, Distribution | Iterable[Any]], count: int, seed: int = 1) -> list[dict[str, Any]]:
+    """Returns a Latin hypercube of `count` rows: a list of dicts. over: dict of keys and distributions, or lists.
 
     Each distribution is cut into `count` parts of equal probability, and each part is used once. The same seed gives the
-    same rows.
+    same rows, which are those of `keyblock sweep --random`.
     """
-    source = _random.Random(seed)
-    columns = []
-    for distribution in over.values():
-        order = list(range(count))
-        source.shuffle(order)
-        columns.append([distribution.inverse((i + 1e-9 + (1 - 2e-9) * source.random()) / count) for i in order])
-    return [dict(zip(over, values)) for values in zip(*columns)]
-
-
-def _displacement(run: Run) -> float:
-    return float(np.hypot(*run.frame().displacement.T).max())
+    words, values = [], {}
+    for i, (key, law) in enumerate(over.items()):
+        if isinstance(law, Distribution) and law.words:
+            words.append(f"{i}={law.words}")
+            continue
+        values[str(i)] = list(map(_plain, law.values if isinstance(law, Distribution) else law))
+        words.append(f"{i}=" + ",".join(map(str, range(len(values[str(i)])))))
+    rows = json.loads(_keyblock.random_rows(words, count, seed))
+    return [{key: values[str(i)][row[str(i)]] if str(i) in values else row[str(i)] for i, key in enumerate(over)}
+            for row in rows]
 
 
 _OUTPUTS: dict[str, Callable[[Run], Any]] = {
-    "displacement": _displacement,
-    "speed": lambda run: float(np.hypot(*run.frame().velocity.T).max()),
+    "displacement": lambda run: run.outcome.displacement,
+    "speed": lambda run: run.outcome.speed,
     "steps": lambda run: run.outcome.steps,
     "time": lambda run: run.outcome.time,
     "blocks": lambda run: run.plan.blocks,
@@ -129,28 +160,8 @@ _OUTPUTS: dict[str, Callable[[Run], Any]] = {
 _FACTORS = {"fos": "", "fos_joints": "joints", "fos_rock": "rock", "fos_both": "both"}
 
 
-def _point_output(name: str) -> Callable[[Run], float] | None:
-    """An output such as point1.dx; nothing if it is another name."""
-    part, _, axis = name.partition(".")
-    if not part.startswith("point") or not part[5:].isdigit() or axis not in ("dx", "dy"):
-        return None
-    row, column = int(part[5:]) - 1, "dx dy".split().index(axis)
-    return lambda run: float(run.frame().point_displacement[row, column])
-
-
-def _outputs(out: Iterable[str]) -> list[tuple[str, Callable[[Run], Any] | None]]:
-    """(name, function) of each output; the function is None for a factor of safety."""
-    found = []
-    for name in out:
-        function = _OUTPUTS.get(name) or _point_output(name)
-        if not function and name not in _FACTORS:
-            raise ValueError(f"out: expected one of {', '.join([*_OUTPUTS, *_FACTORS])}, point1.dx, found {name}")
-        found.append((name, function))
-    return found
-
-
 def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, settings: Any) -> dict[str, Any]:
-    """Verdict, doubts and outputs of one row: the work of a child."""
+    """Verdict, doubt and outputs of one row of a function: the work of a child."""
     keys = {k: v for k, v in values.items() if k.startswith("/")}
     names = {k: v for k, v in values.items() if not k.startswith("/")}
     if isinstance(case, Case):
@@ -159,21 +170,21 @@ def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, setti
         case = case(**names)
     case = case.with_values(keys)
     row: dict[str, Any] = {"verdict": "", "doubt": ""}
-    functions = None if callable(out) else _outputs(out)
-    if functions is None or any(f for _, f in functions):
+    if callable(out) or any(name in _OUTPUTS for name in out):
         run = Run(case, profile, settings)
         outcome = run.go_on()
         row["verdict"] = outcome.end
-        row["doubt"] = outcome.reason or " ".join(d.code for d in outcome.doubts)
-        if functions is None:
+        row["doubt"] = outcome.reason or (outcome.doubts[0].sentence if outcome.doubts else "")
+        if callable(out):
             result = out(run)
             row.update(_plain_dict(result if isinstance(result, dict) else {"out": result}))
-    for name, function in functions or ():
-        if function:
-            row[name] = function(run)
+            return row
+    for name in out:
+        if name in _OUTPUTS:
+            row[name] = _OUTPUTS[name](run)
             continue
         found = factor_of_safety(case, _FACTORS[name], profile=profile, settings=settings)
-        row["verdict"] = row["verdict"] or found.end
+        row["verdict"] = row["verdict"] or ("finished" if found.end == "bracketed" else found.end)
         row[name] = found.stands if found.stands is not None else float("nan")
     return row
 
@@ -185,76 +196,141 @@ def _plain_dict(values: Mapping[str, Any]) -> dict[str, Any]:
 def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterable[Any]] | Iterable[Mapping[str, Any]],
           out: str | Iterable[str] | Callable[[Run], Any] = ("displacement",), jobs: int = 2,
           time_limit: float | None = None, memory_limit: int | None = None, profile: str | None = None,
-          settings: Mapping[str, Any] | None = None, resume: StrPath | Sequence[StrPath] | None = None,
-          shard: str | None = None) -> Table:
+          settings: Mapping[str, Any] | None = None, folder: StrPath | None = None, shard: str | None = None,
+          history: Iterable[str] = (), client: Any = None) -> Table:
     """Runs a case under many values and returns a Table, one row per run in the order of `over`.
 
     case: a Case, a path, or a function that takes values by name and returns a Case, such as one that draws joints from a
     seed. over: a dict of lists (all combinations), or a list of dicts, such as `random` returns. A key that begins with /
     is a pointer into the case file, as `Case.with_value` has it; another key is a setting, or an argument of the function.
-    out: names (displacement, speed, steps, time, blocks, point1.dx, fos, fos_rock, …), or a function of the finished Run
-    that returns a number or a dict.
+    out: names as those of `keyblock sweep --out` (displacement, fos, point1.dx, crest.vx, ledger.kinetic, …), or a function
+    of the finished Run that returns a number or a dict.
 
     Each run is a child process with one thread. One that crashes, is killed, or exceeds its time or memory is one row with
-    its verdict: signal, time_limit or error; the doubt gives the reason. resume: a file to which each row is added as it
-    ends; a second call with the same arguments computes the missing rows alone. Several files are read, and rows are added
-    to the first. shard: "k/n" computes every n-th row from the k-th, k from 1 to n, and returns these rows alone; each
-    shard needs a resume file of its own, and a call with all files and no shard returns the whole table.
+    its verdict: signal, time_limit, memory_limit or error; the doubt gives the reason. Names of a case without functions
+    are the work of the program `keyblock sweep`, and give its table. history: quantities to follow, for `out`.
+
+    folder: keeps the results of rows as they end; a second call with the same arguments computes the missing rows alone.
+    shard: "k/n" computes a part of the rows and returns these alone; a call with all folders' journals in one folder and no
+    shard returns the whole table. client: a client of Dask; its workers start the child processes. They must see `folder`.
     """
     if not callable(case) and not isinstance(case, Case):
         case = read(case)
     rows = grid(over) if isinstance(over, Mapping) else [_plain_dict(r) for r in over]
     if not callable(out):
         out = (out,) if isinstance(out, str) else tuple(out)
-        _outputs(out)
-    journal = _Journal(resume, [case.json() if isinstance(case, Case) else "", rows, "" if callable(out) else out,
-                                profile, setting_pairs(settings)])
-    wanted = _of_shard(len(rows), shard)
-    missing = [i for i in wanted if i not in journal.done]
+    if isinstance(case, Case) and not callable(out):
+        return _by_program(case, rows, out, jobs, time_limit, memory_limit, profile, settings, folder, shard, history, client)
+    if not callable(out) and not set(out) <= {*_OUTPUTS, *_FACTORS}:
+        raise ValueError(f"out: expected some of {', '.join([*_OUTPUTS, *_FACTORS])}, found {', '.join(out)}")
+    return _by_functions(case, rows, out, Pool(jobs, time_limit, memory_limit), profile, settings, folder, shard, client)
 
-    def work(i: int) -> dict[str, Any]:
+
+def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jobs: int, time_limit: float | None,
+                memory_limit: int | None, profile: str | None, settings: Any, folder: StrPath | None, shard: str | None,
+                history: Iterable[str], client: Any) -> Table:
+    with tempfile.TemporaryDirectory(prefix="keyblock_") as own:
+        to = os.path.abspath(folder or os.path.join(own, "sweep"))
+        design = os.path.join(own, "design.json")
+        with open(design, "w", encoding="utf-8") as file:
+            json.dump(rows, file)
+        pairs = [f"{name}={value}" for name, value in setting_pairs(settings)]
+        values = [f"{pointer}={json.dumps(value)}" for pointer, value in case._values]
+        seconds = None if time_limit is None else max(1, round(time_limit))
+        command = ["sweep", *case._read, *_program._options(
+            design=design, out=",".join(out), profile=profile, set=pairs, at=values, history=list(history),
+            time_limit=seconds, memory_limit=memory_limit, **case._drawing), "-o", to, "--resume", "--json"]
+        if client is not None:
+            _on_workers(client, command, len(rows), own)
+        text = _program._run([*command, *_program._options(jobs=jobs, shard=shard, merge=client is not None)], (0, 1))
+    found = json.loads(text)
+    return Table([{k: float("nan") if v is None else v for k, v in row.items()} for row in found["rows"]],
+                 found["seconds"])
+
+
+def _on_workers(client: Any, command: list[str], rows: int, own: str) -> None:
+    """Runs the shards of a sweep as tasks of Dask; each starts the program."""
+    threads = sum(client.nthreads().values()) or 1
+    count = max(1, min(rows, 4 * threads))
+    tasks = [client.submit(_shard, _program.program(), [*command, "--jobs", "1", "--shard", f"{k}/{count}"], pure=False)
+             for k in range(1, count + 1)]
+    client.gather(tasks)
+
+
+def _shard(program: str, command: list[str]) -> None:
+    os.environ["KEYBLOCK_PROGRAM"] = program
+    _program._run(command, (0, 1))
+
+
+def _by_functions(case: Any, rows: list[dict[str, Any]], out: Any, pool: Pool, profile: str | None, settings: Any,
+                  folder: StrPath | None, shard: str | None, client: Any) -> Table:
+    journal = _Journal(folder, shard, [case.json() if isinstance(case, Case) else "", "" if callable(out) else out,
+                                       profile, setting_pairs(settings)])
+    wanted = [i for i, row in enumerate(rows) if _is_of_shard(_name_of(row), shard)]
+    missing = [i for i in wanted if _name_of(rows[i]) not in journal.done]
+
+    def work(i: int) -> tuple[dict[str, Any], float]:
         began = time.perf_counter()
-        row = _row(case, rows[i], out, profile, settings)
-        return {**row, "seconds": round(time.perf_counter() - began, 3)}
+        return _row(case, rows[i], out, profile, settings), round(time.perf_counter() - began, 3)
 
-    with Pool(jobs, time_limit, memory_limit) as pool:
-        for at, result in pool.unordered(work, missing):
+    with pool:
+        for at, result in pool.unordered(work, missing) if client is None else _by_client(client, pool, work, missing):
             if isinstance(result, Failed):
-                result = {"verdict": result.reason, "doubt": result.message}
-            journal.add(missing[at], result)
+                result = ({"verdict": result.reason, "doubt": result.message}, float("nan"))
+            journal.add(_name_of(rows[missing[at]]), result)
+    done = [journal.done[_name_of(rows[i])] for i in wanted]
     columns: dict[str, None] = dict.fromkeys(["verdict", "doubt"])
     columns.update(dict.fromkeys([] if callable(out) else out))
-    for done in journal.done.values():
-        columns.update(dict.fromkeys(done))
-    columns.pop("seconds", None)
-    return Table({**rows[i], **{c: journal.done[i].get(c, float("nan")) for c in columns},
-                  "seconds": journal.done[i].get("seconds", float("nan"))} for i in wanted)
+    for result, _ in done:
+        columns.update(dict.fromkeys(result))
+    return Table([{**rows[i], **{c: result.get(c, float("nan")) for c in columns}} for i, (result, _) in zip(wanted, done)],
+                 [seconds for _, seconds in done])
 
 
-def _of_shard(count: int, shard: str | None) -> range:
+def _by_client(client: Any, pool: Pool, work: Callable[[int], Any], missing: list[int]) -> Iterable[tuple[int, Any]]:
+    """Yields (place, result) as tasks of Dask end; each starts a child process."""
+    from distributed import as_completed  # type: ignore[import]
+    tasks = {client.submit(_in_child, work, i, pool.time_limit, pool.memory_limit, pure=False): at
+             for at, i in enumerate(missing)}
+    for task in as_completed(list(tasks)):
+        yield tasks[task], task.result()
+
+
+def _in_child(work: Callable[[int], Any], i: int, time_limit: float | None, memory_limit: int | None) -> Any:
+    with Pool(1, time_limit, memory_limit) as pool:
+        return next(iter(pool.unordered(work, [i])))[1]
+
+
+def _name_of(row: Mapping[str, Any]) -> str:
+    return hashlib.sha256(json.dumps(row, default=str).encode()).hexdigest()[:16]
+
+
+def _is_of_shard(name: str, shard: str | None) -> bool:
     if shard is None:
-        return range(count)
+        return True
     k, _, n = shard.partition("/")
     if not (k.isdigit() and n.isdigit() and 1 <= int(k) <= int(n)):
         raise ValueError(f"shard: expected k/n with k from 1 to n, found {shard}")
-    return range(int(k) - 1, count, int(n))
+    return int(name, 16) % int(n) + 1 == int(k)
 
 
 class _Journal:
     """Rows that are done, also in files: their first line identifies the sweep, each further line is a row."""
 
-    def __init__(self, paths: StrPath | Sequence[StrPath] | None, sweep: Any) -> None:
-        self.done: dict[int, Any] = {}
-        self.name = hashlib.sha256(json.dumps(sweep, default=str).encode()).hexdigest()
-        names = [] if paths is None else [paths] if isinstance(paths, (str, os.PathLike)) else paths
-        self.paths = [os.fspath(n) for n in names]
-        for path in self.paths:
-            if os.path.exists(path):
-                self._read(path)
-            elif path == self.paths[0]:
-                self._append({"sweep": self.name})
-            else:
-                raise _keyblock.Error(f"{path}: error: no such file")
+    def __init__(self, folder: StrPath | None, shard: str | None, task: Any) -> None:
+        self.done: dict[str, Any] = {}
+        self.name = hashlib.sha256(json.dumps(task, default=str).encode()).hexdigest()
+        self.path = ""
+        if folder is None:
+            return
+        os.makedirs(folder, exist_ok=True)
+        name = "journal.jsonl" if shard is None else f"journal-{shard.replace('/', '-of-')}.jsonl"
+        self.path = os.path.join(folder, name)
+        for file in sorted(os.listdir(folder)):
+            if file.startswith("journal") and file.endswith(".jsonl"):
+                self._read(os.path.join(folder, file))
+        if not os.path.exists(self.path):
+            self._append({"sweep": self.name})
 
     def _read(self, path: str) -> None:
         with open(path, encoding="utf-8") as file:
@@ -262,17 +338,17 @@ class _Journal:
         if json.loads(lines[0]).get("sweep") != self.name:
             raise _keyblock.Error(f"{path}: error: the file belongs to another sweep")
         for line in lines[1:-1]:  # the last one is empty, or was cut by a kill
-            index, row = json.loads(line)
-            self.done[index] = row
-        if lines[-1] and path == self.paths[0]:
+            name, row = json.loads(line)
+            self.done[name] = row
+        if lines[-1] and path == self.path:
             with open(path, "r+", encoding="utf-8") as file:
                 file.truncate(len("\n".join(lines[:-1]).encode()) + 1)
 
-    def add(self, index: int, row: Any) -> None:
-        self.done[index] = row
-        if self.paths:
-            self._append([index, row])
+    def add(self, name: str, row: Any) -> None:
+        self.done[name] = row
+        if self.path:
+            self._append([name, row])
 
     def _append(self, entry: Any) -> None:
-        with open(self.paths[0], "a", encoding="utf-8") as file:
+        with open(self.path, "a", encoding="utf-8") as file:
             file.write(json.dumps(entry) + "\n")

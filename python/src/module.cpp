@@ -118,7 +118,8 @@ py::array view_of(const kb::Column<T>& column, std::size_t width) {
   return view;
 }
 
-py::array column_of(const kb::Frame& frame, std::string_view part, std::string_view name, std::size_t width) {
+py::array column_of(const kb::Frame& frame, std::string_view part, std::string_view name) {
+  const std::size_t width = frame.rows(part) > 0 ? 1 : frame.components(part, name).size();
   if (frame.rows(part) > 0 && frame.is_integer(part, name)) return view_of(frame.integers(part, name), width);
   return view_of(frame.reals(part, name), width);
 }
@@ -170,6 +171,20 @@ class Runner {
     return with_run(true, [has_corners](kb::Run& run) {
       return run.frame(has_corners ? kb::Detail::corners : kb::Detail::blocks);
     });
+  }
+
+  std::vector<std::string> histories() {
+    return with_run(true, [](kb::Run& run) { return run.histories(); });
+  }
+
+  Pairs quantities(const std::string& history) {
+    return with_run(true, [history](kb::Run& run) { return run.quantities(history); });
+  }
+
+  py::array history(const std::string& history, const std::string& quantity) {
+    const kb::Column<double> values =
+        with_run(true, [history, quantity](kb::Run& run) { return run.history(history, quantity); });
+    return view_of(values, 2);
   }
 
   kb::Step last() {
@@ -279,6 +294,8 @@ void bind_values(py::module_& m) {
       .def_readonly("reason", &kb::Outcome::reason, "Reason of a failure.")
       .def_readonly("steps", &kb::Outcome::steps)
       .def_readonly("time", &kb::Outcome::time)
+      .def_readonly("displacement", &kb::Outcome::displacement, "The largest of any point at the end.")
+      .def_readonly("speed", &kb::Outcome::speed, "Of the fastest block at the end.")
       .def_readonly("sentences", &kb::Outcome::sentences, "How the motion ended.")
       .def_readonly("warnings", &kb::Outcome::warnings, "Of the plan and the run, doubts among them.")
       .def_readonly("doubts", &kb::Outcome::doubts)
@@ -426,25 +443,26 @@ void bind_case(py::module_& m) {
   py::class_<kb::Case>(m, "Case")
       .def_static(
           "read",
-          [](const std::vector<std::string>& paths) {
-            return computed(kb::Context(), false, [paths] { return kb::Case::read(paths); });
+          [](const std::vector<std::string>& paths, const std::string& unit, double join) {
+            return computed(kb::Context(), false, [=] { return kb::Case::read(paths, {unit, join}); });
           },
-          py::arg("paths"))
+          py::arg("paths"), py::arg("unit") = "", py::arg("join") = 0)
       .def_property_readonly("warnings", &kb::Case::warnings)
       .def_property_readonly("units", &kb::Case::units)
       .def("json", &kb::Case::json)
       .def("get", &kb::Case::get, py::arg("pointer"))
+      .def("pointers", &kb::Case::pointers, py::arg("pointer"))
       .def(
           "with_json",
           [](const kb::Case& of, std::string_view pointer, std::string_view value) { return of.with(pointer, value); },
           py::arg("pointer"), py::arg("value"))
       .def("write", &kb::Case::write, py::arg("path"), py::arg("format"));
   py::class_<kb::Plan>(m, "Plan")
-      .def(py::init(
-               [](const kb::Case& of, const std::string& profile, const Pairs& settings, const kb::Context& context) {
-                 return computed(context, false, [=] { return kb::Plan(of, {profile, settings}, context); });
-               }),
-           py::arg("case"), py::arg("profile"), py::arg("settings"), py::arg("context"))
+      .def(py::init([](const kb::Case& of, const std::string& profile, const Pairs& settings,
+                       const std::vector<std::string>& histories, const kb::Context& context) {
+             return computed(context, false, [=] { return kb::Plan(of, {profile, settings, histories}, context); });
+           }),
+           py::arg("case"), py::arg("profile"), py::arg("settings"), py::arg("histories"), py::arg("context"))
       .def_property_readonly("profile", &kb::Plan::profile)
       .def_property_readonly("why_profile", &kb::Plan::why_profile)
       .def_property_readonly("settings", &kb::Plan::settings)
@@ -462,12 +480,17 @@ void bind_run(py::module_& m) {
       .def_static("parts", &kb::Frame::parts)
       .def("names", &kb::Frame::names, py::arg("part"))
       .def("rows", &kb::Frame::rows, py::arg("part"))
-      .def("column", &column_of, py::arg("part"), py::arg("name"), py::arg("width") = 1);
+      .def("components", &kb::Frame::components, py::arg("part"), py::arg("name"))
+      .def("unit", &kb::Frame::unit, py::arg("part"), py::arg("name"))
+      .def("column", &column_of, py::arg("part"), py::arg("name"));
   py::class_<Runner>(m, "Run")
       .def(py::init<const kb::Plan&, const kb::Context&>(), py::arg("plan"), py::arg("context"))
       .def("advance", &Runner::advance)
       .def("finish", &Runner::finish)
       .def("frame", &Runner::frame, py::arg("corners"))
+      .def("histories", &Runner::histories)
+      .def("quantities", &Runner::quantities, py::arg("history"))
+      .def("history", &Runner::history, py::arg("history"), py::arg("quantity"))
       .def_property_readonly("last", &Runner::last)
       .def_property_readonly("outcome", &Runner::outcome);
 }
@@ -487,7 +510,9 @@ PYBIND11_MODULE(_keyblock, m) {
   bind_run(m);
   bind_records(m);
   bind_studies(m);
+  m.def("random_rows", &kb::random_rows, py::arg("keys"), py::arg("count"), py::arg("seed"));
   m.def("version", &kb::version);
+  m.def("build", &kb::build);
   m.def(
       "left_behind", [] { return left_behind.load(); }, "Number of computations that an interrupt left running.");
 }

@@ -1,4 +1,4 @@
-// Reads the folder, then the settings file, then adds the settings of the request.
+// Reads the folder, then the settings file, then adds the settings of the request. Values are changed after reading.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/asked_case.hpp"
 
@@ -49,15 +49,27 @@ AskedCase asked_case(const CaseRequest& request) {
   AskedCase asked;
   asked.profile = request.profile;
   asked.choices = request.choices;
+  asked.values = request.values;
   put_files(asked, request.paths);
   put_settings_file(asked, request.settings_file);
   asked.common.insert(asked.common.end(), request.sets.begin(), request.sets.end());
   return asked;
 }
 
+const std::vector<formats::FileReading>& OpenCase::read_files() const {
+  return unchanged_files.empty() ? input.files : unchanged_files;
+}
+
+void change_values(OpenCase& open, const std::vector<ChangedValue>& values) {
+  formats::Case changed = with_values(open.input, values);
+  if (open.unchanged_files.empty()) open.unchanged_files = std::move(open.input.files);
+  open.input = std::move(changed);
+}
+
 OpenCase opened(AskedCase asked) {
   OpenCase open{std::move(asked), {}};
   open.input = formats::load_case(open.files, open.choices);
+  if (!open.values.empty()) change_values(open, open.values);
   return open;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "api/case_file.hpp"
+#include "api/case_values.hpp"
 #include "formats/case.hpp"
 #include "run/settings_of.hpp"
 
@@ -19,6 +20,7 @@ struct CaseRequest {
   std::string profile;             ///< empty: chosen by the settings file, the case file, or the kind of the files
   std::vector<Override> sets;      ///< of the command line, or of a caller
   formats::DrawingChoices choices = {};
+  std::vector<ChangedValue> values = {};  ///< of the case file, changed after reading
 };
 
 /// Files and choices of a request.
@@ -30,6 +32,7 @@ struct AskedCase {
   CaseFile file;                    ///< empty if files were given
   std::string profile;              ///< of the command line or the settings file; empty: none
   std::vector<Override> common;     ///< of the settings file, then of the command line
+  std::vector<ChangedValue> values;    ///< of the case file, changed after reading
 
   /// Returns all settings of a run in that profile: those of `case.json`, then `common`.
   std::vector<Override> overrides(const std::string& under) const;
@@ -42,9 +45,17 @@ AskedCase asked_case(const CaseRequest& request);
 /// Case whose files were read.
 struct OpenCase : AskedCase {
   formats::Case input;
+  std::vector<formats::FileReading> unchanged_files = {};  ///< before values were changed; empty if none were
+
+  /// Returns the files as they are on the disk.
+  const std::vector<formats::FileReading>& read_files() const;
 };
 
-/// Reads the files of the case. Throws InputError like `formats::load_case`.
+/// Changes values of an open case, after those that were changed before. Throws like `with_values`.
+void change_values(OpenCase& open, const std::vector<ChangedValue>& values);
+
+/// Reads the files of the case and changes the requested values. Throws InputError like `formats::load_case`, and like
+/// `with_values`.
 OpenCase opened(AskedCase asked);
 
 }  // namespace keyblock

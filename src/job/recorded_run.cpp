@@ -53,6 +53,7 @@ RunRequest request_of(const RecordingOptions& options, const OpenCase& read, con
                      options.outputs.frames,
                      options.outputs.has_pictures,
                      options.outputs.has_page};
+  for (const auto& [pointer, value] : read.values) request.values.push_back(fmt::format("{}={}", pointer, value));
   for (const auto& [name, value] : plan.asked) request.sets.push_back(fmt::format("{}={}", name, value));
   for (const InputRecord& input : record.inputs) {
     request.read.push_back(input.file);
@@ -73,6 +74,12 @@ std::vector<Override> overrides_in(const std::vector<std::string>& sets) {
     overrides.emplace_back(text.substr(0, equals), text.substr(std::min(equals, text.size() - 1) + 1));
   }
   return overrides;
+}
+
+std::vector<ChangedValue> values_in(const std::vector<std::string>& texts) {
+  std::vector<ChangedValue> values;
+  for (const std::string& text : texts) values.push_back(case_value_of(text));
+  return values;
 }
 
 PlannedCase planned_with(const OpenCase& read, const OutputOptions& outputs) {
@@ -103,8 +110,12 @@ RecordedRun::Beginning RecordedRun::saved_in(const std::string& folder, double c
       checkpoint_every,
       request.record_every,
       {request.histories, request.contacts, request.field, request.frames, request.has_pictures, request.has_page}};
-  beginning.read = opened(
-      asked_case({request.files, {}, request.profile, overrides_in(request.sets), {request.unit, request.join}}));
+  beginning.read = opened(asked_case({request.files,
+                                      {},
+                                      request.profile,
+                                      overrides_in(request.sets),
+                                      {request.unit, request.join},
+                                      values_in(request.values)}));
   return beginning;
 }
 
@@ -125,7 +136,8 @@ RecordedRun::RecordedRun(Beginning beginning)
   const formats::Case& input = read_.input;
   RunRecord record;
   record.units = input.problem.units;
-  record.inputs = input_records(input.files);
+  record.inputs = input_records(read_.read_files());
+  record.values = read_.values;
   record.timings.read = lap();
   plan_ = planned_with(read_, options_.outputs);
   record.profile = plan_.profile.name;

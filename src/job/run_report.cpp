@@ -232,6 +232,16 @@ Json inputs_json(const std::vector<InputRecord>& inputs) {
   return all;
 }
 
+/// Returns an empty object if no value was changed.
+Json values_json(const std::vector<ChangedValue>& values) {
+  Json all = Json::object();
+  for (const auto& [pointer, text] : values) {
+    const Json value = Json::parse(text, nullptr, false);
+    all[pointer] = value.is_discarded() ? Json(text) : value;
+  }
+  return all;
+}
+
 Json warning_list_json(const Warnings& warnings) {
   Json all = Json::array();
   for (const Warning& w : warnings) {
@@ -294,6 +304,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"seconds", {{"read", record.timings.read}, {"prepare", record.timings.prepare}, {"run", record.timings.run}}},
       {"outputs", record.outputs},
       {"steps", steps_json(record.steps, record.units)}};
+  if (!record.values.empty()) json["values"] = values_json(record.values);
   json["is_static"] = record.is_static;
   json["is_of_motion"] = !prepared.scene.is_untouched;
   const auto put_numbers = [&](const char* key, const std::vector<int>& numbers) {

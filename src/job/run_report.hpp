@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "api/case_values.hpp"
 #include "base/counted.hpp"
 #include "formats/case.hpp"
 #include "job/verdict/end_of_motion.hpp"
@@ -54,6 +55,7 @@ struct RunRecord {
   std::string profile_because;  ///< reason for the choice of profile
   Units units = {};             ///< declared by the case
   std::vector<InputRecord> inputs;
+  std::vector<ChangedValue> values = {};  ///< of the case file, changed after reading
   StepTotals totals;
   StepRows steps;
   std::vector<StepReport> traced;  ///< every step, if a trace is requested

@@ -38,6 +38,7 @@ struct RunRequest {
   std::string frames = {};                  ///< their coding, as on the command line
   bool has_pictures = true;
   bool has_page = false;
+  std::vector<std::string> values = {};  ///< POINTER=VALUE, as on the command line
 };
 
 void describe(Archive& archive, RunRequest& request);

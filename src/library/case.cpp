@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "formats/case_file/keyblock_case.hpp"
-#include "formats/strict_json.hpp"
+#include "formats/all_content.hpp"
 #include "job/files.hpp"
 #include "library/parts.hpp"
 #include "study/convert/convert.hpp"
@@ -18,46 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A single case file is returned unchanged. If it has comments or trailing commas, or is YAML, it becomes strict JSON
-// of the same values.
 std::string text_of(const Case::Data& data) {
-  const study::Conversion made =
-      study::convert(data.open.input.files, study::target_named(formats::kKeyblockCase.name), study::Faults::none);
-  const std::string& text = made.files.front().text;
-  return Json::accept(text) ? text : formats::strict_json({data.open.input.files.front().path, text});
-}
-
-Json json_of(const Case::Data& data) {
-  return Json::parse(text_of(data), nullptr, true, true);
-}
-
-Json::json_pointer pointer_in(const Json& json, std::string_view pointer) {
-  try {
-    Json::json_pointer at{std::string(pointer)};
-    if (json.contains(at)) return at;
-  } catch (const Json::exception&) {
-  }
-  throw SettingError(
-      fmt::format("expected a pointer to a value of the case, such as /analysis/time_step, found {}", pointer));
-}
-
-// Files of Shi's programs keep their formats, with the rules that belong to them.
-Case::Data changed(const Case::Data& before, const std::string& text) {
-  Case::Data after{before.open, {}};
-  formats::FileReading file;
-  file.path = (std::filesystem::path(before.open.input.files.front().path).parent_path() / "changed case").string();
-  file.source = {file.path, text};
-  file.choice = formats::recognise(file.source);
-  file.reading = formats::read_as(*file.choice, file.source);
-  file.reading->content.is_own_case = before.open.input.problem.has_own_case;
-  after.open.input = formats::case_of({std::move(file)});
-  Warnings warnings = before.open.input.warnings;
-  for (const keyblock::Warning& warning : after.open.input.warnings)
-    if (std::ranges::none_of(warnings, [&](const auto& known) { return known.sentence == warning.sentence; }))
-      warnings.push_back(warning);
-  after.open.input.warnings = std::move(warnings);
-  after.warnings = public_warnings(after.open.input.warnings);
-  return after;
+  return formats::case_file_text(data.open.input.files);
 }
 
 // Throws Error: an existing file is not a wrong setting.
@@ -80,11 +40,11 @@ AskedCase asked_under(const Case& of, const Choices& choices) {
 
 inline namespace v1 {
 
-Case Case::read(const std::vector<std::string>& paths) {
+Case Case::read(const std::vector<std::string>& paths, const Drawing& drawing) {
   return guarded([&] {
     if (paths.empty()) throw SettingError("expected the files of a case, or its folder, found none");
     auto data = std::make_shared<Data>();
-    data->open = opened(asked_case({paths, {}, {}, {}}));
+    data->open = opened(asked_case({paths, {}, {}, {}, {drawing.unit, drawing.join}}));
     data->warnings = public_warnings(data->open.input.warnings);
     return Case(std::move(data));
   });
@@ -104,19 +64,22 @@ std::string Case::json() const {
 }
 
 std::string Case::get(std::string_view pointer) const {
-  return guarded([&] {
-    const Json json = json_of(*data_);
-    return json.at(pointer_in(json, pointer)).dump();
-  });
+  return guarded([&] { return value_at(pointer, text_of(*data_)); });
+}
+
+std::vector<std::string> Case::pointers(std::string_view pointer) const {
+  return guarded([&] { return pointers_to(pointer, text_of(*data_)); });
 }
 
 Case Case::with(std::string_view pointer, std::string_view value) const {
   return guarded([&] {
-    Json json = json_of(*data_);
-    const Json given = Json::parse(value, nullptr, false);
-    if (given.is_discarded()) throw SettingError(fmt::format("expected a value as JSON, found {}", value));
-    json[pointer_in(json, pointer)] = given;
-    return Case(std::make_shared<const Data>(changed(*data_, json.dump(1))));
+    if (!Json::accept(value)) throw SettingError(fmt::format("expected a value as JSON, found {}", value));
+    auto data = std::make_shared<Data>(*data_);
+    const ChangedValue changed{std::string(pointer), std::string(value)};
+    change_values(data->open, {changed});
+    data->open.values.push_back(changed);
+    data->warnings = public_warnings(data->open.input.warnings);
+    return Case(std::move(data));
   });
 }
 

@@ -1,5 +1,6 @@
 // Implements the public Context by that of the program.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/bytes/build_id.hpp"
 #include "library/parts.hpp"
 
 namespace keyblock::api {
@@ -26,6 +27,10 @@ std::pair<std::string, double> Context::headway() const {
 
 std::string version() {
   return KEYBLOCK_VERSION;
+}
+
+std::string build() {
+  return guarded([] { return build_id(); });
 }
 
 }  // namespace v1

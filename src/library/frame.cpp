@@ -1,13 +1,15 @@
-// Returns the columns of one instant.
+// Returns the columns of one instant. Contacts are computed when they are first asked for.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/tables/run_tables.hpp"
 #include "library/parts.hpp"
+#include "problem/units/measure.hpp"
 
 namespace keyblock::api {
 namespace {
 
 /// Returns a column of a part; empty if the part has no rows.
 template <class T>
-Column<T> column_of(const formats::FrameColumns& frame, std::string_view part_name, std::string_view name) {
+Column<T> column_of(const Frame::Data& frame, std::string_view part_name, std::string_view name) {
   const formats::FramePart& part = frame.part(part_name);
   if (part.rows == 0) return {std::make_shared<const std::vector<T>>(), 1};
   const formats::FrameColumn& column = part.at(name);
@@ -16,6 +18,35 @@ Column<T> column_of(const formats::FrameColumns& frame, std::string_view part_na
     throw SettingError("column " + std::string(name) + " of " + std::string(part_name) + " holds " +
                        (std::is_same_v<T, int> ? "reals" : "integers"));
   return {*values, formats::width_of(column.shape)};
+}
+
+/// Returns a frame with one row of each part: its columns have the shapes of all frames.
+const formats::FrameColumns& sample() {
+  static const formats::FrameColumns columns = [] {
+    keyblock::Frame one;
+    one.elements.resize(1);
+    one.elements.front().loops.assign(1, {Point{0, 0}});
+    one.bolts.resize(1);
+    one.measured_points.resize(1);
+    one.tips.resize(1);
+    FieldFrame field;
+    field.cracks.push_back({false, {}, {CrackFace{}}});
+    return formats::columns_of(one, ContactFrames(1), field);
+  }();
+  return columns;
+}
+
+Measure measure_of(std::string_view part, std::string_view name) {
+  if (name == "place" || name == "ends" || name == "centroid" || name == "length") return measures::kLength;
+  const formats::RunTable& table = part == "contacts" ? formats::kContactArrays
+                                   : part == "bolts"  ? formats::kBoltArrays
+                                   : part == "cracks" ? formats::kCrackArrays
+                                   : part == "tips"   ? formats::kTipsTable
+                                                      : formats::kBlockArrays;
+  const std::string tensor = std::string(name) + "_xx";
+  for (const formats::Column& column : table.columns)
+    if (column.name == name || column.name == tensor) return column.measure;
+  return measures::kNumber;
 }
 
 }  // namespace
@@ -43,25 +74,49 @@ std::vector<std::string> Frame::parts() {
 std::vector<std::string> Frame::names(std::string_view part) const {
   return guarded([&] {
     std::vector<std::string> names;
-    for (const formats::FrameColumn& column : data_->columns.part(part).columns) names.emplace_back(column.name);
+    for (const formats::FrameColumn& column : data_->part(part).columns) names.emplace_back(column.name);
     return names;
   });
 }
 
 std::size_t Frame::rows(std::string_view part) const {
-  return guarded([&] { return data_->columns.part(part).rows; });
+  return guarded([&] { return data_->part(part).rows; });
 }
 
 bool Frame::is_integer(std::string_view part, std::string_view name) const {
-  return guarded([&] { return data_->columns.part(part).at(name).numbers.index() == 1; });
+  return guarded([&] { return data_->part(part).at(name).numbers.index() == 1; });
+}
+
+std::vector<std::string> Frame::components(std::string_view part, std::string_view name) const {
+  return guarded([&]() -> std::vector<std::string> {
+    const formats::FrameColumn* column = data_->part(part).find(name);
+    switch ((column != nullptr ? *column : sample().part(part).at(name)).shape) {
+      case formats::RowShape::number:
+        return {};
+      case formats::RowShape::xy:
+        return {"x", "y"};
+      case formats::RowShape::tensor:
+        return {"xx", "yy", "xy", "zz"};
+      case formats::RowShape::ends:
+        return {"x1", "y1", "x2", "y2"};
+    }
+    return {};
+  });
+}
+
+std::string Frame::unit(std::string_view part, std::string_view name) const {
+  return guarded([&] {
+    const Measure measure = measure_of(part, name);
+    return is_declared(measure, data_->units) ? unit_of(measure, data_->units) : std::string();
+  });
 }
 
 Column<double> Frame::reals(std::string_view part, std::string_view name) const {
-  return guarded([&] { return column_of<double>(data_->columns, part, name); });
+  return guarded([&] { return column_of<double>(*data_, part, name); });
 }
 
 Column<int> Frame::integers(std::string_view part, std::string_view name) const {
-  return guarded([&] { return column_of<int>(data_->columns, part, name); });
+  return guarded([&] { return column_of<int>(*data_, part, name); });
 }
 
 }  // namespace v1

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <keyblock/keyblock.hpp>
+#include <memory>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -32,8 +35,38 @@ struct Plan::Data {
   PlannedCase planned;
 };
 
+/// Contacts of one instant, computed when a frame is first asked for them. Any thread may ask.
+class Contacts {
+ public:
+  explicit Contacts(std::function<ContactFrames()> make) : make_(std::move(make)) {}
+
+  const formats::FramePart& part() {
+    const std::lock_guard lock(mutex_);
+    if (make_) part_ = formats::columns_of({}, make_()).part("contacts");
+    make_ = nullptr;
+    return part_;
+  }
+  /// Replaces the function by one that does not need the present state of the run, unless it was called before.
+  template <class Later>
+  void keep(const Later& later) {
+    const std::lock_guard lock(mutex_);
+    if (make_) make_ = later();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::function<ContactFrames()> make_;
+  formats::FramePart part_;
+};
+
 struct Frame::Data {
-  formats::FrameColumns columns;
+  formats::FrameColumns columns;  ///< without contacts
+  std::shared_ptr<Contacts> contacts;
+  Units units;
+
+  const formats::FramePart& part(std::string_view name) const {
+    return name == "contacts" ? contacts->part() : columns.part(name);
+  }
 };
 
 }  // namespace v1

@@ -1,5 +1,6 @@
 // Prepares a case for its first step by `planned`.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "job/folder/outputs_asked.hpp"
 #include "library/parts.hpp"
 #include "settings/settings_table.hpp"
 
@@ -9,7 +10,11 @@ inline namespace v1 {
 Plan::Plan(const Case& of, const Choices& choices, const Context& context) {
   data_ = guarded([&] {
     const Under under(context.state().context);
-    return std::make_shared<const Data>(Data{of, planned(asked_under(of, choices), of.data().open.input.problem)});
+    Problem problem = of.data().open.input.problem;
+    OutputOptions outputs;
+    outputs.histories = choices.histories;
+    problem.outputs = outputs_asked(problem.outputs, outputs);
+    return std::make_shared<const Data>(Data{of, planned(asked_under(of, choices), problem)});
   });
 }
 

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run.hpp"
 
+#include <functional>
+#include <memory>
 #include <optional>
 
 #include "job/recorded_run.hpp"
 #include "job/run_doubts.hpp"
 #include "job/run_warnings.hpp"
 #include "job/verdict/end_of_motion.hpp"
+#include "library/kept_histories.hpp"
 #include "library/parts.hpp"
 #include "run/record.hpp"
 #include "run/steppers.hpp"
@@ -24,6 +27,8 @@ Outcome outcome_of(const Prepared& prepared, const RunRecord& record) {
   outcome.reason = record.outcome.reason;
   outcome.steps = record.outcome.steps;
   outcome.time = record.outcome.time;
+  outcome.displacement = record.extremes.displacement;
+  if (record.motion) outcome.speed = record.motion->speed;
   if (record.motion) outcome.sentences = sentences(prepared, record, *record.motion);
   outcome.warnings = public_warnings(record.warnings);
   outcome.doubts = public_warnings(record.doubts);
@@ -52,6 +57,7 @@ struct Run::State {
       : plan(of),
         context(under.state().context),
         watch(prepared()),
+        kept(plan.data()->planned),
         observer(what_is_told()),
         stepper(stepper_for(prepared().scene)),
         loop(prepared().scene, *stepper, usual_frame_interval(plan.data()->planned.problem, prepared().scene.settings),
@@ -81,7 +87,10 @@ struct Run::State {
       record.ledger.add(row);
       watch.blocks().add(row);
     };
-    told.on_state = [this](const Stepper& now) { watch.blocks().add(now); };
+    told.on_state = [this](const Stepper& state) {
+      watch.blocks().add(state);
+      kept.add(state);
+    };
     told.on_contacts = [this](const ContactFrames& now) { contacts = now; };
     told.on_frame = [this](const keyblock::Frame& frame) {
       watch.blocks().add(frame, contacts, stepper->model(), prepared().scene.settings);
@@ -105,14 +114,35 @@ struct Run::State {
   keyblock::Context context;
   RunRecord record;
   StepWatch watch;
+  KeptHistories kept;
   ContactFrames contacts;
   std::optional<keyblock::Frame> first;
   keyblock::Frame last_frame;
   Observer observer;
-  std::unique_ptr<Stepper> stepper;
+  /// Returns the contacts of now, which all frames of this step share.
+  const std::shared_ptr<Contacts>& contacts_now() {
+    if (!contacts_of_now)
+      contacts_of_now = std::make_shared<Contacts>([run = stepper, of = plan, under = context] {
+        const Under own(under);
+        return run->contacts();
+      });
+    return contacts_of_now;
+  }
+
+  /// Before a step: frames that are still held keep what their contacts need.
+  void leave_step() {
+    if (contacts_of_now && contacts_of_now.use_count() > 1)
+      contacts_of_now->keep([&]() -> std::function<ContactFrames()> {
+        return [run = stepper, of = plan, later = stepper->contacts_later()] { return later(); };
+      });
+    contacts_of_now.reset();
+  }
+
+  std::shared_ptr<Stepper> stepper;
   StepLoop loop;
   Step last;
   Outcome outcome;
+  std::shared_ptr<Contacts> contacts_of_now;
 };
 
 Run::Run(const Plan& plan, const Context& context) {
@@ -130,6 +160,7 @@ bool Run::advance() {
   return guarded([&] {
     const Under under(state_->context);
     if (state_->outcome.end != End::running) return false;
+    state_->leave_step();
     const bool is_made = state_->loop.step();
     state_->context.tell(nullptr, 0);
     if (is_made) return true;
@@ -153,9 +184,21 @@ Frame Run::frame(Detail detail) const {
     const Under under(state_->context);
     const Stepper& stepper = *state_->stepper;
     const FieldFrame within = detail == Detail::corners ? field_of(stepper.model(), stepper) : FieldFrame{};
-    return Frame(std::make_shared<const Frame::Data>(
-        Frame::Data{formats::columns_of(frame_now(stepper), stepper.contacts(), within)}));
+    return Frame(std::make_shared<const Frame::Data>(Frame::Data{formats::columns_of(frame_now(stepper), {}, within),
+                                                                 state_->contacts_now(), state_->record.units}));
   });
+}
+
+std::vector<std::string> Run::histories() const {
+  return state_->kept.names();
+}
+
+std::vector<std::pair<std::string, std::string>> Run::quantities(std::string_view history) const {
+  return state_->kept.quantities(history);
+}
+
+Column<double> Run::history(std::string_view history, std::string_view quantity) const {
+  return state_->kept.values(history, quantity);
 }
 
 const Outcome& Run::outcome() const {

@@ -9,6 +9,7 @@
 #include "study/fracture/intensity.hpp"
 #include "study/strength/factor_of_safety.hpp"
 #include "study/strength/reduced_problem.hpp"
+#include "study/sweep/sweep_design.hpp"
 
 namespace keyblock::api {
 namespace {
@@ -75,6 +76,17 @@ Intensity stress_intensity(const Case& of, const Choices& choices, const Context
     Intensity all{{}, public_warnings(joined(of.data().open.input.warnings, found.warnings))};
     for (const study::TipAtEnd& tip : found.tips) all.tips.push_back(tip_of(tip));
     return all;
+  });
+}
+
+std::string random_rows(const std::vector<std::string>& keys, std::size_t count, std::uint64_t seed) {
+  return guarded([&] {
+    std::vector<study::VariedKey> varied;
+    for (const std::string& key : keys) varied.push_back(study::varied_key_of(key));
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (study::SweepRow& row : study::sweep_rows(varied, {study::Design::random, count, seed}))
+      rows.push_back(std::move(row));
+    return rows.dump();
   });
 }
 

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
+#include "report/drawing/colours.hpp"
 #include "report/drawing/svg.hpp"
 
 namespace keyblock::report {
@@ -23,24 +23,15 @@ constexpr double kBottom = 74;
 constexpr double kBarWidth = 110;
 constexpr double kLeastSpan = 1;  // decades: nearly equal errors do not span all colours
 
-using Colour = std::array<double, 3>;
+using Colour = Channels;
 
 /// Colours from dark blue, the least error, to pale yellow; lightness alone shows the order.
 struct LogColours {
   double low = 0;  ///< logarithms
   double high = 1;
 
-  Colour at(double logarithm) const {
-    constexpr std::array<Colour, 5> kStops{
-        {{38, 40, 110}, {40, 104, 142}, {52, 160, 130}, {152, 205, 96}, {250, 236, 150}}};
-    const double place = std::clamp((logarithm - low) / (high - low), 0.0, 1.0) * (kStops.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
-    Colour mixed{};
-    for (std::size_t channel = 0; channel < mixed.size(); ++channel)
-      mixed[channel] =
-          std::lerp(kStops[below][channel], kStops[below + 1][channel], place - static_cast<double>(below));
-    return mixed;
-  }
+  /// The least error is dark.
+  Colour at(double logarithm) const { return heat_colour((logarithm - low) / (high - low)); }
 };
 
 std::string hex(const Colour& colour) {

@@ -373,6 +373,14 @@ ContactFrames StandardStepper::contacts() const {
                         is_in_time ? vertices_before_ : Table<VertexIndex, Point>());
 }
 
+std::function<ContactFrames()> StandardStepper::contacts_later() const {
+  const bool changes_scene = scene_.settings.standard.motion != MotionRule::dynamic || !scene_.pulls.empty();
+  if (changes_scene) return Stepper::contacts_later();
+  return [this, motion = motion_, state = state_, before = vertices_before_] {
+    return contact_frames(scene_, motion, state, unloaded_, before);
+  };
+}
+
 std::variant<StepReport, StepFailure> StandardStepper::advance(const BetterPulls& better) {
   if (!start_failure_.empty()) return failure_of_start(start_failure_, turned_at_start_);
   const double load_share = scene_.load_share;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -93,6 +94,10 @@ class Stepper {
   virtual std::optional<State> attempted() const { return std::nullopt; }
   /// Returns the contacts and their forces in the last accepted step; empty if the scene has no contact.
   virtual ContactFrames contacts() const { return {}; }
+  /// Returns a function that computes the same after further steps, as long as the stepper lives.
+  virtual std::function<ContactFrames()> contacts_later() const {
+    return [made = contacts()] { return made; };
+  }
   virtual StartReport start_report() const { return {}; }
   /// Makes the next step. The state is unchanged if the step fails or throws StopRequested.
   virtual std::variant<StepReport, StepFailure> advance() = 0;

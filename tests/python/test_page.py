@@ -25,6 +25,11 @@ EXAMPLES = {  # arguments of the short form, and a pattern of the output
     "own_criterion": ([], r"step 75, time 0.75: 3 pictures"),
     "beam_study": (["0.5"], r"-0\.0226"),
 }
+FIGURES = {
+    "sliding_velocity": (["0.5"], r"largest difference [0-9.]+e-0[3-9] m/s"),
+    "sliding_block": (["2"], r"largest difference [0-9.]+e-0[6-9] m"),
+    "cook_membrane": (["1"], r"derived +\d+: -\d"),
+}
 
 
 def plots_are_here():
@@ -55,14 +60,15 @@ class Page(Folder):
     def test_examples_run(self):
         for name in ("docs", "legacy_cases"):
             os.symlink(ROOT / name, self.folder / name)
-        scripts = sorted(p.stem for p in (ROOT / "examples/python").glob("*.py"))
-        self.assertEqual(scripts, sorted(EXAMPLES))
-        for name in scripts:
-            arguments, pattern = EXAMPLES[name]
-            done = subprocess.run([sys.executable, "-B", ROOT / "examples/python" / f"{name}.py", *arguments],
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-            self.assertEqual(done.returncode, 0, f"{name}\n{done.stdout}")
-            self.assertRegex(done.stdout, pattern, name)
+        for folder, known in (("python", EXAMPLES), ("figures", FIGURES)):
+            scripts = sorted(p.stem for p in (ROOT / "examples" / folder).glob("*.py"))
+            self.assertEqual(scripts, sorted(known))
+            for name in scripts:
+                arguments, pattern = known[name]
+                done = subprocess.run([sys.executable, "-B", ROOT / "examples" / folder / f"{name}.py", *arguments],
+                                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+                self.assertEqual(done.returncode, 0, f"{name}\n{done.stdout}")
+                self.assertRegex(done.stdout, pattern, name)
 
 
 if __name__ == "__main__":

@@ -75,7 +75,7 @@ class Program(Folder):
     def test_a_drawing_is_read_with_its_layers(self):
         quarry = kb.read(ROOT / "docs/quarry.dxf", ROOT / "docs/bench.json", layers=ROOT / "docs/quarry_layers.csv")
         self.assertGreater(kb.Plan(quarry).blocks, 30)
-        with self.assertRaises(kb.ProgramError):
+        with self.assertRaises(kb.InputError):
             kb.read(ROOT / "docs/quarry.dxf", ROOT / "docs/bench.json", layers="nothing.csv")
 
     def test_joints_depend_on_the_seed(self):

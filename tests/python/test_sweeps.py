@@ -16,7 +16,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
 import keyblock as kb  # noqa: E402
-from support import FRICTION, Folder, endless, press_ctrl_c, slide  # noqa: E402
+from support import FRICTION, ROOT, Folder, endless, press_ctrl_c, slide  # noqa: E402
 
 
 def way(friction):
@@ -96,9 +96,10 @@ class Pools(Folder):
 class Sweeps(Folder):
     def test_a_grid_is_a_table_in_order(self):
         table = kb.sweep(slide(), {FRICTION: [10, 20], "time_step": [0.001, 0.0005]})
-        self.assertEqual(table.columns, [FRICTION, "time_step", "verdict", "doubt", "displacement", "seconds"])
+        self.assertEqual(table.columns, [FRICTION, "time_step", "verdict", "doubt", "displacement", "job"])
+        self.assertEqual(len(table.seconds), 4)
         self.assertEqual(list(table[FRICTION]), [10, 10, 20, 20])
-        self.assertEqual(table[0]["displacement"], way(10))
+        self.assertAlmostEqual(table[0]["displacement"], way(10), delta=1e-5)  # of a corner, and of the centroid
         self.assertEqual(set(table["verdict"]), {"finished"})
         table.write("table.csv")
         self.assertEqual((self.folder / "table.csv").read_text().count("\n"), 5)
@@ -116,12 +117,15 @@ class Sweeps(Folder):
         table = kb.sweep(slide(), {FRICTION: [20]}, out=["fos", "speed", "steps", "blocks"])
         self.assertAlmostEqual(table[0]["fos"], math.tan(math.radians(20)) / math.tan(math.radians(30)), delta=0.01)
         self.assertEqual((table[0]["steps"], table[0]["blocks"]), (1000, 2))
-        with self.assertRaises(ValueError):
+        with self.assertRaises(kb.Error):
             kb.sweep(slide(), {FRICTION: [20]}, out="colour")
+        with self.assertRaises(ValueError):
+            kb.sweep(slide, {}, out="colour")
 
     def test_a_function_makes_the_cases(self):
         table = kb.sweep(lambda angle: slide().with_value(FRICTION, angle), {"angle": [10, 20]})
-        self.assertEqual(list(table["displacement"]), [way(10), way(20)])
+        self.assertEqual(table.columns, ["angle", "verdict", "doubt", "displacement"])
+        np.testing.assert_allclose(table["displacement"], [way(10), way(20)], atol=1e-5)
 
     def test_a_second_call_computes_missing_rows_alone(self):
         def counted(run):
@@ -129,33 +133,54 @@ class Sweeps(Folder):
                 file.write("x")
             return run.frame().displacement[1, 0]
         over = {FRICTION: [10, 15, 20]}
-        first = kb.sweep(slide(), over, out=counted, resume="journal")
-        lines = (self.folder / "journal").read_text().splitlines(True)
-        self.write("journal", "".join(lines[:-1]) + lines[-1][:5])  # a kill cut the last row
-        second = kb.sweep(slide(), over, out=counted, resume="journal")
-        third = kb.sweep(slide(), over, out=counted, resume="journal")
+        first = kb.sweep(slide(), over, out=counted, folder="rows")
+        lines = (self.folder / "rows/journal.jsonl").read_text().splitlines(True)
+        self.write("rows/journal.jsonl", "".join(lines[:-1]) + lines[-1][:5])  # a kill cut the last row
+        second = kb.sweep(slide(), over, out=counted, folder="rows")
+        third = kb.sweep(slide(), over, out=counted, folder="rows")
         self.assertEqual((self.folder / "count").read_text(), "xxxx")
         self.assertEqual([list(t["out"]) for t in (second, third)], [list(first["out"])] * 2)
         with self.assertRaises(kb.Error):
-            kb.sweep(slide(), {FRICTION: [1]}, resume="journal")
+            kb.sweep(slide(), over, out=lambda run: 1, settings={"steps": 3}, folder="rows")
 
     def test_shards_together_are_the_whole_table(self):
         over = {FRICTION: [10, 15, 20, 25, 5]}
-        shards = [kb.sweep(slide(), over, resume=f"rows{k}", shard=f"{k}/2") for k in (1, 2)]
-        self.assertEqual([list(t[FRICTION]) for t in shards], [[10, 20, 5], [15, 25]])
-        lines = (self.folder / "rows2").read_text().splitlines(True)
-        self.write("rows2", "".join(lines[:-1]))  # one row is missing
-        merged = kb.sweep(slide(), over, resume=["rows1", "rows2"])
-        whole = kb.sweep(slide(), over)
-        self.assertEqual(list(merged["displacement"]), list(whole["displacement"]))
+        for out in ("displacement", lambda run: run.outcome.displacement):
+            folder = "names" if isinstance(out, str) else "functions"
+            shards = [kb.sweep(slide(), over, out=out, folder=folder, shard=f"{k}/2") for k in (1, 2)]
+            self.assertEqual(sorted(v for t in shards for v in t[FRICTION]), [5, 10, 15, 20, 25])
+            kb.sweep(slide(), over, out=out, folder=folder).write("merged.csv")
+            kb.sweep(slide(), over, out=out).write("whole.csv")
+            self.assertEqual((self.folder / "merged.csv").read_text(), (self.folder / "whole.csv").read_text())
         with self.assertRaises(ValueError):
-            kb.sweep(slide(), over, shard="3/2")
-        with self.assertRaises(kb.Error):
-            kb.sweep(slide(), over, resume=["rows1", "nothing"])
+            kb.sweep(slide(), over, out=lambda run: 1, shard="3/2")
+
+    def test_the_table_has_the_bytes_of_the_command(self):
+        rows = kb.random({FRICTION: kb.normal(20, 3, low=0, high=45), "steps": kb.choice(20, 40)}, 4, seed=3)
+        table = kb.sweep(slide(), rows, out=["displacement", "speed", "state", "point1.dy"], profile="standard")
+        table.write("python.csv")
+        case = ROOT / "legacy_cases/sliding_block/a30_p20"
+        subprocess.run([kb.program(), "sweep", case, "--over", f"{FRICTION}=normal(20,3,0,45)", "--over", "steps=20,40",
+                        "--random", "4", "--seed", "3", "--out", "displacement,speed,state,point1.dy", "--profile", "standard",
+                        "-o", "command"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.assertEqual((self.folder / "python.csv").read_text(), (self.folder / "command/table.csv").read_text())
+
+    def test_dask_gives_the_same_table(self):
+        try:
+            from distributed import Client
+        except ImportError:
+            self.skipTest("distributed is not installed")
+        over = {FRICTION: [10, 15, 20, 25]}
+        outs = ("displacement", lambda run: run.outcome.displacement)
+        with Client(n_workers=2, threads_per_worker=1, dashboard_address=None, processes=True) as client:
+            for out in outs:
+                kb.sweep(slide(), over, out=out, client=client).write("dask.csv")
+                kb.sweep(slide(), over, out=out).write("here.csv")
+                self.assertEqual((self.folder / "dask.csv").read_text(), (self.folder / "here.csv").read_text())
 
     def test_random_rows_are_stratified_and_depend_on_the_seed_alone(self):
         over = {"a": kb.uniform(2, 4), "b": kb.normal(30, 2), "c": kb.lognormal(5, 1), "d": kb.choice("x", "y"),
-                "e": kb.normal(0, 1, low=0)}
+                "e": kb.normal(0, 1, low=0), "f": kb.triangular(0, 1, 4)}
         rows = kb.random(over, 200, seed=7)
         self.assertEqual(rows, kb.random(over, 200, seed=7))
         self.assertNotEqual(rows, kb.random(over, 200, seed=8))
@@ -166,6 +191,7 @@ class Sweeps(Folder):
         self.assertAlmostEqual(statistics.stdev(r["c"] for r in rows), 1, delta=0.1)
         self.assertEqual(sum(r["d"] == "x" for r in rows), 100)
         self.assertGreaterEqual(min(r["e"] for r in rows), 0)
+        self.assertAlmostEqual(statistics.mean(r["f"] for r in rows), 5 / 3, delta=0.02)
 
 
 if __name__ == "__main__":

@@ -1,9 +1,7 @@
 // `keyblock batch`: checks, runs or converts every case of an archive, with a journal for resuming and a catalogue.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,9 +11,11 @@
 
 #include "app/batch/batch_archive.hpp"
 #include "app/batch/batch_work.hpp"
+#include "app/batch/engine_scripts.hpp"
+#include "app/batch/journal_file.hpp"
+#include "app/batch/shard.hpp"
 #include "app/command.hpp"
 #include "app/option_checks.hpp"
-#include "app/progress.hpp"
 #include "app/stop_request.hpp"
 #include "base/context.hpp"
 #include "base/error.hpp"
@@ -36,8 +36,6 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using report::CatalogueRow;
 
-constexpr auto kBetweenReports = std::chrono::seconds(5);
-
 struct BatchOptions {
   std::string root;
   std::string folder;
@@ -52,6 +50,11 @@ struct BatchOptions {
   bool may_overwrite = false;
   bool as_json = false;
   bool is_resumed = false;
+  std::string shard_words;
+  Shard shard = {};
+  bool is_merged = false;
+  int slurm = 0;     ///< number of shards of a script to print
+  int parallel = 0;  ///< number of shards of a line to print
 };
 
 BatchPlan plan_of(const BatchOptions& options) {
@@ -60,33 +63,15 @@ BatchPlan plan_of(const BatchOptions& options) {
   if (options.folder.empty()) throw UsageError("batch: expected -o OUT for the catalogue and the results");
   const std::string format = options.format.empty() ? "" : std::string(study::target_named(options.format).name);
   const BatchTask task = options.is_check ? BatchTask::check : options.is_run ? BatchTask::run : BatchTask::convert;
-  return {task, fs::path(options.root), options.folder, options.profile, format, options.limits};
+  BatchPlan plan{task, fs::path(options.root), options.folder, options.profile, format, options.limits};
+  plan.is_resumed = options.is_resumed;
+  if (!options.shard.is_whole()) plan.stop = context();  // a queue ends a shard within a minute
+  return plan;
 }
 
 int thread_count(const BatchOptions& options) {
   return options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
-
-/// Opens journal.jsonl at its end. A line is written by one call, so that a sudden end damages at most the last one.
-class JournalFile {
- public:
-  explicit JournalFile(const fs::path& file) : name_(file.string()) {
-    descriptor_ = open(name_.c_str(), O_WRONLY | O_APPEND);
-    if (descriptor_ < 0) throw OutputError(fmt::format("cannot write {}", name_));
-  }
-  ~JournalFile() { close(descriptor_); }
-  JournalFile(const JournalFile&) = delete;
-  JournalFile& operator=(const JournalFile&) = delete;
-
-  void add(const std::string& line) const {
-    if (write(descriptor_, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
-      throw OutputError(fmt::format("cannot write {}", name_));
-  }
-
- private:
-  std::string name_;
-  int descriptor_;
-};
 
 bool lies_in(const fs::path& inner, const fs::path& outer) {
   const fs::path below = fs::weakly_canonical(inner).lexically_relative(fs::weakly_canonical(outer));
@@ -95,14 +80,14 @@ bool lies_in(const fs::path& inner, const fs::path& outer) {
 
 /// Returns the journal of an earlier batch in the folder; empty if there was no batch. Throws UsageError if results
 /// could overwrite other files.
-study::Journal journal_in(const BatchPlan& plan) {
+study::Journal journal_in(const BatchPlan& plan, const Shard& shard) {
   if (lies_in(plan.root, plan.folder))
     throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", plan.root.string()));
-  const fs::path file = plan.folder / "journal.jsonl";
+  const fs::path file = plan.folder / shard.journal_name();
   if (!fs::exists(plan.folder) || fs::is_empty(plan.folder)) return {};
   study::Journal journal;
   if (fs::exists(file)) journal = study::read_journal(formats::load(file.string()).text);
-  if (journal.task.empty())
+  if (journal.task.empty() && shard.is_whole())
     throw UsageError(fmt::format("{} holds something that is no batch; give another folder", plan.folder.string()));
   return journal;
 }
@@ -124,7 +109,7 @@ void remove_results(const fs::path& folder, const study::Journal& journal) {
 /// Returns the completed rows if this batch resumes an earlier one of the same task. Leaves whole lines on the disk.
 study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan) {
   const std::string task = plan.task_text();
-  study::Journal journal = journal_in(plan);
+  study::Journal journal = journal_in(plan, options.shard);
   if (!journal.task.empty() && !options.is_resumed && !options.may_overwrite)
     throw UsageError(
         fmt::format("{} contains a batch; --resume continues it, --force starts it again", plan.folder.string()));
@@ -137,40 +122,21 @@ study::Journal begun_journal(const BatchOptions& options, const BatchPlan& plan)
   std::error_code error;
   fs::create_directories(plan.folder, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", plan.folder.string()));
-  remove_drafts(plan.folder);
-  write_file(plan.folder / "journal.jsonl", journal.lines);
+  if (options.shard.is_whole()) remove_drafts(plan.folder);
+  write_file(plan.folder / options.shard.journal_name(), journal.lines);
   return journal;
 }
-
-/// Reports the progress of the batch at intervals, and the time left if the other jobs take as long.
-class Reports {
- public:
-  explicit Reports(std::size_t jobs) : jobs_(jobs) {}
-  void add_one() {
-    ++done_;
-    if (Clock::now() - shown_ < kBetweenReports) return;
-    shown_ = Clock::now();
-    const double taken = std::chrono::duration<double>(Clock::now() - begun_).count();
-    const double left = taken * static_cast<double>(jobs_ - done_) / static_cast<double>(done_);
-    spdlog::info("{} of {} jobs done, about {} left", done_, jobs_, time_in_words(left));
-  }
-
- private:
-  std::size_t jobs_;
-  std::size_t done_ = 0;
-  Clock::time_point begun_ = Clock::now();
-  Clock::time_point shown_ = begun_;
-};
 
 /// Does the jobs that are missing in the journal, and writes their rows.
 void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree& archive, study::Journal& journal) {
   std::vector<const study::BatchJob*> open_jobs;
   for (const study::BatchJob& job : archive.jobs)
-    if (journal.find(job.name, archive.files_of(job)) == nullptr) open_jobs.push_back(&job);
-  if (options.is_resumed)
+    if (options.shard.has(job.name) && journal.find(job.name, archive.files_of(job)) == nullptr)
+      open_jobs.push_back(&job);
+  if (options.is_resumed && options.shard.is_whole())
     spdlog::info("{} done before, {} to do", counted(archive.jobs.size() - open_jobs.size(), "job"), open_jobs.size());
-  const JournalFile file(plan.folder / "journal.jsonl");
-  Reports reports(open_jobs.size());
+  const JournalFile file(plan.folder / options.shard.journal_name());
+  JobReports reports(open_jobs.size());
   std::mutex guard;
   for_each_in_parallel(open_jobs.size(), thread_count(options), [&](std::size_t i) {
     const Context own;  // on a stop, jobs that have begun still finish
@@ -178,10 +144,12 @@ void do_jobs(const BatchOptions& options, const BatchPlan& plan, const FileTree&
     const study::BatchJob& job = *open_jobs[i];
     const Clock::time_point start = Clock::now();
     const std::string problem = archive.problem_of(job);
-    CatalogueRow row = problem.empty() ? do_job(plan, job, archive.files_of(job))
-                                       : study::row_without_check(job, archive.files_of(job), "failed", problem);
-    if (!problem.empty()) row.verdict = {"failed", problem};
-    const std::string line = study::journal_line(row, std::chrono::duration<double>(Clock::now() - start).count());
+    std::optional<CatalogueRow> row = problem.empty()
+                                          ? do_job(plan, job, archive.files_of(job))
+                                          : study::row_without_check(job, archive.files_of(job), "failed", problem);
+    if (!row) return;  // stopped: it goes on with --resume
+    if (!problem.empty()) row->verdict = {"failed", problem};
+    const std::string line = study::journal_line(*row, std::chrono::duration<double>(Clock::now() - start).count());
     const std::scoped_lock lock(guard);
     file.add(line);
     journal.add(line);
@@ -220,24 +188,31 @@ void write_catalogue(const BatchPlan& plan, const std::vector<CatalogueRow>& row
   write_file(plan.folder / "catalogue.html", report::catalogue_page(title, rows));
 }
 
-ExitCode run_batch(const BatchOptions& options) {
-  if (!options.row_files.empty()) return print_row(options);
-  const BatchPlan plan = plan_of(options);
-  listen_for_stops();  // a stopped batch can resume from its journal
-  const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options));
-  if (!archive.passed_over.empty()) spdlog::warn("skipped: {}", study::sentence_of(archive.passed_over));
-  study::Journal journal = begun_journal(options, plan);
-  do_jobs(options, plan, archive, journal);
-  std::error_code is_no_matter;
-  fs::remove_all(plan.checks_folder(), is_no_matter);
-  // A stop requested during the last job leaves no job undone.
-  const bool is_done = std::ranges::all_of(archive.jobs, [&](const study::BatchJob& job) {
-    return journal.find(job.name, archive.files_of(job)) != nullptr;
+/// Returns true if the journal has a row of every job of the shard.
+bool is_done(const FileTree& archive, const study::Journal& journal, const Shard& shard) {
+  return std::ranges::all_of(archive.jobs, [&](const study::BatchJob& job) {
+    return !shard.has(job.name) || journal.find(job.name, archive.files_of(job)) != nullptr;
   });
-  if (context().is_stopped() && !is_done) {
-    spdlog::warn("stopped by request; the same command with --resume continues");
-    return ExitCode::stopped;
+}
+
+/// Returns the rows in the journals of all shards. Throws UsageError if one belongs to another task.
+study::Journal merged_journal(const BatchPlan& plan, const FileTree& archive) {
+  study::Journal all;
+  for (const fs::path& file : journals_in(plan.folder)) {
+    const study::Journal journal = study::read_journal(formats::load(file.string()).text);
+    if (journal.task != plan.task_text())
+      throw UsageError(
+          fmt::format("{} belongs to another task ({}, now {})", file.string(), journal.task, plan.task_text()));
+    all.task = journal.task;
+    all.rows.insert(journal.rows.begin(), journal.rows.end());
   }
+  if (!is_done(archive, all, {}))
+    throw UsageError(fmt::format("{}: jobs are missing; their shards have not ended", plan.folder.string()));
+  return all;
+}
+
+ExitCode finish(const BatchOptions& options, const BatchPlan& plan, const FileTree& archive,
+                const study::Journal& journal) {
   const std::vector<CatalogueRow> rows = rows_of(archive, journal);
   write_catalogue(plan, rows);
   spdlog::info("{}, {}; {} with warnings; catalogue in {}", counted(archive.files.size(), "file"),
@@ -245,6 +220,34 @@ ExitCode run_batch(const BatchOptions& options) {
                std::ranges::count_if(rows, [](const CatalogueRow& row) { return row.warnings > 0; }), options.folder);
   if (options.as_json) fmt::print("{}\n", study::catalogue_json(rows));
   return std::ranges::count(rows, "failed", &CatalogueRow::outcome) == 0 ? ExitCode::ok : ExitCode::check_failed;
+}
+
+ExitCode run_batch(const BatchOptions& given) {
+  if (!given.row_files.empty()) return print_row(given);
+  BatchOptions options = given;
+  if (!options.shard_words.empty()) options.shard = shard_of(options.shard_words);
+  const BatchPlan plan = plan_of(options);
+  if (options.slurm > 0 || options.parallel > 0) {
+    fmt::print("{}", options.slurm > 0 ? slurm_script(own_command(), options.slurm)
+                                       : parallel_line(own_command(), options.parallel));
+    return ExitCode::ok;
+  }
+  listen_for_stops();  // a stopped batch can resume from its journal
+  const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options));
+  if (options.is_merged) return finish(options, plan, archive, merged_journal(plan, archive));
+  if (!archive.passed_over.empty()) spdlog::warn("passed over: {}", study::sentence_of(archive.passed_over));
+  study::Journal journal = begun_journal(options, plan);
+  do_jobs(options, plan, archive, journal);
+  std::error_code is_no_matter;
+  if (options.shard.is_whole()) fs::remove_all(plan.checks_folder(), is_no_matter);
+  // A stop requested during the last job leaves no job undone.
+  if (context().is_stopped() && !is_done(archive, journal, options.shard)) {
+    spdlog::warn("stopped by request; the same command with --resume continues");
+    return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
+  }
+  if (options.shard.is_whole()) return finish(options, plan, archive, journal);
+  spdlog::info("shard {} of {} is done; --merge writes the catalogue when all are", options.shard.k, options.shard.n);
+  return ExitCode::ok;
 }
 
 }  // namespace
@@ -273,6 +276,17 @@ Action configure_batch(CLI::App& app) {
   app.add_option("--row", options->row_files)->group("");  // internal: not in the help
   app.add_flag("--resume", options->is_resumed, "continue the batch in FOLDER; jobs with changed files are repeated");
   app.add_flag("--force", options->may_overwrite, "start the batch in FOLDER again");
+  CLI::Option* shard =
+      app.add_option("--shard", options->shard_words, "do only jobs of shard K of N, also on another machine")
+          ->type_name("K/N");
+  app.add_flag("--merge", options->is_merged, "run nothing; write the catalogue of all shards in FOLDER")
+      ->excludes(shard);
+  app.add_option("--slurm", options->slurm, "print an array script of N shards for sbatch, and run nothing")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000));
+  app.add_option("--parallel", options->parallel, "print a line of N shards for GNU parallel, and run nothing")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000));
   app.add_flag("--json", options->as_json, "also print catalogue.json on standard output");
   return [options] { return run_batch(*options); };
 }

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "api/case_folder.hpp"
+#include "app/batch/logged_child.hpp"
 #include "app/exit_code.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
@@ -31,8 +31,6 @@ namespace {
 using report::CatalogueAnswer;
 using report::CatalogueRow;
 
-constexpr int kNoRoomForLibraries = 127;  // exit code of the loader
-
 std::vector<std::string> profiles_of(const BatchPlan& plan) {
   return plan.profile.empty() ? std::vector<std::string>{"legacy", "standard"} : std::vector{plan.profile};
 }
@@ -49,31 +47,8 @@ void doubt(CatalogueRow& row, const std::string& message) {
   row.outcome = "warnings";
 }
 
-/// Returns the last line of the log with an error.
-std::string error_in(const fs::path& log) {
-  std::istringstream lines(formats::load(log.string()).text);
-  std::string last;
-  for (std::string line; std::getline(lines, line);)
-    if (line.find("error:") != std::string::npos) last = line;
-  return last;
-}
-
-std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
-  if (end.ran_out_of_time) return fmt::format("stopped at the limit of {} s of processor time", limits.cpu_seconds);
-  const std::string error = error_in(log);
-  const bool is_starved = end.exit_code == kNoRoomForLibraries || error.find("not enough memory") != std::string::npos;
-  if (limits.memory_mebibytes > 0 && is_starved)
-    return fmt::format("the limit of {} MiB of memory is too small for it", limits.memory_mebibytes);
-  return fmt::format("exit code {}{}{}", end.exit_code, error.empty() ? "" : ": ", error);
-}
-
 fs::path empty_folder_for(const BatchPlan& plan, const study::BatchJob& job) {
-  const fs::path folder = plan.folder / "jobs" / job.name;
-  std::error_code error;
-  fs::remove_all(folder, error);
-  if (!error) fs::create_directories(folder, error);
-  if (error) throw OutputError(fmt::format("cannot make {}", folder.string()));
-  return folder;
+  return empty_folder(plan.folder / "jobs" / job.name);
 }
 
 std::vector<std::string> with_inputs(const std::string& verb, const BatchPlan& plan, const study::BatchJob& job) {
@@ -82,17 +57,34 @@ std::vector<std::string> with_inputs(const std::string& verb, const BatchPlan& p
   return arguments;
 }
 
-/// Runs a child process with its output in files next to its results.
+/// Thrown by a job whose process was stopped with the batch.
+struct JobStopped {};
+
 ChildEnd run_logged(const BatchPlan& plan, const fs::path& folder, const std::string& name,
                     const std::vector<std::string>& arguments) {
-  return run_child(arguments, plan.limits, folder / (name + ".out"), folder / (name + ".log"));
+  const ChildEnd end = run_logged(arguments, plan.limits, folder, name, plan.stop ? &*plan.stop : nullptr);
+  if (end.was_stopped && (end.signal != 0 || end.exit_code == int(ExitCode::stopped))) throw JobStopped();
+  return end;
+}
+
+/// Runs the job under a profile. A run that was left unfinished goes on, unless its checkpoint does not fit any more.
+ChildEnd run_or_resume(const BatchPlan& plan, const study::BatchJob& job, const fs::path& folder,
+                       const std::string& profile) {
+  const fs::path results = folder / profile;
+  if (plan.is_resumed && fs::exists(results / "checkpoint.h5")) {
+    const ChildEnd end = run_logged(plan, folder, profile, {"run", "--resume", results.string(), "--threads", "1"});
+    if (end.exit_code != int(ExitCode::usage) && end.exit_code != int(ExitCode::unreadable)) return end;
+  }
+  std::error_code error;
+  fs::remove_all(results, error);
+  std::vector<std::string> arguments = with_inputs("run", plan, job);
+  arguments.insert(arguments.end(), {"-o", results.string(), "--profile", profile, "--threads", "1"});
+  return run_logged(plan, folder, profile, arguments);
 }
 
 CatalogueAnswer run_in(const BatchPlan& plan, const study::BatchJob& job, const fs::path& folder,
                        const std::string& profile, CatalogueRow& row) {
-  std::vector<std::string> arguments = with_inputs("run", plan, job);
-  arguments.insert(arguments.end(), {"-o", (folder / profile).string(), "--profile", profile, "--threads", "1"});
-  const ChildEnd end = run_logged(plan, folder, profile, arguments);
+  const ChildEnd end = run_or_resume(plan, job, folder, profile);
   const bool came_to_its_end = end.exit_code == int(ExitCode::ok) || end.exit_code == int(ExitCode::check_failed);
   if (came_to_its_end) {
     CatalogueAnswer answer = study::answer_in(folder / profile, profile);
@@ -128,8 +120,16 @@ std::string compare_with_expected(const BatchPlan& plan, const study::BatchJob& 
                              : study::verdict_of(formats::load((folder / "compare.out").string()).text);
 }
 
+/// Returns true if an earlier batch left a run of the job unfinished.
+bool is_begun(const BatchPlan& plan, const fs::path& folder) {
+  return plan.is_resumed && std::ranges::any_of(profiles_of(plan), [&](const std::string& profile) {
+           return fs::exists(folder / profile / "checkpoint.h5");
+         });
+}
+
 void run_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow& row) {
-  const fs::path folder = empty_folder_for(plan, job);
+  const fs::path begun = plan.folder / "jobs" / job.name;
+  const fs::path folder = is_begun(plan, begun) ? begun : empty_folder_for(plan, job);
   for (const std::string& profile : profiles_of(plan)) {
     row.answers.push_back(run_in(plan, job, folder, profile, row));
     row.outputs.push_back((fs::path("jobs") / job.name / profile).generic_string());
@@ -252,11 +252,15 @@ study::BatchAim aim_of(BatchTask task) {
 
 }  // namespace
 
-CatalogueRow do_job(const BatchPlan& plan, const study::BatchJob& job,
-                    const std::vector<report::CatalogueFile>& files) {
-  CatalogueRow row = done_job(plan, job, files);
-  row.verdict = study::verdict_of(row, aim_of(plan.task));
-  return row;
+std::optional<CatalogueRow> do_job(const BatchPlan& plan, const study::BatchJob& job,
+                                   const std::vector<report::CatalogueFile>& files) {
+  try {
+    CatalogueRow row = done_job(plan, job, files);
+    row.verdict = study::verdict_of(row, aim_of(plan.task));
+    return row;
+  } catch (const JobStopped&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace keyblock

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/batch/child_process.hpp"
+#include "base/context.hpp"
 #include "report/catalogue_page.hpp"
 #include "study/batch/batch_pairs.hpp"
 
@@ -21,6 +23,8 @@ struct BatchPlan {
   std::string profile;           ///< empty: legacy and standard for a comparison, the default for a check
   std::string format;            ///< target of a conversion
   ChildLimits limits;
+  bool is_resumed = false;           ///< runs that were left unfinished go on from their checkpoints
+  std::optional<Context> stop = {};  ///< stops jobs that have begun; nothing: they finish
 
   /// Returns all choices that determine a row apart from the files: two batches of one task give the same rows.
   std::string task_text() const;
@@ -28,8 +32,8 @@ struct BatchPlan {
   std::filesystem::path checks_folder() const;
 };
 
-/// Returns the finished row. Throws OutputError if results cannot be written.
-report::CatalogueRow do_job(const BatchPlan& plan, const study::BatchJob& job,
-                            const std::vector<report::CatalogueFile>& files);
+/// Returns the finished row; nothing if the job was stopped. Throws OutputError if results cannot be written.
+std::optional<report::CatalogueRow> do_job(const BatchPlan& plan, const study::BatchJob& job,
+                                           const std::vector<report::CatalogueFile>& files);
 
 }  // namespace keyblock

@@ -5,8 +5,10 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -64,16 +66,32 @@ bool limit(int resource, rlim_t first, rlim_t second) {
   _exit(kCannotStart);
 }
 
+/// Waits for the end of the child, and forwards a stop once. Returns true if a stop was forwarded.
+bool wait_for(pid_t child, const Context& stop) {
+  constexpr int kLook = 100;  // milliseconds
+  const auto descriptor = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
+  bool was_stopped = false;
+  pollfd ended{descriptor, POLLIN, 0};
+  while (descriptor >= 0 && poll(&ended, 1, was_stopped ? -1 : kLook) <= 0) {
+    if (was_stopped || !stop.is_stopped()) continue;
+    kill(child, SIGTERM);
+    was_stopped = true;
+  }
+  if (descriptor >= 0) close(descriptor);
+  return was_stopped;
+}
+
 }  // namespace
 
 ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits& limits,
-                   const std::filesystem::path& output, const std::filesystem::path& messages) {
+                   const std::filesystem::path& output, const std::filesystem::path& messages, const Context* stop) {
   std::string name = "keyblock";
   Plan plan{{name.data()}, output.string(), messages.string(), limits, getpid()};
   for (const std::string& argument : arguments) plan.arguments.push_back(const_cast<char*>(argument.c_str()));
   plan.arguments.push_back(nullptr);
   const pid_t child = fork();
   if (child == 0) become(plan);
+  const bool was_stopped = child > 0 && stop != nullptr && wait_for(child, *stop);
   int status = 0;
   while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   const bool was_killed = WIFSIGNALED(status);
@@ -82,7 +100,7 @@ ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits&
   const int signal = was_killed ? WTERMSIG(status) : 0;
   const bool says_so = !was_killed && WEXITSTATUS(status) == static_cast<int>(ExitCode::limit);
   const bool by_limit = limits.cpu_seconds > 0 && (signal == SIGXCPU || signal == SIGKILL || says_so);
-  return {was_killed ? 128 + signal : WEXITSTATUS(status), by_limit};
+  return {was_killed ? 128 + signal : WEXITSTATUS(status), by_limit, signal, was_stopped};
 }
 
 }  // namespace keyblock

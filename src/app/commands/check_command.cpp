@@ -312,8 +312,9 @@ void require_one_case(const CaseOptions& given) {
         "check: expected files, the folder of one case, or a folder of cases alone; found the folder {} {}", path,
         given.paths.size() > 1              ? "among others"
         : given.reading != DrawingOptions{} ? "and --layers, --unit or --join"
-        : given.sets.empty()                ? "and --settings-file"
-                                            : "and --set"));
+        : !given.sets.empty()               ? "and --set"
+        : !given.values.empty()             ? "and --at"
+                                            : "and --settings-file"));
   }
 }
 
@@ -330,11 +331,12 @@ bool is_folder_of_cases(const std::vector<std::string>& paths) {
 ExitCode check_files(const CheckOptions& options) {
   const CaseOptions& given = options.given;
   if (is_folder_of_cases(given.paths) && given.reading == DrawingOptions{} && given.sets.empty() &&
-      given.settings_file.empty())
+      given.values.empty() && given.settings_file.empty())
     return check_folder(given.paths.front(), given.profile, options.as_json);
   require_one_case(given);
   const AskedCase asked = case_of(given);
-  const std::vector<formats::FileReading> files = formats::read_files(asked.files, asked.choices);
+  std::vector<formats::FileReading> files = formats::read_files(asked.files, asked.choices);
+  if (!asked.values.empty()) files = with_values(formats::case_of(std::move(files)), asked.values).files;
   const CaseReport report = report_of(files, asked, options.trial_seconds);
   if (options.as_json) {
     print_json(files, report);

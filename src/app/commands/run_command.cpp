@@ -180,7 +180,7 @@ ExitCode run_files(const RunOptions& options) {
 
 Action configure_run(CLI::App& options) {
   const auto chosen = std::make_shared<RunOptions>();
-  const auto [files, profile, sets, settings_file, reading] = add_case_options(
+  const auto [files, profile, sets, values, settings_file, reading] = add_case_options(
       options, chosen->given, "a case file, a geometry (or block) file with its analysis file, or a case folder");
   CLI::Option* folder =
       options
@@ -220,8 +220,8 @@ Action configure_run(CLI::App& options) {
   for (CLI::Option* of_run : {every, trace, both, histories, contacts, field, frames, pictures, page})
     reduced->excludes(of_run);
   both->excludes(profile);
-  for (CLI::Option* other : {files, profile, folder, sets, settings_file, every, trace, force, reduced, both, histories,
-                             contacts, field, frames, pictures, page})
+  for (CLI::Option* other : {files, profile, folder, sets, values, settings_file, every, trace, force, reduced, both,
+                             histories, contacts, field, frames, pictures, page})
     resume->excludes(other);
   for (CLI::Option* of_drawing : reading) resume->excludes(of_drawing);
   add_thread_option(options);

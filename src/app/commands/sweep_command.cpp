@@ -1,4 +1,4 @@
-// `keyblock sweep`: maps a case over contact stiffness and step.
+// `keyblock sweep`: runs a case over any values, or maps its error over contact stiffness and step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -9,6 +9,7 @@
 
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
+#include "app/input/value_sweep_options.hpp"
 #include "app/option_checks.hpp"
 #include "app/picture_file.hpp"
 #include "app/stop_request.hpp"
@@ -165,22 +166,105 @@ ExitCode run_sweep(const SweepOptions& options) {
   return ExitCode::check_failed;
 }
 
+/// Adds the options of a sweep over values; those without which they have no meaning are needed.
+void add_value_options(CLI::App& options, ValueSweepOptions& chosen) {
+  options
+      .add_option("--over", chosen.over,
+                  "run the case over values of a key: /POINTER=20:40:2, /POINTER=0,50 kN, SETTING=A,B, "
+                  "joints:/POINTER=normal(35,3); may be repeated; names and * stand for numbers of list items")
+      ->type_name("KEY=VALUES")
+      ->take_all();
+  options.add_option("--design", chosen.design_file, "rows of values instead of --over: a JSON list of objects")
+      ->type_name("FILE");
+  options
+      .add_option("--random", chosen.random,
+                  "N rows of a Latin hypercube over lists and over normal(MEAN,DEVIATION), lognormal(MEAN,DEVIATION), "
+                  "uniform(LOW,HIGH) and triangular(LOW,MODE,HIGH)")
+      ->type_name("N")
+      ->check(above_zero());
+  options.add_option("--seed", chosen.seed, "seed of --random (default: 1)");
+  options.add_flag("--zip", chosen.is_zipped, "take first values of all keys together, then second ones, …");
+  options.add_option("--joints", chosen.joints, "statistics of joints (docs/slope.json), drawn anew for each row")
+      ->type_name("FILE");
+  options.add_option("--out", chosen.out,
+                     "results of a row, separated by commas: displacement, speed, state, steps, time, blocks, fos, "
+                     "fos_rock, point1.dx, NAME.vx of a history, ledger.kinetic, tip1.k1, /pointer into run.json "
+                     "(default: displacement)");
+  options.add_option("--history", chosen.histories, "follow a quantity, as `keyblock run --history`; may be repeated")
+      ->type_name("[NAME=]WHAT")
+      ->take_all();
+  options.add_option("--to-within", chosen.within, "final width of the bracket of fos")->check(above_zero());
+}
+
+/// Adds the options by which jobs are done: those of `batch` too.
+void add_job_options(CLI::App& options, ValueSweepOptions& chosen) {
+  options.add_option("-o,--output", chosen.folder, "folder for table.csv, times.csv, sweep.svg, journals and jobs")
+      ->type_name("FOLDER");
+  options.add_option("--jobs", chosen.jobs, "jobs at a time (default: number of cores)")->check(CLI::Range(1, 1024));
+  options.add_option("--time-limit", chosen.cpu_seconds, "processor time per process, seconds (default: no limit)")
+      ->check(above_zero());
+  options.add_option("--memory-limit", chosen.memory_mebibytes, "address space per process, MiB (default: no limit)")
+      ->check(above_zero());
+  options.add_flag("--resume", chosen.is_resumed, "do the missing jobs of the sweep in FOLDER, from their checkpoints");
+  options.add_option("--shard", chosen.shard, "do only jobs of shard K of N, also on another machine")
+      ->type_name("K/N");
+  options.add_flag("--merge", chosen.is_merged, "run nothing; write the table of all shards in FOLDER");
+  options.add_option("--slurm", chosen.slurm, "print an array script of N shards for sbatch, and run nothing")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000));
+  options.add_option("--parallel", chosen.parallel, "print a line of N shards for GNU parallel, and run nothing")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000));
+}
+
+/// Refuses options of the map in a sweep over values, and the reverse.
+void require_one_kind(const CLI::App& options, bool is_over_values) {
+  const std::vector<const char*> of_map{"--against",   "--finest", "--repeat", "--limit",
+                                        "--penalties", "--steps",  "--table",  "--picture"};
+  const std::vector<const char*> of_values{
+      "--random", "--seed",  "--zip",      "--joints",        "--out",          "--history", "--to-within",
+      "-o",       "--at",    "--jobs",     "--time-limit",    "--memory-limit", "--resume",  "--shard",
+      "--merge",  "--slurm", "--parallel", "--settings-file", "--layers",       "--unit",    "--join"};
+  for (const char* name : is_over_values ? of_map : of_values)
+    if (options.count(name) > 0)
+      throw UsageError(fmt::format("sweep: {} belongs to {}", name,
+                                   is_over_values ? "the map of errors, without --over" : "a sweep with --over"));
+}
+
 }  // namespace
 
 Action configure_sweep(CLI::App& options) {
-  const auto chosen = std::make_shared<SweepOptions>();
-  add_study_options(options, *chosen);
-  options.add_option("--penalties", chosen->penalties, "factors on the contact stiffness (default: 100 10 1 0.1 0.01)")
+  const auto map = std::make_shared<SweepOptions>();
+  const auto values = std::make_shared<ValueSweepOptions>();
+  add_study_options(options, *map);
+  add_value_options(options, *values);
+  add_job_options(options, *values);
+  options.add_option("--at", values->given.values, "give the case another value in all rows, as `keyblock run --at`")
+      ->type_name("POINTER=VALUE")
+      ->take_all();
+  options.add_option("--settings-file", values->given.settings_file, "settings of all rows, as `keyblock run`")
+      ->type_name("FILE");
+  add_drawing_options(options, values->given.reading);
+  options.add_option("--penalties", map->penalties, "factors on the contact stiffness (default: 100 10 1 0.1 0.01)")
       ->delimiter(',')
       ->check(above_zero());
-  options.add_option("--steps", chosen->steps, "factors on the step (default: 4 2 1 0.5 0.25)")
+  options.add_option("--steps", map->steps, "factors on the step (default: 4 2 1 0.5 0.25)")
       ->delimiter(',')
       ->check(above_zero());
-  options.add_option("--table", chosen->table, "write the map as a table (CSV)")->type_name("FILE");
-  return [chosen] {
+  options.add_option("--table", map->table, "write the map as a table (CSV)")->type_name("FILE");
+  return [map, values, &options] {
+    require_one_kind(options, values->is_asked());
+    if (values->is_asked()) {
+      values->given.paths = map->paths;
+      values->given.sets = map->sets;
+      if (options.count("--profile") > 0) values->given.profile = map->profile;
+      values->as_json = map->as_json;
+      values->force = map->force;
+      return sweep_values(*values);
+    }
     context().use_threads(1);  // costs are processor time
     listen_for_stops();
-    return run_sweep(*chosen);
+    return run_sweep(*map);
   };
 }
 

@@ -23,6 +23,13 @@ CaseOptionList add_case_options(CLI::App& options, CaseOptions& chosen, const st
   list.sets = options.add_option("--set", chosen.sets, "change one setting of the profile; may be repeated")
                   ->type_name("KEY=VALUE")
                   ->take_all();
+  list.values = options
+                    .add_option("--at", chosen.values,
+                                "give the case file another value at a JSON pointer, such as "
+                                "/analysis/joint_materials/bedding/friction_angle_deg=25; names and * stand for "
+                                "numbers of list items; may be repeated")
+                    ->type_name("POINTER=VALUE")
+                    ->take_all();
   list.settings_file =
       options
           .add_option("--settings-file", chosen.settings_file,
@@ -35,6 +42,7 @@ CaseOptionList add_case_options(CLI::App& options, CaseOptions& chosen, const st
 AskedCase case_of(const CaseOptions& chosen) {
   AskedCase asked = asked_case(
       {chosen.paths, chosen.settings_file, chosen.profile, overrides_of(chosen.sets), chosen.reading.choices});
+  for (const std::string& value : chosen.values) asked.values.push_back(case_value_of(value));
   take_layers(asked.files, chosen.reading.layers);
   return asked;
 }

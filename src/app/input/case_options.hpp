@@ -15,6 +15,7 @@ struct CaseOptions {
   std::vector<std::string> paths;
   std::string profile;
   std::vector<std::string> sets;
+  std::vector<std::string> values;  ///< POINTER=VALUE
   std::string settings_file;
   DrawingOptions reading;
 };
@@ -24,14 +25,16 @@ struct CaseOptionList {
   CLI::Option* files;
   CLI::Option* profile;
   CLI::Option* sets;
+  CLI::Option* values;
   CLI::Option* settings_file;
   std::vector<CLI::Option*> reading;  ///< of the drawing
 };
 
-/// Adds the files of a case, `--profile`, `--set`, `--settings-file` and the options of a drawing.
+/// Adds the files of a case, `--profile`, `--set`, `--at`, `--settings-file` and the options of a drawing.
 CaseOptionList add_case_options(CLI::App& options, CaseOptions& chosen, const std::string& about_files);
 
-/// Returns the requested case. Throws UsageError for a `--set` that is not key=value; otherwise throws like asked_case.
+/// Returns the requested case. Throws UsageError for a `--set` that is not key=value, std::invalid_argument for an
+/// `--at` that is not POINTER=VALUE; otherwise throws like asked_case.
 AskedCase case_of(const CaseOptions& chosen);
 
 /// Parses key=value pairs of `--set`. Throws UsageError.

@@ -68,10 +68,12 @@ std::string_view colour_of(const Curve& curve, std::size_t index) {
 
 std::vector<LegendEntry> make_legend(const std::vector<Curve>& curves) {
   std::vector<LegendEntry> legend;
-  for (std::size_t i = 0; i < curves.size(); ++i)
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (curves[i].label.empty()) continue;
     legend.push_back({.sign = curves[i].style == Curve::Style::line ? LegendEntry::Sign::line : LegendEntry::Sign::dots,
                       .colour = colour_of(curves[i], i),
                       .words = curves[i].label});
+  }
   return legend;
 }
 

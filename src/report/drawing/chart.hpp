@@ -14,7 +14,7 @@ namespace keyblock::report {
 /// One curve. `x` and `y` are of equal length; pairs that are not finite, or beyond `kGreatestDrawn`, are left out.
 struct Curve {
   enum class Style { line, points };
-  std::string label;
+  std::string label;  ///< empty: not in the legend
   std::vector<double> x;
   std::vector<double> y;
   Style style = Style::line;

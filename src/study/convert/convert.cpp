@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/nearest.hpp"
+#include "formats/all_content.hpp"
 #include "formats/berkeley/ddaml.hpp"
 #include "formats/case_file/keyblock_case.hpp"
 #include "formats/dxf/dxf.hpp"
@@ -36,34 +37,6 @@ using formats::Format;
 
 bool has_geometry(const Content& content) {
   return content.drawing || content.blocks || content.cover;
-}
-
-template <class Part>
-void put(std::optional<Part>& into, const std::optional<Part>& part, const std::string& file, std::string_view noun) {
-  if (!part) return;
-  if (into) throw InputError({file}, fmt::format("expected one {} in all files, found a second", noun));
-  into = part;
-}
-
-void add_to(Content& all, const Content& content, const std::string& file) {
-  if (has_geometry(all) && has_geometry(content))
-    throw InputError({file}, "expected one geometry in all files, found a second");
-  put(all.drawing, content.drawing, file, "drawing");
-  put(all.blocks, content.blocks, file, "set of blocks");
-  put(all.cover, content.cover, file, "cover");
-  put(all.covers, content.covers, file, "set of covers");
-  put(all.analysis, content.analysis, file, "analysis");
-  all.frames.insert(all.frames.end(), content.frames.begin(), content.frames.end());
-  all.tracks.insert(all.tracks.end(), content.tracks.begin(), content.tracks.end());
-  put(all.motion, content.motion, file, "motion");
-  formats::put_units(all.units, content.units, {file});
-  put(all.choices, content.choices, file, "run");
-  all.is_own_case = all.is_own_case || content.is_own_case;
-  put(all.outputs, content.outputs, file, "set of outputs");
-  if (all.layers.rows.empty()) all.layers = content.layers;
-  if (!all.stages.empty() && !content.stages.empty())
-    throw InputError({file}, "expected stages in one of the files, found more");
-  all.stages.insert(all.stages.end(), content.stages.begin(), content.stages.end());
 }
 
 struct Written {
@@ -204,13 +177,10 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
     if (file.error) throw *file.error;
     const formats::Reading reading = faults == Faults::berkeley ? as_berkeley_reads(file) : *file.reading;
     conversion.warnings = joined(std::move(conversion.warnings), reading.warnings);
-    add_to(content, reading.content, file.path);
+    formats::add_content(content, reading.content, file.path);
   }
   // With a drawing its layers have been used; without one they wait for it.
-  const auto is_drawing = [](const formats::FileReading& file) {
-    return file.choice && file.choice->format == &formats::kDxf;
-  };
-  if (std::ranges::any_of(files, is_drawing)) content.layers = {};
+  if (formats::has_used_layers(files)) content.layers = {};
   conversion.warnings = joined(std::move(conversion.warnings), formats::mismatches(content));
   if (std::optional<Derivation> derived = derived_geometry(content, target)) {
     content.drawing = std::move(derived->content.drawing);
@@ -228,7 +198,8 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
     auto [text, reason] = written(*part.format, content);
     why_not = std::move(reason);
     if (text.empty()) continue;
-    if (part.format->read) add_to(back, part.format->read({"converted", text}, conversion.hint).content, "converted");
+    if (part.format->read)
+      formats::add_content(back, part.format->read({"converted", text}, conversion.hint).content, "converted");
     const std::string* same = unchanged(files, *part.format, text);
     kept.insert(same);
     conversion.files.push_back({part.format, part.ending, same ? *same : std::move(text)});

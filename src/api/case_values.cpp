@@ -1,0 +1,130 @@
+// Writes the case as a case file, changes the JSON, and reads it again.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "api/case_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "formats/all_content.hpp"
+
+namespace keyblock {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Pointer = Json::json_pointer;
+
+struct Found {
+  Pointer at;
+  const Json* value;  ///< null: a new key
+};
+
+std::invalid_argument no_value(std::string_view pointer) {
+  return std::invalid_argument(
+      fmt::format("expected a pointer to a value of the case, such as /analysis/time_step, found {}", pointer));
+}
+
+/// Returns the parts of the pointer between slashes, with ~1 and ~0 replaced. Throws for a text without a first slash.
+std::vector<std::string> parts_of(std::string_view pointer) {
+  std::vector<std::string> parts;
+  if (pointer.empty()) return parts;
+  if (pointer.front() != '/') throw no_value(pointer);
+  for (const char c : pointer) {
+    if (c == '/')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  for (std::string& part : parts)
+    for (const auto& [code, character] : {std::pair{"~1", "/"}, std::pair{"~0", "~"}})
+      for (std::size_t at = part.find(code); at != std::string::npos; at = part.find(code, at + 1))
+        part.replace(at, 2, character);
+  return parts;
+}
+
+bool is_item(const Json& item, std::size_t index, const std::string& part) {
+  if (part == "*" || part == std::to_string(index)) return true;
+  return item.is_object() && item.contains("name") && item["name"].is_string() && item["name"] == part;
+}
+
+void add_children(std::vector<Found>& found, const Found& place, const std::string& part, bool may_be_new) {
+  if (place.value == nullptr) return;
+  const Json& whole = *place.value;
+  if (whole.is_object() && part != "*") {
+    const auto child = whole.find(part);
+    if (child != whole.end()) found.push_back({place.at / part, &*child});
+    if (child == whole.end() && may_be_new) found.push_back({place.at / part, nullptr});
+  } else if (whole.is_object()) {
+    for (const auto& [key, value] : whole.items()) found.push_back({place.at / key, &value});
+  } else if (whole.is_array()) {
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      if (is_item(whole[i], i, part)) found.push_back({place.at / i, &whole[i]});
+  }
+}
+
+std::vector<Found> places_in(const Json& json, std::string_view pointer, bool or_new) {
+  std::vector<Found> found{{Pointer(), &json}};
+  const std::vector<std::string> parts = parts_of(pointer);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::vector<Found> next;
+    for (const Found& place : found) add_children(next, place, parts[i], or_new && i + 1 == parts.size());
+    found = std::move(next);
+  }
+  if (found.empty()) throw no_value(pointer);
+  return found;
+}
+
+}  // namespace
+
+ChangedValue case_value_of(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (text.empty() || text.front() != '/' || equals == std::string::npos)
+    throw std::invalid_argument(
+        fmt::format("expected POINTER=VALUE, such as /analysis/time_step=0.01, found \"{}\"", text));
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+std::vector<std::string> pointers_to(std::string_view pointer, const std::string& json, bool or_new) {
+  std::vector<std::string> found;
+  const Json whole = Json::parse(json);
+  for (const Found& place : places_in(whole, pointer, or_new)) found.push_back(place.at.to_string());
+  return found;
+}
+
+std::string value_at(std::string_view pointer, const std::string& json) {
+  const Json whole = Json::parse(json);
+  const std::vector<Found> places = places_in(whole, pointer, false);
+  const std::vector<std::string> parts = parts_of(pointer);
+  if (std::ranges::find(parts, "*") == parts.end()) return places.front().value->dump();
+  Json all = Json::array();
+  for (const Found& place : places) all.push_back(*place.value);
+  return all.dump();
+}
+
+formats::Case with_values(const formats::Case& before, const std::vector<ChangedValue>& values) {
+  Json json = Json::parse(formats::case_file_text(before.files));
+  for (const ChangedValue& given : values) {
+    const Json parsed = Json::parse(given.value, nullptr, false);
+    const Json value = parsed.is_discarded() ? Json(given.value) : parsed;
+    std::vector<Pointer> places;
+    for (const Found& place : places_in(json, given.pointer, true)) places.push_back(place.at);
+    for (const Pointer& place : places) json[place] = value;
+  }
+  formats::FileReading file;
+  file.path = before.files.front().path + " (changed)";
+  file.source = {file.path, json.dump(1)};
+  file.choice = formats::recognise(file.source);
+  file.reading = formats::read_as(*file.choice, file.source);
+  file.reading->content.is_own_case = before.problem.has_own_case;
+  formats::Case after = formats::case_of({std::move(file)});
+  Warnings warnings = before.warnings;
+  for (const Warning& warning : after.warnings)
+    if (std::ranges::none_of(warnings, [&](const Warning& known) { return known.sentence == warning.sentence; }))
+      warnings.push_back(warning);
+  after.warnings = std::move(warnings);
+  return after;
+}
+
+}  // namespace keyblock

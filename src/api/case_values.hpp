@@ -1,0 +1,38 @@
+// Changes values of a case by their place in its case file.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A JSON pointer (RFC 6901) names a value: /analysis/joint_materials/0/friction_angle_deg. The name of a list item may
+// replace its number (/analysis/joint_materials/bedding/friction_angle_deg), and * stands for all items.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/case.hpp"
+
+namespace keyblock {
+
+/// Value at a pointer: JSON, or a text that is not JSON, such as "50 kN".
+struct ChangedValue {
+  std::string pointer;
+  std::string value;
+};
+
+/// Parses "POINTER=VALUE". Throws std::invalid_argument.
+ChangedValue case_value_of(const std::string& text);
+
+/// Returns the JSON pointers that a pointer with names and * stands for, in a case file in strict JSON. Throws
+/// std::invalid_argument if there are none. With `or_new`, the last key may be missing in its object.
+std::vector<std::string> pointers_to(std::string_view pointer, const std::string& json, bool or_new = false);
+
+/// Returns the value at a pointer as JSON, or the list of values that * stands for. Throws std::invalid_argument if
+/// there is none.
+std::string value_at(std::string_view pointer, const std::string& json);
+
+/// Returns the case with the values, in their order. Its one file, in the folder of the first, has the content of all.
+/// Files of Shi's programs keep the rules that belong to them. Throws std::invalid_argument for a pointer to nothing,
+/// InputError for a value that the file must not have.
+formats::Case with_values(const formats::Case& before, const std::vector<ChangedValue>& values);
+
+}  // namespace keyblock

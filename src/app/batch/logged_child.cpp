@@ -1,0 +1,56 @@
+// Reads the log of a process for its last error.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/batch/logged_child.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "base/error.hpp"
+#include "formats/registry.hpp"
+
+namespace keyblock {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kNoRoomForLibraries = 127;  // exit code of the loader
+
+}  // namespace
+
+ChildEnd run_logged(const std::vector<std::string>& arguments, const ChildLimits& limits, const fs::path& folder,
+                    const std::string& name, const Context* stop) {
+  return run_child(arguments, limits, folder / (name + ".out"), folder / (name + ".log"), stop);
+}
+
+std::string error_in(const fs::path& log) {
+  std::istringstream lines(formats::load(log.string()).text);
+  std::string last;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("error:") != std::string::npos) last = line;
+  return last;
+}
+
+bool is_starved(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
+  return limits.memory_mebibytes > 0 &&
+         (end.exit_code == kNoRoomForLibraries || error_in(log).find("not enough memory") != std::string::npos);
+}
+
+std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
+  if (end.ran_out_of_time) return fmt::format("stopped at the limit of {} s of processor time", limits.cpu_seconds);
+  if (is_starved(end, limits, log))
+    return fmt::format("the limit of {} MiB of memory is too small for it", limits.memory_mebibytes);
+  const std::string error = error_in(log);
+  return fmt::format("exit code {}{}{}", end.exit_code, error.empty() ? "" : ": ", error);
+}
+
+fs::path empty_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::remove_all(folder, error);
+  if (!error) fs::create_directories(folder, error);
+  if (error) throw OutputError(fmt::format("cannot make {}", folder.string()));
+  return folder;
+}
+
+}  // namespace keyblock

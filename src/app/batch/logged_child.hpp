@@ -1,0 +1,29 @@
+// Runs this program again with its output in files next to its results, and explains its end.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/batch/child_process.hpp"
+
+namespace keyblock {
+
+/// Runs a child process with its output in NAME.out and its messages in NAME.log of the folder.
+ChildEnd run_logged(const std::vector<std::string>& arguments, const ChildLimits& limits,
+                    const std::filesystem::path& folder, const std::string& name, const Context* stop = nullptr);
+
+/// Returns the last line of the log with an error; empty without one.
+std::string error_in(const std::filesystem::path& log);
+
+/// Returns true if the process ended because its limit of memory was too small.
+bool is_starved(const ChildEnd& end, const ChildLimits& limits, const std::filesystem::path& log);
+
+/// Explains the end of a process without a result: a limit, or its exit code and last error.
+std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const std::filesystem::path& log);
+
+/// Makes the folder, without files of an earlier attempt. Throws OutputError.
+std::filesystem::path empty_folder(const std::filesystem::path& folder);
+
+}  // namespace keyblock

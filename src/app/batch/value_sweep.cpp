@@ -1,0 +1,298 @@
+// `keyblock sweep --over`: runs a case under many values, each in a process of its own, and writes one table.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "api/case_values.hpp"
+#include "app/batch/engine_scripts.hpp"
+#include "app/batch/journal_file.hpp"
+#include "app/batch/shard.hpp"
+#include "app/batch/sweep_jobs.hpp"
+#include "app/input/value_sweep_options.hpp"
+#include "app/stop_request.hpp"
+#include "base/bytes/sha256.hpp"
+#include "base/context.hpp"
+#include "base/counted.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "formats/all_content.hpp"
+#include "formats/registry.hpp"
+#include "formats/strict_json.hpp"
+#include "job/files.hpp"
+#include "report/values_picture.hpp"
+#include "run/cover_settings.hpp"
+#include "settings/settings_table.hpp"
+#include "study/sweep/varied_key.hpp"
+
+namespace keyblock {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using study::SweepJournal;
+using study::SweepResult;
+using study::SweepRow;
+using study::SweepTable;
+
+/// Sweep that is ready to run.
+struct ReadySweep {
+  SweepPlan plan;
+  std::vector<SweepRow> rows;
+  std::vector<std::string> jobs;  ///< of each row
+  std::string task;               ///< all that determines a result apart from the row
+};
+
+std::vector<SweepRow> rows_asked(const ValueSweepOptions& options) {
+  if (!options.design_file.empty()) {
+    if (!options.over.empty()) throw UsageError("sweep: expected --over or --design, found both");
+    return study::rows_of_file(options.design_file, formats::load(options.design_file).text);
+  }
+  std::vector<study::VariedKey> keys;
+  for (const std::string& over : options.over) keys.push_back(study::varied_key_of(over));
+  const study::Design design = options.random > 0  ? study::Design::random
+                               : options.is_zipped ? study::Design::zipped
+                                                   : study::Design::grid;
+  if (options.random > 0 && options.is_zipped) throw UsageError("sweep: expected --random or --zip, found both");
+  return study::sweep_rows(keys, {design, options.random, options.seed});
+}
+
+/// Refuses keys that nothing has, before any job: pointers against the case and the statistics, settings by name.
+void require_keys(const SweepRow& row, const std::string& case_text, const std::string& joints) {
+  std::vector<std::string> settings;
+  for (const SettingText& setting : list(Settings{})) settings.push_back(setting.name);
+  for (const auto& [key, value] : row.items()) {
+    if (key.starts_with('/')) {
+      pointers_to(key, case_text, true);
+    } else if (key.starts_with(study::kOfJoints)) {
+      if (joints.empty()) throw UsageError(fmt::format("{}: expected --joints with the statistics, found none", key));
+      pointers_to(key.substr(study::kOfJoints.size()), joints, true);
+    } else if (std::ranges::find(settings, key) == settings.end() && !is_of_plan(key)) {
+      throw UsageError(fmt::format(
+          "--over: expected a pointer that begins with /, joints: with one, or a setting, found \"{}\"", key));
+    }
+  }
+}
+
+std::string task_of(const ValueSweepOptions& options, const OpenCase& open, const std::string& joints) {
+  Json task = {{"version", KEYBLOCK_VERSION}, {"out", options.out},         {"profile", options.given.profile},
+               {"set", options.given.sets},   {"at", options.given.values}, {"history", options.histories}};
+  Json digests = Json::array();
+  for (const formats::FileReading& file : open.read_files()) digests.push_back(sha256(file.source.text));
+  if (!options.given.settings_file.empty()) digests.push_back(sha256(formats::load(options.given.settings_file).text));
+  if (!open.file.path.empty() && fs::exists(open.file.path))
+    digests.push_back(sha256(formats::load(open.file.path).text));
+  if (!joints.empty()) digests.push_back(sha256(joints));
+  task["files"] = digests;
+  task["unit"] = options.given.reading.choices.unit;
+  task["join"] = options.given.reading.choices.join;
+  if (options.within) task["within"] = *options.within;
+  task["limits"] = {options.cpu_seconds, options.memory_mebibytes};
+  return task.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+ReadySweep ready(const ValueSweepOptions& options) {
+  ReadySweep sweep{{options.given,
+                    {},
+                    options.histories,
+                    study::sweep_outputs_of(options.out),
+                    options.within,
+                    {options.cpu_seconds, options.memory_mebibytes},
+                    options.folder},
+                   rows_asked(options),
+                   {},
+                   {}};
+  if (!options.joints.empty()) sweep.plan.joints = formats::strict_json(formats::load(options.joints));
+  const OpenCase open = opened(case_of(options.given));
+  require_keys(sweep.rows.front(), formats::case_file_text(open.input.files), sweep.plan.joints);
+  for (const std::string& file : open.files) require_not_below(file, options.folder);
+  for (const SweepRow& row : sweep.rows) sweep.jobs.push_back(study::job_name(row));
+  sweep.task = task_of(options, open, sweep.plan.joints);
+  return sweep;
+}
+
+/// Returns the results in all journals of the folder. Throws UsageError if one belongs to another sweep, or if the
+/// folder holds something else.
+std::map<std::string, SweepResult> known_results(const ReadySweep& sweep, const Shard& shard) {
+  std::map<std::string, SweepResult> known;
+  const fs::path& folder = sweep.plan.folder;
+  const std::vector<fs::path> journals = journals_in(folder);
+  std::error_code error;
+  if (shard.is_whole() && journals.empty() && fs::exists(folder) && !fs::is_empty(folder, error))
+    throw UsageError(fmt::format("{} holds something that is no sweep; give another folder", folder.string()));
+  for (const fs::path& file : journals) {
+    const SweepJournal journal = study::read_sweep_journal(formats::load(file.string()).text);
+    if (journal.task != sweep.task)
+      throw UsageError(
+          fmt::format("{} holds a sweep of another case, output or limit; give another folder", folder.string()));
+    known.insert(journal.results.begin(), journal.results.end());
+  }
+  return known;
+}
+
+/// Opens the journal of this shard: a new one, or the whole lines of an earlier one.
+void begin_journal(const ReadySweep& sweep, const fs::path& file) {
+  SweepJournal journal;
+  if (fs::exists(file)) journal = study::read_sweep_journal(formats::load(file.string()).text);
+  if (journal.task.empty()) journal.add(study::sweep_journal_head(sweep.task));
+  std::error_code error;
+  fs::create_directories(sweep.plan.folder / "jobs", error);
+  if (error) throw UsageError(fmt::format("cannot make the folder {}", sweep.plan.folder.string()));
+  write_file(file, journal.lines);
+}
+
+/// Does the jobs of the shard that have no result, and adds their results to `known`.
+void do_jobs(const ValueSweepOptions& options, const ReadySweep& sweep, const Shard& shard,
+             std::map<std::string, SweepResult>& known) {
+  std::vector<const SweepRow*> missing;
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < sweep.rows.size(); ++i)
+    if (shard.has(sweep.jobs[i]) && !known.contains(sweep.jobs[i]) && taken.insert(sweep.jobs[i]).second)
+      missing.push_back(&sweep.rows[i]);
+  const fs::path file = sweep.plan.folder / shard.journal_name();
+  begin_journal(sweep, file);
+  const JournalFile journal(file);
+  JobReports reports(missing.size());
+  std::mutex guard;
+  const Context stop = context();
+  const int jobs = options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  for_each_in_parallel(missing.size(), jobs, [&](std::size_t i) {
+    const std::optional<SweepResult> result = do_sweep_job(sweep.plan, *missing[i], stop);
+    if (!result) return;
+    const std::string line = study::sweep_journal_line(*result);
+    const std::scoped_lock lock(guard);
+    journal.add(line);
+    known.insert_or_assign(result->job,
+                           study::read_sweep_journal(study::sweep_journal_head("row") + line).results.at(result->job));
+    reports.add_one();
+  });
+}
+
+std::vector<report::ValuesColumn> columns_of(const SweepTable& table, const std::vector<std::string>& names,
+                                             bool are_outputs) {
+  std::vector<report::ValuesColumn> columns;
+  for (const std::string& name : names) {
+    report::ValuesColumn& column = columns.emplace_back(report::ValuesColumn{name, {}, {}});
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      const Json& from = are_outputs ? table.results[i].out : table.rows[i];
+      const Json value = from.contains(name) ? from.at(name) : Json();
+      column.numbers.push_back(value.is_number() ? value.get<double>() : std::nan(""));
+      column.words.push_back(value.is_string() ? value.get<std::string>() : value.dump());
+    }
+  }
+  return columns;
+}
+
+std::string picture_of(const std::string& title, const SweepTable& table) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : table.rows.front().items()) keys.push_back(key);
+  std::vector<std::string> verdicts;
+  for (const SweepResult& result : table.results) verdicts.push_back(result.verdict);
+  return report::values_picture(
+      {title, columns_of(table, keys, false), columns_of(table, table.outputs, true), verdicts});
+}
+
+void write_results(const ValueSweepOptions& options, const ReadySweep& sweep, const SweepTable& table) {
+  const fs::path& folder = sweep.plan.folder;
+  write_file(folder / "table.csv", study::table_csv(table));
+  write_file(folder / "times.csv", study::times_csv(table));
+  const std::string title = fs::path(options.given.paths.front()).filename().string();
+  if (const std::string picture = picture_of(title, table); !picture.empty()) write_file(folder / "sweep.svg", picture);
+}
+
+ExitCode print_results(const ValueSweepOptions& options, const SweepTable& table) {
+  std::fputs((options.as_json ? study::table_json(table) : study::table_csv(table)).c_str(), stdout);
+  std::map<std::string, std::size_t> verdicts;
+  for (const SweepResult& result : table.results) ++verdicts[result.verdict];
+  std::string words;
+  for (const auto& [verdict, count] : verdicts) words += fmt::format(", {} {}", count, verdict);
+  spdlog::info("{}{}; table in {}/table.csv", counted(table.rows.size(), "run"), words, options.folder);
+  const bool all_finished = verdicts.size() == 1 && verdicts.contains("finished");
+  return all_finished ? ExitCode::ok : ExitCode::check_failed;
+}
+
+/// Removes the results of an earlier sweep, and nothing else.
+void remove_results(const fs::path& folder) {
+  std::error_code ignored;
+  if (journals_in(folder).empty()) return;
+  for (const fs::path& journal : journals_in(folder)) fs::remove(journal, ignored);
+  fs::remove_all(folder / "jobs", ignored);
+  for (const char* name : {"table.csv", "times.csv", "sweep.svg"}) fs::remove(folder / name, ignored);
+}
+
+/// Returns the rows of a shard.
+SweepTable of_shard(const SweepTable& table, const Shard& shard) {
+  SweepTable part{table.outputs, {}, {}};
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (!shard.has(table.results[i].job)) continue;
+    part.rows.push_back(table.rows[i]);
+    part.results.push_back(table.results[i]);
+  }
+  return part;
+}
+
+/// Writes the table if all results are known.
+ExitCode finish(const ValueSweepOptions& options, const ReadySweep& sweep, const Shard& shard,
+                const std::map<std::string, SweepResult>& known) {
+  SweepTable table{{}, {}, {}};
+  for (const study::SweepOutput& output : sweep.plan.outputs) table.outputs.push_back(output.name);
+  std::size_t missing = 0, missing_here = 0;
+  for (std::size_t i = 0; i < sweep.rows.size(); ++i) {
+    const auto found = known.find(sweep.jobs[i]);
+    if (found != known.end()) {
+      table.rows.push_back(sweep.rows[i]);
+      table.results.push_back(found->second);
+      continue;
+    }
+    ++missing;
+    if (shard.has(sweep.jobs[i]) && !options.is_merged) ++missing_here;
+  }
+  if (missing_here > 0) {
+    spdlog::warn("stopped; {} of {} runs are missing; the same command with --resume goes on", missing,
+                 sweep.rows.size());
+    return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
+  }
+  if (missing > 0 && options.is_merged)
+    throw UsageError(fmt::format("{}: {} of {} runs are missing; their shards have not ended", options.folder, missing,
+                                 sweep.rows.size()));
+  if (!shard.is_whole()) {
+    if (options.as_json) std::fputs(study::table_json(of_shard(table, shard)).c_str(), stdout);
+    spdlog::info("shard {} of {} is done; --merge writes the table when all are", shard.k, shard.n);
+    return ExitCode::ok;
+  }
+  write_results(options, sweep, table);
+  return print_results(options, table);
+}
+
+}  // namespace
+
+ExitCode sweep_values(const ValueSweepOptions& options) {
+  if (options.folder.empty())
+    throw UsageError("sweep: no folder given for the results; usage: keyblock sweep CASE --over KEY=VALUES -o FOLDER");
+  const Shard shard = options.shard.empty() ? Shard{} : shard_of(options.shard);
+  if (options.is_merged && !shard.is_whole()) throw UsageError("sweep: expected --shard or --merge, found both");
+  const ReadySweep sweep = ready(options);
+  if (options.slurm > 0 || options.parallel > 0) {
+    fmt::print("{}", options.slurm > 0 ? slurm_script(own_command(), options.slurm)
+                                       : parallel_line(own_command(), options.parallel));
+    return ExitCode::ok;
+  }
+  if (options.force) remove_results(options.folder);
+  listen_for_stops();
+  std::map<std::string, SweepResult> known = known_results(sweep, shard);
+  const bool is_begun = fs::exists(sweep.plan.folder / shard.journal_name());
+  if (is_begun && !options.is_resumed && !options.is_merged)
+    throw UsageError(
+        fmt::format("{} holds a sweep; --resume goes on with it, --force begins it again", options.folder));
+  if (!options.is_merged) do_jobs(options, sweep, shard, known);
+  return finish(options, sweep, shard, known);
+}
+
+}  // namespace keyblock

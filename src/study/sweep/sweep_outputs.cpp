@@ -1,0 +1,184 @@
+// Finds each output in the record or in a table of the run.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/sweep/sweep_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "formats/registry.hpp"
+#include "formats/text/csv.hpp"
+
+namespace keyblock::study {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Named = std::pair<std::string_view, std::string_view>;
+
+constexpr std::array<Named, 6> kOfRecord{{{"displacement", "/extremes/greatest_displacement/value"},
+                                          {"speed", "/outcome/motion/fastest/speed"},
+                                          {"state", "/outcome/motion/state"},
+                                          {"steps", "/outcome/steps"},
+                                          {"time", "/outcome/time"},
+                                          {"blocks", "/counts/blocks"}}};
+constexpr std::array<Named, 4> kFactors{
+    {{"fos", ""}, {"fos_joints", "joints"}, {"fos_rock", "rock"}, {"fos_both", "both"}}};
+constexpr std::array<Named, 4> kOfTip{{{"k1", "K_I"}, {"k2", "K_II"}, {"j", "J"}, {"kink_deg", "kink_deg"}}};
+constexpr std::array<Named, 5> kShort{{{"dx", "displacement_x"},
+                                       {"dy", "displacement_y"},
+                                       {"vx", "velocity_x"},
+                                       {"vy", "velocity_y"},
+                                       {"r", "rotation"}}};
+constexpr std::array<std::string_view, 3> kTables{"ledger", "history", "step_table"};
+
+template <std::size_t size>
+const std::string_view* found_in(const std::array<Named, size>& table, std::string_view name) {
+  const auto found = std::ranges::find(table, name, &Named::first);
+  return found == table.end() ? nullptr : &found->second;
+}
+
+/// Returns the number behind a prefix: 2 of "point2"; 0 for other texts.
+std::size_t number_of(std::string_view text, std::string_view prefix) {
+  std::size_t number = 0;
+  if (!text.starts_with(prefix)) return 0;
+  const auto [end, fault] = std::from_chars(text.data() + prefix.size(), text.data() + text.size(), number);
+  return fault == std::errc() && end == text.data() + text.size() ? number : 0;
+}
+
+std::pair<std::string, std::string> at_dot(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos) return {name, ""};
+  return {name.substr(0, dot), name.substr(dot + 1)};
+}
+
+[[noreturn]] void refuse(const std::string& found, const std::string& expected) {
+  throw std::invalid_argument(fmt::format("--out: expected {}, found {}", expected, found));
+}
+
+SweepOutput output_of(const std::string& name) {
+  if (const std::string_view* reduced = found_in(kFactors, name))
+    return {name, SweepSource::fos, std::string(*reduced)};
+  const auto [owner, quantity] = at_dot(name);
+  if (number_of(owner, "tip") > 0 && found_in(kOfTip, quantity) != nullptr) return {name, SweepSource::sif};
+  if (!name.starts_with('/') && found_in(kOfRecord, name) == nullptr && quantity.empty())
+    refuse(
+        name,
+        "displacement, speed, state, steps, time, blocks, fos, fos_joints, fos_rock, fos_both, point1.dx, NAME.dx of "
+        "a history, a column such as ledger.kinetic, tip1.k1, or a pointer into run.json");
+  return {name};
+}
+
+Json number_in(const std::string& text) {
+  if (text.empty()) return {};
+  const Json json = Json::parse(text, nullptr, false);
+  return json.is_discarded() ? Json(text) : json;
+}
+
+std::string names_in(const std::vector<std::string>& header) {
+  std::string names;
+  for (const std::string& heading : header) {
+    const std::string name = heading.substr(0, heading.find(" ["));
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
+/// Returns the cell of the last row that `is_wanted` takes.
+template <class Wanted>
+Json last_cell(const formats::CsvTable& table, const SweepOutput& output, const std::string& heading,
+               Wanted is_wanted) {
+  const auto column = std::ranges::find_if(
+      table.header, [&](const std::string& h) { return h == heading || h.starts_with(heading + " ["); });
+  if (column == table.header.end())
+    refuse(output.name,
+           fmt::format("a column of {}: {}", fs::path(table.name).filename().string(), names_in(table.header)));
+  for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row)
+    if (is_wanted(*row)) return number_in(row->cells[static_cast<std::size_t>(column - table.header.begin())]);
+  return {};
+}
+
+Json of_history(const formats::CsvTable& table, const SweepOutput& output, const std::string& owner,
+                const std::string& quantity) {
+  const std::string_view* whole = found_in(kShort, quantity);
+  const std::string wanted(whole != nullptr ? *whole : quantity);
+  const std::size_t name = formats::csv_column(table, "name");
+  const std::size_t what = formats::csv_column(table, "quantity");
+  const auto is_wanted = [&](const formats::CsvRow& row) {
+    return row.cells[name] == owner && row.cells[what] == wanted;
+  };
+  if (std::ranges::any_of(table.rows, is_wanted)) return last_cell(table, output, "value", is_wanted);
+  std::vector<std::string> known;
+  for (const formats::CsvRow& row : table.rows) {
+    std::string one = fmt::format("{}.{}", row.cells[name], row.cells[what]);
+    if (std::ranges::find(known, one) != known.end()) break;
+    known.push_back(std::move(one));
+  }
+  refuse(output.name, "a quantity of a history: " + names_in(known));
+}
+
+Json of_table(const SweepOutput& output, const fs::path& folder) {
+  const auto [owner, quantity] = at_dot(output.name);
+  const bool is_table = std::ranges::find(kTables, owner) != kTables.end();
+  const std::size_t point = number_of(owner, "point");
+  const fs::path file = folder / (is_table ? owner + ".csv" : point > 0 ? "points.csv" : "histories.csv");
+  if (!fs::exists(file))
+    refuse(output.name, fmt::format("a result of the run, which has no {}", file.filename().string()));
+  const formats::CsvTable table = formats::read_csv(formats::load(file.string()));
+  if (is_table) return last_cell(table, output, quantity, [](const formats::CsvRow&) { return true; });
+  if (point == 0) return of_history(table, output, owner, quantity);
+  const std::size_t number = formats::csv_column(table, "point");
+  const std::string wanted = fmt::format("{}", point);
+  const auto is_wanted = [&](const formats::CsvRow& row) { return row.cells[number] == wanted; };
+  if (std::ranges::none_of(table.rows, is_wanted)) refuse(output.name, "the number of a measured point");
+  return last_cell(table, output, quantity, is_wanted);
+}
+
+}  // namespace
+
+std::vector<SweepOutput> sweep_outputs_of(const std::string& list) {
+  std::vector<SweepOutput> outputs;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::string name = list.substr(begin, end - begin);
+    if (name.empty()) refuse(list, "names separated by commas");
+    if (std::ranges::find(outputs, name, &SweepOutput::name) != outputs.end())
+      refuse(name + " twice", "each name once");
+    outputs.push_back(output_of(name));
+    begin = end + 1;
+  }
+  return outputs;
+}
+
+Json value_of_run(const SweepOutput& output, const fs::path& folder) {
+  const Json record = Json::parse(formats::load((folder / "run.json").string()).text);
+  if (record.at("outcome").at("steps") == 0) return {};
+  const std::string_view* place = found_in(kOfRecord, output.name);
+  if (place == nullptr && !output.name.starts_with('/')) return of_table(output, folder);
+  try {
+    return record.at(Json::json_pointer(place != nullptr ? std::string(*place) : output.name));
+  } catch (const Json::exception&) {
+    refuse(output.name, "a pointer to a value of run.json");
+  }
+}
+
+Json value_of_fos(const std::string& fos_json) {
+  const Json json = Json::parse(fos_json, nullptr, false);
+  return json.is_object() ? json.value(Json::json_pointer("/bracket/stands"), Json()) : Json();
+}
+
+Json value_of_sif(const SweepOutput& output, const std::string& sif_json) {
+  const Json json = Json::parse(sif_json);
+  const auto [owner, quantity] = at_dot(output.name);
+  const std::size_t tip = number_of(owner, "tip");
+  const Json& tips = json.at("tips");
+  if (tip > tips.size()) refuse(output.name, fmt::format("one of {} tips", tips.size()));
+  return tips.at(tip - 1).at(std::string(*found_in(kOfTip, quantity)));
+}
+
+}  // namespace keyblock::study

@@ -1,0 +1,54 @@
+// Keeps the journal of a sweep, and writes its table.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A journal has one JSON object per line: first {"sweep": 1, "task": "…"}, then {"job", "verdict", "doubt", "out",
+// "seconds"} per job. A last line cut short by a sudden end is ignored.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/sweep/sweep_design.hpp"
+
+namespace keyblock::study {
+
+/// Result of one job. Verdicts: finished, doubtful, stopped, failed; time_limit, memory_limit, signal, error for a job
+/// without a result; stands, falls, undecided for a factor of safety without a bracket.
+struct SweepResult {
+  std::string job;
+  std::string verdict = "finished";
+  std::string doubt;                                              ///< reason for the verdict
+  nlohmann::ordered_json out = nlohmann::ordered_json::object();  ///< by name
+  double seconds = 0;                                             ///< of wall time
+};
+
+struct SweepJournal {
+  std::string task;  ///< empty: no journal
+  std::map<std::string, SweepResult> results;
+  std::string lines;  ///< complete lines
+
+  void add(std::string_view line);
+};
+
+std::string sweep_journal_head(const std::string& task);
+std::string sweep_journal_line(const SweepResult& result);
+SweepJournal read_sweep_journal(std::string_view text);
+
+/// Rows of a sweep with their results.
+struct SweepTable {
+  std::vector<std::string> outputs;
+  std::vector<SweepRow> rows;
+  std::vector<SweepResult> results;  ///< of each row
+};
+
+/// Returns table.csv: keys, verdict, doubt, outputs, job. It does not depend on the machine or the order of the jobs.
+std::string table_csv(const SweepTable& table);
+/// Returns times.csv: job, seconds.
+std::string times_csv(const SweepTable& table);
+/// Returns both as JSON.
+std::string table_json(const SweepTable& table);
+
+}  // namespace keyblock::study

@@ -1,0 +1,205 @@
+// `sweep --over`, its shards, and `run --at` as a user meets them.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::value_sweep_test {
+namespace {
+
+namespace fs = std::filesystem;
+using support::contains;
+using support::fresh_folder;
+using support::ProgramRun;
+using support::read_text;
+using support::run_keyblock;
+using support::write_text;
+
+using Words = std::vector<std::string>;
+
+Words operator+(Words words, const Words& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// A block on a plane of 30 degrees, with a joint material named bedding.
+std::string slope_in(const std::string& folder) {
+  run_keyblock({"new", "block", "-o", folder + "/block.json"});
+  return folder + "/block.json";
+}
+
+Words sweep_of(const std::string& file, const std::string& folder) {
+  return {"sweep",  file,
+          "--over", "/analysis/joint_materials/0/friction_angle_deg=10:25:5",
+          "--over", "time_step=10 ms,5 ms",
+          "--out",  "displacement,point1.dx,ledger.friction,/counts/blocks",
+          "-o",     folder,
+          "--jobs", "2"};
+}
+
+}  // namespace
+
+TEST(ValueSweep, a_grid_is_one_table_whatever_the_shards) {
+  const std::string folder = fresh_folder("value_sweep_shards");
+  const std::string file = slope_in(folder);
+  const ProgramRun whole = run_keyblock(sweep_of(file, folder + "/whole"));
+  ASSERT_EQ(whole.exit_code, 0) << whole.messages;
+  const std::string table = read_text(folder + "/whole/table.csv");
+  EXPECT_EQ(table, whole.output);
+  EXPECT_EQ(std::ranges::count(table, '\n'), 9);
+  EXPECT_TRUE(
+      table.starts_with("/analysis/joint_materials/0/friction_angle_deg,time_step,verdict,doubt,displacement,"
+                        "point1.dx,ledger.friction,/counts/blocks,job\n10,10 ms,finished,,1.7"))
+      << table;
+  EXPECT_TRUE(fs::exists(folder + "/whole/sweep.svg"));
+  const Words shards = sweep_of(file, folder + "/shards");
+  for (const char* shard : {"2/2", "1/2"}) {
+    if (std::string(shard) == "1/2") EXPECT_EQ(run_keyblock(shards + Words{"--merge"}).exit_code, 2) << "not all done";
+    const ProgramRun part = run_keyblock(shards + Words{"--shard", shard});
+    EXPECT_EQ(part.exit_code, 0) << part.messages;
+  }
+  EXPECT_EQ(run_keyblock(shards + Words{"--merge"}).exit_code, 0);
+  EXPECT_EQ(read_text(folder + "/shards/table.csv"), table);
+}
+
+TEST(ValueSweep, a_longer_grid_computes_what_is_missing) {
+  const std::string folder = fresh_folder("value_sweep_longer");
+  const std::string file = slope_in(folder);
+  const auto of = [&](const std::string& values) {
+    return Words{"sweep", file, "--over", "steps=" + values, "-o", folder + "/out"};
+  };
+  ASSERT_EQ(run_keyblock(of("10,20")).exit_code, 0);
+  const std::string first = read_text(folder + "/out/journal.jsonl");
+  EXPECT_EQ(run_keyblock(of("10,20")).exit_code, 2) << "neither --resume nor --force";
+  ASSERT_EQ(run_keyblock(of("10,20,30") + Words{"--resume"}).exit_code, 0);
+  const std::string second = read_text(folder + "/out/journal.jsonl");
+  EXPECT_TRUE(second.starts_with(first)) << "rows of before are not computed again";
+  EXPECT_EQ(std::ranges::count(second, '\n'), 4);
+  EXPECT_EQ(run_keyblock(of("10") + Words{"--resume", "--out", "speed"}).exit_code, 2) << "another sweep";
+}
+
+TEST(ValueSweep, a_row_in_trouble_is_a_row) {
+  const std::string folder = fresh_folder("value_sweep_trouble");
+  const std::string file = slope_in(folder);
+  const ProgramRun run =
+      run_keyblock({"sweep", file, "--over", "/analysis/joint_materials/0/friction_angle_deg=20,95,steep,30", "--out",
+                    "displacement,state", "-o", folder + "/out"});
+  EXPECT_EQ(run.exit_code, 1) << run.messages;
+  EXPECT_TRUE(contains(run.output, "\n95,error,")) << run.output;
+  EXPECT_TRUE(contains(run.output, "\nsteep,error,")) << run.output;
+  EXPECT_TRUE(contains(run.output, "\n20,finished,,0.9")) << run.output;
+}
+
+TEST(ValueSweep, wrong_usage_is_found_before_any_job) {
+  const std::string folder = fresh_folder("value_sweep_usage");
+  const std::string file = slope_in(folder);
+  for (const Words& wrong :
+       {Words{"--over", "/no/such=1"}, Words{"--over", "no_setting=1"}, Words{"--over", "steps=1", "--out", "colour"},
+        Words{"--over", "steps=normal(1,1)"}, Words{"--over", "steps=1", "--shard", "3/2"},
+        Words{"--over", "steps=1", "--penalties", "1"}, Words{"--over", "joints:/seed=1"}, Words{"--random", "3"}}) {
+    const ProgramRun run = run_keyblock(Words{"sweep", file, "-o", folder + "/out"} + wrong);
+    EXPECT_EQ(run.exit_code, 2) << wrong[1] << run.messages;
+    EXPECT_FALSE(fs::exists(folder + "/out"));
+  }
+}
+
+TEST(ValueSweep, killed_it_goes_on_and_gives_the_same_table) {
+  const std::string folder = fresh_folder("value_sweep_killed");
+  const std::string file = slope_in(folder);
+  const Words command = sweep_of(file, folder + "/killed");
+  support::kill_keyblock(command, folder + "/killed/journal.jsonl", 3);
+  const ProgramRun resumed = run_keyblock(command + Words{"--resume"});
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.messages;
+  EXPECT_EQ(run_keyblock(sweep_of(file, folder + "/whole")).output, resumed.output);
+}
+
+TEST(ValueSweep, a_stopped_run_resumes_from_its_checkpoint) {
+  const std::string folder = fresh_folder("value_sweep_checkpoint");
+  const std::string file = slope_in(folder);
+  const Words command{"sweep", file, "--over", "steps=20000", "--set", "time_step=1e-5", "-o", folder + "/out"};
+  const ProgramRun stopped =
+      support::interrupt_keyblock(command + Words{"--shard", "1/1"}, folder + "/out/journal.jsonl", SIGTERM);
+  EXPECT_EQ(stopped.exit_code, 130) << stopped.messages;
+  const ProgramRun resumed = run_keyblock(command + Words{"--resume"});
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.messages;
+  EXPECT_EQ(
+      run_keyblock({"sweep", file, "--over", "steps=20000", "--set", "time_step=1e-5", "-o", folder + "/whole"}).output,
+      resumed.output);
+}
+
+TEST(ValueSweep, random_joints_are_drawn_anew_for_each_row) {
+  const std::string folder = fresh_folder("value_sweep_joints");
+  write_text(folder + "/joints.json",
+             R"({"slope": {"height": 6, "angle": 60, "toe": 3, "crest": 6, "base": 2}, "fixed": [[-3, -1.9, 12, -1.9]],
+                 "sets": [{"dip": 35, "spacing": 2, "trace": 100, "scatter": 0.2, "joint": 1}], "seed": 1})");
+  write_text(folder + "/face.json",
+             R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"}, "analysis": {"step_count": 5,
+                 "time_step": "1 ms", "block_materials": [{"like": "limestone"}],
+                 "joint_materials": [{"name": "bedding", "friction_angle_deg": 40}]}})");
+  const ProgramRun run = run_keyblock({"sweep", folder + "/face.json", "--joints", folder + "/joints.json", "--over",
+                                       "joints:/sets/0/dip=normal(35,3)", "--over", "joints:/seed=1,2", "--over",
+                                       "/analysis/joint_materials/bedding/friction_angle_deg=uniform(30,40)",
+                                       "--random", "4", "--out", "blocks,displacement", "-o", folder + "/out"});
+  EXPECT_LE(run.exit_code, 1) << run.messages;
+  EXPECT_EQ(std::ranges::count(run.output, '\n'), 5) << run.output;
+  EXPECT_FALSE(contains(run.output, ",error,")) << run.output;
+}
+
+TEST(ValueSweep, scripts_name_the_shards) {
+  const std::string folder = fresh_folder("value_sweep_scripts");
+  const std::string file = slope_in(folder);
+  const Words command{"sweep", file, "--over", "steps=10, 20", "-o", folder + "/out"};
+  const ProgramRun slurm = run_keyblock(command + Words{"--slurm", "4"});
+  EXPECT_EQ(slurm.exit_code, 0);
+  EXPECT_TRUE(contains(slurm.output, "#SBATCH --array=1-4")) << slurm.output;
+  EXPECT_TRUE(contains(slurm.output, "--over 'steps=10, 20'")) << slurm.output;
+  EXPECT_FALSE(contains(slurm.output, "--slurm"));
+  EXPECT_FALSE(fs::exists(folder + "/out"));
+  // The script as Slurm runs it, one task after the other.
+  write_text(folder + "/job.sh", slurm.output);
+  for (const char* task : {"1", "2", "3", "4"})
+    EXPECT_EQ(support::run_script("SLURM_ARRAY_TASK_ID=" + std::string(task) + " bash " + folder + "/job.sh").exit_code,
+              0);
+  EXPECT_EQ(run_keyblock(command + Words{"--merge"}).exit_code, 0);
+  EXPECT_TRUE(contains(run_keyblock(command + Words{"--parallel", "3"}).output, "seq 3 | parallel "));
+}
+
+TEST(ValueSweep, run_at_gives_what_the_changed_file_gives) {
+  const std::string folder = fresh_folder("value_sweep_at");
+  const std::string file = slope_in(folder);
+  const std::string key = "/analysis/joint_materials/0/friction_angle_deg";
+  ASSERT_EQ(run_keyblock({"convert", file, "-o", folder + "/strict.json"}).exit_code, 0);
+  auto json = nlohmann::ordered_json::parse(read_text(folder + "/strict.json"), nullptr, true, true);
+  json[nlohmann::ordered_json::json_pointer(key)] = 12.5;
+  write_text(folder + "/changed.json", json.dump());
+  ASSERT_EQ(run_keyblock({"run", folder + "/changed.json", "-o", folder + "/changed"}).exit_code, 0);
+  ASSERT_EQ(run_keyblock({"run", file, "--at", key + "=12.5", "-o", folder + "/at"}).exit_code, 0);
+  EXPECT_EQ(read_text(folder + "/at/history.csv"), read_text(folder + "/changed/history.csv"));
+  const auto record = nlohmann::json::parse(read_text(folder + "/at/run.json"));
+  EXPECT_EQ(record["values"][key], 12.5);
+  EXPECT_EQ(record["inputs"][0]["file"], file);
+  EXPECT_EQ(run_keyblock({"run", file, "--at", key, "-o", folder + "/no"}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"run", file, "--at", "/no/key=1", "-o", folder + "/no"}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"run", file, "--at", "/analysis/no_key=1", "-o", folder + "/no"}).exit_code, 3);
+}
+
+TEST(ValueSweep, shards_of_a_batch_have_one_catalogue) {
+  const std::string folder = fresh_folder("batch_shards");
+  fs::create_directories(folder + "/archive");
+  for (const char* kind : {"block", "slope", "arch", "beam"})
+    run_keyblock({"new", kind, "-o", folder + "/archive/" + kind + ".json"});
+  const Words batch{"batch", folder + "/archive", "--check"};
+  ASSERT_EQ(run_keyblock(batch + Words{"-o", folder + "/whole"}).exit_code, 0);
+  for (const char* shard : {"1/3", "2/3", "3/3"})
+    EXPECT_EQ(run_keyblock(batch + Words{"-o", folder + "/shards", "--shard", shard}).exit_code, 0);
+  EXPECT_EQ(run_keyblock(batch + Words{"-o", folder + "/shards", "--merge"}).exit_code, 0);
+  for (const char* name : {"/catalogue.csv", "/catalogue.json", "/catalogue.html"})
+    EXPECT_EQ(read_text(folder + "/whole" + name), read_text(folder + "/shards" + name)) << name;
+}
+
+}  // namespace keyblock::value_sweep_test

@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""Runs three cases with each numeric key of the case file changed: a run ends, or it is refused with a reason.
+
+usage: every_key.py PROGRAM [--every N] [--jobs N]
+
+Keys are those of `keyblock formats --schema`: present in a case, or new in an object of it. Each gets values around its
+own, and values that no case should have. A row fails if the program crashes, says nothing, or takes more than 60 s.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import argparse
+import collections
+import json
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+KINDS = ("slope", "tunnel", "beam")
+SECONDS = 60
+ENDS = {0: "ran", 1: "doubtful", 3: "refused", 4: "no result", 5: "limit"}
+
+
+def types_of(schema):
+    kind = schema.get("type", [])
+    return {kind} if isinstance(kind, str) else set(kind)
+
+
+def numeric_keys(schema, value, pointer=""):
+    """(pointer, value or None) of the numeric keys that the case has or could have; of lists the first and the last item."""
+    if types_of(schema) & {"number", "integer"}:
+        yield pointer, value
+    if isinstance(value, dict):
+        for key, below in schema.get("properties", {}).items():
+            if key not in ("keyblock", "frames", "tracks"):  # the layout; results, which a run ignores
+                yield from numeric_keys(below, value.get(key), f"{pointer}/{key}")
+    if isinstance(value, list):
+        for i in sorted({0, len(value) - 1} & set(range(len(value)))):
+            places = schema.get("prefixItems", [])
+            yield from numeric_keys(places[i] if i < len(places) else schema.get("items", {}), value[i], f"{pointer}/{i}")
+
+
+def tried(value):
+    """Values around the present one, and wrong ones."""
+    number = re.match(r"[-+\d.eE]+", value) if isinstance(value, str) else None
+    base = float(number[0]) if number else value if isinstance(value, (int, float)) else 1.0
+    unit = value[number.end():] if number else ""
+    near = [0.5 * base, 2 * base] if base else [1e-3, 1]
+    return [f"{v:g}{unit}" for v in near] + ["0", "-1", "1e300", "1.5", '"word"', "null"]
+
+
+def run(program, folder, case, pointer, value, count):
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 5))
+    done = subprocess.run([program, "run", case, "--at", f"{pointer}={value}", "--set", "steps=2", "-o", folder / str(count),
+                           "--no-pictures", "--threads", "1"], preexec_fn=limit, capture_output=True, text=True, errors="replace")
+    reasons = [line for line in done.stderr.splitlines() if "error:" in line]
+    if done.returncode not in ENDS:
+        return "FAULT", f"exit code {done.returncode}: {done.stderr[-200:]}"
+    if done.returncode == 5:
+        return "FAULT", f"more than {SECONDS} s"
+    if done.returncode in (3, 4) and not reasons:
+        return "FAULT", f"exit code {done.returncode} without a reason"
+    return ENDS[done.returncode], reasons[-1] if reasons else ""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program")
+    parser.add_argument("--every", type=int, default=1, help="each N-th row")
+    parser.add_argument("--jobs", type=int, default=2)
+    asked = parser.parse_args()
+    schema = json.loads(subprocess.run([asked.program, "formats", "--schema"], stdout=subprocess.PIPE, check=True).stdout)
+    ends, faults = collections.Counter(), []
+    with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(asked.jobs) as pool:
+        folder, rows = Path(name), []
+        for kind in KINDS:
+            case = folder / f"{kind}.json"
+            subprocess.run([asked.program, "new", kind, "--strict-json", "-o", case], check=True, capture_output=True)
+            keys = list(numeric_keys(schema, json.loads(case.read_text(encoding="utf-8"))))
+            rows += [(case, pointer, value) for pointer, present in keys for value in tried(present)]
+        rows = rows[::asked.every]
+        found = pool.map(lambda i: run(asked.program, folder, *rows[i], i), range(len(rows)))
+        for (case, pointer, value), (end, reason) in zip(rows, found):
+            ends[end] += 1
+            if end == "FAULT":
+                faults.append(f"{case.stem}: {pointer}={value}: {reason}")
+    print(f"{len(rows)} runs:", ", ".join(f"{count} {end}" for end, count in sorted(ends.items())))
+    print(*faults, sep="\n")
+    return bool(faults)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
