@@ -156,14 +156,14 @@ function pick_near(pose: Pose, x: number, y: number): number {
   return v === null ? NO_ROW : pose.geometry.vertex_body[v];
 }
 
-/** Places of a table's rows, moved with magnification where a column tells displacements. */
+/** Places of a table's rows, moved with magnification if a column holds displacements. */
 function places_of(what: string, rows: PartRows, pose: Pose): Float32Array | null {
   const { place, displacement } = rows.columns;
   const s = pose.magnification;
   if (!place) return null;
   const out = Float32Array.from(place);
   if (what === 'tips') {
-    // Tips are told at undeformed places: each moves with the vertex nearest to it.
+    // Places of tips are undeformed: each moves with the vertex nearest to it.
     const rest = pose_of(state.store, pose.frame, 0);
     if (!rest) return out;
     for (let i = 0; i < out.length; i += 2) {
