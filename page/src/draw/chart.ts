@@ -41,6 +41,12 @@ export function units_of(curves: Curve[]): string[] {
   return [...new Set(curves.map(curve => curve.unit))].slice(0, 2);
 }
 
+/** Ticks of an axis, three at least where that is possible. */
+function some_ticks(low: number, high: number, count: number): number[] {
+  const ticks = ticks_of(low, high, count);
+  return ticks.length < 3 ? ticks_of(low, high, 2 * count) : ticks;
+}
+
 function axis_of(curves: Curve[]): Axis {
   let low = Infinity;
   let high = -Infinity;
@@ -64,7 +70,7 @@ function axis_of(curves: Curve[]): Axis {
     low -= room;
     high += room;
   }
-  return { low, high, factor, unit, ticks: ticks_of(low, high, 4) };
+  return { low, high, factor, unit, ticks: some_ticks(low, high, 4) };
 }
 
 /** Place on the x axis of a value, in pixels. */
@@ -101,7 +107,7 @@ export function draw_chart(pen: Pen, plan: ChartPlan): void {
 
   const first = plan.x[0] ?? 0;
   const last = plan.x[plan.x.length - 1] ?? 1;
-  for (const tick of ticks_of(first, last, Math.max(2, Math.floor((box.right - box.left) / 70)))) {
+  for (const tick of some_ticks(first, last, Math.max(2, Math.floor((box.right - box.left) / 70)))) {
     const at = x_place(plan, tick);
     pen.segments([at, box.top, at, box.bottom], { colour: grid, width: 1 });
     pen.text(at, box.bottom + 15, show(tick, 4), { ...style, anchor: 'middle' });

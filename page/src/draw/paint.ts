@@ -208,6 +208,8 @@ export function paint_bodies(pen: Pen, figure: Figure, screen: Float32Array): vo
   const { body_loop, loop_start, fixed } = geometry;
   // Bodies of one colour share paths where there are many: they are drawn by colour then, not by number.
   const classes = new Map<string, number[]>();
+  // Without outlines the background would show through the smoothed edges of elements.
+  const has_seams = !figure.outlines && geometry.bodies < 20_000;
   const is_many = geometry.bodies > MANY;
   for (let b = 0; b < geometry.bodies; b++) {
     let fill = fixed[b] ? paint.plain_fixed : paint.plain;
@@ -218,13 +220,17 @@ export function paint_bodies(pen: Pen, figure: Figure, screen: Float32Array): vo
     const [from, to] = [body_loop[b], body_loop[b + 1]];
     if (!is_many || to - from !== 1) {
       pen.area(screen, loop_start, from, to, fill);
+      if (has_seams) pen.loops(screen, loop_start, from, to, { colour: fill, width: 0.8 });
       continue;
     }
     const list = classes.get(fill);
     if (list) list.push(from);
     else classes.set(fill, [from]);
   }
-  for (const [fill, list] of classes) pen.areas(screen, loop_start, list, fill);
+  for (const [fill, list] of classes) {
+    pen.areas(screen, loop_start, list, fill);
+    if (has_seams) pen.some_loops(screen, loop_start, list, { colour: fill, width: 0.8 });
+  }
   for (let b = 0; b < geometry.bodies; b++) {
     if (!fixed[b]) continue;
     pen.hatch(screen, loop_start, body_loop[b], body_loop[b + 1], HATCH_LINE);
@@ -319,19 +325,30 @@ function paint_contacts(pen: Pen, figure: Figure, marks: ContactMarks): void {
   }
 }
 
+/** Half length in pixels of the longest cross in a dense mesh, which has one cross a cell of the screen. */
+const MESH_CROSS = 13;
+
 function paint_crosses(pen: Pen, figure: Figure, crosses: Crosses): void {
-  const reach = 0.42 * figure.typical * figure.camera.scale;
+  const own = 0.42 * figure.typical * figure.camera.scale;
+  const is_dense = own < MESH_CROSS;
+  const reach = Math.max(own, MESH_CROSS);
   const at = screen_of(figure, crosses.at);
+  const taken = new Set<number>();
   const pull: number[] = [];
   const push: number[] = [];
   const factor = crosses.largest > 0 ? reach / crosses.largest : 0;
   for (let i = 0; i < crosses.greatest.length; i++) {
+    if (is_dense) {
+      const cell = Math.floor(at[2 * i] / 28) * 10000 + Math.floor(at[2 * i + 1] / 28);
+      if (taken.has(cell)) continue;
+      taken.add(cell);
+    }
     for (const [value, turn] of [
       [crosses.greatest[i], 0],
       [crosses.least[i], Math.PI / 2],
     ]) {
-      const half = Math.abs(value) * factor;
-      if (!(half > 0.4)) continue;
+      const half = Math.min(Math.abs(value) * factor, reach);
+      if (!(half > 0.7)) continue;
       const dx = Math.cos(crosses.angle[i] + turn) * half;
       const dy = -Math.sin(crosses.angle[i] + turn) * half;
       const x = at[2 * i];
@@ -344,8 +361,8 @@ function paint_crosses(pen: Pen, figure: Figure, crosses: Crosses): void {
     [push, paint.compression],
     [pull, paint.tension],
   ] as const) {
-    pen.segments(ends, { colour: paint.background, width: 3.6, opacity: 0.75 });
-    pen.segments(ends, { colour, width: 1.8 });
+    pen.segments(ends, { colour: paint.background, width: 3, opacity: 0.7 });
+    pen.segments(ends, { colour, width: 1.6 });
   }
 }
 
@@ -493,7 +510,7 @@ export function paint_legend(pen: Pen, figure: Figure): void {
   if (figure.crosses) {
     const { factor, unit } = scaled_unit(figure.crosses.unit, figure.crosses.largest);
     const largest = `${show(figure.crosses.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
-    rows.push(`Longest cross: ${largest}; blue compression, orange tension`);
+    rows.push(`Longest cross: ${largest} or more; blue compression, orange tension`);
   }
   if (figure.contacts) {
     const { factor, unit } = scaled_unit(figure.contacts.unit, figure.contacts.largest);
@@ -515,7 +532,9 @@ export function paint_legend(pen: Pen, figure: Figure): void {
     : null;
   const room = height + rows.length * 16 + (swatch_rows?.height ?? 0);
   let y = size.height - 10 - room;
-  if (room > 0) pen.box(left - 4, y - 4, width + 8, room + 8, paint.surface, 6, 0.88);
+  // Text is taken as 6.2 pixels a letter.
+  const widest = Math.min(size.width - 24, Math.max(width, ...rows.map(row => row.length * 6.2)));
+  if (room > 0) pen.box(left - 4, y - 4, widest + 8, room + 8, paint.surface, 6, 0.88);
   for (const row of rows) {
     pen.text(left, y + 12, row, { size: 11.5, colour: paint.muted });
     y += 16;

@@ -216,7 +216,7 @@ export function table_for(measure: Measure, range: Range, chosen: string): Uint8
   return table_of(chosen);
 }
 
-/** Fraction of the legend at which a value stands; NaN where there is none. */
+/** Fraction of the legend at which a value stands; NaN for missing values. */
 export function fraction(shade: Shade, value: number): number {
   if (shade.measure.kind === 'state') return (value % 256) / 255;
   return (value - shade.low) / (shade.high - shade.low);

@@ -234,7 +234,7 @@ function CaseCard({ own }: { own: Case }) {
   );
 }
 
-/** Small picture; the second address is asked where the first has none. */
+/** Small picture; the second address serves if the first has none. */
 function Thumb({ source, second }: { source: string; second?: string }) {
   const [tries, set_tries] = useState(0);
   const address = [source, second][tries];

@@ -26,7 +26,7 @@ export function ResultView({ path }: { path: string }) {
   }, [!!job]);
   const source = api.address('/page', { result: path });
   if (is_strength) return <StrengthView path={path} />;
-  // A listing tells the kind of a result; without it the frame would ask for a page that may not exist.
+  // The listing holds the kind of a result; without it the frame would ask for a page that may not exist.
   if (!state.listing.value) return <p class="note pad">Reading the folder…</p>;
   return (
     <div class="result">

@@ -319,7 +319,15 @@ const PART_NAMES: Record<number, string[]> = {
   4: ['xx', 'yy', 'xy', 'zz'],
 };
 
+const COLUMN_LABELS: Record<string, string> = {
+  dt: 'Time step',
+  passes: 'Open–close iterations',
+  redos: 'Repeated attempts',
+  fallbacks: 'Fallback solves',
+};
+
 export function column_label(name: string): string {
+  if (COLUMN_LABELS[name]) return COLUMN_LABELS[name];
   if (/^[KJ]_?[IVX]*$/.test(name)) return name.replace('_', ' ');
   const text = name.replace(/_/g, ' ');
   return text.charAt(0).toUpperCase() + text.slice(1);

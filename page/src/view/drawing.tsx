@@ -35,16 +35,16 @@ export function Drawing() {
     const mode = draw_mode();
     let webgl: WebglBodies | null = null;
     if (mode !== 'canvas') {
-      // A canvas keeps the first kind of context it gave, so a spare one is asked whether there is a card.
+      // A canvas keeps the first kind of context it gave, so a spare one shows if a card is there.
       const is_fit = mode === 'webgl' || WebglBodies.make(document.createElement('canvas'), false) !== null;
       if (is_fit) webgl = WebglBodies.make(under.current!, mode === 'webgl');
     }
     timing.renderer = webgl ? 'WebGL2' : 'canvas';
     under.current!.hidden = !webgl;
 
-    let asked = 0;
+    let request = 0;
     const draw = () => {
-      asked = 0;
+      request = 0;
       const figure = shown;
       if (!figure?.size.width) return;
       const start = performance.now();
@@ -79,7 +79,7 @@ export function Drawing() {
       // While a frame is being decoded the last picture stays.
       if (!figure) return;
       shown = figure;
-      if (!asked) asked = requestAnimationFrame(draw);
+      if (!request) request = requestAnimationFrame(draw);
     });
 
     const resized = () => {
@@ -89,7 +89,7 @@ export function Drawing() {
       if (state.fitted.value) state.fit_view();
       // A new size empties the canvas, so it is drawn at once.
       if (shown) {
-        cancelAnimationFrame(asked);
+        cancelAnimationFrame(request);
         shown = figure_now() ?? shown;
         draw();
       }

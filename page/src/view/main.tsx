@@ -70,7 +70,7 @@ async function start(): Promise<void> {
   render(<App />, root);
   start_clock();
 
-  // A frame that is asked for before its turn is decoded at once.
+  // A frame that the player reaches before its turn is decoded at once.
   effect(() => {
     const f = state.frame.value;
     const own = state.measure.value?.field;
@@ -93,7 +93,7 @@ async function start(): Promise<void> {
 
 let all_decoded_at = 0;
 
-/** Chooses a row of a table in time at the present frame; false where there is none. */
+/** Chooses a row of a table in time at the present frame; false if the table has no rows. */
 function choose(what: string, i: number): boolean {
   const { store, frame } = state;
   const at = part_at(store, what, frame.value);

@@ -147,6 +147,9 @@ export function ShowTab() {
             )}
           </>
         )}
+        {own?.group === 'Displacement' && own.on === 'body' && (
+          <p class="note">Displacements are those of centroids. Corners may move farther.</p>
+        )}
         {own && /stress/i.test(own.group) && <p class="note">Tension is positive, compression negative.</p>}
       </section>
 
