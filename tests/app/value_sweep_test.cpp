@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -58,11 +59,9 @@ TEST(ValueSweep, a_grid_is_one_table_whatever_the_shards) {
       << table;
   EXPECT_TRUE(fs::exists(folder + "/whole/sweep.svg"));
   const Words shards = sweep_of(file, folder + "/shards");
-  for (const char* shard : {"2/2", "1/2"}) {
-    if (std::string(shard) == "1/2") EXPECT_EQ(run_keyblock(shards + Words{"--merge"}).exit_code, 2) << "not all done";
-    const ProgramRun part = run_keyblock(shards + Words{"--shard", shard});
-    EXPECT_EQ(part.exit_code, 0) << part.messages;
-  }
+  EXPECT_EQ(run_keyblock(shards + Words{"--shard", "2/2"}).exit_code, 0);
+  EXPECT_EQ(run_keyblock(shards + Words{"--merge"}).exit_code, 2) << "not all done";
+  EXPECT_EQ(run_keyblock(shards + Words{"--shard", "1/2"}).exit_code, 0);
   EXPECT_EQ(run_keyblock(shards + Words{"--merge"}).exit_code, 0);
   EXPECT_EQ(read_text(folder + "/shards/table.csv"), table);
 }
@@ -173,8 +172,8 @@ TEST(ValueSweep, run_at_gives_what_the_changed_file_gives) {
   const std::string folder = fresh_folder("value_sweep_at");
   const std::string file = slope_in(folder);
   const std::string key = "/analysis/joint_materials/0/friction_angle_deg";
-  ASSERT_EQ(run_keyblock({"convert", file, "-o", folder + "/strict.json"}).exit_code, 0);
-  auto json = nlohmann::ordered_json::parse(read_text(folder + "/strict.json"), nullptr, true, true);
+  ASSERT_EQ(run_keyblock({"new", "block", "--strict-json", "-o", folder + "/strict.json"}).exit_code, 0);
+  auto json = nlohmann::ordered_json::parse(read_text(folder + "/strict.json"));
   json[nlohmann::ordered_json::json_pointer(key)] = 12.5;
   write_text(folder + "/changed.json", json.dump());
   ASSERT_EQ(run_keyblock({"run", folder + "/changed.json", "-o", folder + "/changed"}).exit_code, 0);

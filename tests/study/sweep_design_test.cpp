@@ -18,6 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using study::Design;
+using study::sweep_rows;
 using study::varied_key_of;
 
 std::string values_of(const std::string& text) {

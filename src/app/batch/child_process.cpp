@@ -31,6 +31,7 @@ struct Plan {
   std::string messages;
   ChildLimits limits;
   pid_t parent;
+  sigset_t mask;  ///< of signals, as before the fork
 };
 
 bool send_to(const std::string& file, int descriptor) {
@@ -53,7 +54,9 @@ bool limit(int resource, rlim_t first, rlim_t second) {
 
 [[noreturn]] void become(const Plan& plan) {
   bool is_ready = setpgid(0, 0) == 0 && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == plan.parent;
-  std::signal(SIGINT, SIG_DFL);
+  // A stop that came before exec must end the process, and not call a handler that is forgotten then.
+  for (const int signal : {SIGINT, SIGTERM, SIGXCPU}) std::signal(signal, SIG_DFL);
+  is_ready = is_ready && pthread_sigmask(SIG_SETMASK, &plan.mask, nullptr) == 0;
   if (const auto seconds = static_cast<rlim_t>(plan.limits.cpu_seconds); seconds > 0)
     is_ready = is_ready && limit(RLIMIT_CPU, seconds, seconds + grace(seconds));
   if (const auto bytes = static_cast<rlim_t>(plan.limits.memory_mebibytes) << 20U; bytes > 0)
@@ -86,11 +89,15 @@ bool wait_for(pid_t child, const Context& stop) {
 ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits& limits,
                    const std::filesystem::path& output, const std::filesystem::path& messages, const Context* stop) {
   std::string name = "keyblock";
-  Plan plan{{name.data()}, output.string(), messages.string(), limits, getpid()};
+  Plan plan{{name.data()}, output.string(), messages.string(), limits, getpid(), {}};
   for (const std::string& argument : arguments) plan.arguments.push_back(const_cast<char*>(argument.c_str()));
   plan.arguments.push_back(nullptr);
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, &plan.mask);
   const pid_t child = fork();
   if (child == 0) become(plan);
+  pthread_sigmask(SIG_SETMASK, &plan.mask, nullptr);
   const bool was_stopped = child > 0 && stop != nullptr && wait_for(child, *stop);
   int status = 0;
   while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
