@@ -235,7 +235,7 @@ ExitCode run_batch(const BatchOptions& given) {
   listen_for_stops();  // a stopped batch can resume from its journal
   const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options));
   if (options.is_merged) return finish(options, plan, archive, merged_journal(plan, archive));
-  if (!archive.passed_over.empty()) spdlog::warn("passed over: {}", study::sentence_of(archive.passed_over));
+  if (!archive.passed_over.empty()) spdlog::warn("skipped: {}", study::sentence_of(archive.passed_over));
   study::Journal journal = begun_journal(options, plan);
   do_jobs(options, plan, archive, journal);
   std::error_code is_no_matter;

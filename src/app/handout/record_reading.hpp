@@ -14,7 +14,7 @@ namespace keyblock {
 /// The record of a run. A missing value reads as empty text, or as null.
 class RunRecordFile {
  public:
-  /// Throws InputError if the folder has no record, or the file is none.
+  /// Throws InputError if the folder has no record, or another file of that name.
   explicit RunRecordFile(const std::filesystem::path& folder);
 
   /// Returns the value at a path of keys, "outcome.motion.state"; null if there is none.

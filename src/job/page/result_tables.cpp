@@ -48,7 +48,7 @@ Heading heading_of(const std::string& text, bool has_units) {
   return {text.substr(0, at), has_units ? text.substr(at + 2, text.size() - at - 3) : std::string()};
 }
 
-/// Returns the number in a cell; an empty or other cell is no number.
+/// Returns the number in a cell; NaN if it holds none.
 double number_in(const std::string& cell) {
   double number = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Head: format "keyblock-page", version 1, program, title, precision, units, materials, joints, tables, still, run (the
-// record); origin (taken off all places); frames (step, time, load_factor, epoch, stage); epochs (bodies, loops,
-// vertices, geometry: id of its chunk); fields (name, label, unit, on, parts, components, bits, kind, names); chunks
-// (id, what, from, to, epoch, and frames if not all); parts (columns of the tables in time). All words have four bytes,
-// the lowest first.
+// record). `origin` is taken off all places. Frames have step, time, load_factor, epoch, stage. Epochs have bodies,
+// loops, vertices, and geometry, the id of its chunk. Fields have name, label, unit, on, parts, components, bits, kind,
+// names. Chunks have id, what, from, to, epoch, and frames if not all. `parts` has the columns of the tables in time.
+// All words have four bytes, the lowest first.
 // Geometry of an epoch: counts B, L, V of bodies, loops, corners; key[B], number[B], material[B], kind[B]; centroid[2B]
 // from the origin; loop_body[L] (row), loop_size[L]; place[2V] from the centroid of the body. Holes by the even-odd
 // rule.

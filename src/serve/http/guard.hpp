@@ -16,9 +16,9 @@ class Guard {
  public:
   Guard(std::string token, unsigned short port);
 
-  /// Returns the reply to a request that may not go on: 403 for another host, a foreign origin or a missing cookie; 405
-  /// for another method than GET or POST; 303 with the cookie for the printed address. POST needs an own origin and
-  /// JSON.
+  /// Returns the reply to a request that may not go on. It is 403 for another host, a foreign origin or a missing
+  /// cookie. It is 405 for another method than GET or POST, and 303 with the cookie for the printed address. POST needs
+  /// an own origin and JSON.
   std::optional<Reply> answer(const Request& request) const;
 
   /// Returns the address to open: "http://127.0.0.1:8123/?token=…".
