@@ -21,7 +21,13 @@ constexpr double kStillShare = 1e-9;
 class Judge {
  public:
   Judge(const Model& model, const State& state, const Increments& increments, const ContactRules& rules, double penalty)
-      : model_(model), state_(state), increments_(increments), rules_(rules), penalty_(penalty) {}
+      : model_(model), state_(state), moved_(model.vertices.size()), rules_(rules), penalty_(penalty) {
+    for_each_index(moved_, [&](VertexIndex v) {
+      const ElementIndex e = model.vertices[v].element;
+      const Point offset = state.vertices[v] - state.elements[e].centroid;
+      moved_[v] = model.elements[e].basis->displacement(increments[e], offset);
+    });
+  }
 
   void operator()(Contact& contact) const {
     contact.state_before = contact.state;
@@ -33,11 +39,7 @@ class Judge {
   }
 
  private:
-  Point moved(VertexIndex v) const {
-    const ElementIndex e = model_.vertices[v].element;
-    return model_.elements[e].basis->displacement(increments_[e], state_.vertices[v] - state_.elements[e].centroid);
-  }
-  LineMotion motion(const Triple& t) const { return {moved(t.vertex), moved(t.start), moved(t.end)}; }
+  LineMotion motion(const Triple& t) const { return {moved_[t.vertex], moved_[t.start], moved_[t.end]}; }
 
   double distance_after(const Triple& triple) const {
     const Line line = line_of(state_, triple);
@@ -112,7 +114,7 @@ class Judge {
 
   const Model& model_;
   const State& state_;
-  const Increments& increments_;
+  Table<VertexIndex, Point> moved_;  ///< displacements: most vertices have several contacts
   const ContactRules& rules_;
   double penalty_;
 };
