@@ -14,9 +14,16 @@ namespace keyblock {
 namespace {
 
 // Returns ½ A σᵀ D⁻¹ σ; D is isotropic, so that the frame of the stress does not matter.
-double strain_energy(const BlockMaterial& material, Plane plane, const ElementState& now) {
+double strain_energy(const Eigen::Matrix3d& compliance, const ElementState& now) {
   const Eigen::Vector3d stress(now.stress.xx, now.stress.yy, now.stress.xy);
-  return now.moments.area / 2 * stress.dot(modulus_of(material, plane).inverse() * stress);
+  return now.moments.area / 2 * stress.dot(compliance * stress);
+}
+
+// Returns D⁻¹ of every block material.
+std::vector<Eigen::Matrix3d> compliances(const Model& model, Plane plane) {
+  std::vector<Eigen::Matrix3d> all;
+  for (const BlockMaterial& material : model.block_materials) all.emplace_back(modulus_of(material, plane).inverse());
+  return all;
 }
 
 bool is_driven(const CarriedPoint& point) {
@@ -80,6 +87,7 @@ bool does_work(const Model& model, const Settings& settings) {
 
 LedgerRow stored_row(const Model& model, const Settings& settings, const State& state, const StartPlaces& unloaded) {
   const Point centre = stored_scope(unloaded).centre;
+  const std::vector<Eigen::Matrix3d> compliance = compliances(model, settings.plane);
   LedgerRow row;
   row.step = state.step;
   row.time = state.time;
@@ -89,7 +97,7 @@ LedgerRow stored_row(const Model& model, const Settings& settings, const State& 
     const ElementState& now = state.elements[e];
     const Placement& first = unloaded.elements[e];
     const Point moved = now.centroid - first.centroid;
-    row.stored.strain += strain_energy(material, settings.plane, now);
+    row.stored.strain += strain_energy(compliance[static_cast<std::size_t>(element.material)], now);
     row.stored.gravity -=
         first.moments.area * weight_per_area(material, settings).dot(Eigen::Vector2d(moved.x, moved.y));
     const Unknowns v = end_velocity(now, state, settings, element.material);
