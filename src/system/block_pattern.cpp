@@ -5,19 +5,44 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
 
 namespace keyblock {
 namespace {
 
-std::vector<int> elimination_places(int count, const BlockPattern::Pairs& coupled) {
-  std::vector<Eigen::Triplet<char>> entries;
-  for (int i = 0; i < count; ++i) entries.emplace_back(i, i, 1);
-  for (const auto& [i, j] : coupled) {
-    entries.emplace_back(i, j, 1);
-    entries.emplace_back(j, i, 1);
-  }
+// Returns each pair once, the lower number first, in ascending order.
+BlockPattern::Pairs in_order(BlockPattern::Pairs pairs) {
+  for (auto& [i, j] : pairs)
+    if (i > j) std::swap(i, j);
+  if (!std::ranges::is_sorted(pairs)) std::ranges::sort(pairs);
+  const auto repeated = std::ranges::unique(pairs);
+  pairs.erase(repeated.begin(), repeated.end());
+  return pairs;
+}
+
+// Returns the symmetric graph with its diagonal. Pairs ascend, so that rows arrive in each column in ascending order:
+// first those above the diagonal, then the diagonal, then those below.
+Eigen::SparseMatrix<char> graph_of(int count, const BlockPattern::Pairs& coupled) {
   Eigen::SparseMatrix<char> graph(count, count);
-  graph.setFromTriplets(entries.begin(), entries.end());
+  graph.resizeNonZeros(count + 2 * static_cast<Eigen::Index>(coupled.size()));
+  std::ranges::fill(std::span(graph.valuePtr(), static_cast<std::size_t>(graph.nonZeros())), char{1});
+  int* begins = graph.outerIndexPtr();
+  std::fill(begins, begins + count + 1, 0);
+  for (int i = 0; i < count; ++i) ++begins[i + 1];
+  for (const auto& [i, j] : coupled) ++begins[i + 1], ++begins[j + 1];
+  std::partial_sum(begins, begins + count + 1, begins);
+  std::vector<int> next(begins, begins + count);
+  const auto put = [&](int row, int column) { graph.innerIndexPtr()[next[static_cast<std::size_t>(column)]++] = row; };
+  for (const auto& [i, j] : coupled) put(i, j);
+  for (int i = 0; i < count; ++i) put(i, i);
+  for (const auto& [i, j] : coupled) put(j, i);
+  return graph;
+}
+
+std::vector<int> elimination_places(int count, const BlockPattern::Pairs& coupled) {
+  Eigen::SparseMatrix<char> graph = graph_of(count, in_order(coupled));
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
   if (count > 0) Eigen::AMDOrdering<int>()(graph, order);
   std::vector<int> places(static_cast<std::size_t>(count));
