@@ -93,7 +93,7 @@ build: packages ## use | 16 min | compiles the program build/keyblock and its te
 PREFIX ?= /usr/local
 install: packages ## use | 1 s | puts program, library, header, man page and completion below PREFIX=/usr/local (DESTDIR before it)
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
-	cmake --build build --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages $$(cmake --build build-deb --target help | grep -o '^keyblock_python\b')
+	cmake --build build --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages
 	cmake --install build --prefix "$(PREFIX)"
 	cp build/install_manifest.txt build/installed.txt
 	[ -n "$(DESTDIR)" ] || [ "$$(id -u)" != 0 ] || ldconfig

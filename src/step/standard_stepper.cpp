@@ -368,17 +368,11 @@ std::optional<PlasticTotals> StandardStepper::plastic_totals() const {
 }
 
 ContactFrames StandardStepper::contacts() const {
-  const bool is_in_time = scene_.settings.standard.motion == MotionRule::dynamic;
-  return contact_frames(scene_, motion_, state_, unloaded_,
-                        is_in_time ? vertices_before_ : Table<VertexIndex, Point>());
+  return contact_frames(scene_, motion_, state_, unloaded_, vertices_before_);
 }
 
-std::function<ContactFrames()> StandardStepper::contacts_later() const {
-  const bool changes_scene = scene_.settings.standard.motion != MotionRule::dynamic || !scene_.pulls.empty();
-  if (changes_scene) return Stepper::contacts_later();
-  return [this, motion = motion_, state = state_, before = vertices_before_] {
-    return contact_frames(scene_, motion, state, unloaded_, before);
-  };
+auto StandardStepper::contacts_later() const -> std::function<ContactFrames()> {
+  return contact_frames_later(scene_, motion_, state_, unloaded_, vertices_before_);
 }
 
 std::variant<StepReport, StepFailure> StandardStepper::advance(const BetterPulls& better) {

@@ -36,13 +36,11 @@ class StandardStepper : public SceneStepper {
   std::variant<StepReport, StepFailure> advance(const BetterPulls& better);
   LedgerRow ledger() const override { return ledger_; }
   ContactFrames contacts() const override;
-  /// In time the motion is copied: the search for open contacts takes longer.
   std::function<ContactFrames()> contacts_later() const override;
   StartReport start_report() const override { return start_report_; }
   std::optional<State> attempted() const override { return attempted_; }
   LedgerScope ledger_scope() const override { return keyblock::ledger_scope(scene_); }
   void save(Archive& archive) override { describe(archive); }
-
   std::unique_ptr<SceneStepper> in_next(const SceneChange& change) const override;
   bool is_at_rest(double share) const override;
 

@@ -49,7 +49,8 @@ std::vector<ClosedContact> with_open_ones(const StandardScene& scene, const Moti
 ContactFrames contact_frames(const StandardScene& scene, const Motion& motion, const State& state,
                              const StartPlaces& unloaded, const Table<VertexIndex, Point>& before) {
   const Model& model = scene.model;
-  const bool has_moved = before.size() == state.vertices.size();
+  const bool is_in_time = scene.settings.standard.motion == MotionRule::dynamic;
+  const bool has_moved = is_in_time && before.size() == state.vertices.size();
   const Table<VertexIndex, Point> middle =
       has_moved ? in_the_middle(before, state.vertices) : Table<VertexIndex, Point>();
   const std::size_t closed = motion.closed.size();
@@ -72,6 +73,13 @@ ContactFrames contact_frames(const StandardScene& scene, const Motion& motion, c
     frames.push_back(frame);
   }
   return frames;
+}
+
+LaterContacts contact_frames_later(const StandardScene& scene, const Motion& motion, const State& state,
+                                   const StartPlaces& unloaded, const Table<VertexIndex, Point>& before) {
+  const bool changes_scene = scene.settings.standard.motion != MotionRule::dynamic || !scene.pulls.empty();
+  if (changes_scene) return [made = contact_frames(scene, motion, state, unloaded, before)] { return made; };
+  return [&scene, &unloaded, motion, state, before] { return contact_frames(scene, motion, state, unloaded, before); };
 }
 
 }  // namespace keyblock
