@@ -421,7 +421,7 @@ TEST(Batch, manifold_pairs_are_catalogued_with_their_scene_and_what_both_profile
   const auto jobs = jobs_in(root / "out");
   ASSERT_EQ(jobs.size(), 2U);
   EXPECT_EQ(jobs[0]["scene"],
-            "static, 20 steps of 0.03; 1 piece, held, of 40 elements on 29 covers; 1 point load of up to 1; E 100, "
+            "static, 20 steps of 0.03; 1 piece, fixed, of 40 elements on 29 covers; 1 point load of up to 1; E 100, "
             "Poisson's ratio 0.25; no weight; friction 0 degrees");
   const auto measures = [&](int job, int profile) { return jobs[job]["answers"].at(profile)["measures"]; };
   const double creeping = measures(0, 0)["displacement"];

@@ -316,6 +316,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
   put_numbers("held", record.held);
   if (!record.names.rocks.empty()) json["names"]["materials"] = record.names.rocks;
   if (!record.names.joints.empty()) json["names"]["joints"] = record.names.joints;
+  json["supports"] = Json::array();
   for (const SupportRecord& support : record.supports)
     json["supports"].push_back(
         {{"kind", support.kind}, {"x", support.at.x}, {"y", support.at.y}, {"block", support.block}});

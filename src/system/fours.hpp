@@ -137,7 +137,7 @@ KEYBLOCK_INLINE void subtract_product(Padded<N, Real>& c, const Padded<N, Real>&
   }
 }
 
-/// Computes −L⁻ᵀ from the Cholesky factor L of a symmetric matrix. Returns false if the matrix is not positive definite.
+/// Computes −L⁻ᵀ from the Cholesky factor L of a symmetric matrix. Returns false if it is not positive definite.
 template <int N, class Real>
 KEYBLOCK_INLINE bool minus_inverse_of_cholesky(const Padded<N, Real>& a, Padded<N, Real>& minus_inverse) {
   constexpr int kLanes = Padded<N, Real>::kLanes;

@@ -131,9 +131,10 @@ TEST(HistoriesCommand, a_case_file_asks_for_them_too) {
 // nothing beside it. All of it is zeros.
 TEST(HistoriesCommand, what_bears_nothing_is_told_by_name_at_the_end) {
   const std::string folder = case_in("histories_of_nothing");
-  const auto run = run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--history", "far=contact:1,2",
-                                 "--history", "contact:1,3", "--history", "joint:4", "--history", "joint:5",
-                                 "--history", "line:-1,9,2,9", "--history", "block:3", "--history", "point:0.5,2.5"});
+  const auto run =
+      run_keyblock({"--verbose", "run", folder + "/case.json", "-o", folder + "/out", "--history", "far=contact:1,2",
+                    "--history", "contact:1,3", "--history", "joint:4", "--history", "joint:5", "--history",
+                    "line:-1,9,2,9", "--history", "block:3", "--history", "point:0.5,2.5"});
   ASSERT_EQ(run.exit_code, 0) << run.messages;
   EXPECT_TRUE(contains(run.messages,
                        "history \"contact far\": no contact of blocks 1 and 2 is closed in any of its "

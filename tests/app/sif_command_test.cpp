@@ -185,7 +185,7 @@ TEST(SifCommand, near_tip_functions_are_of_linear_statics_alone) {
           "or contact with fixed points, loading points or bolts");
   refused("cohesion", felt_with(R"("joint_materials": [{}])", R"("joint_materials": [{"cohesion": 1}])"), {},
           "found cohesion or tensile strength of joints whose faces touch");
-  refused("time", text, {"--set", "motion=dynamic"}, "found motion in time");
+  refused("time", text, {"--set", "motion=dynamic"}, "found dynamics");
   refused("growth", with(R"("tractions")", R"("growth": {"increment": 0.1}, "tractions")"), {}, "found crack growth");
   refused("constant", with(R"("contact")", R"("functions": "constant", "contact")"), {}, "found constant functions");
   const std::string unasked = with(R"("tip_functions": "williams")", R"("tip_radius": 0.3)");

@@ -201,7 +201,7 @@ TEST(KeyblockCase, the_schema_says_what_every_key_means) {
   list_descriptions(Json::parse(case_schema()), "", all);
   EXPECT_GT(all.size(), 100U);
   for (const auto& [path, description] : all) EXPECT_NE(description, "") << path;
-  EXPECT_EQ(all.at(".analysis.point_loads[].x"), "F");
+  EXPECT_EQ(all.at(".analysis.point_loads[].x"), "x component, F");
   EXPECT_EQ(all.at(".analysis.block_materials.density"), "mass per volume, M/L³. Permitted: greater than 0");
 }
 

@@ -70,7 +70,7 @@ TEST(Requirements, a_rigid_frictionless_scene_needs_no_elasticity_damping_fricti
   settings.basis = BlockBasis::rigid;
   const Requirements needs = requirements(two_on_floor(analysis, settings), settings);
   EXPECT_EQ(names(needs), (std::vector<std::string>{"inertia", "body_force", "contact", "impact", "start"}));
-  EXPECT_EQ(needs.basis, "rigid, 3 unknowns each, for 2 blocks; fixed, none, for 1 held block");
+  EXPECT_EQ(needs.basis, "rigid, 3 unknowns each, for 2 blocks; fixed, none, for 1 block");
 }
 
 TEST(Requirements, an_affine_scene_with_strong_rough_joints_says_so) {

@@ -156,7 +156,7 @@ TEST(FieldPicture, held_blocks_without_stress_are_grey_and_in_the_legend) {
   EXPECT_FALSE(contains(field_picture(picture), "held"));
   picture.held = {1};
   const std::string once = field_picture(picture);
-  EXPECT_TRUE(contains(once, ">held, stress not computed<"));
+  EXPECT_TRUE(contains(once, ">fixed, stress not computed<"));
   picture.held = {1, 1};  // of two fixed points
   EXPECT_EQ(field_picture(picture), once);
   EXPECT_TRUE(contains(field_picture(picture), "fill=\"#b4b4b4\"/>"));
@@ -167,7 +167,7 @@ TEST(FieldPicture, held_blocks_without_stress_are_grey_and_in_the_legend) {
   EXPECT_FALSE(contains(field_picture(picture), "held")) << "its displacement is known";
   picture.shown = FieldShown::yy;
   picture.left_out = {0};
-  EXPECT_TRUE(contains(field_picture(picture), ">held, stress not computed<")) << "the second, now the first";
+  EXPECT_TRUE(contains(field_picture(picture), ">fixed, stress not computed<")) << "the second, now the first";
 }
 
 TEST(FieldPicture, steps_of_a_run_share_colours_magnification_and_place) {

@@ -114,7 +114,7 @@ TEST_P(RestOnJoint, bodies_on_covers_rest_on_a_joint_that_holds_them) {
   scene.settings.standard.enforcement = GetParam();
   scene.settings.standard.force_tolerance = 1e-8;
   StandardStepper stepper(scene);
-  EXPECT_EQ(stepper.start_report().made, "at rest");
+  EXPECT_EQ(stepper.start_report().made, "static equilibrium");
   EXPECT_EQ(stepper.start_report().unbalanced, "");
   double normal = 0, tangential = 0;
   for (const ClosedContact& contact : stepper.motion().closed.all()) {
@@ -142,7 +142,7 @@ TEST(RestingStart, rock_that_may_yield_rests) {
   Strength strength;
   strength.values = {.cohesion = 1e6, .friction_deg = 30, .dilation_deg = 5};
   StandardStepper stepper(parted_square(80, StartRule::compatible, std::make_shared<const Strength>(strength)));
-  EXPECT_EQ(stepper.start_report().made, "at rest");
+  EXPECT_EQ(stepper.start_report().made, "static equilibrium");
   const State start = stepper.state();
   run_to(stepper, 0.05);
   EXPECT_LT(farthest_way(start, stepper.state()), 1e-7);
@@ -232,7 +232,7 @@ TEST(RestingStart, a_pendulum_swings_from_where_it_was_drawn) {
   StandardStepper stepper(
       cantilever({rectangle({20, 2}, {22, 3.8})}, {0}, analysis, asked(analysis), {{{20.5, 3.5}, 1, {}}}));
   EXPECT_NE(stepper.start_report().unbalanced, "");
-  EXPECT_EQ(stepper.start_report().made, "at rest") << "of the beam";
+  EXPECT_EQ(stepper.start_report().made, "static equilibrium") << "of the beam";
   const double tip = tip_of(stepper);
   run_to(stepper, 0.01);
   EXPECT_NEAR(tip_of(stepper), tip, 1e-8);

@@ -128,6 +128,9 @@ namespace of_impacts {
 inline constexpr double kNoOverlap = 1e-14;
 inline constexpr double kNoOverlapOfMany = 5e-11;
 inline constexpr int kMostPasses = 10;
+// A body that is hit from two sides may go several times farther than its change of velocity lets it. Beyond this
+// factor, impulses that held one another are out of balance: 500 in a jammed slope.
+inline constexpr double kBalanced = 10;
 // Some overlaps cannot all be removed at once. To find them, the pushes are solved once with every contact softened by
 // kYield of the compliance of its blocks, which always has a solution. A contact that keeps more than kLocked of its
 // overlap is locked. A pair with room keeps a hundredth, a chain of ten a tenth.

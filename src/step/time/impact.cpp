@@ -76,13 +76,14 @@ double greatest_rigid(const StandardScene& scene, const UnknownsTable& changes) 
 
 // Returns the displacement that impulses have made since the surfaces met, each meeting at its own time. Impulses in a
 // jammed ring may balance one another and be far greater than what moves blocks. Their own times would leave them
-// unbalanced: then all act for the shortest time. `changed`: their change of velocities.
+// unbalanced and throw blocks: then all act for the shortest time. `changed`: their change of velocities.
 UnknownsTable shift_since(const StandardScene& scene, const std::vector<ImpactMeeting>& meetings,
                           const ContactRows& rows, const Flexibility& flexibility, const Eigen::VectorXd& impulses,
                           const UnknownsTable& changed) {
   const Eigen::VectorXd times = times_of(meetings, impulses.size());
   UnknownsTable shift = answer(rows, flexibility, impulses.cwiseProduct(times));
-  if (greatest_rigid(scene, shift) <= times.maxCoeff() * greatest_rigid(scene, changed)) return shift;
+  if (greatest_rigid(scene, shift) <= of_impacts::kBalanced * times.maxCoeff() * greatest_rigid(scene, changed))
+    return shift;
   return answer(rows, flexibility, times.minCoeff() * impulses);
 }
 
