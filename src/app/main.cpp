@@ -65,7 +65,7 @@ constexpr std::array<Command, 23> kCommands{{
      "keyblock compare legacy_cases/sliding_block\nkeyblock compare legacy_cases --all --json"},
     {"tradeoff", "compare accuracy and run time over many settings", configure_tradeoff,
      "keyblock tradeoff slope.json --budget 60s\nkeyblock tradeoff slope.json --error 1e-3"},
-    {"sweep", "map the error of a case over contact stiffness and step size", configure_sweep,
+    {"sweep", "run a case over any of its values, or map its error over stiffness and step", configure_sweep,
      "keyblock sweep slope.json --picture sweep.svg"},
     {"batch", "check, run or convert every case of an archive; write a catalogue", configure_batch,
      "keyblock batch archive --check -o out\nkeyblock batch archive --run --time-limit 600 -o out"},

@@ -34,7 +34,7 @@ bool is_input(const fs::path& file) {
 
 bool is_result(const fs::path& folder) {
   std::error_code error;
-  return fs::is_directory(folder / "frames", error);
+  return fs::is_directory(folder / "frames", error) || fs::exists(folder / "fos.json", error);
 }
 
 double seconds_of(const fs::directory_entry& entry) {
@@ -81,6 +81,7 @@ Json ServedFolder::list() const {
       if (at.depth() >= kDeepest || is_result(entry.path())) at.disable_recursion_pending();
       if (is_result(entry.path()) && results.size() < kMostEntries)
         results.push_back({{"path", name(entry.path())},
+                           {"kind", fs::exists(entry.path() / "fos.json", of_entry) ? "fos" : "run"},
                            {"time", seconds_of(entry)},
                            {"is_finished", fs::exists(entry.path() / "run.json", of_entry)},
                            {"has_checkpoint", fs::exists(entry.path() / "checkpoint.h5", of_entry)}});

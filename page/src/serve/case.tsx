@@ -165,7 +165,10 @@ export function CaseView({ paths }: { paths: string[] }) {
           set_settings={set_settings}
           checking={checking}
           check={run_check}
-          before={async () => changed.length === 0 || (await save())}
+          before={async () =>
+            changed.length === 0 ||
+            (confirm(`Save the changes of ${changed.join(', ')} before the run?`) && (await save()))
+          }
         />
         <Problems errors={errors} warnings={warnings} is_checked={!!report} go_to={go_to} />
         <Plan report={report} />

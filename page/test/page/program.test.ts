@@ -82,6 +82,7 @@ describe.skipIf(!has_browser || !program)('program', () => {
     });
     const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
     const page = await context.newPage();
+    page.on('dialog', asked => asked.accept());
     const errors: string[] = [];
     page.on('pageerror', error => errors.push(String(error)));
     await page.goto(address);

@@ -16,6 +16,7 @@ describe.skipIf(!has_browser)('window', () => {
   async function open(hash = '', scheme: 'light' | 'dark' = 'light', width = 1280): Promise<Page> {
     const context = await browser.newContext({ viewport: { width, height: 800 }, colorScheme: scheme });
     const page = await context.newPage();
+    page.on('dialog', asked => asked.accept());
     page.on('pageerror', error => errors.push(String(error)));
     page.on('console', text => {
       if (text.type() === 'error') errors.push(text.text());

@@ -114,7 +114,11 @@ ExitCode plot_curves(const PlotOptions& options) {
                            : options.file;
   require_writable({file}, kept_files(options.folder), overwrite_if(options.force));
   const RunHeading heading = heading_of(options.folder);
-  write_picture(file, recorded_picture(options.folder, {options.curves, options.against}, heading.title, heading.units),
+  constexpr double kUnitsAMillimetre = 4.5;  // letters of 12 units are then 7.6 points high
+  constexpr double kNarrowest = 300, kWidest = 900;
+  const double wide = std::clamp(options.width.value_or(kWidest) * kUnitsAMillimetre, kNarrowest, kWidest);
+  write_picture(file,
+                recorded_picture(options.folder, {options.curves, options.against}, heading.title, heading.units, wide),
                 overwrite_if(options.force), options.width);
   if (options.as_json)
     fmt::print("{}\n", Json({{"file", file}, {"curves", options.curves}, {"against", options.against}})

@@ -23,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kChartHeight = 330;
+constexpr double kHighest = 0.7;  // of a narrow chart, over its width
 constexpr std::size_t kMostNamed = 30;
 constexpr std::array<const char*, 2> kWideTables{"history.csv", "ledger.csv"};
 constexpr const char* kLongTable = "histories.csv";
@@ -124,7 +125,7 @@ std::vector<std::string> recorded_names(const fs::path& folder) {
 }
 
 std::string recorded_picture(const fs::path& folder, const CurveRequest& request, const std::string& title,
-                             const Units& units) {
+                             const Units& units, double wide) {
   const Recorded across = recorded(folder, request.against);
   std::vector<report::Curve> curves;
   std::optional<std::string> unit;
@@ -142,11 +143,12 @@ std::string recorded_picture(const fs::path& folder, const CurveRequest& request
       }
   }
   const double top = report::kMargin + (title.empty() ? 0 : report::kTitleHeight);
-  report::SvgPage page(report::kPageWidth, top + kChartHeight + report::kMargin);
+  const double high = std::min(kChartHeight, kHighest * wide);
+  report::SvgPage page(wide, top + high + report::kMargin);
   if (!title.empty()) page.text({report::kMargin, report::kMargin}, title, {.size = 17, .bold = true});
   if (report::has_points(curves))
     report::draw_chart(
-        page, {report::kMargin, top}, {report::kRoom, kChartHeight}, curves,
+        page, {report::kMargin, top}, {wide - 2 * report::kMargin, high}, curves,
         {axis_of(request.against, across.unit, units),
          axis_of(request.names.size() == 1 ? request.names.front() : "value", unit.value_or(""), units)});
   return page.str();

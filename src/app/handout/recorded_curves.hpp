@@ -21,8 +21,9 @@ struct CurveRequest {
 std::vector<std::string> recorded_names(const std::filesystem::path& folder);
 
 /// Returns the picture of the curves. All names must have one unit. An empty title takes no room. Throws UsageError for
-/// a name that the run does not have, or for two units.
+/// a name that the run does not have, or for two units. `wide`: width of the page in its units, in which letters are 11 to
+/// 17 high.
 std::string recorded_picture(const std::filesystem::path& folder, const CurveRequest& request, const std::string& title,
-                             const Units& units);
+                             const Units& units, double wide = 900);
 
 }  // namespace keyblock

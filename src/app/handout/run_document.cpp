@@ -61,6 +61,7 @@ Judged judged(const RunRecordFile& record) {
   std::string words = "The run came to its end, and its checks found nothing against it.";
   const Json& motion = record.list("outcome.motion.sentences");
   if (!motion.empty()) words += " " + sentence(plain_text(motion[0]));
+  if (record.text("outcome.motion.state") == "moving") return {report::Verdict::doubtful, words};
   return {report::Verdict::good, words};
 }
 
@@ -274,7 +275,7 @@ report::Document archive_document(const fs::path& folder) {
     const std::string name = fs::relative(run, folder).string();
     rows.push_back({name, record.text("profile"),
                     judgement.verdict == report::Verdict::good       ? "trusted"
-                    : judgement.verdict == report::Verdict::doubtful ? "not at its end"
+                    : judgement.verdict == report::Verdict::doubtful ? "still moving, or not at its end"
                                                                      : "not trusted",
                     plain_text(record.at("outcome.steps")),
                     record.quantity("extremes.greatest_displacement.value", measures::kLength)});
@@ -285,8 +286,9 @@ report::Document archive_document(const fs::path& folder) {
   }
   const int bad = counts[report::Verdict::bad], open = counts[report::Verdict::doubtful];
   document.verdict = bad > 0 ? report::Verdict::bad : open > 0 ? report::Verdict::doubtful : report::Verdict::good;
-  document.verdict_in_words = fmt::format("{} runs: {} trusted, {} not at their end, {} not trusted.", runs.size(),
-                                          counts[report::Verdict::good], open, bad);
+  document.verdict_in_words =
+      fmt::format("{} runs: {} trusted and at rest, {} still moving or not at their end, {} not trusted.", runs.size(),
+                  counts[report::Verdict::good], open, bad);
   document.sections.push_back(
       {"Runs", {}, {}, {{{"run", "profile", "verdict", "steps", "largest displacement"}, rows}}});
   std::ranges::move(sections, std::back_inserter(document.sections));

@@ -62,12 +62,15 @@ std::vector<std::string> written(const RunRecord& record, const std::string& fol
 }
 
 void print_files(const RunRecord& record, const std::string& folder) {
-  std::vector<std::string> views = written(
-      record, folder,
-      std::array<std::string_view, 5>{"picture.svg", "field.svg", "energy.svg", "plastic.svg", "reactions.svg"});
-  if (!views.empty() && record.outcome.end == RunEnd::failed && !record.outcome.numbers.empty())
-    views.front() += fmt::format(" ({} {} marked)", blocks_in_words(record.outcome.numbers),
-                                 record.outcome.numbers.size() == 1 ? "is" : "are");
+  std::vector<std::string> views =
+      written(record, folder,
+              std::array<std::string_view, 6>{"page.html", "picture.svg", "field.svg", "energy.svg", "plastic.svg",
+                                              "reactions.svg"});
+  const auto picture =
+      std::ranges::find_if(views, [](const std::string& file) { return file.ends_with("picture.svg"); });
+  if (picture != views.end() && record.outcome.end == RunEnd::failed && !record.outcome.numbers.empty())
+    *picture += fmt::format(" ({} {} marked)", blocks_in_words(record.outcome.numbers),
+                            record.outcome.numbers.size() == 1 ? "is" : "are");
   for (const std::string& fields : written(record, folder, std::array<std::string_view, 1>{"fields.pvd"}))
     views.push_back(fields + " (ParaView)");
   if (!views.empty()) spdlog::info("open {}", fmt::join(views, ", "));
