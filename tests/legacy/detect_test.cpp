@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <random>
 
 #include "legacy/contact/line.hpp"
 #include "tests/support/scenes.hpp"
@@ -111,6 +112,33 @@ std::vector<int> contact_counts_of_a_throw(bool stale_list) {
 TEST(Detect, a_step_that_finds_no_contact_keeps_the_last_list_under_the_quirk) {
   EXPECT_EQ(contact_counts_of_a_throw(true), (std::vector<int>{2, 2, 2, 2, 2}));
   EXPECT_EQ(contact_counts_of_a_throw(false), (std::vector<int>{2, 2, 0, 0, 0}));
+}
+
+// The list of near vertices is kept while blocks wander through one another, fast and slowly, and gives the contacts of
+// a new search at every step.
+TEST(Detect, a_kept_list_of_near_vertices_gives_the_contacts_of_a_new_search) {
+  std::vector<BlockPolygon> blocks;
+  for (int i = 0; i < 30; ++i)
+    blocks.push_back(rectangle({1.0 * (i % 6), 1.0 * (i / 6)}, {1.0 * (i % 6) + 1, 1.0 * (i / 6) + 1}));
+  const ShiScene scene = legacy_scene({blocks, {}, {}, {}, {}, {}}, fine_analysis());
+  State state = start(scene).state;
+  NearVertices near;
+  std::mt19937 numbers(5);
+  std::uniform_real_distribution<double> way(-1, 1);
+  std::size_t contacts = 0;
+  for (int step = 0; step < 60; ++step) {
+    const Contacts kept = detect(scene.model, state, scene.settings, scene.rules, near).contacts;
+    const Contacts fresh = detect(scene.model, state, scene.settings, scene.rules).contacts;
+    ASSERT_EQ(kept.size(), fresh.size()) << "step " << step;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      EXPECT_TRUE(kept[i].first == fresh[i].first && kept[i].second == fresh[i].second) << step << " " << i;
+    contacts += kept.size();
+    for (ElementIndex e : indices(scene.model.elements)) {
+      const Point move{(step < 30 ? 0.002 : 0.05) * way(numbers), (step < 30 ? 0.002 : 0.05) * way(numbers)};
+      for (VertexIndex v : scene.model.elements[e].vertices()) state.vertices[v] = state.vertices[v] + move;
+    }
+  }
+  EXPECT_GT(contacts, 60U * 30U);
 }
 
 }  // namespace keyblock::detect_test

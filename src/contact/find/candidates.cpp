@@ -17,12 +17,12 @@ Box box_of(const Model& model, const State& state, ElementIndex element) {
   return box;
 }
 
-namespace {
-
 bool touch(const Box& a, const Box& b, double distance) {
   return a.low.x - distance <= b.high.x && b.low.x <= a.high.x + distance && a.low.y - distance <= b.high.y &&
          b.low.y <= a.high.y + distance;
 }
+
+namespace {
 
 // Up to this number of elements all pairs are tested: a grid would take longer.
 constexpr std::size_t kFew = 8;

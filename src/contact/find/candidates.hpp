@@ -20,6 +20,9 @@ struct ElementPair {
 /// Returns the bounding box of an element's current vertices.
 Box box_of(const Model& model, const State& state, ElementIndex element);
 
+/// Returns true if the boxes overlap when one is grown by `distance`.
+bool touch(const Box& a, const Box& b, double distance);
+
 /// Returns, in ascending order, the pairs whose bounding boxes overlap when one is grown by `distance`. The order does
 /// not depend on the search.
 std::vector<ElementPair> close_pairs(const Model& model, const State& state, double distance);

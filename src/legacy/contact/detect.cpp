@@ -1,4 +1,4 @@
-// Finds candidates by distance between the vertices of close elements, then contacts by angle.
+// Tests near vertices by distance, then by angle.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/detect.hpp"
 
@@ -19,8 +19,6 @@ constexpr double kConvexBelow = 180.0001;
 // Added to |dx| by the Berkeley program before it computes the direction of an edge [length] (legacy-rules 3).
 constexpr double kBerkeleyDirectionOffset = 1e-7;
 
-// Margin of the box search over the greatest contact distance: allows for rounding.
-constexpr double kReach = 1.001;
 // Ratio of two squares beyond which rounding cannot reverse their order.
 constexpr double kSureSquare = 1 + 1e-9;
 
@@ -41,12 +39,18 @@ class Detector {
   Detector(const Model& model, const State& state, const Settings& settings, const ContactRules& rules)
       : model_(model), state_(state), rules_(rules), leaving_(directions(model, state, settings)) {}
 
-  Detection run() const {
-    const std::vector<ElementPair> pairs = close_pairs(model_, state_, rules_.search_distance);
-    std::vector<Detector> parts(range_count(pairs.size()), *this);
-    for_ranges(pairs.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) parts[range].meet(pairs[i]);
+  Detection run(const NearList& near) const {
+    Table<ElementIndex, Box> boxes(model_.elements.size());
+    for_each_index(boxes, [&](ElementIndex e) { boxes[e] = box_of(model_, state_, e); });
+    std::vector<Detector> parts(range_count(near.elements.size()), *this);
+    for_ranges(near.elements.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto& [a, b] = near.elements[k].elements;
+        if (!touch(boxes[a], boxes[b], rules_.search_distance)) continue;
+        for (const auto& [i, j] : near.of(k)) parts[range].meet(i, j);
+      }
     });
+    if (parts.size() == 1) return std::move(parts.front().found_);
     Detection all;
     for (const Detector& part : parts) {
       all.contacts.insert(all.contacts.end(), part.found_.contacts.begin(), part.found_.contacts.end());
@@ -70,37 +74,12 @@ class Detector {
     return leaving;
   }
 
-  // Only vertices within reach of the other element's box can be near its edges and vertices.
-  void meet(const ElementPair& pair) {
-    const auto& [a, b] = pair;
-    const bool hang_together = share_a_cover(model_.elements[a], model_.elements[b]);
-    const Box reach_a = reach(a);
-    const Box reach_b = reach(b);
-    for (VertexIndex i : model_.elements[a].vertices()) {
-      if (!next(i)) continue;
-      const bool i_is_near = reach_b.holds(at(i));
-      for (VertexIndex j : model_.elements[b].vertices()) {
-        const bool j_is_near = reach_a.holds(at(j));
-        if (!i_is_near && !j_is_near) continue;
-        if (next(j) && !(hang_together && follow_each_other(i, j))) meet(i, i_is_near, j, j_is_near);
-      }
-    }
-  }
-
-  // Returns the box of an element, enlarged by the greatest distance or depth of a contact and a margin for rounding.
-  Box reach(ElementIndex e) const {
-    const double margin = kReach * std::max(rules_.search_distance, rules_.search_depth);
-    const Box box = box_of(model_, state_, e);
-    return {box.low - Point{margin, margin}, box.high + Point{margin, margin}};
-  }
-
   Point at(VertexIndex v) const { return state_.vertices[v]; }
   double leaving(VertexIndex v) const { return (*leaving_)[v]; }
   // Follows the boundary from element to element.
   VertexIndex next(VertexIndex v) const { return model_.vertices[v].boundary_next; }
   VertexIndex previous(VertexIndex v) const { return model_.vertices[v].boundary_previous; }
   ElementIndex element(VertexIndex v) const { return model_.vertices[v].element; }
-  bool follow_each_other(VertexIndex i, VertexIndex j) const { return next(i) == j || next(j) == i; }
   // Returns the end, in its element, of the edge that leaves v.
   VertexIndex end_of_edge(VertexIndex v) const { return model_.vertices[v].next; }
   // Pairs a vertex with the edge that leaves `start`: the reference line runs against it.
@@ -109,10 +88,10 @@ class Detector {
   Wedge wedge(VertexIndex v) const { return {leaving(v), one_turn(leaving(previous(v)) - 180)}; }
   bool is_convex(VertexIndex v) const { return wedge(v).angle() < kConvexBelow; }
 
-  void meet(VertexIndex i, bool i_is_near, VertexIndex j, bool j_is_near) {
+  void meet(VertexIndex i, VertexIndex j) {
     if (are_apart(at(i), at(j))) {
-      if (i_is_near && near_edge(i, j)) vertex_edge(i, j);
-      if (j_is_near && near_edge(j, i)) vertex_edge(j, i);
+      if (near_edge(i, j)) vertex_edge(i, j);
+      if (near_edge(j, i)) vertex_edge(j, i);
     } else if (is_convex(i) && is_convex(j)) {
       vertex_vertex(i, j);
     } else if (is_convex(i)) {
@@ -227,8 +206,9 @@ class Detector {
 
 }  // namespace
 
-Detection detect(const Model& model, const State& state, const Settings& settings, const ContactRules& rules) {
-  return Detector(model, state, settings, rules).run();
+Detection detect(const Model& model, const State& state, const Settings& settings, const ContactRules& rules,
+                 NearVertices& near) {
+  return Detector(model, state, settings, rules).run(near.of(model, state, rules));
 }
 
 }  // namespace keyblock

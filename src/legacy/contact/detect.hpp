@@ -4,6 +4,7 @@
 #pragma once
 
 #include "legacy/contact/contact.hpp"
+#include "legacy/contact/near_vertices.hpp"
 #include "legacy/contact/rules.hpp"
 #include "model/state.hpp"
 
@@ -17,7 +18,14 @@ struct Detection {
 };
 
 /// Detects contacts by legacy-rules 2 and 3. Shi's angle criterion: two wedges that would overlap by more than h1
-/// cannot touch there.
-Detection detect(const Model& model, const State& state, const Settings& settings, const ContactRules& rules);
+/// cannot touch there. `near` is the list of this model from the steps before.
+Detection detect(const Model& model, const State& state, const Settings& settings, const ContactRules& rules,
+                 NearVertices& near);
+
+/// Does the same with a new search.
+inline Detection detect(const Model& model, const State& state, const Settings& settings, const ContactRules& rules) {
+  NearVertices near;
+  return detect(model, state, settings, rules, near);
+}
 
 }  // namespace keyblock

@@ -47,11 +47,11 @@ Contacts with_stale_contacts(Detection found, const Contacts& previous) {
   return contacts;
 }
 
-Contacts contacts_of_step(const ShiScene& scene, const Stepping& stepping) {
+Contacts contacts_of_step(const ShiScene& scene, Stepping& stepping) {
   if (!scene.has_contact) return {};
   const State& state = stepping.state;
   const BerkeleyQuirks& quirks = scene.settings.quirks;
-  Detection found = detect(scene.model, state, scene.settings, scene.rules);
+  Detection found = detect(scene.model, state, scene.settings, scene.rules, stepping.near);
   Contacts contacts =
       quirks.stale_contact_list ? with_stale_contacts(std::move(found), stepping.contacts) : std::move(found.contacts);
   contacts = carry(std::move(contacts), stepping.contacts, state, scene.rules, quirks);

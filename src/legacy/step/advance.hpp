@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "legacy/contact/contact.hpp"
+#include "legacy/contact/near_vertices.hpp"
 #include "legacy/contact/rules.hpp"
 #include "legacy/terms/assemble.hpp"
 #include "model/scene/scene.hpp"
@@ -34,6 +35,7 @@ struct Stepping {
   StepHistory history;
   double penalty = 0;  ///< contact stiffness at the start of the next step
   Solver solver;
+  NearVertices near;
   bool has_solved = false;
   double work = 0;  ///< of all forces except weight and contact, since the start
 };
