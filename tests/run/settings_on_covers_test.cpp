@@ -135,7 +135,8 @@ TEST(SettingsOnCovers, gravity_of_the_case_file_reaches_linear_statics) {
 TEST(SettingsOnCovers, a_setting_that_linear_statics_does_not_know_is_told_of) {
   std::string messages;
   last_row(held_square(R"(, "run": {"set": {"mass_damping": "3"}})"), {}, messages);
-  EXPECT_NE(messages.find("setting mass_damping has no effect here: it is not read by linear static solutions"), std::string::npos)
+  EXPECT_NE(messages.find("setting mass_damping has no effect here: it is not read by linear static solutions"),
+            std::string::npos)
       << messages;
 }
 

@@ -7,8 +7,8 @@
 
 namespace keyblock {
 
-/// Returns tables of rocks and joints, read from the input files of the run. Says so in a sentence if a file is no longer
-/// there, or has changed since the run.
+/// Returns tables of rocks and joints, read from the input files of the run. Says so in a sentence if a file is no
+/// longer there, or has changed since the run.
 report::DocumentSection material_section(const RunRecordFile& record);
 
 }  // namespace keyblock

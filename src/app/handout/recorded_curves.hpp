@@ -20,9 +20,9 @@ struct CurveRequest {
 /// histories.csv by their name and quantity ("crest.displacement_x").
 std::vector<std::string> recorded_names(const std::filesystem::path& folder);
 
-/// Returns the picture of the curves. All names must have one unit. An empty title takes no room. Throws UsageError for
-/// a name that the run does not have, or for two units. `wide`: width of the page in its units, in which letters are 11 to
-/// 17 high.
+/// Returns the picture of the curves. All names must have one unit. An empty title takes no room. `wide`: width of the
+/// page in its units, in which letters are 11 to 17 high. Throws UsageError for a name that the run does not have, or
+/// for two units.
 std::string recorded_picture(const std::filesystem::path& folder, const CurveRequest& request, const std::string& title,
                              const Units& units, double wide = 900);
 
