@@ -5,7 +5,7 @@
 namespace keyblock {
 namespace {
 
-constexpr double kRounding = 1e-9;  // per total weight
+constexpr double kRoundingOfWeight = 1e-9;  // per total weight
 
 }  // namespace
 
@@ -23,10 +23,10 @@ YieldState MeanMemory::over(double whole) const {
   mean.elastic /= whole;
   mean.plastic /= whole;
   mean.kappa /= whole;
-  if (regions_.front() > (0.5 + kRounding) * whole) return mean;
+  if (regions_.front() > (0.5 + kRoundingOfWeight) * whole) return mean;
   std::size_t most = 0;
   for (std::size_t i = 1; i < regions_.size(); ++i)
-    if (regions_[i] > (most == 0 ? 0 : regions_[most]) + kRounding * whole) most = i;
+    if (regions_[i] > (most == 0 ? 0 : regions_[most]) + kRoundingOfWeight * whole) most = i;
   mean.region = static_cast<YieldRegion>(most);
   return mean;
 }
