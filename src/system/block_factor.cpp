@@ -75,9 +75,9 @@ class KernelOf : public BlockFactor::Kernel {
 
   void clear(MatrixShape shape) override {
     shape_ = shape;
-    std::ranges::fill(diagonal_, Padded<N>{});
-    std::ranges::fill(lower_, Padded<N>{});
-    upper_.assign(is_symmetric() ? 0 : lower_.size(), Padded<N>{});
+    upper_.resize(is_symmetric() ? 0 : lower_.size());
+    for (std::vector<Padded<N>>* blocks : {&diagonal_, &lower_, &upper_})
+      for (Padded<N>& block : *blocks) set_zero(block);
     fill_up();
   }
 
@@ -119,8 +119,8 @@ class KernelOf : public BlockFactor::Kernel {
       const Padded<N>& block = diagonal_[at(j)];
       if (!(is_symmetric() ? pivot.factorise_symmetric(block) : pivot.factorise(block.square()))) return false;
       for (int entry = begin; entry < end; ++entry) {
-        lower_[at(entry)] = product(lower_[at(entry)], pivot.minus_upper_inverse);
-        if (!is_symmetric()) upper_[at(entry)] = product(upper_[at(entry)], pivot.minus_lower_inverse);
+        minus_product(lower_[at(entry)], lower_[at(entry)], pivot.minus_upper_inverse);
+        if (!is_symmetric()) minus_product(upper_[at(entry)], upper_[at(entry)], pivot.minus_lower_inverse);
       }
       reaching.file(j, begin);
     }
@@ -132,7 +132,7 @@ class KernelOf : public BlockFactor::Kernel {
     for (std::size_t i = 0; i < sizes_.size(); ++i)
       for (int r = 0; r < sizes_[i]; ++r) x[at(pattern_->place(static_cast<int>(i)))][r] = b[at(first_rows_[i] + r)];
     for (int j = 0; j < pattern_->block_count(); ++j) {
-      const Column own = pivots_[at(j)].minus_lower_inverse.square().transpose() * -x[at(j)];
+      const Column own = pivots_[at(j)].left(is_symmetric()).square().transpose() * -x[at(j)];
       x[at(j)] = own;
       for (int entry = pattern_->begin(j); entry < pattern_->begin(j + 1); ++entry)
         x[at(pattern_->row(entry))].noalias() -= lower_[at(entry)].square() * own;
@@ -168,10 +168,11 @@ class KernelOf : public BlockFactor::Kernel {
 
     // Does the same for a symmetric block; returns false if it is not positive definite.
     bool factorise_symmetric(const Padded<N>& block) {
-      if (!minus_inverse_of_cholesky(block, minus_lower_inverse)) return false;
-      minus_upper_inverse = minus_lower_inverse;
-      return minus_lower_inverse.square().allFinite();
+      return minus_inverse_of_cholesky(block, minus_upper_inverse) && minus_upper_inverse.square().allFinite();
     }
+
+    // Returns the inverse of L; of a symmetric block it is that of U.
+    const Padded<N>& left(bool is_symmetric) const { return is_symmetric ? minus_upper_inverse : minus_lower_inverse; }
   };
 
   // Most blocks have this size, which the compiler knows.
@@ -183,17 +184,10 @@ class KernelOf : public BlockFactor::Kernel {
       to.topLeftCorner(block.rows(), block.cols()) += block;
   }
 
-  // Returns −a b.
-  static Padded<N> product(const Padded<N>& a, const Padded<N>& b) {
-    Padded<N> c;
-    subtract_product<false>(c, a, b);
-    return c;
-  }
-
   // Subtracts from column j the part of column k, which reaches row j by entry `reached`.
   void subtract(int j, int k, int reached, const std::vector<int>& places) {
-    const Padded<N> of_lower = lower_[at(reached)];
-    const Padded<N> of_upper = right(reached);
+    const Padded<N>& of_lower = lower_[at(reached)];
+    const Padded<N>& of_upper = right(reached);
     subtract_product<true>(diagonal_[at(j)], of_lower, of_upper);
     for (int entry = reached + 1; entry < pattern_->begin(k + 1); ++entry) {
       const int place = places[at(pattern_->row(entry))];

@@ -111,30 +111,60 @@ struct Padded {
   }
 };
 
-/// Computes c −= a bᵀ, or c −= a b. Unrolled, so that the sums stay in registers.
-template <bool kTransposed, int N, class Real>
-KEYBLOCK_INLINE void subtract_product(Padded<N, Real>& c, const Padded<N, Real>& a, const Padded<N, Real>& b) {
-  constexpr int kLanes = Padded<N, Real>::kLanes;
-  typename Padded<N, Real>::Lane sums[N][kLanes];
+template <int N, class Real>
+KEYBLOCK_INLINE void set_zero(Padded<N, Real>& a) {
+  for (int j = 0; j < N; ++j)
+    for (int h = 0; h < Padded<N, Real>::kLanes; ++h) a.lane(j, h) = typename Padded<N, Real>::Lane{};
+}
+
+/// Sums of a product, column by column. Unrolled, so that they stay in registers.
+template <int N, class Real>
+struct PaddedSums {
+  using Block = Padded<N, Real>;
+  static constexpr int kLanes = Block::kLanes;
+  typename Block::Lane lanes[N][kLanes];
+
+  KEYBLOCK_INLINE void load(const Block& c) {
 #pragma GCC unroll 8
-  for (int j = 0; j < N; ++j) {
+    for (int j = 0; j < N; ++j)
 #pragma GCC unroll 2
-    for (int h = 0; h < kLanes; ++h) sums[j][h] = c.lane(j, h);
+      for (int h = 0; h < kLanes; ++h) lanes[j][h] = c.lane(j, h);
   }
+  KEYBLOCK_INLINE void store(Block& c) const {
 #pragma GCC unroll 8
-  for (int k = 0; k < N; ++k) {
-#pragma GCC unroll 8
-    for (int j = 0; j < N; ++j) {
-      const Real factor = kTransposed ? b.entry(j, k) : b.entry(k, j);
+    for (int j = 0; j < N; ++j)
 #pragma GCC unroll 2
-      for (int h = 0; h < kLanes; ++h) sums[j][h] -= a.lane(k, h) * factor;
+      for (int h = 0; h < kLanes; ++h) c.lane(j, h) = lanes[j][h];
+  }
+  template <bool kTransposed>
+  KEYBLOCK_INLINE void subtract(const Block& a, const Block& b) {
+#pragma GCC unroll 8
+    for (int k = 0; k < N; ++k) {
+#pragma GCC unroll 8
+      for (int j = 0; j < N; ++j) {
+        const Real factor = kTransposed ? b.entry(j, k) : b.entry(k, j);
+#pragma GCC unroll 2
+        for (int h = 0; h < kLanes; ++h) lanes[j][h] -= a.lane(k, h) * factor;
+      }
     }
   }
-#pragma GCC unroll 8
-  for (int j = 0; j < N; ++j) {
-#pragma GCC unroll 2
-    for (int h = 0; h < kLanes; ++h) c.lane(j, h) = sums[j][h];
-  }
+};
+
+/// Computes c −= a bᵀ, or c −= a b.
+template <bool kTransposed, int N, class Real>
+KEYBLOCK_INLINE void subtract_product(Padded<N, Real>& c, const Padded<N, Real>& a, const Padded<N, Real>& b) {
+  PaddedSums<N, Real> sums;
+  sums.load(c);
+  sums.template subtract<kTransposed>(a, b);
+  sums.store(c);
+}
+
+/// Computes c = −a b; c may be a or b.
+template <int N, class Real>
+KEYBLOCK_INLINE void minus_product(Padded<N, Real>& c, const Padded<N, Real>& a, const Padded<N, Real>& b) {
+  PaddedSums<N, Real> sums{};
+  sums.template subtract<false>(a, b);
+  sums.store(c);
 }
 
 /// Computes −L⁻ᵀ from the Cholesky factor L of a symmetric matrix. Returns false if it is not positive definite.
