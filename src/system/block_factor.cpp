@@ -27,6 +27,16 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
+using Two [[gnu::vector_size(16), gnu::may_alias]] = double;
+
+// Returns the entries 2 h and 2 h + 1.
+Two& two(double* entries, int h) {
+  return reinterpret_cast<Two*>(entries)[h];
+}
+const Two& two(const double* entries, int h) {
+  return reinterpret_cast<const Two*>(entries)[h];
+}
+
 // Lists of columns, each under the row that it reaches next.
 class Reaching {
  public:
@@ -135,12 +145,12 @@ class KernelOf : public BlockFactor::Kernel {
       const Column own = pivots_[at(j)].left(is_symmetric()).square().transpose() * -x[at(j)];
       x[at(j)] = own;
       for (int entry = pattern_->begin(j); entry < pattern_->begin(j + 1); ++entry)
-        x[at(pattern_->row(entry))].noalias() -= lower_[at(entry)].square() * own;
+        subtract(x[at(pattern_->row(entry))], lower_[at(entry)], own);
     }
     for (int j = pattern_->block_count() - 1; j >= 0; --j) {
       Column sum = x[at(j)];
       for (int entry = pattern_->begin(j); entry < pattern_->begin(j + 1); ++entry)
-        sum.noalias() -= right(entry).square().transpose() * x[at(pattern_->row(entry))];
+        subtract_transposed(sum, right(entry), x[at(pattern_->row(entry))]);
       x[at(j)].noalias() = pivots_[at(j)].minus_upper_inverse.square() * -sum;
     }
     for (std::size_t i = 0; i < sizes_.size(); ++i)
@@ -182,6 +192,31 @@ class KernelOf : public BlockFactor::Kernel {
       to += block.template topLeftCorner<N, N>();
     else
       to.topLeftCorner(block.rows(), block.cols()) += block;
+  }
+
+  // Computes y −= a x. Eigen multiplies six rows with more instructions, in the same order.
+  static void subtract(Column& y, const Padded<N>& a, const Column& x) {
+    if constexpr (N != 6) {
+      y.noalias() -= a.square() * x;
+    } else {
+      for (int h = 0; h < 3; ++h) {
+        Two sum{};
+        for (int k = 0; k < 6; ++k) sum += two(a.columns[at(k)].data(), h) * x[k];
+        two(y.data(), h) -= sum;
+      }
+    }
+  }
+  // Computes y −= aᵀ x.
+  static void subtract_transposed(Column& y, const Padded<N>& a, const Column& x) {
+    if constexpr (N != 6) {
+      y.noalias() -= a.square().transpose() * x;
+    } else {
+      for (int j = 0; j < 6; ++j) {
+        Two sum{};
+        for (const int h : {1, 2, 0}) sum += two(a.columns[at(j)].data(), h) * two(x.data(), h);
+        y[j] -= sum[0] + sum[1];
+      }
+    }
   }
 
   // Subtracts from column j the part of column k, which reaches row j by entry `reached`.
