@@ -191,9 +191,11 @@ Action configure_plot(CLI::App& options) {
       ->type_name("NAME")
       ->delimiter(',');
   options.add_option("--against", chosen->against, "what the curves are drawn over (default: time)")->type_name("NAME");
-  options.add_option("--width", chosen->width, "width of the printed picture [mm]; PNG then has 300 dots an inch")
+  options
+      .add_option("--width", chosen->width,
+                  "width of the printed picture, 20 to 1,000 mm; PNG then has 300 dots an inch")
       ->type_name("MM")
-      ->check(above_zero());
+      ->check(CLI::Range(20.0, 1000.0));
   options.add_flag("--numbers", chosen->numbers, "write block or element numbers into the picture if they fit");
   options
       .add_flag(

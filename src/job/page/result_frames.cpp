@@ -193,11 +193,15 @@ class PartReader {
     return kept;
   }
 
-  /// Adds a column of the rows in `taken`.
+  /// Adds a column of the rows in `taken`. Throws InputError if the file has too few numbers.
   void add(PageColumn column, const std::vector<double>& numbers, const std::vector<std::size_t>& taken) {
     rows_.count = taken.size();
-    for (const std::size_t row : taken)
-      for (std::size_t k = 0; k < column.parts; ++k) column.numbers.push_back(numbers.at(row * column.parts + k));
+    for (const std::size_t row : taken) {
+      if ((row + 1) * column.parts > numbers.size())
+        throw InputError({source_.name}, fmt::format("expected {} numbers for each row of {}, found too few",
+                                                     column.parts, column.name));
+      for (std::size_t k = 0; k < column.parts; ++k) column.numbers.push_back(numbers[row * column.parts + k]);
+    }
     rows_.columns.push_back(std::move(column));
   }
 
