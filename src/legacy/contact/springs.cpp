@@ -141,16 +141,18 @@ class SpringSums {
     const TwoColumns<N>& on_high = i == pair.low ? on_j : on_i;
     const TwoColumns<N> scaled_low = on_low * springs.stiffness.asDiagonal();
     const TwoColumns<N> scaled_high = on_high * springs.stiffness.asDiagonal();
-    block<N>(sums.low).noalias() += scaled_low * on_low.transpose();
-    block<N>(sums.high).noalias() += scaled_high * on_high.transpose();
-    block<N>(sums.between).noalias() += scaled_low * on_high.transpose();
+    add_product<N>(scaled_low, on_low, sums.low);
+    add_product<N>(scaled_high, on_high, sums.high);
+    add_product<N>(scaled_low, on_high, sums.between);
     sums.load_low -= scaled_low * springs.stretch;
     sums.load_high -= scaled_high * springs.stretch;
   }
 
+  // Adds a bᵀ, column by column: the compiler inlines such products.
   template <int N>
-  static auto block(UnknownBlock& sum) {
-    return Eigen::Map<Eigen::Matrix<double, N, N>>(sum.data(), sum.rows(), sum.cols());
+  static void add_product(const TwoColumns<N>& a, const TwoColumns<N>& b, UnknownBlock& sum) {
+    Eigen::Map<Eigen::Matrix<double, N, N>> to(sum.data(), sum.rows(), sum.cols());
+    for (Eigen::Index j = 0; j < to.cols(); ++j) to.col(j).noalias() += a * b.row(j).transpose();
   }
 
   const Contacts& contacts_;
