@@ -27,6 +27,7 @@ class Judge {
       const Point offset = state.vertices[v] - state.elements[e].centroid;
       moved_[v] = model.elements[e].basis->displacement(increments[e], offset);
     });
+    for (const JointMaterial& joint : model.joint_materials) tangents_.push_back(joint.friction_tangent());
   }
 
   void operator()(Contact& contact) const {
@@ -39,6 +40,11 @@ class Judge {
   }
 
  private:
+  struct Joint {
+    const JointMaterial& material;
+    double tangent;  ///< of its friction angle
+  };
+
   LineMotion motion(const Triple& t) const { return {moved_[t.vertex], moved_[t.start], moved_[t.end]}; }
 
   double distance_after(const Triple& triple) const {
@@ -62,10 +68,11 @@ class Judge {
   void vertex_edge(Contact& contact) const {
     const Line line = line_of(state_, contact.first);
     const LineMotion u = motion(contact.first);
-    const JointMaterial& joint = model_.joint_at(contact.first.start);
+    const int material = model_.vertices[contact.first.start].joint_material;
+    const Joint joint{model_.joint_material(material), tangents_[static_cast<std::size_t>(material)]};
     const double change = twice_area_change(line, u);
     contact.distance = contact.spring = (line.twice_area() + change) / line.size();
-    if (stays_open(contact, joint)) {
+    if (stays_open(contact, joint.material)) {
       contact.state = ContactState::open;
       return;
     }
@@ -95,26 +102,27 @@ class Judge {
     return (dot(from_p0, l.along()) + dot(u.u1 - u0, l.along()) + dot(from_p0, u.u3 - u.u2)) / l.size();
   }
 
-  bool sticks(const Contact& contact, const JointMaterial& joint, double old_slip) const {
-    const double tangent = joint.friction_tangent();
+  bool sticks(const Contact& contact, const Joint& joint, double old_slip) const {
+    const double tangent = joint.tangent;
     const double slip = std::abs(contact.slip);
     switch (contact.state_before) {
       case ContactState::open:
         return slip < std::abs(tangent * contact.distance);
       case ContactState::locked: {
         const double pressure = contact.distance > 0 ? 0 : -contact.distance * tangent;
-        const double cohesion = contact.bonded ? joint.cohesion * contact.length / penalty_ : 0;
+        const double cohesion = contact.bonded ? joint.material.cohesion * contact.length / penalty_ : 0;
         return pressure + cohesion > slip / rules_.shear_ratio;
       }
       default:
         return sign(old_slip) * contact.slip < -kReversalShare * rules_.scale &&
-               joint.friction_angle_deg > kLockingFrictionDeg;
+               joint.material.friction_angle_deg > kLockingFrictionDeg;
     }
   }
 
   const Model& model_;
   const State& state_;
   Table<VertexIndex, Point> moved_;  ///< displacements: most vertices have several contacts
+  std::vector<double> tangents_;     ///< of joint materials
   const ContactRules& rules_;
   double penalty_;
 };
