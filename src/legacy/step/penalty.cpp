@@ -25,8 +25,10 @@ Misfit misfit(const Contacts& contacts) {
 }
 
 double penetration_share(const Contacts& contacts, const Model& model, const State& state) {
+  Table<ElementIndex, double> sizes(model.elements.size(), 0);  // 0: not computed yet
   const auto size_of = [&](ElementIndex e) {
-    double size = 0;
+    double& size = sizes[e];
+    if (size > 0) return size;
     for (VertexIndex v : model.elements[e].vertices())
       size = std::max(size, distance(state.vertices[v], state.elements[e].centroid));
     return size;
