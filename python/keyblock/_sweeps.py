@@ -160,6 +160,15 @@ _OUTPUTS: dict[str, Callable[[Run], Any]] = {
 _FACTORS = {"fos": "", "fos_joints": "joints", "fos_rock": "rock", "fos_both": "both"}
 
 
+def _check_outputs(out: Iterable[str], histories: Iterable[str]) -> None:
+    """Refuses numbers of measured points that no case has, such as point0.dx and point².dx."""
+    for name in out:
+        followed = name.partition(".")[0]
+        number = followed[len("point"):] if followed.startswith("point") and followed not in histories else ""
+        if number.isdigit() and not (number.isascii() and int(number) > 0):
+            raise ValueError(f"out: expected the number of a measured point, from 1, found {name}")
+
+
 def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, settings: Any) -> dict[str, Any]:
     """Verdict, doubt and outputs of one row of a function: the work of a child."""
     keys = {k: v for k, v in values.items() if k.startswith("/")}
@@ -219,6 +228,8 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     rows = grid(over) if isinstance(over, Mapping) else [_plain_dict(r) for r in over]
     if not callable(out):
         out = (out,) if isinstance(out, str) else tuple(out)
+        history = list(history)
+        _check_outputs(out, [h.partition("=")[0] for h in history])
     if isinstance(case, Case) and not callable(out):
         return _by_program(case, rows, out, jobs, time_limit, memory_limit, profile, settings, folder, shard, history, client)
     if not callable(out) and not set(out) <= {*_OUTPUTS, *_FACTORS}:

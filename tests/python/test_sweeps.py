@@ -122,6 +122,11 @@ class Sweeps(Folder):
         with self.assertRaises(ValueError):
             kb.sweep(slide, {}, out="colour")
 
+    def test_measured_points_count_from_1(self):
+        for name in ("point0.dx", "point00.dx", "point².dx"):
+            with self.assertRaisesRegex(ValueError, "number of a measured point"):
+                kb.sweep(slide(), {FRICTION: [20]}, out=name)
+
     def test_a_function_makes_the_cases(self):
         table = kb.sweep(lambda angle: slide().with_value(FRICTION, angle), {"angle": [10, 20]})
         self.assertEqual(table.columns, ["angle", "verdict", "doubt", "displacement"])
