@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import csv
+import functools
 import hashlib
 import html
 import itertools
@@ -12,6 +13,7 @@ import json
 import os
 import tempfile
 import time
+import types
 from typing import Any, Callable, Iterable, Mapping, Sequence
 
 import numpy as np
@@ -220,6 +222,8 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     are the work of the program `keyblock sweep`, and give its table. history: quantities to follow, for `out`.
 
     folder: keeps the results of rows as they end; a second call with the same arguments computes the missing rows alone.
+    A folder refuses rows of another build of the library or of another function. Functions are compared by name, code,
+    defaults and enclosed values, but not by functions and variables of their module that they use.
     shard: "k/n" computes a part of the rows and returns these alone; a call with all folders' journals in one folder and no
     shard returns the whole table. client: a client of Dask; its workers start the child processes. They must see `folder`.
     """
@@ -275,8 +279,11 @@ def _shard(program: str, command: list[str]) -> None:
 
 def _by_functions(case: Any, rows: list[dict[str, Any]], out: Any, pool: Pool, profile: str | None, settings: Any,
                   folder: StrPath | None, shard: str | None, client: Any) -> Table:
-    journal = _Journal(folder, shard, [case.json() if isinstance(case, Case) else "", "" if callable(out) else out,
-                                       profile, setting_pairs(settings)])
+    task: list[Any] = []
+    if folder is not None:
+        task = [case.json() if isinstance(case, Case) else _identity("case", case),
+                _identity("out", out) if callable(out) else out, profile, setting_pairs(settings)]
+    journal = _Journal(folder, shard, task)
     wanted = [i for i, row in enumerate(rows) if _is_of_shard(_name_of(row), shard)]
     missing = [i for i in wanted if _name_of(rows[i]) not in journal.done]
 
@@ -330,7 +337,8 @@ class _Journal:
 
     def __init__(self, folder: StrPath | None, shard: str | None, task: Any) -> None:
         self.done: dict[str, Any] = {}
-        self.name = hashlib.sha256(json.dumps(task, default=str).encode()).hexdigest()
+        self.heading = {"sweep": hashlib.sha256(json.dumps(task, default=str).encode()).hexdigest(),
+                        "library": f"{_keyblock.version()} {_keyblock.build()}"}
         self.path = ""
         if folder is None:
             return
@@ -340,26 +348,95 @@ class _Journal:
         for file in sorted(os.listdir(folder)):
             if file.startswith("journal") and file.endswith(".jsonl"):
                 self._read(os.path.join(folder, file))
-        if not os.path.exists(self.path):
-            self._append({"sweep": self.name})
+        if not os.path.exists(self.path) or not os.path.getsize(self.path):
+            self._append(json.dumps(self.heading))
 
     def _read(self, path: str) -> None:
-        with open(path, encoding="utf-8") as file:
-            lines = file.read().split("\n")
-        if json.loads(lines[0]).get("sweep") != self.name:
-            raise _keyblock.Error(f"{path}: error: the file belongs to another sweep")
-        for line in lines[1:-1]:  # the last one is empty, or was cut by a kill
-            name, row = json.loads(line)
-            self.done[name] = row
-        if lines[-1] and path == self.path:
-            with open(path, "r+", encoding="utf-8") as file:
-                file.truncate(len("\n".join(lines[:-1]).encode()) + 1)
+        with open(path, "rb") as file:
+            *lines, rest = file.read().split(b"\n")  # a kill leaves a part of the last line
+        if not lines and not json.dumps(self.heading).encode().startswith(rest):
+            raise _keyblock.Error(f"{path}:1: error: expected the first line of this sweep, found another text")
+        for number, line in enumerate(lines, 1):
+            try:
+                entry = json.loads(line)
+            except (ValueError, RecursionError):
+                entry = None
+            if number == 1:
+                self._check_heading(path, entry)
+            elif _is_entry(entry):
+                self.done[entry[0]] = entry[1]
+            else:
+                raise _keyblock.Error(f"{path}:{number}: error: expected a row of a sweep, found another text")
+        if rest and path == self.path:
+            os.truncate(path, os.path.getsize(path) - len(rest))
+
+    def _check_heading(self, path: str, found: Any) -> None:
+        if not isinstance(found, dict) or "sweep" not in found:
+            raise _keyblock.Error(f"{path}:1: error: expected the first line of a sweep, found another text")
+        if found["sweep"] != self.heading["sweep"]:
+            raise _keyblock.Error(f"{path}: error: the file belongs to another sweep: its case, outputs, profile, settings "
+                                  "or functions differ")
+        if found != self.heading:
+            raise _keyblock.Error(f"{path}: error: expected rows of the library {self.heading['library']}, found rows of "
+                                  f"{found.get('library', 'an older one')}")
 
     def add(self, name: str, row: Any) -> None:
-        self.done[name] = row
         if self.path:
-            self._append([name, row])
+            try:
+                text = json.dumps([name, row])
+            except (TypeError, ValueError) as error:
+                row = ({"verdict": "error", "doubt": f"out: expected numbers, text, lists or dicts: {error}"}, row[1])
+                text = json.dumps([name, row])
+            self._append(text)
+            row = json.loads(text)[1]  # as a later call reads it
+        self.done[name] = row
 
-    def _append(self, entry: Any) -> None:
+    def _append(self, line: str) -> None:
         with open(self.path, "a", encoding="utf-8") as file:
-            file.write(json.dumps(entry) + "\n")
+            file.write(line + "\n")
+
+
+def _is_entry(entry: Any) -> bool:
+    """True for [name, [outputs, seconds]]."""
+    if not isinstance(entry, list) or len(entry) != 2 or not isinstance(entry[0], str) or not isinstance(entry[1], list):
+        return False
+    return len(entry[1]) == 2 and isinstance(entry[1][0], dict) and isinstance(entry[1][1], (int, float))
+
+
+def _identity(role: str, function: Any) -> Any:
+    """Identifies a function in a journal. Raises ValueError if it has no code of Python."""
+    if not hasattr(function, "__code__") and not isinstance(function, functools.partial):
+        raise ValueError(f"{role}: expected a function of Python, whose code identifies it in `folder`, found {function!r}")
+    return _mark(function, ())
+
+
+def _mark(value: Any, within: tuple[int, ...]) -> Any:
+    """Describes a value by its content if it is plain, a case or a function, else by its type."""
+    value = _plain(value)
+    if id(value) in within:  # encloses itself
+        return "again"
+    within = (*within, id(value))
+    if value is None or isinstance(value, (bool, int, float, complex, str, bytes)):
+        return repr(value)
+    if isinstance(value, types.CodeType):
+        return [value.co_code.hex(), value.co_names, [_mark(v, within) for v in value.co_consts]]
+    if isinstance(value, functools.partial):
+        return [_mark(v, within) for v in (value.func, value.args, value.keywords)]
+    if hasattr(value, "__code__"):
+        cells = [_content(cell) for cell in value.__closure__ or ()]
+        parts = [_mark(v, within) for v in (value.__code__, value.__defaults__, value.__kwdefaults__, cells)]
+        return [value.__module__, value.__qualname__, *parts]
+    if isinstance(value, (list, tuple)):
+        return [_mark(v, within) for v in value]
+    if isinstance(value, (set, frozenset)):
+        return sorted(json.dumps(_mark(v, within)) for v in value)
+    if isinstance(value, dict):
+        return [[_mark(k, within), _mark(v, within)] for k, v in value.items()]
+    return value.json() if isinstance(value, Case) else f"{type(value).__module__}.{type(value).__qualname__}"
+
+
+def _content(cell: types.CellType) -> Any:
+    try:
+        return cell.cell_contents
+    except ValueError:  # empty
+        return None

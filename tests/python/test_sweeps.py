@@ -2,6 +2,7 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import json
 import math
 import os
 import signal
@@ -147,6 +148,55 @@ class Sweeps(Folder):
         self.assertEqual([list(t["out"]) for t in (second, third)], [list(first["out"])] * 2)
         with self.assertRaises(kb.Error):
             kb.sweep(slide(), over, out=lambda run: 1, settings={"steps": 3}, folder="rows")
+
+    def test_rows_of_another_function_are_refused(self):
+        def times(factor):
+            return lambda run: factor * run.last.time
+        few, over = {"steps": 2}, {FRICTION: [10]}
+        kb.sweep(slide(), over, out=times(1), settings=few, folder="rows")
+        kb.sweep(slide(), over, out=times(1), settings=few, folder="rows")
+        for other in (times(2), lambda run: run.last.time, lambda run: run.last.dt):
+            with self.assertRaisesRegex(kb.Error, "another sweep"):
+                kb.sweep(slide(), over, out=other, settings=few, folder="rows")
+        kb.sweep(lambda angle: slide(), {"angle": [10]}, settings=few, folder="cases")
+        with self.assertRaisesRegex(kb.Error, "another sweep"):
+            kb.sweep(lambda angle: slide().with_value(FRICTION, angle), {"angle": [10]}, settings=few, folder="cases")
+        with self.assertRaisesRegex(ValueError, "function of Python"):
+            kb.sweep(slide(), over, out=print, settings=few, folder="other")
+
+    def test_functions_that_differ_in_a_name_or_a_nested_constant_have_different_marks(self):
+        pairs = [(lambda run: run.last.time, lambda run: run.last.dt), (lambda run: 1, lambda run: 2),
+                 (lambda run: [i + 1 for i in run], lambda run: [i + 2 for i in run]),
+                 (lambda run, a=1: a, lambda run, a=2: a), (lambda run: run in {"a", "b"}, lambda run: run in {"a", "c"})]
+        for first, second in pairs:
+            self.assertNotEqual(kb._sweeps._mark(first, ()), kb._sweeps._mark(second, ()))
+
+    def test_rows_of_another_build_are_refused(self):
+        def call():
+            return kb.sweep(slide(), {FRICTION: [10]}, out=lambda run: 1, settings={"steps": 2}, folder="rows")
+        call()
+        path = self.folder / "rows/journal.jsonl"
+        path.write_text(path.read_text().replace(kb._keyblock.build(), "0" * 40))
+        with self.assertRaisesRegex(kb.Error, "expected rows of the library"):
+            call()
+
+    def test_a_journal_that_was_cut_goes_on_and_another_text_is_one_error(self):
+        def call():
+            return kb.sweep(slide(), {FRICTION: [10, 20]}, out=lambda run: 1, settings={"steps": 2}, folder="rows")
+        call()
+        path = self.folder / "rows/journal.jsonl"
+        whole = path.read_bytes()
+        heading = whole.index(b"\n")
+        for cut in (0, 1, 12, heading, heading + 1, heading + 2, len(whole) - 1):
+            path.write_bytes(whole[:cut])
+            self.assertEqual(list(call()["out"]), [1, 1], cut)
+            self.assertEqual(sorted(json.loads(line)[0] for line in path.read_text().splitlines()[1:]),
+                             sorted(json.loads(line)[0] for line in whole.decode().splitlines()[1:]))
+        for wrong in (b"[1, 2]\n", b"notes", b"\n", b"null\n", whole + b"garbage\n", whole + b"[1]\n", whole + b"\xff\n"):
+            path.write_bytes(wrong)
+            with self.assertRaisesRegex(kb.Error, "journal.jsonl:[14]: error: expected"):
+                call()
+            self.assertEqual(path.read_bytes(), wrong)
 
     def test_shards_together_are_the_whole_table(self):
         over = {FRICTION: [10, 15, 20, 25, 5]}
