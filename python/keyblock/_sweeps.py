@@ -188,7 +188,7 @@ def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, setti
         row["doubt"] = outcome.reason or (outcome.doubts[0].sentence if outcome.doubts else "")
         if callable(out):
             result = out(run)
-            row.update(_plain_dict(result if isinstance(result, dict) else {"out": result}))
+            row.update(_plain_output(result if isinstance(result, dict) else {"out": result}))
             return row
     for name in out:
         if name in _OUTPUTS:
@@ -202,6 +202,21 @@ def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, setti
 
 def _plain_dict(values: Mapping[str, Any]) -> dict[str, Any]:
     return {k: _plain(v) for k, v in values.items()}
+
+
+def _plain_output(value: Any) -> Any:
+    """Numbers of any type as int or float, also within lists and dicts; other values as they are."""
+    value = _plain(value)
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value
+    if isinstance(value, Mapping):
+        return {k: _plain_output(v) for k, v in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain_output(v) for v in value]
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        return value
 
 
 def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterable[Any]] | Iterable[Mapping[str, Any]],

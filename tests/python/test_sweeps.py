@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 import unittest
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -197,6 +198,19 @@ class Sweeps(Folder):
             with self.assertRaisesRegex(kb.Error, "journal.jsonl:[14]: error: expected"):
                 call()
             self.assertEqual(path.read_bytes(), wrong)
+
+    def test_outputs_of_any_type_of_number_are_kept_and_others_are_failed_rows(self):
+        def out(run):
+            third = np.float32(1 / 3)
+            kinds = {10: {"a": {"b": [third, Fraction(1, 2)]}}, 15: {"a": np.longdouble(2)}, 20: {"a": 1j}, 25: {"a": third}}
+            return kinds[run.plan.case.get(FRICTION)]
+        over, few = {FRICTION: [10, 15, 20, 25]}, {"steps": 2}
+        third = float(np.float32(1 / 3))
+        for _ in range(2):
+            table = kb.sweep(slide(), over, out=out, settings=few, folder="rows")
+            self.assertEqual([table[i]["a"] for i in (0, 1, 3)], [{"b": [third, 0.5]}, 2.0, third])
+            self.assertEqual((table[2]["verdict"], math.isnan(table[2]["a"])), ("error", True))
+            self.assertIn("complex", table[2]["doubt"])
 
     def test_shards_together_are_the_whole_table(self):
         over = {FRICTION: [10, 15, 20, 25, 5]}
