@@ -194,7 +194,11 @@ def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, setti
         if name in _OUTPUTS:
             row[name] = _OUTPUTS[name](run)
             continue
-        found = factor_of_safety(case, _FACTORS[name], profile=profile, settings=settings)
+        try:
+            found = factor_of_safety(case, _FACTORS[name], profile=profile, settings=settings)
+        except _keyblock.Error as error:  # such as fos_rock of a case whose rock has no strength: other outputs stay
+            row.update({"verdict": "error", "doubt": str(error), name: float("nan")})
+            continue
         row["verdict"] = row["verdict"] or ("finished" if found.end == "bracketed" else found.end)
         row[name] = found.stands if found.stands is not None else float("nan")
     return row

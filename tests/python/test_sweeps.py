@@ -124,6 +124,14 @@ class Sweeps(Folder):
         with self.assertRaises(ValueError):
             kb.sweep(slide, {}, out="colour")
 
+    def test_an_output_that_is_refused_leaves_the_others(self):
+        row, = kb.sweep(lambda angle: slide().with_value(FRICTION, angle), {"angle": [20]},
+                        out=["fos", "fos_rock", "displacement"], settings={"steps": 10})
+        self.assertEqual((row["verdict"], math.isnan(row["fos_rock"])), ("error", True))
+        self.assertIn("strength", row["doubt"])
+        self.assertGreater(row["fos"], 0)
+        self.assertGreater(row["displacement"], 0)
+
     def test_measured_points_count_from_1(self):
         for name in ("point0.dx", "point00.dx", "point².dx"):
             with self.assertRaisesRegex(ValueError, "number of a measured point"):
