@@ -25,8 +25,9 @@ from ._runs import Run, factor_of_safety
 
 
 class Table(list):  # type: ignore[type-arg]
-    """Rows of a sweep: a list of dicts with the same keys. `table["fos"]` is a column as an array.
+    """Rows of a sweep: a list of dicts. Columns are the keys of all rows; `table["fos"]` is a column as an array.
 
+    A row without a value of a column has nan in the array, and an empty cell in the file.
     `seconds`: wall time of each row; the rows have none, so that a sweep gives the same table on every machine.
     """
 
@@ -37,12 +38,18 @@ class Table(list):  # type: ignore[type-arg]
     def __getitem__(self, key: Any) -> Any:
         if not isinstance(key, str):
             return super().__getitem__(key)
-        return np.array([row[key] for row in self])
+        if self and not any(key in row for row in self):
+            raise KeyError(key)
+        return np.array([row.get(key, float("nan")) for row in self])
 
     @property
     def columns(self) -> list[str]:
         """Names of the columns."""
-        return list(self[0]) if self else []
+        return list(_union(self))
+
+    def _texts(self, rows: Iterable[Mapping[str, Any]], text: Callable[[Any], str]) -> list[list[str]]:
+        columns = self.columns
+        return [[text(row[c]) if c in row else "" for c in columns] for row in rows]
 
     def pandas(self) -> Any:
         """Returns the table as a pandas data frame."""
@@ -54,19 +61,24 @@ class Table(list):  # type: ignore[type-arg]
         with open(path, "w", newline="", encoding="utf-8") as file:
             out = csv.writer(file, lineterminator="\n")
             out.writerow(self.columns)
-            out.writerows([_cell(v) for v in row.values()] for row in self)
+            out.writerows(self._texts(self, _cell))
 
     def _repr_html_(self) -> str:
-        cells = [[_short(v) for v in row.values()] for row in self]
+        cells = self._texts(self, _short)
         rows = ["<tr>" + "".join(f"<td>{html.escape(c)}</td>" for c in row) + "</tr>" for row in cells]
         heading = "".join(f"<th>{html.escape(c)}</th>" for c in self.columns)
         return f"<table><tr>{heading}</tr>{''.join(rows)}</table>"
 
     def __repr__(self) -> str:
-        rows = [[_short(v) for v in row.values()] for row in self[:20]]
+        rows = self._texts(self[:20], _short)
         widths = [max(len(t) for t in column) for column in zip(self.columns, *rows)]
         lines = ["  ".join(t.rjust(w) for t, w in zip(row, widths)) for row in [self.columns, *rows]]
         return "\n".join(lines + ([f"… {len(self)} rows"] if len(self) > 20 else []))
+
+
+def _union(rows: Iterable[Mapping[str, Any]]) -> dict[str, None]:
+    """Keys of all rows, in the order in which they first appear."""
+    return dict.fromkeys(key for row in rows for key in row)
 
 
 def _short(value: Any) -> str:
@@ -162,6 +174,19 @@ _OUTPUTS: dict[str, Callable[[Run], Any]] = {
 _FACTORS = {"fos": "", "fos_joints": "joints", "fos_rock": "rock", "fos_both": "both"}
 
 
+_RESERVED = ("verdict", "doubt", "seconds", "job")
+
+
+def _check_names(inputs: Iterable[str], outputs: Iterable[str]) -> None:
+    """Refuses a column that would hide another one."""
+    for role, names in (("over", inputs), ("out", outputs)):
+        for name in names:
+            if name in _RESERVED:
+                raise ValueError(f"{role}: expected another name than {', '.join(_RESERVED)}, found {name}")
+            if role == "out" and name in inputs:
+                raise ValueError(f"out: expected names that over does not have, found {name}")
+
+
 def _check_outputs(out: Iterable[str], histories: Iterable[str]) -> None:
     """Refuses numbers of measured points that no case has, such as point0.dx and point².dx."""
     for name in out:
@@ -188,7 +213,9 @@ def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, setti
         row["doubt"] = outcome.reason or (outcome.doubts[0].sentence if outcome.doubts else "")
         if callable(out):
             result = out(run)
-            row.update(_plain_output(result if isinstance(result, dict) else {"out": result}))
+            found = _plain_output(result if isinstance(result, dict) else {"out": result})
+            _check_names(list(values), found)
+            row.update(found)
             return row
     for name in out:
         if name in _OUTPUTS:
@@ -233,6 +260,7 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     case: a Case, a path, or a function that takes values by name and returns a Case, such as one that draws joints from a
     seed. over: a dict of lists (all combinations), or a list of dicts, such as `random` returns. A key that begins with /
     is a pointer into the case file, as `Case.with_value` has it; another key is a setting, or an argument of the function.
+    The dicts of a list may have different keys; columns are those of all. verdict, doubt, seconds and job are no keys.
     out: names as those of `keyblock sweep --out` (displacement, fos, point1.dx, crest.vx, ledger.kinetic, …), or a function
     of the finished Run that returns a number or a dict.
 
@@ -249,15 +277,29 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     if not callable(case) and not isinstance(case, Case):
         case = read(case)
     rows = grid(over) if isinstance(over, Mapping) else [_plain_dict(r) for r in over]
+    keys = list(_union(rows))
+    _check_names(keys, ())
+    is_even = all(len(row) == len(keys) for row in rows)  # the program needs the same keys in all rows
     if not callable(out):
         out = (out,) if isinstance(out, str) else tuple(out)
+        _check_names(keys, out)
         history = list(history)
         _check_outputs(out, [h.partition("=")[0] for h in history])
-    if isinstance(case, Case) and not callable(out):
+    if isinstance(case, Case) and not callable(out) and (is_even or not _is_plain(out)):
+        if not is_even:
+            raise ValueError(f"over: expected the same keys in all rows for outputs other than {_plain_names()}")
         return _by_program(case, rows, out, jobs, time_limit, memory_limit, profile, settings, folder, shard, history, client)
-    if not callable(out) and not set(out) <= {*_OUTPUTS, *_FACTORS}:
-        raise ValueError(f"out: expected some of {', '.join([*_OUTPUTS, *_FACTORS])}, found {', '.join(out)}")
+    if not callable(out) and not _is_plain(out):
+        raise ValueError(f"out: expected some of {_plain_names()}, found {', '.join(out)}")
     return _by_functions(case, rows, out, Pool(jobs, time_limit, memory_limit), profile, settings, folder, shard, client)
+
+
+def _is_plain(out: Iterable[str]) -> bool:
+    return set(out) <= {*_OUTPUTS, *_FACTORS}
+
+
+def _plain_names() -> str:
+    return ", ".join([*_OUTPUTS, *_FACTORS])
 
 
 def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jobs: int, time_limit: float | None,
@@ -320,8 +362,12 @@ def _by_functions(case: Any, rows: list[dict[str, Any]], out: Any, pool: Pool, p
     columns.update(dict.fromkeys([] if callable(out) else out))
     for result, _ in done:
         columns.update(dict.fromkeys(result))
-    return Table([{**rows[i], **{c: result.get(c, float("nan")) for c in columns}} for i, (result, _) in zip(wanted, done)],
-                 [seconds for _, seconds in done])
+    keys = _union(rows)
+    whole: list[dict[str, Any]] = []
+    for i, (result, _) in zip(wanted, done):
+        row = {key: rows[i].get(key, float("nan")) for key in keys}
+        whole.append({**row, **{c: result.get(c, float("nan")) for c in columns}})
+    return Table(whole, [seconds for _, seconds in done])
 
 
 def _by_client(client: Any, pool: Pool, work: Callable[[int], Any], missing: list[int]) -> Iterable[tuple[int, Any]]:

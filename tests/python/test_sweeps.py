@@ -2,6 +2,7 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import csv
 import json
 import math
 import os
@@ -136,6 +137,31 @@ class Sweeps(Folder):
         for name in ("point0.dx", "point00.dx", "point².dx"):
             with self.assertRaisesRegex(ValueError, "number of a measured point"):
                 kb.sweep(slide(), {FRICTION: [20]}, out=name)
+
+    def test_rows_of_different_keys_are_one_table(self):
+        table = kb.sweep(slide(), [{FRICTION: 10, "steps": 2}, {"steps": 3}, {FRICTION: 20, "time_step": "1 ms"}], out="time")
+        self.assertEqual(table.columns, [FRICTION, "steps", "time_step", "verdict", "doubt", "time"])
+        np.testing.assert_array_equal(table[FRICTION], [10, math.nan, 20])
+        self.assertIn("1 ms", repr(table))
+        table.write("table.csv")
+        rows = list(csv.reader((self.folder / "table.csv").read_text().splitlines()))
+        self.assertEqual([row[:3] for row in rows[1:]], [["10", "2", ""], ["", "3", ""], ["20", "", "1 ms"]])
+        with self.assertRaisesRegex(ValueError, "same keys"):
+            kb.sweep(slide(), [{FRICTION: 10}, {"steps": 3}], out="point1.dx")
+        kb.Table([{"a": 1}, {"b": 2.5}]).write("free.csv")
+        self.assertEqual((self.folder / "free.csv").read_text(), "a,b\n1,\n,2.5\n")
+        with self.assertRaises(KeyError):
+            kb.Table([{"a": 1}])["b"]
+
+    def test_no_column_hides_another(self):
+        for case in (slide(), lambda steps: slide()):
+            with self.assertRaisesRegex(ValueError, "found steps"):
+                kb.sweep(case, {"steps": [2]}, out=["time", "steps"])
+        for name in ("seconds", "verdict"):
+            with self.assertRaisesRegex(ValueError, name):
+                kb.sweep(lambda **values: slide(), {name: [2]}, out="steps")
+        row, = kb.sweep(slide(), {"steps": [2]}, out=lambda run: {"steps": 7})
+        self.assertEqual((row["steps"], row["verdict"]), (2, "error"))
 
     def test_a_function_makes_the_cases(self):
         table = kb.sweep(lambda angle: slide().with_value(FRICTION, angle), {"angle": [10, 20]})
