@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import atexit
 import json
+import math
 import os
 import sys
 import threading
@@ -19,6 +20,13 @@ StrPath = Union[str, "os.PathLike[str]"]
 _threads = 0  # of a context that does not say; children of a pool set 1
 
 
+def checked(name: str, value: Any, is_whole: bool = False) -> Any:
+    """Returns a number that is finite and at least 0, or None. Raises ValueError."""
+    if value is not None and not (math.isfinite(value) and value >= 0 and (not is_whole or value == int(value))):
+        raise ValueError(f"{name}: expected a {'whole' if is_whole else 'finite'} number of at least 0, found {value}")
+    return int(value) if is_whole and value is not None else value
+
+
 class Context(_keyblock.Context):
     """Stops a computation and limits its threads and its time.
 
@@ -30,6 +38,7 @@ class Context(_keyblock.Context):
     """
 
     def __init__(self, threads: int | None = None, time_limit: float | None = None, progress: bool = False) -> None:
+        checked("time_limit", time_limit)
         super().__init__(_threads if threads is None else threads)
         self._ended = threading.Event()
         if time_limit is not None or progress:

@@ -55,13 +55,14 @@ class _Job:
 class Pool:
     """Runs jobs in child processes, so that a crash ends one job and never the caller.
 
-    jobs: child processes at a time; None means all processors. time_limit: seconds by the clock of each job.
+    jobs: child processes at a time; None or 0 means all processors. time_limit: seconds by the clock of each job.
     memory_limit: MiB of address space of each job. Steps in a child have one thread unless the job asks for more.
     """
 
     def __init__(self, jobs: int | None = None, time_limit: float | None = None, memory_limit: int | None = None) -> None:
-        self.jobs = jobs or os.cpu_count() or 1
-        self.time_limit, self.memory_limit = time_limit, memory_limit
+        self.jobs = _cases.checked("jobs", jobs, is_whole=True) or os.cpu_count() or 1
+        self.time_limit = _cases.checked("time_limit", time_limit)
+        self.memory_limit = _cases.checked("memory_limit", memory_limit, is_whole=True)
         self._running: dict[int, _Job] = {}
         self._selector = selectors.DefaultSelector()
 

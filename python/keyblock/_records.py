@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping
 
 from . import _keyblock
-from ._cases import Case, Context, StrPath, read, setting_pairs
+from ._cases import Case, Context, StrPath, checked, read, setting_pairs
 from ._program import number_of
 
 
@@ -72,6 +72,8 @@ def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, se
     `--frames`. checkpoint_every: seconds. on_step: a function that is called with each step; an exception of it stops the
     run. A run that was stopped, also by Ctrl-C, can be resumed. Raises InputError, SettingError, Error.
     """
+    checked("every", every, is_whole=True)
+    checked("checkpoint_every", checkpoint_every)
     case = case if isinstance(case, Case) else read(case)
     _keyblock.record(case._case, os.fspath(folder), every, force, pictures, checkpoint_every, list(history), contacts, frames,
                      on_step, profile or "", setting_pairs(settings), context or Context())

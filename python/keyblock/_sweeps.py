@@ -276,6 +276,7 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     """
     if not callable(case) and not isinstance(case, Case):
         case = read(case)
+    pool = Pool(jobs, time_limit, memory_limit)  # checks them
     rows = grid(over) if isinstance(over, Mapping) else [_plain_dict(r) for r in over]
     keys = list(_union(rows))
     _check_names(keys, ())
@@ -288,10 +289,10 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     if isinstance(case, Case) and not callable(out) and (is_even or not _is_plain(out)):
         if not is_even:
             raise ValueError(f"over: expected the same keys in all rows for outputs other than {_plain_names()}")
-        return _by_program(case, rows, out, jobs, time_limit, memory_limit, profile, settings, folder, shard, history, client)
+        return _by_program(case, rows, out, pool.jobs, time_limit, memory_limit, profile, settings, folder, shard, history, client)
     if not callable(out) and not _is_plain(out):
         raise ValueError(f"out: expected some of {_plain_names()}, found {', '.join(out)}")
-    return _by_functions(case, rows, out, Pool(jobs, time_limit, memory_limit), profile, settings, folder, shard, client)
+    return _by_functions(case, rows, out, pool, profile, settings, folder, shard, client)
 
 
 def _is_plain(out: Iterable[str]) -> bool:

@@ -44,6 +44,12 @@ class Program(Folder):
         with self.assertRaises(kb.SettingError):
             kb.record("block.json", "first")
 
+    def test_times_between_frames_and_checkpoints_are_checked(self):
+        for wrong in ({"every": -1}, {"checkpoint_every": -1}, {"checkpoint_every": float("nan")}):
+            with self.assertRaisesRegex(ValueError, f"{next(iter(wrong))}: expected"):
+                kb.record(slide(), "out", **wrong)
+        self.assertFalse(Path("out").exists())
+
     def test_an_error_of_a_callback_passes_through_and_the_run_is_resumed(self):
         kb.new("slope", "slope.json")
 

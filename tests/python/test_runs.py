@@ -137,6 +137,11 @@ class Runs(Folder):
             self.assertEqual(run.go_on().end, "stopped")
             self.assertLess(time.monotonic() - began, 5)
 
+    def test_a_time_limit_is_a_finite_number(self):
+        for wrong in (-1, float("nan"), float("inf")):
+            with self.assertRaisesRegex(ValueError, "time_limit: expected"):
+                kb.Context(time_limit=wrong)
+
     def test_a_load_is_a_function_of_time(self):
         still, pushed = kb.Run(slide(), "standard"), kb.Run(slide(), "standard", load=lambda t: (0.0, -9.81 * (t < 2)))
         still.go_on(), pushed.go_on()

@@ -57,6 +57,16 @@ class Pools(Folder):
         with kb.Pool(jobs=1, memory_limit=1500) as pool:
             self.assertEqual([bool(r) for r in pool.map(troubled, ["large", 1])], [False, True])
 
+    def test_numbers_of_jobs_and_limits_are_checked(self):
+        nan, infinite = math.nan, math.inf
+        for wrong in ({"jobs": -1}, {"jobs": 1.5}, {"time_limit": -1}, {"time_limit": nan}, {"time_limit": infinite},
+                      {"memory_limit": -1}):
+            for call in (kb.Pool, lambda **o: kb.sweep(slide(), {FRICTION: [20]}, **o)):
+                with self.assertRaisesRegex(ValueError, f"{next(iter(wrong))}: expected"):
+                    call(**wrong)
+        self.assertEqual(kb.Pool(0).jobs, os.cpu_count())
+        self.assertEqual(kb.sweep(slide(), {"steps": [2]}, jobs=0, out="time")[0]["verdict"], "finished")
+
     def test_children_compute_what_the_caller_computes_also_behind_its_runs(self):
         kb.Run(kb.Plan(self.wall(30, 25), settings={"start": "sudden"}), threads=2).go_on()  # threads of loops exist now
         with kb.Pool(jobs=2) as pool:
