@@ -10,6 +10,7 @@ import hashlib
 import html
 import itertools
 import json
+import math
 import os
 import tempfile
 import time
@@ -118,6 +119,11 @@ def _law(name: str, numbers: Iterable[float], unit: str) -> Distribution:
     return Distribution(f"{name}({','.join(repr(float(n)) for n in numbers)}) {unit}".strip())
 
 
+def _check_deviation(deviation: float) -> None:
+    if not (math.isfinite(deviation) and deviation > 0):
+        raise ValueError(f"deviation: expected a number above 0, found {deviation}")
+
+
 def uniform(low: float, high: float, unit: str = "") -> Distribution:
     """Uniform distribution between two bounds."""
     return _law("uniform", (low, high), unit)
@@ -130,14 +136,24 @@ def triangular(low: float, mode: float, high: float, unit: str = "") -> Distribu
 
 def normal(mean: float, deviation: float, low: float | None = None, high: float | None = None,
            unit: str = "") -> Distribution:
-    """Normal distribution, cut off below `low` and above `high`: no value lies outside."""
+    """Normal distribution, truncated below `low` and above `high`: no value lies outside.
+
+    A fraction p of a row is scaled to the probabilities of the bounds, and then inverted. Raises ValueError for a
+    deviation of 0, and unless low < high.
+    """
+    _check_deviation(deviation)
+    if low is not None and high is not None and not low < high:
+        raise ValueError(f"low: expected a number below high, found {low} and {high}")
     if low is None and high is None:
         return _law("normal", (mean, deviation), unit)
     return _law("normal", (mean, deviation, -1e300 if low is None else low, 1e300 if high is None else high), unit)
 
 
 def lognormal(mean: float, deviation: float, unit: str = "") -> Distribution:
-    """Lognormal distribution with this mean and standard deviation of the value itself."""
+    """Lognormal distribution with this mean and standard deviation of the value itself. Both are above 0."""
+    _check_deviation(deviation)
+    if not (math.isfinite(mean) and mean > 0):
+        raise ValueError(f"mean: expected a number above 0, found {mean}")
     return _law("lognormal", (mean, deviation), unit)
 
 

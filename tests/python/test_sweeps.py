@@ -306,6 +306,21 @@ class Sweeps(Folder):
         self.assertGreaterEqual(min(r["e"] for r in rows), 0)
         self.assertAlmostEqual(statistics.mean(r["f"] for r in rows), 5 / 3, delta=0.02)
 
+    def test_a_truncated_normal_distribution_is_that_of_the_inverse_within_its_bounds(self):
+        law = statistics.NormalDist(20, 3)
+        for low, high in ((17, 24), (None, 15), (22, None), (26, 29)):
+            below, above = 0 if low is None else law.cdf(low), 1 if high is None else law.cdf(high)
+            values = sorted(r["a"] for r in kb.random({"a": kb.normal(20, 3, low, high)}, 400, seed=3))
+            self.assertTrue(all((low is None or low <= v) and (high is None or v <= high) for v in values))
+            shares = [400 * (law.cdf(v) - below) / (above - below) for v in values]
+            self.assertEqual([int(s) for s in shares], list(range(400)))  # one in each part
+
+    def test_numbers_of_distributions_are_checked(self):
+        for call in (lambda: kb.normal(20, 0), lambda: kb.normal(20, -1), lambda: kb.normal(20, math.nan),
+                     lambda: kb.normal(20, 3, low=30, high=10), lambda: kb.normal(20, 3, low=math.nan, high=10),
+                     lambda: kb.lognormal(-1, 1), lambda: kb.lognormal(0, 1), lambda: kb.lognormal(1, 0)):
+            self.assertRaises(ValueError, call)
+
 
 if __name__ == "__main__":
     unittest.main()
