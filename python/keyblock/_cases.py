@@ -11,6 +11,7 @@ import os
 import sys
 import threading
 import time
+import weakref
 from pathlib import Path
 from typing import Any, Iterable, Mapping, Sequence, Union
 
@@ -34,34 +35,43 @@ class Context(_keyblock.Context):
     time_limit: seconds until the context stops what runs under it; None means no limit. The clock starts here.
     progress: True prints the progress of long searches to standard error.
 
-    A context that was stopped stays stopped. `with Context(...) as c:` ends the clock and the progress lines.
+    A context that was stopped stays stopped. The clock and the progress lines end with the context, or with the block of
+    `with Context(...) as c:`.
     """
 
     def __init__(self, threads: int | None = None, time_limit: float | None = None, progress: bool = False) -> None:
         checked("time_limit", time_limit)
         super().__init__(_threads if threads is None else threads)
-        self._ended = threading.Event()
+        ended = self._ended = threading.Event()
         if time_limit is not None or progress:
-            threading.Thread(target=self._watch, args=(time_limit, progress), daemon=True).start()
-
-    def _watch(self, time_limit: float | None, progress: bool) -> None:
-        end = None if time_limit is None else time.monotonic() + time_limit
-        printed = ""
-        while not self._ended.wait(min(1.0, 3600 if end is None else max(0.0, end - time.monotonic()))):
-            if end is not None and time.monotonic() >= end:
-                self.stop()
-                return
-            what, share = self.headway
-            line = f"{what}: {share:.0%}" if share else what
-            if progress and what and line != printed:
-                print(line, file=sys.stderr, flush=True)
-                printed = line
+            of = weakref.ref(self, lambda _: ended.set())  # the thread does not keep the context
+            threading.Thread(target=_watch, args=(of, ended, time_limit, progress), daemon=True).start()
 
     def __enter__(self) -> Context:
         return self
 
     def __exit__(self, *_: object) -> None:
         self._ended.set()
+
+
+def _watch(of: weakref.ref[Context], ended: threading.Event, time_limit: float | None, progress: bool) -> None:
+    """Stops a context at its limit; ends with the context."""
+    end = None if time_limit is None else time.monotonic() + time_limit
+    printed = ""
+    longest = 1.0 if progress else threading.TIMEOUT_MAX
+    while not ended.wait(min(longest, threading.TIMEOUT_MAX if end is None else max(0.0, end - time.monotonic()))):
+        context = of()
+        if context is None:
+            return
+        if end is not None and time.monotonic() >= end:
+            context.stop()
+            return
+        what, share = context.headway
+        del context
+        line = f"{what}: {share:.0%}" if share else what
+        if progress and what and line != printed:
+            print(line, file=sys.stderr, flush=True)
+            printed = line
 
 
 class Case:

@@ -137,6 +137,24 @@ class Runs(Folder):
             self.assertEqual(run.go_on().end, "stopped")
             self.assertLess(time.monotonic() - began, 5)
 
+    def test_a_time_limit_leaves_no_thread(self):
+        def watches():
+            for _ in range(100):  # a thread ends a moment after its context
+                if not (found := [t for t in threading.enumerate() if "_watch" in t.name]):
+                    break
+                time.sleep(0.01)
+            return found
+        context = kb.Context(time_limit=1000)
+        self.assertEqual(kb.Run(slide(), context=context).go_on().end, "finished")
+        self.assertTrue([t for t in threading.enumerate() if "_watch" in t.name])
+        del context
+        gc.collect()
+        self.assertEqual(watches(), [])
+        with kb.Context(time_limit=1000, progress=True) as kept:
+            pass
+        self.assertEqual(watches(), [])
+        self.assertFalse(kept.is_stopped)
+
     def test_a_time_limit_is_a_finite_number(self):
         for wrong in (-1, float("nan"), float("inf")):
             with self.assertRaisesRegex(ValueError, "time_limit: expected"):
