@@ -100,6 +100,8 @@ def joints(spec: dict[str, Any] | StrPath, path: StrPath, seed: int | None = Non
 
 
 def number_of(text: str) -> int | float | str:
+    if "_" in text:  # Python reads 1_0 as 10
+        return text
     for kind in (int, float):
         try:
             return kind(text)  # type: ignore[no-any-return]

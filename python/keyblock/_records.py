@@ -39,7 +39,7 @@ class Results:
     def table(self, name: str) -> Any:
         """Returns a table as a data frame with plain column names; its units are in `attrs["units"]`.
 
-        Without pandas: a dict of lists.
+        Each column has one type: whole numbers, numbers (nan for an empty cell) or text. Without pandas: a dict of lists.
         """
         with open(self.folder / f"{name}.csv", newline="", encoding="utf-8") as file:
             heading, *rows = csv.reader(file)
@@ -48,7 +48,7 @@ class Results:
             plain, _, unit = text.partition(" [")
             names.append(plain)
             units[plain] = unit.rstrip("]")
-        columns = {n: [number_of(row[i]) for row in rows] for i, n in enumerate(names)}
+        columns = {n: _column(n, [row[i] for row in rows]) for i, n in enumerate(names)}
         try:
             import pandas
         except ImportError:
@@ -59,6 +59,19 @@ class Results:
 
     def __repr__(self) -> str:
         return f"<Results {self.folder}: {self.end}>"
+
+
+_TEXTS = ("what", "name", "quantity", "unit", "state")
+
+
+def _column(name: str, cells: list[str]) -> list[Any]:
+    """Values of a column, all of one type. The name of a history may look like a number, and stays text."""
+    if name in _TEXTS:
+        return list(cells)
+    values = [number_of(cell) if cell else float("nan") for cell in cells]
+    if any(isinstance(value, str) for value in values):
+        return list(cells)
+    return values if all(isinstance(value, int) for value in values) else [float(value) for value in values]
 
 
 def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,

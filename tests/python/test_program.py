@@ -2,6 +2,7 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import math
 import subprocess
 import sys
 import unittest
@@ -77,6 +78,18 @@ class Program(Folder):
         self.assertEqual(list(table.columns), ["step", "time", "x1", "y1", "dx1", "dy1"])
         self.assertEqual(table.attrs["units"]["dx1"], "m")
         self.assertEqual(len(table), 101)
+
+    def test_each_column_of_a_table_has_one_type(self):
+        self.write("run.json", {"outcome": {"end": "finished"}})
+        self.write("mixed.csv", "name,unit,count,force [N],mark\n1,m,1,2,3\ntop,,2,,1_0\n")
+        table = kb.Results(self.folder).table("mixed")
+        self.assertEqual([list(table[c]) for c in ("name", "unit", "count", "mark")],
+                         [["1", "top"], ["m", ""], [1, 2], ["3", "1_0"]])
+        self.assertTrue(table["force"][0] == 2.0 and math.isnan(table["force"][1]))
+        kb.new("block", "block.json")
+        found = kb.record("block.json", "out", history=["block:2"], pictures=False).table("histories")
+        self.assertEqual({type(v) for c in ("what", "name", "quantity", "unit") for v in found[c]}, {str})
+        self.assertEqual({float(v).is_integer() for v in found["step"]}, {True})
 
     def test_a_drawing_is_read_with_its_layers(self):
         quarry = kb.read(ROOT / "docs/quarry.dxf", ROOT / "docs/bench.json", layers=ROOT / "docs/quarry_layers.csv")
