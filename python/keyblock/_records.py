@@ -74,6 +74,15 @@ def _column(name: str, cells: list[str]) -> list[Any]:
     return values if all(isinstance(value, int) for value in values) else [float(value) for value in values]
 
 
+def _results(folder: StrPath, outcome: _keyblock.Outcome) -> Results:
+    """Results of a run that has ended; one that was stopped before its first step left no run.json."""
+    if outcome.end != "stopped" or (Path(folder) / "run.json").exists():
+        return Results(folder)
+    results = Results.__new__(Results)
+    results.folder, results.run = Path(folder), {"outcome": {"end": outcome.end}}
+    return results
+
+
 def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
            every: int = 0, history: Iterable[str] = (), force: bool = False, pictures: bool = True, contacts: str = "",
            frames: str = "raw", checkpoint_every: float = 30, on_step: Callable[[_keyblock.Step], Any] | None = None,
@@ -88,9 +97,9 @@ def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, se
     checked("every", every, is_whole=True)
     checked("checkpoint_every", checkpoint_every)
     case = case if isinstance(case, Case) else read(case)
-    _keyblock.record(case._case, os.fspath(folder), every, force, pictures, checkpoint_every, list(history), contacts, frames,
-                     on_step, profile or "", setting_pairs(settings), context or Context())
-    return Results(folder)
+    return _results(folder, _keyblock.record(
+        case._case, os.fspath(folder), every, force, pictures, checkpoint_every, list(history), contacts, frames, on_step,
+        profile or "", setting_pairs(settings), context or Context()))
 
 
 def resume(folder: StrPath, on_step: Callable[[_keyblock.Step], Any] | None = None,
@@ -99,5 +108,4 @@ def resume(folder: StrPath, on_step: Callable[[_keyblock.Step], Any] | None = No
 
     Raises InputError, and SettingError if there is nothing to resume.
     """
-    _keyblock.resume(os.fspath(folder), on_step, context or Context())
-    return Results(folder)
+    return _results(folder, _keyblock.resume(os.fspath(folder), on_step, context or Context()))

@@ -79,6 +79,17 @@ class Program(Folder):
         self.assertEqual(table.attrs["units"]["dx1"], "m")
         self.assertEqual(len(table), 101)
 
+    def test_a_run_that_is_stopped_before_its_first_step_has_results_and_is_resumed(self):
+        kb.new("slope", "slope.json")
+        context, options = kb.Context(), {"settings": {"steps": 5}, "pictures": False}
+        kb.record("slope.json", "out", **options)  # whose run.json must not answer
+        context.stop()
+        results = kb.record("slope.json", "out", force=True, context=context, **options)
+        self.assertEqual((results.end, results.doubts, Path("out/run.json").exists()), ("stopped", [], False))
+        self.assertIn("stopped", repr(results))
+        self.assertEqual(kb.resume("out", context=context).end, "stopped")
+        self.assertEqual(kb.resume("out").run["outcome"]["steps"], 5)
+
     def test_each_column_of_a_table_has_one_type(self):
         self.write("run.json", {"outcome": {"end": "finished"}})
         self.write("mixed.csv", "name,unit,count,force [N],mark\n1,m,1,2,3\ntop,,2,,1_0\n")
