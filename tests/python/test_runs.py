@@ -166,6 +166,14 @@ class Runs(Folder):
         self.assertAlmostEqual(pushed.frame().displacement[1, 0] / still.frame().displacement[1, 0], 2, delta=1e-3)
         self.assertGreater(pushed.load_seconds, 0)
 
+    def test_a_load_covers_the_whole_run(self):
+        times = []
+        run = kb.Run(slide(), settings={"time_step": 1e-4, "steps": 10}, load=lambda t: (0.5, times.append(t) or 0.0))
+        outcome = run.go_on()
+        self.assertEqual(len(times), 11)
+        self.assertGreater(outcome.time, times[-1])  # by round-off
+        self.assertNotIn("acceleration_held_after_table", [w.code for w in outcome.warnings])
+
     def test_200_runs_in_one_process_keep_memory_flat(self):
         plan = kb.Plan(slide())
 
