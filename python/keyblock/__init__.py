@@ -22,14 +22,14 @@ from ._frames import Frame, plot
 from ._pool import Failed, Pool
 from ._program import ProgramError, cases, compare, convert, element, fit, joints, new, program
 from ._records import Results, record, resume
-from ._runs import Run, factor_of_safety, stress_intensity
+from ._runs import Run, Tips, factor_of_safety, stress_intensity
 from ._sweeps import Distribution, Table, choice, grid, lognormal, normal, random, sweep, triangular, uniform
 
 __version__ = _version()
 
 __all__ = [
     "Case", "Context", "Distribution", "Error", "Failed", "Frame", "InputError", "Outcome", "Plan", "Pool", "ProgramError",
-    "Results", "Run", "SettingError", "Step", "Stopped", "Strength", "Table", "Tip", "Trial", "Warning", "cases", "choice",
+    "Results", "Run", "SettingError", "Step", "Stopped", "Strength", "Table", "Tip", "Tips", "Trial", "Warning", "cases", "choice",
     "cite", "compare", "convert", "element", "factor_of_safety", "fit", "grid", "joints", "lognormal", "new", "normal", "plot",
     "program", "random", "read", "record", "resume", "stress_intensity", "sweep", "triangular", "uniform",
 ]

@@ -143,12 +143,19 @@ def factor_of_safety(case: Case | StrPath, what: str = "", within: float = 0.0, 
                                       context or Context())
 
 
+class Tips(list):  # type: ignore[type-arg]
+    """List of Tip. `warnings`: list of Warning, of reading, preparing and computing."""
+
+    def __init__(self, tips: Iterable[_keyblock.Tip] = (), warnings: Iterable[_keyblock.Warning] = ()) -> None:
+        super().__init__(tips)
+        self.warnings = list(warnings)
+
+
 def stress_intensity(case: Case | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
-                     context: _keyblock.Context | None = None) -> list[_keyblock.Tip]:
+                     context: _keyblock.Context | None = None) -> Tips:
     """Returns the stress intensity factors of all crack tips at the end of the loads, as `keyblock sif`: list of Tip.
 
-    `Tip` has x, y, k1, k2, j, kink_deg, k_equivalent, spread and doubt. Raises InputError for a case without cracks.
+    The list has `warnings`. `Tip` has x, y, k1, k2, j, kink_deg, k_equivalent, spread and doubt. Raises InputError for a case without cracks.
     """
     case = case if isinstance(case, Case) else read(case)
-    tips, _ = _keyblock.stress_intensity(case._case, profile or "", setting_pairs(settings), context or Context())
-    return tips
+    return Tips(*_keyblock.stress_intensity(case._case, profile or "", setting_pairs(settings), context or Context()))

@@ -339,6 +339,12 @@ class Studies(unittest.TestCase):
         self.assertAlmostEqual(tip.k1, 3.5327, delta=0.001)  # as keyblock sif prints it
         self.assertEqual(tip.asdict()["k1"], tip.k1)
 
+    def test_stress_intensity_passes_its_warnings_on(self):
+        case = CASES / "stress_intensity" / "edge_crack_05"
+        self.assertEqual(kb.stress_intensity(case).warnings, [])
+        found = kb.stress_intensity(case, settings={"ledger": "off"})
+        self.assertEqual(([w.code for w in found.warnings], len(found)), (["setting_without_effect"], 1))
+
 
 if __name__ == "__main__":
     unittest.main()
