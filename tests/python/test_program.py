@@ -90,6 +90,18 @@ class Program(Folder):
         self.assertEqual(kb.resume("out", context=context).end, "stopped")
         self.assertEqual(kb.resume("out").run["outcome"]["steps"], 5)
 
+    def test_a_recorded_run_of_a_changed_case_is_resumed_with_its_value(self):
+        def end_at_2(step):
+            if step.number == 2:
+                raise ZeroDivisionError
+        few = {"settings": {"steps": 5}, "pictures": False}
+        with self.assertRaises(ZeroDivisionError):
+            kb.record(slide().with_value(FRICTION, 10), "parts", on_step=end_at_2, **few)
+        resumed = kb.resume("parts")
+        self.assertEqual((resumed.end, resumed.run["values"]), ("finished", {FRICTION: 10}))
+        kb.record(slide().with_value(FRICTION, 10), "whole", **few)
+        self.assertEqual(Path("parts/points.csv").read_bytes(), Path("whole/points.csv").read_bytes())
+
     def test_each_column_of_a_table_has_one_type(self):
         self.write("run.json", {"outcome": {"end": "finished"}})
         self.write("mixed.csv", "name,unit,count,force [N],mark\n1,m,1,2,3\ntop,,2,,1_0\n")
