@@ -92,9 +92,9 @@ void on_own_thread(const kb::Context& context, Work work) {
 
 /// Does `work` without Python's lock and returns its result. Throws what it throws, or KeyboardInterrupt.
 template <class Work>
-auto computed(const kb::Context& context, bool is_quick, Work work) {
+auto computed(const kb::Context& context, Work work) {
   using Result = decltype(work());
-  if (is_quick || !is_main_thread()) {
+  if (!is_main_thread()) {
     const py::gil_scoped_release release;
     return work();
   }
@@ -128,7 +128,7 @@ py::array column_of(const kb::Frame& frame, std::string_view part, std::string_v
 class Runner {
  private:
   struct Shared {
-    std::mutex mutex;
+    std::timed_mutex mutex;
     std::shared_ptr<kb::Run> run;
     std::atomic<bool> is_computing{false};  // on a thread of its own
   };
@@ -139,13 +139,30 @@ class Runner {
     std::atomic<bool>& flag_;
   };
 
+  /// Waits for another thread that uses the run. Throws KeyboardInterrupt.
+  std::unique_lock<std::timed_mutex> locked() const {
+    std::unique_lock lock(shared_->mutex, std::try_to_lock);
+    const auto is_locked = [&lock] {
+      const py::gil_scoped_release release;
+      return lock.try_lock_for(kBetweenLooks);
+    };
+    while (!lock.owns_lock() && !is_locked())
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    return lock;
+  }
+
   template <class Work>
   auto with_run(bool is_quick, Work work) {
     if (context_.is_stopped() && shared_->is_computing)
       throw kb::Error("the run was interrupted, and its last computation still ends");
-    return computed(context_, is_quick, [shared = shared_, is_quick, work] {
+    if (is_quick) {
+      auto waited = locked();
+      const py::gil_scoped_release release;
+      const auto lock = std::move(waited);  // ends before Python's lock is taken again
+      return work(*shared_->run);
+    }
+    return computed(context_, [shared = shared_, work] {
       const std::lock_guard lock(shared->mutex);
-      if (is_quick) return work(*shared->run);
       const Computing computing(shared->is_computing);
       return work(*shared->run);
     });
@@ -154,7 +171,7 @@ class Runner {
  public:
   Runner(const kb::Plan& plan, const kb::Context& context)
       : context_(context), is_quick_(plan.unknowns() <= kQuickUnknowns), shared_(std::make_shared<Shared>()) {
-    auto run = computed(context, false, [plan, context] { return std::make_shared<kb::Run>(plan, context); });
+    auto run = computed(context, [plan, context] { return std::make_shared<kb::Run>(plan, context); });
     shared_->run = std::move(run);
   }
 
@@ -343,15 +360,13 @@ void bind_studies(py::module_& m) {
       "factor_of_safety",
       [](const kb::Case& of, const std::string& what, double within, const std::string& profile, const Pairs& settings,
          const kb::Context& context) {
-        return computed(context, false, [=] {
-          return kb::factor_of_safety(of, what, within, {profile, settings}, context);
-        });
+        return computed(context, [=] { return kb::factor_of_safety(of, what, within, {profile, settings}, context); });
       },
       py::arg("case"), py::arg("what"), py::arg("within"), py::arg("profile"), py::arg("settings"), py::arg("context"));
   m.def(
       "stress_intensity",
       [](const kb::Case& of, const std::string& profile, const Pairs& settings, const kb::Context& context) {
-        const kb::Intensity found = computed(context, false, [=] {
+        const kb::Intensity found = computed(context, [=] {
           return kb::stress_intensity(of, {profile, settings}, context);
         });
         return std::make_pair(found.tips, found.warnings);
@@ -400,10 +415,10 @@ class StepCallback {
 /// Does `work` with a function to be called per step, or none.
 template <class Work>
 kb::Outcome recorded(const py::object& on_step, const kb::Context& context, Work work) {
-  if (on_step.is_none()) return computed(context, false, [=] { return work({}); });
+  if (on_step.is_none()) return computed(context, [=] { return work({}); });
   StepCallback callback(on_step, context);  // not const: the copy for the other thread is moved
   try {
-    kb::Outcome outcome = computed(context, false, [=] { return work(callback); });
+    kb::Outcome outcome = computed(context, [=] { return work(callback); });
     callback.rethrow();
     return outcome;
   } catch (const kb::Error&) {
@@ -444,7 +459,7 @@ void bind_case(py::module_& m) {
       .def_static(
           "read",
           [](const std::vector<std::string>& paths, const std::string& unit, double join) {
-            return computed(kb::Context(), false, [=] { return kb::Case::read(paths, {unit, join}); });
+            return computed(kb::Context(), [=] { return kb::Case::read(paths, {unit, join}); });
           },
           py::arg("paths"), py::arg("unit") = "", py::arg("join") = 0)
       .def_property_readonly("warnings", &kb::Case::warnings)
@@ -460,7 +475,7 @@ void bind_case(py::module_& m) {
   py::class_<kb::Plan>(m, "Plan")
       .def(py::init([](const kb::Case& of, const std::string& profile, const Pairs& settings,
                        const std::vector<std::string>& histories, const kb::Context& context) {
-             return computed(context, false, [=] { return kb::Plan(of, {profile, settings, histories}, context); });
+             return computed(context, [=] { return kb::Plan(of, {profile, settings, histories}, context); });
            }),
            py::arg("case"), py::arg("profile"), py::arg("settings"), py::arg("histories"), py::arg("context"))
       .def_property_readonly("profile", &kb::Plan::profile)

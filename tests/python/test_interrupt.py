@@ -3,6 +3,7 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import sys
+import threading
 import time
 import unittest
 from pathlib import Path
@@ -47,6 +48,17 @@ class Interrupts(Folder):
         self.heard("go_on", run.go_on)
         self.assertEqual(run.go_on().end, "stopped")
         self.assertEqual(kb.Run(slide()).go_on().end, "finished")  # other runs go on
+
+    def test_a_wait_for_a_run_of_another_thread(self):
+        run = kb.Run(endless())
+        thread = threading.Thread(target=run.go_on)
+        thread.start()
+        for name, look in (("outcome", lambda: run.outcome), ("frame", run.frame), ("repr", lambda: repr(run))):
+            self.heard(f"wait for {name}", look)
+        self.assertTrue(thread.is_alive())  # the other thread goes on
+        run.stop()
+        thread.join()
+        self.assertEqual(run.outcome.end, "stopped")
 
     def test_steps_of_4901_blocks(self):
         run = kb.Run(kb.Plan(self.wall(70, 70, 1000), settings={"start": "sudden"}))
