@@ -126,7 +126,7 @@ namespace of_impacts {
 // An overlap of this fraction of block size is round-off of a position, which two or three linearised passes reach. In
 // assemblies the remainder is far below the overlap that the next step removes by itself.
 inline constexpr double kNoOverlap = 1e-14;
-inline constexpr double kNoOverlapOfMany = 5e-11;
+inline constexpr double kNoOverlapOfMany = 1e-8;
 inline constexpr int kMostPasses = 10;
 // A body that is hit from two sides may go several times farther than its change of velocity lets it. Beyond this
 // factor, impulses that held one another are out of balance: 500 in a jammed slope.
@@ -136,19 +136,6 @@ inline constexpr double kBalanced = 10;
 // overlap is locked. A pair with room keeps a hundredth, a chain of ten a tenth.
 inline constexpr double kYield = 1e-2;
 inline constexpr double kLocked = 0.1;
-// Assemblies use only such soft pushes; each converges to this fraction of the greatest overlap.
-inline constexpr double kPushed = 1e-3;
-inline constexpr double kLeftToStep = 1e-7;  // of block size, which the next step removes by itself
-inline constexpr double kWorse = 1.1;
-inline constexpr int kMostSoftPasses = 5;
-// With very many contacts, errors of impulses move all connected blocks. Two passes remove such overlaps down to
-// kLeftLate. Overlaps above kDeep, of blocks that fly into each other, lie far apart and are removed as in small
-// scenes.
-inline constexpr int kSoftPassesOfVeryMany = 2;
-inline constexpr double kLeftLate = 1e-4;  // of block size
-inline constexpr double kDeep = 1e-3;      // of block size
-// At the neighbours of the neighbours of overlapping blocks, soft contacts leave a ten-thousandth of a push.
-inline constexpr int kRings = 3;
 // Impulses converge at this fraction of the largest momentum. A residual kLooser times larger still counts if redundant
 // impulses keep the goal out of reach.
 inline constexpr double kImpulseTolerance = 1e-13;
@@ -247,11 +234,18 @@ inline constexpr double kHeldByNothing = 1e10;
 inline constexpr double kRigid = 1e-4;
 // Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue. A free block moves
 // by half that times its weight over the contact stiffness per step. It grows from step to step while nothing moves
-// farther than kFarthest of block size. Glue forces across many blocks redistribute in long steps only.
+// farther than kFarthest of block size. Glue forces across many blocks redistribute in long steps only: it also grows
+// after a step that moved less than kFarthestOfSettling, by at most kSettles of free motion and of the step before.
 inline constexpr double kShortest = 16;
-inline constexpr double kLongest = 4096;
-inline constexpr double kGrowth = 4;
+inline constexpr double kLongest = 1048576;
+inline constexpr double kGrowth = 16;
 inline constexpr double kFarthest = 1e-5;
+inline constexpr double kSettles = 0.5;
+inline constexpr double kFarthestOfSettling = 1e-3;
+// A step stalls if its fraction of free motion is above kStalls of the last one's. A scene that stalls kMostStalls
+// times has no equilibrium near by, and moves.
+inline constexpr double kStalls = 0.95;
+inline constexpr int kMostStalls = 6;
 inline constexpr int kMostSteps = 40;
 inline constexpr int kMostSearches = 4;
 // If a step moves kRises times the last one's fraction of free motion, friction can carry the load in several ways. A
@@ -259,7 +253,7 @@ inline constexpr int kMostSearches = 4;
 inline constexpr double kRises = 2;
 inline constexpr double kShorter = 16;
 // A block that moves by less than this fraction of free motion is in equilibrium.
-inline constexpr double kAtRest = 1e-4;
+inline constexpr double kAtRest = 2e-5;
 // Two steps are equally long if their displacements differ by less than this fraction: the scene then moves under
 // constant forces.
 inline constexpr double kEvenly = 1e-3;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "base/context.hpp"
 #include "base/union_find.hpp"
@@ -47,7 +49,8 @@ class Settling {
   void dissolve() {
     double stiffness = of_settled_start::kShortest;
     double first_share = 0;
-    double last_share = 0;
+    double last_share = 1;  // of free fall
+    int stalls = 0;
     double slid = 0;  // sum of `stiffness` over the steps so far
     for (int i = 0; i < of_settled_start::kMostSteps; ++i) {
       const Motion before = motion_;
@@ -70,7 +73,7 @@ class Settling {
       }
       if (slid == 0) first_share = share;
       slid += stiffness;
-      last_share = share;
+      const double before_share = std::exchange(last_share, share);
       tell_headway("start, glued blocks let go",
                    std::max(double(i + 1) / of_settled_start::kMostSteps,
                             share_of_fall(first_share, share, of_settled_start::kAtRest)));
@@ -79,7 +82,12 @@ class Settling {
         motion_.q = plus(motion_.q, -slid / stiffness, moved_);
         break;
       }
-      if (moved <= of_settled_start::kFarthest * scales_.size)
+      stalls += share > of_settled_start::kStalls * before_share ? 1 : 0;
+      if (stalls >= of_settled_start::kMostStalls) break;  // the scene moves
+      const bool is_near = moved <= of_settled_start::kFarthest * scales_.size;
+      const bool is_settling = share <= of_settled_start::kSettles * std::min(1.0, before_share) &&
+                               moved <= of_settled_start::kFarthestOfSettling * scales_.size;
+      if (is_near || is_settling)
         stiffness = std::min(of_settled_start::kGrowth * stiffness, of_settled_start::kLongest);
     }
   }
@@ -135,20 +143,19 @@ class Settling {
     motion_.constraints = constraints.memory(forces.tail(count - of_faces), motion_.q);
   }
 
-  // Returns false if it finds no forces. It then moves nothing, but contacts that it found stay.
+  // Makes an iteration of statics (docs/theory/07-initial-state-and-statics.md, 7.9). Returns false if it finds no forces. It then moves nothing, but
+  // contacts that it found stay.
   bool step(double stiffness_over_inertia) {
-    const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
-    StandardChoices choices = scene_.settings.standard;
-    choices.force_weight = 1;  // each step ends at its equilibrium; a smaller weight would overshoot
-    const StepRule rule = step_rule(choices, dt);
+    const double tau = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
+    const StepRule rule = resting_rule(tau / std::numbers::sqrt2);
     const double force = of_settled_start::kForceTolerance * scales_.force;
     const ForceTolerance tolerance{force, force, of_settled_start::kForceTolerated * scales_.force};
-    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -dt, dt, rule);
+    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -1, 1, rule);
     for (int search = 1; search < of_settled_start::kMostSearches && made.converged; ++search) {
       const Touches fresh = overlapping_at(made.q, motion_);
       if (fresh.empty()) break;
       found_.insert(found_.end(), fresh.begin(), fresh.end());
-      made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -dt, dt, rule, &made);
+      made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -1, 1, rule, &made);
     }
     if (!made.converged) return false;
     moved_ = plus(made.q, -1, motion_.q);

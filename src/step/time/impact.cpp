@@ -95,10 +95,7 @@ class Separation {
       : scene_(scene),
         touches_(joined(impacts, others)),
         flexibility_(flexibility),
-        tolerable_((has_very_many() ? of_impacts::kLeftToStep
-                    : has_many()    ? of_impacts::kNoOverlapOfMany
-                                    : of_impacts::kNoOverlap) *
-                   scene.size()),
+        tolerable_((has_many() ? of_impacts::kNoOverlapOfMany : of_impacts::kNoOverlap) * scene.size()),
         least_(gaps_of(scene, before, touches_)) {
     result_.q = std::move(q);
     for (std::size_t i = 0; i < touches_.size(); ++i)
@@ -106,22 +103,10 @@ class Separation {
   }
 
   Separated run() {
-    bool is_soft = false;
     for (int pass = 0; pass < of_impacts::kMostPasses; ++pass) {
       leave_if_stopped();
       const std::vector<double> room = room_at(result_.q);
       if (std::ranges::all_of(room, [&](double gap) { return gap >= -tolerable_; })) break;
-      const std::vector<std::size_t> near = has_many() ? near_overlaps(room) : std::vector<std::size_t>();
-      const double deepest = -std::ranges::min(room) / scene_.size();
-      if (pass == 0)
-        is_soft = has_very_many() ? deepest < of_impacts::kDeep : has_many() && 2 * near.size() < touches_.size();
-      if (is_soft) {
-        const bool is_late = has_very_many() && pass >= of_impacts::kSoftPassesOfVeryMany;
-        if (deepest <= (is_late ? of_impacts::kLeftLate : of_impacts::kLeftToStep) ||
-            pass == of_impacts::kMostSoftPasses || !push_softly(room, near))
-          break;
-        continue;
-      }
       const ContactRows rows = rows_with_points(scene_, result_.q, touches_);
       FrictionalProblem problem = problem_of(rows, room);
       const FrictionalSolution push = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
@@ -129,10 +114,7 @@ class Separation {
       UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
       if (push.converged || is_much_better(room, pushed))
         result_.q = std::move(pushed);
-      else if (has_very_many() || (has_many() && result_.locked > 0)) {
-        if (!push_softly(room, near)) break;
-        is_soft = true;
-      } else
+      else
         leave_locked(rows, room, std::move(problem));
     }
     return std::move(result_);
@@ -140,7 +122,6 @@ class Separation {
 
  private:
   bool has_many() const { return touches_.size() > FrictionalProblem::kFewPairs; }
-  bool has_very_many() const { return touches_.size() > FrictionalProblem::kVeryManyPairs; }
 
   std::vector<double> room_at(const UnknownsTable& q) const {
     std::vector<double> room = gaps_of(scene_, q, touches_);
@@ -163,67 +144,11 @@ class Separation {
     return problem;
   }
 
-  static void soften(FrictionalProblem& problem) {
+  // Keeps the overlaps that a soft push would not remove; if there are none such, all overlaps.
+  void leave_locked(const ContactRows& rows, const std::vector<double>& room, FrictionalProblem problem) {
     for (Eigen::Index n = 0; n < static_cast<Eigen::Index>(2 * problem.count()); n += 2)
       if (problem.laws[static_cast<std::size_t>(n / 2)].can_open())
         problem.w.add_to_diagonal(n, of_impacts::kYield * problem.w.diagonal()[n]);
-  }
-
-  // Pushes softly in assemblies, where one or two blocks overlap among thousands in rings: these and their neighbours
-  // give way. The overlap left after a few passes becomes a rest gap of the next step. Returns false without progress.
-  bool push_softly(const std::vector<double>& room, const std::vector<std::size_t>& among) {
-    const double before = std::ranges::min(room);
-    Touches near;
-    std::vector<double> near_room;
-    for (const std::size_t i : among) {
-      near.push_back(touches_[i]);
-      near_room.push_back(room[i]);
-    }
-    const ContactRows rows = rows_with_points(scene_, result_.q, near);
-    FrictionalProblem problem = problem_of(rows, near_room);
-    soften(problem);
-    problem.goal = of_impacts::kPushed * -before / problem.w.diagonal().maxCoeff();
-    problem.acceptable = problem.goal;
-    const FrictionalSolution push = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
-    result_.solves += push.solves;
-    const UnknownsTable pushed = plus(result_.q, 1, answer(rows, flexibility_, push.forces));
-    const std::vector<double> left = room_at(pushed);
-    if (!push.converged || std::ranges::min(left) < of_impacts::kWorse * before) return false;
-    result_.q = pushed;
-    for (std::size_t i = 0; i < touches_.size(); ++i) {
-      if (room[i] >= -tolerable_ || left[i] >= of_impacts::kLocked * room[i]) continue;
-      least_[i] += left[i];
-      ++result_.locked;
-    }
-    return true;
-  }
-
-  // Returns contacts of overlapping blocks, their neighbours, and further rings.
-  std::vector<std::size_t> near_overlaps(const std::vector<double>& room) const {
-    std::vector<bool> is_near(scene_.bodies().size(), false);
-    const auto of = [&](VertexIndex vertex) {
-      return static_cast<std::size_t>(scene_.model.vertices[vertex].element.value);
-    };
-    for (std::size_t i = 0; i < touches_.size(); ++i)
-      if (room[i] < -tolerable_) is_near[of(touches_[i].vertex)] = is_near[of(touches_[i].start)] = true;
-    std::vector<std::size_t> near;
-    for (int ring = 0; ring < of_impacts::kRings; ++ring) {
-      near.clear();
-      const std::vector<bool> before = is_near;
-      for (std::size_t i = 0; i < touches_.size(); ++i) {
-        const std::size_t vertex = of(touches_[i].vertex);
-        const std::size_t edge = of(touches_[i].start);
-        if (!before[vertex] && !before[edge]) continue;
-        near.push_back(i);
-        is_near[vertex] = is_near[edge] = true;
-      }
-    }
-    return near;
-  }
-
-  // Keeps the overlaps that a soft push would not remove; if there are none such, all overlaps.
-  void leave_locked(const ContactRows& rows, const std::vector<double>& room, FrictionalProblem problem) {
-    soften(problem);
     const FrictionalSolution soft = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
     result_.solves += soft.solves;
     const std::vector<double> left = room_at(plus(result_.q, 1, answer(rows, flexibility_, soft.forces)));
