@@ -143,8 +143,8 @@ class Settling {
     motion_.constraints = constraints.memory(forces.tail(count - of_faces), motion_.q);
   }
 
-  // Makes an iteration of statics (docs/theory/07-initial-state-and-statics.md, 7.9). Returns false if it finds no forces. It then moves nothing, but
-  // contacts that it found stay.
+  // Makes an iteration of statics (7.9 in docs/theory/07-initial-state-and-statics.md). Returns false if it finds no
+  // forces. It then moves nothing, but contacts that it found stay.
   bool step(double stiffness_over_inertia) {
     const double tau = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
     const StepRule rule = resting_rule(tau / std::numbers::sqrt2);
