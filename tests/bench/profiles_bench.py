@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a step of profile `standard` costs over one of `legacy`, on the same files, side by side in one run, one thread.
+"""Measures the cost of a step of profile `standard` over one of `legacy`, on the same files, side by side in one run, one thread.
 
-A step is the difference of two runs of different length over their steps, so that reading, the start and writing do not count; each
-is the least of three. The start is what the shorter run took more than its steps. Times alone mean nothing on another machine."""
+The cost of a step is the difference of two runs of different length over their steps, so that reading, initial state and writing do
+not count. Each run is the fastest of three. The cost of the start is the rest of the shorter run. Times alone mean nothing on
+another machine."""
 import argparse
 import csv
 import json
@@ -31,7 +32,7 @@ def run(program, files, profile, steps, folder):
 
 
 def measured(program, files, lengths, folder):
-    """Least seconds by profile and number of steps, profiles and repeats taken in turn; the last reports."""
+    """Returns the least seconds by profile and number of steps, and the last reports. Profiles and repeats alternate."""
     least, reports = {}, {}
     for _ in range(REPEATS):
         for profile in ("legacy", "standard"):

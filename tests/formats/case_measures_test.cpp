@@ -76,7 +76,7 @@ bool takes_both(const Json& schema) {
   return schema.contains("type") && schema["type"].is_array() && schema["type"][0] == "number";
 }
 
-/// The measure of each number of the schema, by its path; none where the table has none.
+/// Returns the measure of each number of the schema, by its path; empty if the table has none.
 void list_numbers(const Json& schema, const std::string& parent, const std::string& key, const std::string& path,
                   std::map<std::string, std::optional<Measure>>& found) {
   if (schema.contains("properties"))
