@@ -12,7 +12,7 @@ from pathlib import Path
 
 LONGEST_SENTENCE = 35  # words
 WIDEST_CELL = 120  # characters
-# plain-english.md: words that say nothing, or that readers take for others.
+# plain-english.md: words without meaning, or that readers misread.
 NEVER = [r"whatever", r"whoever", r"whereto", r"likewise", r"thereof", r"but for", r"for want of", r"in the mean", r"of today",
          r"(?<!there )is none", r"is no number", r"as of that", r"the one\b[^.;]*\bthe other", r"breaks off", r"passed over",
          r"looks whether", r"in the way of", r"in place of", r"hurts?", r"odd"]
@@ -194,7 +194,7 @@ CITATION = re.compile(rf"\b({NAME}(?:,? et al\.|(?:, {NAME})*(?:,? (?:and|&) {NA
 
 
 def works_of(root):
-    """Of the bibliography: (surname of the first author, year) → surnames of the heading."""
+    """Returns the bibliography: (surname of the first author, year) → surnames of the heading."""
     works = {}
     for heading in re.findall(r"^### +(.*?) *$", (root / "docs/theory/references.md").read_text(encoding="utf-8"), re.M):
         names, _, year = heading.rpartition(" ")
