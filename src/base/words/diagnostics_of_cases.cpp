@@ -62,9 +62,6 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "Excavations of the section `covers` are solved by linear statics, which knows no contact. Bodies and the two "
      "sides of a joint pass through each other.",
      "Excavate by `stages`, which resolve contact, or set `contact` to ignored."},
-    {"crack_closure", warning, "Cracks of the rock close at an implausible strain",
-     "closure_strain of the material is above 0.1. Cracks of rock close at a strain of 0.01 or less.",
-     "Give the strain as a number, not in per cent."},
     {"damping_without_effect", note, "The damping of block materials has no effect",
      "The analysis file gives block materials a damping, which no profile reads.",
      "Nothing, if no damping is needed; else --set mass_damping.N or stiffness_damping.N for material N."},
@@ -90,6 +87,9 @@ constexpr auto kCases = std::to_array<Diagnostic>({
     {"horizontal_force_without_effect", warning, "Horizontal body forces have no effect on blocks",
      "The analysis gives a horizontal force per volume. It acts on elements of a cover file only.",
      "Use --set gravity.x=VALUE or --set body_acceleration.x=VALUE."},
+    {"implausible_closure_strain", warning, "Cracks of the rock close at an implausible strain",
+     "closure_strain of the material is above 0.1. Cracks of rock close at a strain of 0.01 or less.",
+     "Give the strain as a number, not in per cent."},
     {"implausible_density", warning, "A density is not plausible in the declared units",
      "Expected are 100 to 25000 kg/m³. A density that would be the unit weight of rock in kN/m³, 15 to 35, is named as "
      "such.",
