@@ -285,7 +285,7 @@ TEST(FosCommand, a_trial_beyond_its_limit_is_given_up_and_the_bracket_told_as_it
   ASSERT_EQ(found["trials"].size(), 1U);
   EXPECT_EQ(found["trials"][0]["verdict"], "undecided");
   EXPECT_EQ(found["trials"][0]["systems"], 2);
-  EXPECT_EQ(found["trials"][0]["why"], "given up after 2 linear systems (--trial-limit)");
+  EXPECT_EQ(found["trials"][0]["why"], "given up after 2 linear solves (--trial-limit)");
   const std::string note = found["notes"].back();
   EXPECT_EQ(note.substr(0, 28), "statics does not decide at 1") << note;
   EXPECT_TRUE(note.ends_with("nothing is known")) << note;
@@ -296,7 +296,7 @@ TEST(FosCommand, a_limit_in_seconds_is_refused_with_the_reason) {
   for (const char* limit : {"60s", "0.5", "-1"}) {
     const ProgramRun run = run_keyblock({"fos", kBlock, "--trial-limit", limit});
     EXPECT_EQ(run.exit_code, 2) << limit;
-    EXPECT_NE(run.messages.find("linear systems"), std::string::npos) << run.messages;
+    EXPECT_NE(run.messages.find("linear solves"), std::string::npos) << run.messages;
     EXPECT_NE(run.messages.find("not in seconds"), std::string::npos) << run.messages;
   }
 }

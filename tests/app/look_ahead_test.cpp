@@ -289,7 +289,7 @@ TEST(LookAhead, a_run_says_it_too_before_its_first_step) {
       support::run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--set", "steps=2"});
   EXPECT_EQ(run.exit_code, 0) << run.messages;
   EXPECT_TRUE(contains(run.messages, "1 note on the case: free_blocks")) << run.messages;
-  EXPECT_TRUE(contains(support::read_text(folder + "/out/run.json"), "1 block touches nothing at the start and moves"));
+  EXPECT_TRUE(contains(support::read_text(folder + "/out/run.json"), "1 block without contact moves"));
 }
 
 // Intended motion in dynamics is a fault in statics.
