@@ -4,7 +4,7 @@
 usage: docs/make_board.py FILE
 
 Values are those of docs/verification/results.json, which `make verification` writes. Costs and extremes are the tables of
-legacy_cases/fronts, docs/random_scenes.md and tests/bench.
+legacy_cases/fronts, docs/random_scenes.md and docs/dev/performance.md.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import html
@@ -216,11 +216,10 @@ def extremes():
 
 
 def speed():
-    page = ROOT / "tests" / "bench" / "README.md"
-    out = ['<h2 id="speed">Speed</h2><p>Times of a shared machine with two threads, ± 30 %; ratios carry over to other machines.'
-           " <code>make bench</code> measures them; tests/bench/README.md explains them.</p>"]
-    for heading, text in {"Brick walls": "Time of a step. Ratios over 1: faster than the Berkeley program on the same machine.",
-                          "Box2D": "Rigid bricks at rest, one thread each. Ratios of steps per second, over those of Box2D.",
+    page = ROOT / "docs" / "dev" / "performance.md"
+    out = ['<h2 id="speed">Speed</h2><p>Processor times of a shared machine; ratios carry over to other machines.'
+           " <code>make bench</code> measures them; docs/dev/performance.md explains them.</p>"]
+    for heading, text in {"Brick walls": "Time of a step on one thread.",
                           "Crack growth": "Parts of a growth step, in linear solves or factorisations of the same mesh."}.items():
         out.append(f"<h4>{heading}</h4><p>{text}</p>" + markdown_tables(page, heading))
     return "".join(out)
