@@ -196,15 +196,14 @@ def card(case, rows, results, theirs):
 
 
 FIGURES = {"sliding_block": "Sliding block", "arch": "Masonry arch", "arch_map": "Masonry arch: contact stiffness and step",
-           "slope": "Held slope, 106 blocks", "cantilever": "Cantilever of 64 blocks", "cook": "Cook's membrane"}
+           "slope": "Jointed slope, 106 blocks", "cantilever": "Cantilever of 64 blocks", "cook": "Cook's membrane"}
 
 
 def cost():
     figures = "".join(f'<figure><img loading="lazy" alt="{html.escape(name)}" src="{picture(FRONTS / (file + ".svg"))}">'
                       f"<figcaption>{html.escape(name)}</figcaption></figure>" for file, name in FIGURES.items())
     return ('<h2 id="cost">Cost of accuracy</h2><p>Relative error, processor time and, in brackets, that time over the time of the cheapest run'
-            " that is as accurate. <code>make fronts</code> measures them; legacy_cases/fronts/README.md explains them."
-            " The held slope was measured before corners were rounded.</p>" +
+            " that is as accurate. <code>make fronts</code> measures them; legacy_cases/fronts/README.md explains them.</p>" +
             markdown_tables(FRONTS / "README.md", "Results", 1) + f'<div class="figures">{figures}</div>')
 
 
