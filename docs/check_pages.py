@@ -7,12 +7,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
 import re
+import statistics
 import sys
 from pathlib import Path
 
 LONGEST_SENTENCE = 35  # words
+LONGEST_MEDIAN = 18  # words of the median sentence of a page
 WIDEST_CELL = 120  # characters
-# plain-english.md: words that say nothing, or that readers take for others.
+# plain-english.md: words without meaning, or that readers misread.
 NEVER = [r"whatever", r"whoever", r"whereto", r"likewise", r"thereof", r"but for", r"for want of", r"in the mean", r"of today",
          r"(?<!there )is none", r"is no number", r"as of that", r"the one\b[^.;]*\bthe other", r"breaks off", r"passed over",
          r"looks whether", r"in the way of", r"in place of", r"hurts?", r"odd"]
@@ -141,6 +143,9 @@ def long_sentences(block):
 
 
 def style_faults(text):
+    lengths = [n for _, block in blocks_of(text) for n in sentence_lengths(block)]
+    if lengths and statistics.median(lengths) > LONGEST_MEDIAN:
+        yield 1, f"the median sentence has {statistics.median(lengths):g} words, more than {LONGEST_MEDIAN}"
     for number, line in enumerate(text.split("\n"), 1):
         if line.lstrip().startswith("|"):
             for cell in cells_of(line):
@@ -194,7 +199,7 @@ CITATION = re.compile(rf"\b({NAME}(?:,? et al\.|(?:, {NAME})*(?:,? (?:and|&) {NA
 
 
 def works_of(root):
-    """Of the bibliography: (surname of the first author, year) → surnames of the heading."""
+    """Returns the bibliography: (surname of the first author, year) → surnames of the heading."""
     works = {}
     for heading in re.findall(r"^### +(.*?) *$", (root / "docs/theory/references.md").read_text(encoding="utf-8"), re.M):
         names, _, year = heading.rpartition(" ")

@@ -1,18 +1,23 @@
-"""Checks the words of the sources: comments and messages of src, formats and include.
+"""Checks the words of the sources: comments and messages in C++, comments and docstrings in Python.
 
 No comment or message has a word of the never-list. No sentence of a comment has more than 35 words. The first comment
 of a header begins with a verb. make_reference.py --check runs it; `python3 docs/check_sources.py` prints the faults.
 With --count it prints figures: first comments without a verb, comments that begin with "Of", median sentences, cells.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import ast
+import io
 import re
 import statistics
 import sys
+import tokenize
 from pathlib import Path
 
 import check_pages
 
-FOLDERS = ("src", "formats", "include")
+FOLDERS = ("src", "formats", "include", "tests", "examples", "python")
+PYTHON_FOLDERS = ("tests", "examples", "python", "docs")
+LISTS_OF_WORDS = ("tests/base/diagnostics_test.cpp", "docs/check_pages.py")  # hold the never-list themselves
 TOKEN = re.compile(r"""//[^\n]*|/\*.*?\*/|R"([^()\s\\]{0,16})\(.*?\)\1"|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'""", re.S)
 VERB = re.compile(r"[A-Z][a-z]+s\b(?<!This)")  # "Computes", as the first word of a header
 BARE_OPENING = re.compile(r"(?:Of|As|By)\b")
@@ -22,6 +27,31 @@ def sources(root):
     for folder in FOLDERS:
         for ending in ("*.hpp", "*.cpp"):
             yield from sorted((root / folder).rglob(ending))
+
+
+def python_sources(root):
+    for folder in PYTHON_FOLDERS:
+        yield from sorted(p for p in (root / folder).rglob("*.py") if "build" not in p.parts)
+
+
+def python_texts(text):
+    """(line, text) of every docstring and comment; comments on lines that follow one another are one."""
+    found = []
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
+            found.append((node.body[0].lineno, ast.get_docstring(node)))
+    last = [-1, "", False]  # line, text, on a line of its own
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type != tokenize.COMMENT:
+            continue
+        alone = not token.line[:token.start[1]].strip()
+        body = token.string.lstrip("#")[1:]
+        if alone and last[2] and token.start[0] == last[0] + last[1].count("\n") + 1:
+            last[1] += "\n" + body
+        else:
+            last = [token.start[0], body, alone]
+            found.append(last)
+    return [(line, body) for line, body, *_ in found]
 
 
 def tokens(text):
@@ -88,7 +118,13 @@ def excluded_words(text):
 
 def faults_of(root):
     faults = []
+    for path in python_sources(root):
+        name = path.relative_to(root).as_posix()
+        for line, body in python_texts(path.read_text(encoding="utf-8")) if name not in LISTS_OF_WORDS else []:
+            faults += [f"{name}:{line}: {fault}" for fault in [*excluded_words(body), *long_sentences(body)]]
     for path in sources(root):
+        if path.relative_to(root).as_posix() in LISTS_OF_WORDS:
+            continue
         text = path.read_text(encoding="utf-8")
         if path.suffix == ".hpp" and not VERB.match(first_sentence(text)):
             faults.append(f"{path.relative_to(root).as_posix()}:1: the first comment does not begin with a verb")

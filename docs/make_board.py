@@ -4,7 +4,7 @@
 usage: docs/make_board.py FILE
 
 Values are those of docs/verification/results.json, which `make verification` writes. Costs and extremes are the tables of
-legacy_cases/fronts, docs/random_scenes.md and tests/bench.
+legacy_cases/fronts, docs/random_scenes.md and docs/dev/performance.md.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import html
@@ -196,15 +196,14 @@ def card(case, rows, results, theirs):
 
 
 FIGURES = {"sliding_block": "Sliding block", "arch": "Masonry arch", "arch_map": "Masonry arch: contact stiffness and step",
-           "slope": "Held slope, 106 blocks", "cantilever": "Cantilever of 64 blocks", "cook": "Cook's membrane"}
+           "slope": "Jointed slope, 106 blocks", "cantilever": "Cantilever of 64 blocks", "cook": "Cook's membrane"}
 
 
 def cost():
     figures = "".join(f'<figure><img loading="lazy" alt="{html.escape(name)}" src="{picture(FRONTS / (file + ".svg"))}">'
                       f"<figcaption>{html.escape(name)}</figcaption></figure>" for file, name in FIGURES.items())
     return ('<h2 id="cost">Cost of accuracy</h2><p>Relative error, processor time and, in brackets, that time over the time of the cheapest run'
-            " that is as accurate. <code>make fronts</code> measures them; legacy_cases/fronts/README.md explains them."
-            " The held slope was measured before corners were rounded.</p>" +
+            " that is as accurate. <code>make fronts</code> measures them; legacy_cases/fronts/README.md explains them.</p>" +
             markdown_tables(FRONTS / "README.md", "Results", 1) + f'<div class="figures">{figures}</div>')
 
 
@@ -216,11 +215,10 @@ def extremes():
 
 
 def speed():
-    page = ROOT / "tests" / "bench" / "README.md"
-    out = ['<h2 id="speed">Speed</h2><p>Times of a shared machine with two threads, ± 30 %; ratios carry over to other machines.'
-           " <code>make bench</code> measures them; tests/bench/README.md explains them.</p>"]
-    for heading, text in {"Brick walls": "Time of a step. Ratios over 1: faster than the Berkeley program on the same machine.",
-                          "Box2D": "Rigid bricks at rest, one thread each. Ratios of steps per second, over those of Box2D.",
+    page = ROOT / "docs" / "dev" / "performance.md"
+    out = ['<h2 id="speed">Speed</h2><p>Processor times of a shared machine; ratios carry over to other machines.'
+           " <code>make bench</code> measures them; docs/dev/performance.md explains them.</p>"]
+    for heading, text in {"Brick walls": "Time of a step on one thread.",
                           "Crack growth": "Parts of a growth step, in linear solves or factorisations of the same mesh."}.items():
         out.append(f"<h4>{heading}</h4><p>{text}</p>" + markdown_tables(page, heading))
     return "".join(out)

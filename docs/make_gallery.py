@@ -3,7 +3,7 @@
 
 usage: docs/make_gallery.py PROGRAM FOLDER
 
-FOLDER gets one results folder a scene and index.html, which names the command of each picture. Earlier results in these
+FOLDER gets one results folder per scene and index.html, which names the command of each picture. Earlier results in these
 folders are overwritten. The exit code is 1 if a scene was not drawn.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -18,7 +18,7 @@ from make_board import STYLE
 
 ROOT = Path(__file__).resolve().parent.parent
 
-# Name, title, what the picture shows, picture, command without -o.
+# Name, title, contents of the picture, picture, command without -o.
 SCENES = [
     ("tunnel", "Tunnel in three stages", "Excavation of a tunnel in jointed rock, with bolts: vertical stress after the last stage.", "field.svg",
      "run docs/tunnel.json"),

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the verification manual, docs/verification: one page a case of legacy_cases, and an index.
+"""Writes the verification manual, docs/verification: one page per case of legacy_cases, and an index.
 
 usage: docs/make_verification.py PROGRAM [--from FILE] [--no-pictures]
        docs/make_verification.py --text
@@ -143,7 +143,7 @@ def kept_results(program, report):
 
 
 def results_text(results):
-    """JSON with one value a line, so that changes are easy to read."""
+    """JSON with one value per line, so that changes are easy to read."""
     def lines(rows):
         return ",\n    ".join(json.dumps({k: v for k, v in row.items() if v not in (False, "", [])}, ensure_ascii=False,
                                          separators=(",", ":")) for row in rows)

@@ -62,7 +62,7 @@ def chains(edges):
     for a, b in edges:
         others.setdefault(a, []).append(b)
         others.setdefault(b, []).append(a)
-    # Ends of odd degree first, so that a chain ends only where it has to.
+    # Ends of uneven degree first, so that a chain ends only where it has to.
     for begin in sorted(others, key=lambda node: (len(others[node]) % 2 == 0, node)):
         while others[begin]:
             chain = [begin]

@@ -9,7 +9,7 @@ namespace kb = keyblock::api;
 
 namespace {
 
-// Each run has a context of its own: two runs of one process know nothing of each other.
+// Each run has a context of its own: two runs of one process do not affect each other.
 double way_at(const kb::Case& base, double friction) {
   const kb::Context context(1);
   const kb::Case changed = base.with("/analysis/joint_materials/0/friction_angle_deg", friction);

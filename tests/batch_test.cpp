@@ -1,4 +1,4 @@
-// A batch as a user meets it: an archive of many habits catalogued, killed in the middle and resumed, run and compared.
+// A batch from the command line: an archive of many kinds of names is catalogued, killed and resumed, run and compared.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -40,7 +40,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// Copies the two files of a case of ours.
+/// Copies the two files of a case.
 void copy_case(const std::string& name, const fs::path& folder) {
   fs::create_directories(folder);
   for (const char* ending : {".geo", ".blk", ".ana"})
@@ -136,12 +136,12 @@ TEST(Batch, a_run_compares_the_old_rules_with_the_new_and_both_with_what_is_expe
   EXPECT_EQ(standard["profile"], "standard");
   EXPECT_NEAR(standard["time"].get<double>(), 1, 1e-9);
   EXPECT_NEAR(std::hypot(standard["dx"].get<double>(), standard["dy"].get<double>()), travel, 1e-6);
-  EXPECT_NEAR(job["difference"].get<double>(), 0.0018, 1e-4);  // friction of the old program lags a step behind
+  EXPECT_NEAR(job["difference"].get<double>(), 0.0018, 1e-4);  // friction of the Berkeley program lags a step behind
   for (const char* file : {"legacy/run.json", "standard/run.json", "legacy.log", "standard.log"})
     EXPECT_TRUE(fs::exists(root / "out/jobs/a30_p20/a30_p20.geo" / file)) << file;
 }
 
-// A block that slides, asked for equilibrium; a bar that cannot bend, of which both tasks warn.
+// A block that slides, in a static case; a bar that cannot bend, of which both tasks warn.
 TEST(Batch, no_equilibrium_is_a_verdict_of_its_own_and_warnings_are_those_of_the_check) {
   const fs::path root = fresh_folder("batch_mechanism");
   fs::create_directories(root / "in");
@@ -160,7 +160,7 @@ TEST(Batch, no_equilibrium_is_a_verdict_of_its_own_and_warnings_are_those_of_the
     const bool is_told = run.messages.find("1 without equilibrium (50 %)") != std::string::npos;
     EXPECT_EQ(is_told, run.exit_code == 1) << run.messages;
     EXPECT_NE(run.messages.find("; 2 with warnings;"), std::string::npos)
-        << "also of what then fails: " << run.messages;
+        << "also of a job that fails later: " << run.messages;
   }
   const auto checked = jobs_in(root / "out/--check");
   const auto made = jobs_in(root / "out/--run");
@@ -245,7 +245,7 @@ TEST(Batch, an_interrupted_batch_finishes_what_runs_and_exits_130) {
   }
 }
 
-// The job that runs is finished, and none is left: the batch is done.
+// The batch finishes the running job; it was the last one, so that the batch is done.
 TEST(Batch, a_stop_during_the_last_job_leaves_nothing_undone) {
   const fs::path root = fresh_folder("batch_stopped_last");
   copy_case("sliding_block/a30_p20/a30_p20", root / "in");
@@ -290,7 +290,7 @@ TEST(Batch, wrong_usage_and_folders_in_use_are_exit_2) {
 
 TEST(Batch, results_never_land_on_an_archive_or_among_other_files) {
   const fs::path root = fresh_folder("batch_guard");
-  copy_case("stack/five_blocks/five_blocks", root / "jobs");  // where the results of -o root would go
+  copy_case("stack/five_blocks/five_blocks", root / "jobs");  // place of the results of -o root
   const std::string before = read_text(root / "jobs/five_blocks.geo");
   for (const char* out : {"", "jobs", "jobs/../jobs/"}) {
     const ProgramRun run = run_keyblock({"batch", root / "jobs", "--run", "-o", root / out, "--force"});
@@ -355,7 +355,7 @@ TEST(Batch, files_whose_names_are_not_utf_8_are_in_the_catalogue) {
       << jobs_in(root / "broken")[0];
 }
 
-// Address space is limited for the whole batch; the file's numbers alone take more.
+// The limit of address space is that of the whole batch; the numbers of the file alone take more.
 TEST(Batch, a_file_that_memory_does_not_suffice_for_fails_alone) {
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "the sanitizer reserves more than any limit";
@@ -400,8 +400,8 @@ TEST(Batch, every_case_is_converted_and_comes_back_as_the_same_scene) {
   EXPECT_EQ(run_keyblock({"batch", root / "in", "--convert", "paper", "-o", root / "none"}).exit_code, 2);
 }
 
-// A bar held at two points under a load, by the old static steps: few of them reach a share of the way, which the far
-// longer steps of the second file, and equilibria, tell. 5 % is left for the modes beside the slowest.
+// A bar fixed at two points under a load, by Shi's static steps. Few of them reach a small part of the equilibrium, as
+// the far longer steps of the second file and the equilibria show. 5 % is left for the modes beside the slowest.
 TEST(Batch, manifold_pairs_are_catalogued_with_their_scene_and_what_both_profiles_come_to) {
   const fs::path root = fresh_folder("batch_pairs_on_covers");
   write_text(root / "bar.geo",

@@ -1,5 +1,4 @@
-// Every case has its input, its README of four headings, and a table whose values state tolerance, reason and
-// source.
+// Every case has its input, a README with four headings, and a table whose values have tolerance, reason and source.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -76,7 +75,7 @@ TEST(CaseTables, no_tolerance_is_so_wide_that_standing_still_would_pass) {
     for (const CsvRow& row : table.rows) {
       const double value = csv_real(table, row, csv_column(table, "value"));
       if (value == 0) continue;
-      // A verdict asks only whether it fell or slid at all.
+      // A verdict depends only on fall or slip.
       const bool is_verdict = row.cells[csv_column(table, "tolerance_reason")].starts_with("verdict: ");
       const bool is_listed = row.cells.size() > 8 && !row.cells[8].empty();  // a miss cannot pass
       const bool is_of_benchmark = row.cells[csv_column(table, "tolerance_reason")].starts_with("asked for: ");

@@ -1,4 +1,4 @@
-// Every legacy case holds in both profiles, and in every variant, within the stated tolerances.
+// Every legacy case agrees with its values in both profiles, and in every variant, within the stated tolerances.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace keyblock::study {
 
-/// How GoogleTest names a case in its output; it looks in the namespace of the type.
+/// Name of a case in the output of GoogleTest, which looks in the namespace of the type.
 void PrintTo(const CaseFolder& folder, std::ostream* out) {
   *out << folder.name;
 }

@@ -1,4 +1,5 @@
-// The program as a user meets it: help texts, exit codes, what is written where, and never over another's file.
+// The program from the command line: help texts, exit codes, the place of each output, and files of others that stay
+// untouched.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -229,7 +230,7 @@ TEST(Commands, a_run_that_cannot_go_on_says_why_saves_its_state_and_exits_4) {
   EXPECT_TRUE(contains(read_text(out + "/fields.pvd"), ".vtu"));
 }
 
-// The old rules throw a dropped block up with 1.4 times the energy it came with; `standard` at e = 0 does not.
+// Shi's rules throw a dropped block up with 1.4 times its energy before; `standard` at e = 0 does not.
 TEST(Commands, a_run_that_makes_energy_ends_with_1_and_the_reason) {
   const std::string out = fresh_folder("doubts") + "/out";
   const std::vector<std::string> old{"run", kCases + "restitution/e_000", "-o", out, "--force", "--profile", "legacy"};
@@ -379,7 +380,7 @@ TEST(Commands, compare_exits_1_when_a_value_is_missed) {
   EXPECT_TRUE(contains(missed.output, "MISSED"));
 }
 
-// Two gigabytes of a disk image were read whole before the first byte said what it is.
+// The first byte shows the kind of a file; two gigabytes of a disk image must not be read.
 TEST(Commands, a_long_file_that_is_no_text_is_refused_by_its_beginning) {
   const std::string file = fresh_folder("sparse") + "/disk.img";
   support::write_text(file, "");
@@ -392,7 +393,7 @@ TEST(Commands, a_long_file_that_is_no_text_is_refused_by_its_beginning) {
   EXPECT_LT(check.peak_megabytes, 1000);
 }
 
-// The least number there is: history.csv was written, and the picture of its curves ended the program by a signal.
+// The least number there is: history.csv is written, and the picture of its curves must not end the program.
 TEST(Commands, a_run_of_steps_as_short_as_numbers_go_has_its_picture) {
   const std::string folder = fresh_folder("denormal") + "/out";
   const std::string rests = kCases + "sliding_block/a30_p35/a30_p35";
@@ -403,7 +404,7 @@ TEST(Commands, a_run_of_steps_as_short_as_numbers_go_has_its_picture) {
   EXPECT_TRUE(std::filesystem::exists(folder + "/run.json"));
 }
 
-// Under 1e15 N a block is past the roof over it after one step: no contact says how deep it once was.
+// Under 1e15 N a block is past the roof over it after one step: no contact shows its depth.
 TEST(Commands, a_step_that_throws_a_block_through_others_is_not_to_be_trusted) {
   const std::string folder = fresh_folder("thrown");
   support::write_text(folder + "/thrown.json", R"({"keyblock": 1,

@@ -1,5 +1,5 @@
-// Drawings as people draw them: an outline with joints right through it, whose number of blocks is known, with gaps,
-// doubles, hidden layers, symbols and wrong units. Each gives that number, or is told with the place.
+// Drawings as people draw them: an outline crossed by joints, with a known number of blocks, and with gaps, doubles,
+// hidden layers, symbols and wrong units. Each gives that number, or a message with the place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using formats::Reading;
 
 constexpr int kDrawingsOfAKind = 10;
 
-/// A rectangle with joints right through it, turned and moved.
+/// A rectangle crossed by joints, rotated and moved.
 class Sheet {
  public:
   explicit Sheet(unsigned seed) : random_(seed) {
@@ -99,7 +99,7 @@ std::string sentence(const Warnings& warnings, const std::string& name) {
   return "";
 }
 
-/// Blocks, their area over that of the sheet, and everything said.
+/// Returns the number of blocks, their area over that of the sheet, and all messages.
 struct Cut {
   std::size_t blocks = 0;
   double area = 0;

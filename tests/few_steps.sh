@@ -2,8 +2,7 @@
 # Runs three steps of every case of legacy_cases under both profiles, by a program that is built with sanitizers.
 # usage: tests/few_steps.sh PROGRAM JOBS
 # exit code: 0 no fault; 1 a sanitizer reported one, or a signal ended a run. Reports are in the folder that is named.
-# Whether values hold is not asked: a run may end with any exit code of its own. One that takes more than two minutes is
-# cut off and named.
+# Values are not checked: a run may end with any exit code of its own. A run of more than two minutes is cut off and named.
 # SPDX-License-Identifier: GPL-3.0-or-later
 export ASAN_OPTIONS=detect_stack_use_after_return=1:exitcode=99 UBSAN_OPTIONS=print_stacktrace=1:exitcode=99
 

@@ -30,7 +30,7 @@ bool is_source(const fs::path& file) {
   return file.extension() == ".hpp" || file.extension() == ".cpp";
 }
 
-/// How many sources below these folders were looked at.
+/// Returns the number of sources below these folders.
 int each_source(std::initializer_list<const char*> folders,
                 const std::function<void(const std::string& name, const std::vector<std::string>& lines)>& look) {
   int sources = 0;
@@ -49,7 +49,7 @@ int each_source(std::initializer_list<const char*> folders,
 
 constexpr int kMostLines = 60;  // of a function, from its head to its closing brace
 
-/// Whether a line at the margin begins a function, as .clang-format lays it out; members stand further in and are
+/// Returns true if a line at the margin begins a function, as .clang-format lays it out. Members are indented and
 /// shorter than their class.
 bool may_begin_function(const std::string& line) {
   constexpr std::array<std::string_view, 9> kOthers{
@@ -59,13 +59,13 @@ bool may_begin_function(const std::string& line) {
          std::ranges::none_of(kOthers, [&](std::string_view word) { return line.starts_with(word); });
 }
 
-constexpr int kMostLinesOfClass = 250;  // of its body and of the members that stand outside it
+constexpr int kMostLinesOfClass = 250;  // of its body and of the members outside it
 
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The class or struct whose body begins with this line; empty: none does.
+/// Returns the class or struct whose body begins with this line; empty if none does.
 std::string class_begun(const std::string& line) {
   const std::size_t first = line.find_first_not_of(' ');
   if (first == std::string::npos || !line.ends_with('{')) return {};
@@ -79,7 +79,7 @@ std::string class_begun(const std::string& line) {
   return {};
 }
 
-/// The class of a member that begins with this line at the margin; empty: it is none.
+/// Returns the class of a member that begins with this line at the margin; empty if there is none.
 std::string class_of_member(const std::string& line) {
   const std::string_view head = std::string_view(line).substr(0, line.find('('));
   const std::size_t at = head.rfind("::");
@@ -94,8 +94,8 @@ struct ClassLines {
   std::size_t lines = 0;
 };
 
-/// Of a unit, its header and its source being one: units may each have a class of one name. All of the public library
-/// are one, whose header stands apart.
+/// Classes of a unit, which is a header and its source: units may each have a class of one name. The public library is
+/// one unit, with its header in another folder.
 std::map<std::string, ClassLines> lines_of_classes() {
   std::map<std::string, ClassLines> classes;
   each_source({"include", "src", "formats"}, [&](const auto& name, const auto& lines) {
@@ -138,8 +138,8 @@ TEST(Layout, no_line_of_a_source_is_longer_than_120_characters) {
   EXPECT_GT(sources, 600);
 }
 
-// What a block and a body on covers do differently is said by their groups (step/groups) and by how their points move
-// (contact/rows/point_motion).
+// Groups (step/groups) and the motion of points (contact/rows/point_motion) hold all differences between DDA blocks and
+// NMM bodies.
 TEST(Layout, no_line_of_step_and_contact_outside_the_groups_asks_whether_elements_are_on_covers) {
   constexpr std::array<std::string_view, 4> kGroups{"/step/bodies/", "/step/groups/", "/contact/rows/point_motion",
                                                     "/step/linear_stepper"};

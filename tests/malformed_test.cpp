@@ -1,8 +1,8 @@
-// The malformed inputs that brought the Berkeley program down each get the error or the named warning of the table,
-// from the program itself, in little time and memory.
-// The places, sentences and warning names of the table are our own wording, written down from our own output after
-// reading it: they guard against change. Only `final_dy` comes from elsewhere (the Berkeley program, or free fall);
-// four accepted inputs have none: 00_control_orig, 10_crlf_orig, 08_open_polygon_xml, 11_fixed_outside_xml.
+// The malformed inputs that crashed the Berkeley program each get the error or the named warning of the table, from the
+// program itself, in little time and memory.
+// The places, sentences and warning names of the table are Keyblock's own wording, copied from its output after a
+// reading: they guard against change. Only `final_dy` comes from elsewhere (the Berkeley program, or free fall). Four
+// accepted inputs have none: 00_control_orig, 10_crlf_orig, 08_open_polygon_xml, 11_fixed_outside_xml.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ struct Expectation {
   std::string outcome;  ///< ok, warning or error
   std::string place;    ///< of the error or warning; empty: anywhere
   std::string says;     ///< part of the error's sentence, or the names of the warnings, separated by blanks
-  double final_dy = 0;  ///< of the measured point: what the right result is
+  double final_dy = 0;  ///< of the measured point: the right result
   bool has_result = false;
 };
 
@@ -80,8 +80,8 @@ void expect_warnings(const Expectation& row, const support::ProgramRun& run) {
   EXPECT_EQ(names, row.says);
 }
 
-// The last dy of the measured point: that of the Berkeley program on the same scene without the fault (its tables, nine
-// digits), on the faulty input where it was right, or free fall.
+// The last dy of the measured point. It is that of the Berkeley program on the same scene without the fault (its
+// tables, nine digits), on the faulty input if it was right there, or free fall.
 void expect_result(const Expectation& row, const std::string& folder) {
   const formats::CsvTable history = formats::read_csv(formats::load(folder + "/history.csv"));
   // Behind the name stands the unit that the case declares.
@@ -96,7 +96,7 @@ void expect_result(const Expectation& row, const std::string& folder) {
 struct HostileRow {
   std::string input;
   std::string command;  ///< check, run (profile legacy), standard (run under it), cut, fit or joints
-  std::string outcome;  ///< warning, error, doubt: a run that ends with 1, or ok: nothing is said
+  std::string outcome;  ///< warning, error, doubt (a run that ends with 1), or ok (no message)
   std::string place;    ///< line and column; empty: the file
   std::string says;     ///< part of the sentence
 };
@@ -111,7 +111,7 @@ std::vector<HostileRow> hostile_rows() {
 
 support::ProgramRun run_hostile(const HostileRow& row, const std::string& out) {
   const std::string input = kFolder + "hostile/" + row.input;
-  // Whether a run would go is another question.
+  // `check` does not decide if a run would end well.
   if (row.command == "check") return support::run_keyblock({"check", input, "--trial", "0"});
   if (row.command == "cut") return support::run_keyblock({"cut", input, "-o", out});
   if (row.command == "fit") return support::run_keyblock({"fit", input});
@@ -126,8 +126,8 @@ bool has_control_characters(const std::string& text) {
 
 }  // namespace
 
-// Numbers, places and shapes that no engineer writes and a program that writes files may: what once crashed, hung, was
-// computed to nothing or was passed over in silence. The table is our own wording, as that beside it.
+// Numbers, places and shapes that no engineer writes, but programs may. Each crashed, hung, gave nothing or was ignored
+// without a message before. The table is Keyblock's own wording, as that beside it.
 TEST(Malformed, hostile_inputs_are_refused_or_named_at_their_place) {
   const std::vector<HostileRow> rows = hostile_rows();
   ASSERT_GE(rows.size(), 60U);

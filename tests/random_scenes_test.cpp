@@ -1,5 +1,5 @@
 // Random stacks and slopes in small: drawn alike every time, replayed from their files, and every step of profile
-// `standard` converges. The full count is `make validate`'s.
+// `standard` converges. `make validate` has the full count.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/validate/random_scenes.hpp"
 
@@ -30,8 +30,8 @@ TEST(RandomScenes, profile_standard_converges_without_cutting_and_never_ends_ear
   }
 }
 
-// Strain rates turned into rigid velocity, and overlaps pushed out within a step, once gave these slopes 1.5e-3, 5.6e-4
-// and 1e-5 of m g h, and let their centre of mass rise.
+// These slopes must not gain energy, nor their centre of mass rise. Strain rates made into rigid velocity, and overlaps
+// pushed out within a step, once gave them 1.5e-3, 5.6e-4 and 1e-5 of m g h.
 TEST(RandomScenes, slopes_of_short_steps_gain_no_energy) {
   std::vector<SceneRun> runs;
   for (const std::uint64_t seed : {43, 23, 117})
@@ -39,8 +39,8 @@ TEST(RandomScenes, slopes_of_short_steps_gain_no_energy) {
   for (const std::string& miss : misses_of_standard(shares_of(runs))) ADD_FAILURE() << miss;
 }
 
-// Once a chance of round-off cut the first step of this slope: a sliver was sent off 55 times its size by the
-// acceleration that it begins from. Steps that differ by a billionth have other round-off.
+// Round-off may cut the first step of this slope: its first acceleration once moved a sliver by 55 times its size.
+// Steps that differ by a billionth have other round-off.
 TEST(RandomScenes, a_sliver_sent_off_by_its_acceleration_cuts_no_step) {
   RandomScene scene = random_slope(117);
   scene.problem.analysis->step_count = 4;

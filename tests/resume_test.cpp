@@ -1,4 +1,4 @@
-// `run --resume` as a user meets it: runs that were killed or stopped end with the bytes of the run that was not.
+// `run --resume` from the command line: killed or stopped runs end with the bytes of the undisturbed run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <sys/wait.h>

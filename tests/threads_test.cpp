@@ -1,5 +1,5 @@
-// Steps on several threads as a user asks for them: the bytes are those of one thread, and of a run that was stopped
-// and resumed.
+// Steps on several threads from the command line: the bytes are those of one thread, and of a run that was stopped and
+// resumed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

@@ -84,7 +84,8 @@ TEST(TopplingColumn, half_the_steps_change_no_printed_digit) {
   EXPECT_NEAR(turned(kFalling, kEnd, kSteps), turned(kFalling, kEnd, kSteps / 2), 1e-13);
 }
 
-// The potential energy lost is the energy of rotation gained: an end of the integration that owes nothing to its rule.
+// The potential energy lost is the energy of rotation gained: a result of the integration that does not depend on its
+// rule.
 TEST(TopplingColumn, energy_is_kept) {
   const double square = kFalling.width * kFalling.width + kFalling.height * kFalling.height;
   const double first = kSlope - std::atan(kFalling.width / kFalling.height);

@@ -29,7 +29,7 @@ void expect_followed(const CaseFolder& folder) {
       difference.stress, fmt::join(difference.unequal, "\n"));
 }
 
-/// A scene of reference_runs/scaling beside what the old program printed of it, kept in findings/traces: every block
+/// A scene of reference_runs/scaling beside the output of the Berkeley program, kept in findings/traces: every block
 /// and step.
 struct Scaling {
   std::string name;      // of the drawing
@@ -71,13 +71,14 @@ void expect_followed(const Scaling& scene, const std::filesystem::path& shared) 
 
 }  // namespace
 
-// Where four blocks meet, angles that are equal but for rounding choose the entrance lines: every crossing of joints.
+// Where four blocks meet, angles that are equal up to rounding choose the entrance lines: every crossing of joints.
 TEST(Traces, legacy_profile_follows_a_slope_and_a_grid_block_by_block) {
   if (!std::filesystem::exists(shared_folder() / "findings" / "traces"))
     GTEST_SKIP() << "the traces of jointed slopes lie only in ../shared";
   expect_followed(Scaling{"slope10", "slope_N10", 40}, shared_folder());
   expect_followed(Scaling{"grid10", "scale_N10_maxd_0.01", 40}, shared_folder());
-  expect_followed(Scaling{"slope20", "slope_N20", 10}, shared_folder());  // of 516 blocks the old program loses one
+  expect_followed(Scaling{"slope20", "slope_N20", 10},
+                  shared_folder());  // the Berkeley program loses one of 516 blocks
 }
 
 // From 300 blocks on systems are solved by iterations, whose errors must not reach contact decisions.
@@ -117,9 +118,9 @@ TEST(Traces, legacy_profile_follows_the_push_block_trace) {
 }
 
 // Not independent: the automatic penalty of native files, the mean area and the stiffness of the step rule were
-// inferred from these very figures. The Berkeley program's own example, native files with automatic step and penalty:
-// what reference_runs/examples.csv prints of it (passes in all, most contacts, greatest penetration, longest step; six
-// digits) and the end time, which round-off of its step formula keeps to six digits.
+// inferred from these very figures. The Berkeley program's own example, native files with automatic step and penalty.
+// reference_runs/examples.csv holds its output: iterations in all, most contacts, largest penetration, longest step,
+// with six digits. Round-off of its step formula keeps the end time to six digits.
 TEST(Traces, the_circle_slope_example_comes_back_with_automatic_step_and_penalty) {
   const std::filesystem::path sample = shared_folder() / "legacy_samples" / "ntdda" / "circleslope";
   if (!std::filesystem::exists(sample.string() + ".geo"))
@@ -145,7 +146,7 @@ TEST(Traces, the_circle_slope_example_comes_back_with_automatic_step_and_penalty
   EXPECT_NEAR(outcome.time, 0.393914414, 1e-6);
 }
 
-// The measure itself: a run with another penalty does not follow, and is said to.
+// The measure itself: a run with another penalty does not follow, and the message says so.
 TEST(Traces, a_run_that_differs_is_found_to_differ) {
   const std::filesystem::path folder = support::fresh_folder("trace") + "/incline_a30_p20_dt1ms";
   std::filesystem::copy(kTraces + "/incline_a30_p20_dt1ms", folder);

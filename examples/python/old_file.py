@@ -1,4 +1,4 @@
-"""Reads an old file of Shi's format, runs it under the old rules, and draws the end.
+"""Reads an old file of Shi's format, runs it by Shi's rules, and draws the end.
 
     python3 examples/python/old_file.py [FILE…]
 
@@ -13,7 +13,7 @@ old = kb.read(*sys.argv[1:] or [folder + "a30_p20.geo", folder + "a30_p20.ana"])
 print(*old.warnings, sep="\n")
 run = kb.Run(old, profile="legacy")
 frames = [run.frame()]
-for step in run:                                     # Ctrl-C is heard inside steps too
+for step in run:                                     # Ctrl-C takes effect inside steps too
     if step.number % 50 == 0:
         frames.append(run.frame())
 f = frames[-1]

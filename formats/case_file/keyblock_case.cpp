@@ -317,7 +317,7 @@ Warnings doubtful_strengths(const Analysis& analysis) {
       for (const StrengthDoubt& doubt : doubts_of(*material.strength))
         add_warning(warnings, {doubt.code, material.place, doubt.sentence});
     if (material.crack_closure && material.crack_closure->closure_strain > kLargeClosure)
-      add_warning(warnings, {"crack_closure", material.place,
+      add_warning(warnings, {"implausible_closure_strain", material.place,
                              fmt::format("closure_strain {:.4g} is above {}: cracks of rock close at a hundredth or "
                                          "less; is it in per cent?",
                                          material.crack_closure->closure_strain, kLargeClosure)});

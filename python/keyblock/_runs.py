@@ -17,8 +17,8 @@ class Run:
     """Steps of a case, made one at a time. Nothing is printed and nothing is written.
 
     case: a Case, a Plan, or the path of a case. profile, settings, history: see Plan. threads: see Context. load: a function of
-    time that returns the acceleration (ax, ay) of a force per mass on every block; it is called once per step of the
-    plan, before the run, and its values go to the setting `body_acceleration_file`.
+    time that returns the acceleration (ax, ay) of a force per mass on every block. It is called once per step of the
+    plan, before the run. Its values go to the setting `body_acceleration_file`.
 
     Iteration makes the steps: `for step in run`. Ctrl-C stops the computation within about a second and raises
     KeyboardInterrupt; a factorisation that runs may end behind it. A stopped run does not go on. Several runs in several

@@ -1,9 +1,9 @@
 // Binds the public library to Python: the module keyblock._keyblock, which the package wraps. Includes nothing of the
 // project but keyblock.hpp, so that another binding could replace this file.
 //
-// Columns become NumPy views without copies: a capsule keeps their owner. Computations run without Python's lock. On
-// the main thread they run on a thread of their own, so that Ctrl-C is heard while they compute: the context is stopped,
-// and KeyboardInterrupt is raised after kPatience at the latest, even if a factorisation still runs behind it.
+// Columns become NumPy views without copies: a capsule keeps their owner. Computations run without Python's lock. A
+// call from the main thread computes on a thread of its own, so that Ctrl-C takes effect. It stops the context, and
+// raises KeyboardInterrupt after kPatience at the latest, even if a factorisation still runs behind it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -36,7 +36,7 @@ constexpr auto kBetweenLooks = 50ms;  // at the signals of Python
 constexpr auto kPatience = 700ms;     // with a computation that was stopped
 constexpr int kQuickUnknowns = 2000;  // a step of so few ends soon: it needs no thread of its own
 
-std::atomic<int> left_behind{0};  // computations that nobody waits for any more
+std::atomic<int> left_behind{0};  // computations without a waiting caller
 
 bool is_main_thread() {
   return syscall(SYS_gettid) == getpid();

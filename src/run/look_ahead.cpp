@@ -241,8 +241,8 @@ class Blocky {
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (!hangs[i] && flies(i)) found.push_back(i);
     if (found.empty()) return {};
-    return fmt::format("{} touch{} nothing at the start and move{} freely, first {}", counted(found.size(), "block"),
-                       found.size() == 1 ? "es" : "", found.size() == 1 ? "s" : "", named(found.front()));
+    return fmt::format("{} without contact move{} freely from the start, first {}", counted(found.size(), "block"),
+                       found.size() == 1 ? "s" : "", named(found.front()));
   }
 
   std::string unheld() const {

@@ -1,4 +1,4 @@
-// case.json: what it may say, and that whatever else it says is refused with file and key.
+// case.json: every permitted key has its effect, and every other key is refused with file and key.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/case_file.hpp"
 
@@ -21,7 +21,7 @@ CaseFolder folder_with(const std::string& json) {
   return {folder, "case_file", true, false};
 }
 
-/// What is said of a file that is refused; empty if it is not.
+/// Returns the message of a file that is refused; empty if it is accepted.
 std::string complaint(const std::string& json) {
   try {
     read_case_file(folder_with(json));

@@ -1,4 +1,4 @@
-// Cases are the folders with expected values or a trace, however deep.
+// Cases are the folders with expected values or a trace, at any depth.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/case_folder.hpp"
 

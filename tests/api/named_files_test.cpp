@@ -1,4 +1,5 @@
-// The table that `body_acceleration_file` names reaches the settings of the run; a missing one is the input's fault.
+// The table that `body_acceleration_file` names reaches the settings of the run; a missing one is an error of the
+// input.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/named_files.hpp"
 

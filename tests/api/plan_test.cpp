@@ -1,4 +1,4 @@
-// Files, profile, settings and mesh of a case are the same whichever command asks for them.
+// All commands get the same files, profile, settings and mesh of a case.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/plan.hpp"
 
@@ -42,7 +42,7 @@ TEST(Plan, every_case_folder_can_be_configured_in_each_profile_that_it_runs) {
     const formats::Case input = formats::load_case(asked.files);
     const ChosenProfile chosen = profile_for(asked, input.problem);
     EXPECT_FALSE(asked.file.not_run.contains(rules_of(chosen.name))) << folder.name;
-    // A search of statics takes the same where the case is not of an old program, or has no legacy.
+    // A static search takes the same plan if the case is in no old format, or has no legacy results.
     const std::string of_statics = profile_for(asked, input.problem, OldFiles::standard).name;
     EXPECT_EQ(of_statics, chosen.name == "legacy" ? "standard" : chosen.name) << folder.name;
     for (const std::string& profile : {chosen.name, of_statics})

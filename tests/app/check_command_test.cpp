@@ -1,4 +1,4 @@
-// `keyblock check` reports every file, goes on after a bad one, and says by its exit code whether all were sound.
+// `keyblock check` reports every file, continues after a bad one, and returns an exit code that says if all were sound.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -74,7 +74,7 @@ TEST(CheckCommand, json_holds_the_same_report) {
   EXPECT_EQ(json["case"]["warnings"][0]["line"], 8);
 }
 
-// A case file with one square, what its key "run" says, and more keys "run" says.
+// A case file with one square, the contents of its key "run", and more keys of "run".
 std::string case_with(const std::string& run, const std::string& more = "") {
   const std::string file = support::fresh_folder("check_case") + "/case.json";
   support::write_text(file, R"({"keyblock": 1,
@@ -108,7 +108,7 @@ TEST(CheckCommand, a_profile_or_setting_of_a_case_file_that_is_none_is_named_whe
   }
 }
 
-// What is to be followed and is not there.
+// Histories of things that the scene lacks.
 TEST(CheckCommand, outputs_that_a_run_refuses_are_refused) {
   const std::vector<std::pair<std::string, std::string>> faults{
       {R"({"histories": [{"block": 99}]})",

@@ -1,4 +1,4 @@
-// `keyblock convert` as a user meets it: names of outputs, what is refused, kept and reported.
+// `keyblock convert` from the command line: names of outputs; files refused, kept and reported.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

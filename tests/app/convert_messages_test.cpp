@@ -1,4 +1,4 @@
-// `keyblock convert` as a user meets it: what is left out is named kind by kind, and nothing appears unasked.
+// `keyblock convert` from the command line: messages name each kind of loss, and no file appears unrequested.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// `keyblock cut` writes what it says, refuses to overwrite, and names what it cannot cut.
+// `keyblock cut` writes the files that it names, never overwrites, and names drawings that it cannot cut.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -65,7 +65,7 @@ TEST_F(CutCommand, writes_a_block_file_that_reads_back) {
   EXPECT_NE(text("squares.svg").find("<svg"), std::string::npos);
 }
 
-// Two squares on a mesh of 2 × 2 rows; the joint between them parts every cover that it meets.
+// Two squares on a mesh of 2 × 2 rows; the joint between them parts every cover that it crosses.
 TEST_F(CutCommand, writes_a_cover_file_with_a_mesh) {
   ASSERT_EQ(run("squares.geo --mesh 2 -o squares.cv --json"), 0) << text("err");
   const formats::Case cut = formats::load_case({(folder_ / "squares.cv").string()});

@@ -1,4 +1,4 @@
-// What commands say of a drawing: `--join`, `--unit`, the size of the scene, and why a drawing is empty.
+// Messages of commands about a drawing: `--join`, `--unit`, the size of the scene, and the reason for an empty drawing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -98,7 +98,7 @@ TEST(DrawingOptions, options_that_fit_no_input_are_refused) {
   EXPECT_EQ(run_keyblock({"check", written("alone.json", units + kAnalysis), "--join", "1"}).exit_code, 2);
 }
 
-// The options are kept in the checkpoint: the run that goes on is the same.
+// The checkpoint keeps the options: the resumed run is the same.
 TEST(DrawingOptions, a_run_that_goes_on_joins_again) {
   const std::string file = written("short.json", kShortJoint + kAnalysis);
   const std::string out = support::fresh_folder("drawing_options_resume") + "/out";

@@ -32,7 +32,7 @@ double tangent(double degrees) {
 }
 
 /// Bedding that comes out in the face, with steep joints across it: the rock above the lowest bed slides on it as a
-/// whole. At each crossing corners of four blocks meet.
+/// whole. Corners of four blocks meet at each crossing.
 std::string slope(const std::string& name, const std::string& modulus, int steps) {
   std::string entities = "0\nPOLYLINE\n8\nBOUNDARY\n66\n1\n70\n1\n";
   for (const auto& [x, y] : {std::pair{0., 0.}, {30., 0.}, {30., 15.}, {14., 15.}, {6., 4.}, {0., 4.}})
@@ -58,8 +58,8 @@ std::string slope(const std::string& name, const std::string& modulus, int steps
   return folder;
 }
 
-// The rock sinks under its weight by micrometres to millimetres, more where it is deeper: each crossing is a step in
-// the bed, on which a corner once hung for ever.
+// The rock settles under its weight by micrometres to millimetres, more where it is deeper. Each crossing is a step in
+// the bed, on which a corner must not catch.
 TEST(DrawnSlope, rock_on_a_bed_steeper_than_its_friction_slides_whatever_it_sank_by) {
   const double time = 0.5;
   const double theory = 9.81 * (std::sin(rad(kDip)) - std::cos(rad(kDip)) * tangent(kFriction)) * time * time / 2;
@@ -75,7 +75,8 @@ TEST(DrawnSlope, rock_on_a_bed_steeper_than_its_friction_slides_whatever_it_sank
   }
 }
 
-// An equilibrium must not hang on a corner, nor be sought for ever where one may slide past another.
+// An equilibrium must not depend on a caught corner, nor may its search go on for ever if one corner can slide past
+// another.
 TEST(DrawnSlope, strength_reduction_finds_the_factor_of_a_block_on_a_plane) {
   const std::string folder = slope("drawn_slope_fos", "20 GPa", 10);
   const ProgramRun run = run_keyblock({"fos", folder + "/slope.json", "--json"});

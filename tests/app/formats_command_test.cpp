@@ -1,5 +1,5 @@
-// `keyblock formats` and `keyblock info`: every format with what is known of it, one with a sample, the layout of the
-// case file.
+// `keyblock formats` and `keyblock info` list every format with its properties, one with a sample, and the layout of
+// the case file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

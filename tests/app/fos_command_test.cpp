@@ -1,4 +1,4 @@
-// `fos` and `run --reduce-strength` as a user meets them: brackets, files, exit codes, bad input.
+// `fos` and `run --reduce-strength` from the command line: brackets, files, exit codes, bad input.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -48,8 +48,8 @@ std::string written(const std::string& name, const std::string& text) {
   return file;
 }
 
-/// A square of this size in the air, then a held plane of 30 degrees and a block of 2 by 1 on it, with 40 degrees of
-/// friction. Points hang on the last two, so that they follow their blocks where the square is left out.
+/// A square of this size in the air, then a fixed plane of 30 degrees and a block of 2 by 1 on it, with 40 degrees of
+/// friction. The last two have points, which follow their blocks if the square is left out.
 std::string square_above_a_block(double size) {
   return fmt::format(R"({{"keyblock": 2, "units": {{"length": "m", "mass": "kg", "time": "s"}}, "blocks": {{"blocks": [
     {{"outer": [[8, 6, 1], [{0}, 6, 1], [{0}, {1}, 1], [8, {1}, 1]]}},
@@ -63,7 +63,7 @@ std::string square_above_a_block(double size) {
                      8 + size, 6 + size);
 }
 
-/// A held plane and two blocks of 1 by 1 on it, 2 and 6 along the slope, with friction of their own, all in degrees.
+/// A fixed plane and two blocks of 1 by 1 on it, 2 and 6 along the slope, with friction of their own, all in degrees.
 std::string block_on_plane(double plane, double lower_friction, double upper_friction) {
   const double c = std::cos(plane * std::numbers::pi / 180), s = std::sin(plane * std::numbers::pi / 180);
   const auto block = [&](double left, double right, double low, double high, int joint) {
@@ -85,7 +85,7 @@ std::string block_on_plane(double plane, double lower_friction, double upper_fri
 
 }  // namespace
 
-// Nothing holds the square: at any factor it falls, and hid the factor of the block. Its area is 4e-4 of 31.
+// The square has no support: it falls at any factor, and must not hide the factor of the block. Its area is 4e-4 of 31.
 TEST(FosCommand, a_loose_sliver_is_left_out_and_named) {
   const ProgramRun run = run_keyblock({"fos", written("sliver", square_above_a_block(0.02)), "--json"});
   EXPECT_EQ(run.exit_code, 0) << run.messages;
@@ -98,7 +98,7 @@ TEST(FosCommand, a_loose_sliver_is_left_out_and_named) {
   EXPECT_NE(run.messages.find("[slivers]"), std::string::npos) << run.messages;
 }
 
-// Less than a hundredth of the mean area, yet 0.29 % of all: its fall is that of the scene.
+// Less than a hundredth of the mean area, yet 0.29 % of the whole: its fall is that of the scene.
 TEST(FosCommand, what_is_not_small_is_not_left_out) {
   const ProgramRun run = run_keyblock({"fos", written("square", square_above_a_block(0.3)), "--from", "1", "--json"});
   EXPECT_EQ(run.exit_code, 1) << run.messages;
@@ -107,8 +107,8 @@ TEST(FosCommand, what_is_not_small_is_not_left_out) {
   EXPECT_EQ(found["left_out"], Json::array());
 }
 
-// The body on a circle slides by 0.17 of its height until its toe stops it, and is in equilibrium there: at factors
-// that are told to stand it has not, wherever the search begins.
+// The body on a circle slides by 0.17 of its height until its toe stops it, and is in equilibrium there. At factors
+// reported as stable it has not slid, from any start of the search.
 TEST(FosCommand, a_case_that_has_slid_does_not_stand) {
   const std::string circle = KEYBLOCK_SOURCE_DIR "/legacy_cases/circle_slope/circle_slope";
   double factor = 0;
@@ -181,7 +181,7 @@ TEST(FosCommand, what_falls_at_1_is_exit_1_and_is_told_how_strong_it_would_have_
   EXPECT_NE(from.output.find("no bracket: unstable at 1"), std::string::npos) << from.output;
   const std::string picture = read_text(out + "/picture.svg");
   EXPECT_NE(picture.find("as drawn"), std::string::npos);
-  EXPECT_NE(picture.find("<title>slip"), std::string::npos) << "what falls is shown beside what is drawn";
+  EXPECT_NE(picture.find("<title>slip"), std::string::npos) << "the unstable blocks are shown beside the drawing";
 }
 
 TEST(FosCommand, no_bracket_up_to_the_limit_is_exit_1) {
@@ -251,7 +251,7 @@ TEST(FosCommand, wrong_options_are_exit_2) {
 }
 
 // Rigid columns on a stepped base (Goodman & Bray 1976): tan φ over the critical 0.78554. The recursion takes friction
-// as fully used everywhere; 5 % is what legacy_cases/goodman_bray allows in angles.
+// as fully mobilised everywhere; 5 % is the tolerance of legacy_cases/goodman_bray in angles.
 TEST(FosCommand, columns_that_topple_keep_to_their_recursion) {
   const ProgramRun run = run_keyblock({"fos", kCases + "goodman_bray/stands", "--json", "--to-within", "0.005"});
   ASSERT_EQ(run.exit_code, 0) << run.messages;
@@ -259,7 +259,7 @@ TEST(FosCommand, columns_that_topple_keep_to_their_recursion) {
   EXPECT_NEAR(Json::parse(run.output)["factor_of_safety"].get<double>(), exact, 0.05 * exact);
 }
 
-// `run` does not take it away, but says what it is; of a large square it has nothing to say.
+// `run` keeps the square, but reports it; of a large square it reports nothing.
 TEST(FosCommand, statics_of_a_run_says_where_a_sliver_alone_falls) {
   for (const auto& [size, is_told] : {std::pair{0.02, true}, std::pair{2.0, false}}) {
     const std::string file = written("sliver", square_above_a_block(size));
@@ -271,8 +271,8 @@ TEST(FosCommand, statics_of_a_run_says_where_a_sliver_alone_falls) {
   }
 }
 
-// A jointed slope takes more than two linear systems: its first trial is given up, and nothing is known. The verdict is
-// the same however busy the machine is.
+// A jointed slope takes more than two linear solves: its first trial is given up without a result. The verdict is the
+// same on a busy machine.
 TEST(FosCommand, a_trial_beyond_its_limit_is_given_up_and_the_bracket_told_as_it_is_known) {
   const std::string folder = fresh_folder("fos_limit");
   ASSERT_EQ(run_keyblock({"new", "slope", "-o", folder + "/slope.json"}).exit_code, 0);
@@ -285,18 +285,18 @@ TEST(FosCommand, a_trial_beyond_its_limit_is_given_up_and_the_bracket_told_as_it
   ASSERT_EQ(found["trials"].size(), 1U);
   EXPECT_EQ(found["trials"][0]["verdict"], "undecided");
   EXPECT_EQ(found["trials"][0]["systems"], 2);
-  EXPECT_EQ(found["trials"][0]["why"], "given up after 2 linear systems (--trial-limit)");
+  EXPECT_EQ(found["trials"][0]["why"], "given up after 2 linear solves (--trial-limit)");
   const std::string note = found["notes"].back();
   EXPECT_EQ(note.substr(0, 28), "statics does not decide at 1") << note;
   EXPECT_TRUE(note.ends_with("nothing is known")) << note;
 }
 
-// Seconds were once what it took.
+// The limit counts linear solves, not seconds.
 TEST(FosCommand, a_limit_in_seconds_is_refused_with_the_reason) {
   for (const char* limit : {"60s", "0.5", "-1"}) {
     const ProgramRun run = run_keyblock({"fos", kBlock, "--trial-limit", limit});
     EXPECT_EQ(run.exit_code, 2) << limit;
-    EXPECT_NE(run.messages.find("linear systems"), std::string::npos) << run.messages;
+    EXPECT_NE(run.messages.find("linear solves"), std::string::npos) << run.messages;
     EXPECT_NE(run.messages.find("not in seconds"), std::string::npos) << run.messages;
   }
 }
@@ -308,7 +308,7 @@ TEST(FosCommand, a_trial_without_limit_is_no_fault) {
   EXPECT_EQ(run.exit_code, 0) << run.messages;
 }
 
-// Friction of 2 degrees on a plane of 40: F = tan 2 / tan 40 = 0.0416, below all that is tried by itself.
+// Friction of 2 degrees on a plane of 40: F = tan 2 / tan 40 = 0.0416, below all factors tried by default.
 TEST(FosCommand, what_falls_at_every_factor_tried_names_the_option_that_goes_lower) {
   const std::string file = written("lower", block_on_plane(40, 2, 2));
   const ProgramRun falls = run_keyblock({"fos", file});
@@ -319,8 +319,8 @@ TEST(FosCommand, what_falls_at_every_factor_tried_names_the_option_that_goes_low
       << from.output;
 }
 
-// Two blocks on a plane of 30 degrees: the lower of 20 degrees of friction, the upper of 40. What is exempt keeps its
-// 40 degrees while the other falls, whether by its material or by its place; else both follow tan 20 / tan 30.
+// Two blocks on a plane of 30 degrees: the lower with 20 degrees of friction, the upper with 40. An exempt block keeps
+// its 40 degrees while the other slides, selected by its material or by its place; else both follow tan 20 / tan 30.
 TEST(FosCommand, what_is_exempt_keeps_its_strength) {
   const std::string file = written("exempt", block_on_plane(30, 45, 40));
   const auto factor = [&](const std::vector<std::string>& exempt) {
@@ -340,8 +340,8 @@ TEST(FosCommand, what_is_exempt_keeps_its_strength) {
   EXPECT_NEAR(factor({"polygon:5,2.8,9,2.8,9,9,5,9"}), lower, 0.002);
 }
 
-// Of a body on covers the elements in the region: all of them bear what they bore at 1, however far others are reduced;
-// the lower half leaves the factor of the upper one.
+// Elements of an NMM body in the region: each carries its load of factor 1 at any reduction of the others. The lower
+// half leaves the factor of the upper one.
 TEST(FosCommand, elements_of_a_body_can_be_exempt) {
   const std::string file =
       written("exempt_rock", square(R"(, "strength": {"cohesion": 10, "friction_deg": 20, "dilation_deg": 20})"));

@@ -1,4 +1,4 @@
-// Histories and contact tables as a user asks for them: by options of `run` and by the case file.
+// Histories and contact tables, requested by options of `run` and by the case file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 /// Three square metres on each other, cut from a drawing: the outline is joints 1 to 4, the joints between them are 5
-/// and 6. The lowest is held. `more`: keys of the case.
+/// and 6. The lowest is fixed. `more`: keys of the case.
 std::string column(const std::string& more = "") {
   return R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"},
   "drawing": {"boundary_count": 4, "edge_node_ratio": 0.001,
@@ -52,7 +52,7 @@ std::vector<std::vector<std::string>> rows_of(const std::string& file) {
   return rows;
 }
 
-/// The last value of each "what name quantity", and its unit behind a blank.
+/// Returns the last value of each "what name quantity", and its unit behind a blank.
 std::map<std::string, std::pair<double, std::string>> last_of(const std::string& file) {
   std::map<std::string, std::pair<double, std::string>> last;
   for (const auto& row : rows_of(file))
@@ -86,7 +86,7 @@ TEST(HistoriesCommand, all_kinds_come_in_long_form_with_units) {
   EXPECT_EQ(last.at("block 3 stress_yy").second, "Pa");
   EXPECT_EQ(last.at("block 3 rotation").second, "rad");
   EXPECT_LT(last.at("block 3 stress_yy").first, 0);
-  EXPECT_NEAR(last.at("block 3 contact_force_y").first / kWeight, 1, 1e-6) << "it bears its weight";
+  EXPECT_NEAR(last.at("block 3 contact_force_y").first / kWeight, 1, 1e-6) << "it carries its weight";
   EXPECT_NEAR(last.at("contact 3-2 force_y").first / kWeight, -1, 1e-6) << "on the first, which lies below the second";
   EXPECT_NEAR(last.at("joint 6 normal_force").first / kWeight, 1, 1e-6);
   EXPECT_EQ(last.at("joint 6 normal_force").second, "N/m");
@@ -97,7 +97,7 @@ TEST(HistoriesCommand, all_kinds_come_in_long_form_with_units) {
   EXPECT_EQ(rows.back()[0], "20") << "to the end";
 }
 
-// Each of n histories searched the n measured points that they had made, in each step.
+// Each history searches only the measured points of its own.
 TEST(HistoriesCommand, many_of_one_point_share_a_measured_point_and_large_tables_are_told_of_before_the_run) {
   std::string rows;
   for (int i = 0; i < 5000; ++i) rows += std::string(i == 0 ? "" : ", ") + R"({"point": [0.5, 2.5]})";
@@ -122,13 +122,13 @@ TEST(HistoriesCommand, a_case_file_asks_for_them_too) {
   ASSERT_EQ(run_keyblock({"run", folder + "/case.json", "-o", folder + "/out"}).exit_code, 0);
   const auto last = last_of(folder + "/out/histories.csv");
   EXPECT_TRUE(last.contains("point roof displacement_x"));
-  EXPECT_NEAR(last.at("contact 1-3 force_y").first / (-2 * kWeight), 1, 1e-6) << "pressed down by what stands on it";
+  EXPECT_NEAR(last.at("contact 1-3 force_y").first / (-2 * kWeight), 1, 1e-6) << "pressed down by the blocks on it";
   EXPECT_NEAR(last.at("joint 5 normal_force").first / (2 * kWeight), 1, 1e-6);
   EXPECT_NEAR(last.at("line -1 2 to 2 2 force_y").first / kWeight, 1, 1e-6);
 }
 
-// The lowest block, 1, and the highest, 2, never meet, the line passes above all, and the left side of the outline has
-// nothing beside it. All of it is zeros.
+// The lowest block, 1, and the highest, 2, are never in contact. The line passes above all blocks, and the left side of
+// the outline has no neighbour. All values are zero.
 TEST(HistoriesCommand, what_bears_nothing_is_told_by_name_at_the_end) {
   const std::string folder = case_in("histories_of_nothing");
   const auto run =
@@ -149,7 +149,7 @@ TEST(HistoriesCommand, what_bears_nothing_is_told_by_name_at_the_end) {
     EXPECT_NE(warning["name"], "history_of_distant_blocks") << "a metre apart, and larger than that";
     if (warning["name"] == "history_of_nothing") told = warning["count"];
   }
-  EXPECT_EQ(told, 3) << "what bears something, and what is of no contact, is passed over: " << run.messages;
+  EXPECT_EQ(told, 3) << "no warning is due for blocks that carry load, nor for lines without contact: " << run.messages;
 }
 
 TEST(HistoriesCommand, blocks_far_apart_are_told_before_the_first_step_and_by_check) {
@@ -180,7 +180,7 @@ TEST(HistoriesCommand, without_a_choice_the_table_has_what_moves_most) {
   EXPECT_EQ(rows[1][6], "m");
 }
 
-// Two squares stand on the floor and ten fall: columns and curves are of those that fall, under their own numbers.
+// Two squares rest on the floor and ten fall: columns and curves are of those that fall, under their own numbers.
 TEST(HistoriesCommand, of_many_blocks_the_table_and_the_picture_have_those_that_move_most) {
   std::string blocks = R"({"outer": [[0, 0, 1], [40, 0, 1], [40, 1, 1], [0, 1, 1]]})";
   for (int i = 0; i < 12; ++i) {
@@ -221,7 +221,7 @@ TEST(HistoriesCommand, a_line_through_a_body_on_covers_is_refused) {
   EXPECT_EQ(between.exit_code, 0) << between.messages;
 }
 
-// Corners of what bears lie at the ends of the line, by round-off or as rock bulges a little beyond them.
+// Corners of supports lie at the ends of the line, up to round-off or to the bulge of the rock.
 TEST(HistoriesCommand, a_line_from_side_to_side_has_the_corners_at_its_ends) {
   const std::string folder = case_in("histories_ends");
   const auto run = run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--set", "motion=static",
@@ -255,7 +255,7 @@ TEST(HistoriesCommand, what_cannot_be_followed_is_refused_before_anything_is_wri
                        "expected one of point, block, contact, joint, line and bolt in a history, found 2"));
 }
 
-// Two stages, the second of which cuts the upper block in two: four blocks in all, and a fifth in neither.
+// Two stages; the second cuts the upper block in two: four blocks in all, and a fifth in neither.
 TEST(HistoriesCommand, blocks_that_a_stage_makes_are_followed_and_those_that_none_makes_refused) {
   const std::string folder = case_in("histories_stages", R"(, "stages": [{"steps": 3},
       {"steps": 3, "cuts": [[-9, 2.4, 9, 2.5, 1]]}])");

@@ -1,5 +1,5 @@
-// Fifty scenes with parts that cross themselves, overlap, are tiny or huge, or are missing: each is computed rightly,
-// doubted by name, or refused with its place.
+// Fifty scenes with parts that cross themselves, overlap, are tiny or huge, or are missing. Each is computed rightly,
+// gets a named warning, or is refused with its place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::vector<Point> rectangle(Point low, double width, double height) {
   return {low, low + Point{width, 0}, low + Point{width, height}, low + Point{0, height}};
 }
 
-/// Block by block, the first one held; a line a block, so that places tell which is meant.
+/// Block by block, the first one fixed; one line per block, so that places identify blocks.
 std::string case_of(const std::vector<std::string>& blocks, Point held, double floor_width, Point measured) {
   std::string list;
   for (const std::string& block : blocks) list += (list.empty() ? "\n" : ",\n") + block;
@@ -50,7 +50,7 @@ std::string case_of(const std::vector<std::string>& blocks, Point held, double f
 struct Seen {
   support::ProgramRun run;
   std::string file;
-  double fall = 0;  ///< of the measured point, m, if there are results
+  double fall = 0;  ///< of the measured point [m]; empty without results
 };
 
 Seen seen_of(const std::string& text, const std::string& profile) {
@@ -72,7 +72,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// Exit code 3, and an error at this line of the file.
+/// Checks for exit code 3 and an error at this line of the file.
 void expect_refused(const Seen& seen, int line, const std::string& sentence) {
   EXPECT_EQ(seen.run.exit_code, 3) << seen.run.messages;
   EXPECT_TRUE(contains(seen.run.messages, fmt::format("{}:{}:", seen.file, line))) << seen.run.messages;
@@ -129,7 +129,8 @@ TEST(HostileScenes, blocks_that_overlap_are_told_of) {
   }
 }
 
-// A block at rest sinks by the strain of its weight, ρ g h² / 2E at its middle, and by what it presses into the floor.
+// A block at rest settles by the strain of its weight, ρ g h² / 2E at its middle, and by its penetration into the
+// floor.
 TEST(HostileScenes, tiny_and_huge_blocks_rest_or_are_told_of) {
   Dice dice;
   for (int i = 0; i < 2 * kScenesOfAKind; ++i) {

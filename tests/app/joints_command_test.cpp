@@ -1,5 +1,5 @@
-// `keyblock joints` as a user meets it: file or options, the same bytes for a seed, drawings that cut, nothing
-// overwritten.
+// `keyblock joints` from the command line: file or options, the same bytes for a seed, drawings that can be cut,
+// nothing overwritten.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

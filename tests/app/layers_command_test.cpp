@@ -1,4 +1,4 @@
-// Drawings whose layers have names of their own, as a user reads them: by `--layers`, or by the case file.
+// Drawings with layers of any name, read by `--layers` or by the case file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// The drawing as a case file.
+/// Returns the drawing as a case file.
 std::string converted(const std::string& folder, std::vector<std::string> inputs) {
   const std::string out = folder + "/" + std::to_string(inputs.size()) + ".json";
   inputs.insert(inputs.begin(), "convert");
@@ -47,7 +47,7 @@ TEST(LayersCommand, the_example_of_docs_is_the_drawing_that_has_the_names) {
   EXPECT_FALSE(contains(with.output, "dxf_layer")) << with.output;
 }
 
-// Converted alone, a case still says what the layers of the drawing that comes beside it are.
+// A case converted alone keeps the meaning of the layers of a drawing beside it.
 TEST(LayersCommand, a_case_converted_without_its_drawing_keeps_its_layers) {
   const std::string folder = fresh_folder("layers_kept");
   std::string text = read_text(kDocs + "bench.json");

@@ -1,4 +1,4 @@
-// What a run prints by level: warnings with their remedies, notes in one line, bookkeeping in the record only.
+// Messages of a run by level: warnings with their remedies, notes in one line, bookkeeping in the record only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What `check` says before a run of what will hurt in it: each warning with its numbers, none where nothing is wrong.
+// `check` warns of problems before a run: each warning with its numbers, none for a sound scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ std::string rectangle(double x0, double y0, double x1, double y1) {
   return text + "]}";
 }
 
-// Blocks of which the first is held at two points.
+// Blocks, the first of which has two fixed points.
 std::string blocks(const std::vector<std::string>& all) {
   std::string text = R"("blocks": {"blocks": [)";
   for (const std::string& block : all) text += (&block == &all.front() ? "" : ", ") + block;
@@ -46,7 +46,7 @@ nlohmann::json check_of(const std::string& text, const std::vector<std::string>&
   return nlohmann::json::parse(run.output)["case"];
 }
 
-/// The sentence of the warning of this name; empty where there is none.
+/// Returns the sentence of the warning of this name; empty if there is none.
 std::string said(const nlohmann::json& report, const std::string& name) {
   for (const auto& warning : report["warnings"])
     if (warning["name"] == name) return warning["sentence"];
@@ -90,7 +90,7 @@ TEST(LookAhead, blocks_that_nothing_holds_are_named) {
   EXPECT_EQ(said(report, "unsupported_blocks"), "");
 }
 
-// Beside a pillar friction alone may hold a block; one on the floor stands.
+// Beside a pillar friction alone may support a block; one on the floor is supported.
 TEST(LookAhead, blocks_with_nothing_beneath_are_named) {
   const auto report = check_of(
       case_text(blocks({rectangle(0, 0, 10, 1), rectangle(0, 1, 1, 5), rectangle(1, 3, 2, 4), rectangle(4, 1, 5, 2)})));
@@ -99,7 +99,7 @@ TEST(LookAhead, blocks_with_nothing_beneath_are_named) {
   EXPECT_TRUE(contains(sentence, "block 3 at 1.5, 3.5")) << sentence;
 }
 
-// The keystone rests on its neighbours by faces that lean.
+// The keystone is supported by its neighbours through inclined faces.
 TEST(LookAhead, a_wedge_between_two_blocks_is_supported) {
   const std::string left = R"({"outer": [[0, 1, 1], [3, 1, 1], [2.5, 3, 1], [0, 3, 1]]})";
   const std::string right = R"({"outer": [[4, 1, 1], [7, 1, 1], [7, 3, 1], [4.5, 3, 1]]})";
@@ -115,7 +115,7 @@ TEST(LookAhead, a_beam_of_one_block_is_told_that_it_cannot_bend) {
   EXPECT_TRUE(contains(sentence, "first block 4 at 5, 2.5, 10 long and 0.995 wide")) << sentence;
 }
 
-// Two fixed points at one end of it are a built-in end to the reader, and hold all of the block.
+// Two fixed points at one end act as a clamped end, and fix all of the block.
 TEST(LookAhead, a_cantilever_of_one_block_is_told_that_it_is_rigid) {
   const auto report = check_of(
       case_text(R"("blocks": {"blocks": [)" + kFloor + R"(], "fixed_points": [[0.1, 0.2, 1], [0.1, 0.8, 1]]})"));
@@ -144,7 +144,7 @@ TEST(LookAhead, points_that_cutting_places_are_not_told_of) {
   EXPECT_NE(said(report, "slivers"), "");
 }
 
-// A base line drawn a little inside the outline holds the end blocks where it leaves them, and nowhere else.
+// A base line drawn a little inside the outline fixes the end blocks at their far sides, and nowhere else.
 TEST(LookAhead, a_fixed_line_that_ends_in_blocks_is_told) {
   const auto with = [&](const std::string& line) {
     return check_of(case_text(R"("drawing": {"edge_node_ratio": 0.001, "boundary_count": 4, "joints": [
@@ -183,7 +183,7 @@ TEST(LookAhead, a_scene_of_an_implausible_size_is_told) {
   EXPECT_TRUE(contains(with(0.0002), "which is not plausible")) << with(0.0002);
 }
 
-// The outline was drawn twice, once in other pieces.
+// The outline was drawn twice, the second time in other pieces.
 TEST(LookAhead, blocks_of_an_outline_drawn_twice_are_not_outside) {
   const auto report = check_of(case_text(R"("drawing": {"edge_node_ratio": 0.001, "boundary_count": 9, "joints": [
     [0, 0, 4, 0, 1], [4, 0, 4, 4, 1], [4, 4, 0, 4, 1], [0, 4, 0, 0, 1],
@@ -192,7 +192,7 @@ TEST(LookAhead, blocks_of_an_outline_drawn_twice_are_not_outside) {
   EXPECT_EQ(said(report, "block_outside_outline"), "");
 }
 
-// Lines that go on beyond the outline of a drawing make a block there where they close one.
+// Lines that continue beyond the outline of a drawing make a block there if they close one.
 TEST(LookAhead, blocks_outside_the_outline_are_counted) {
   const auto report = check_of(case_text(R"("drawing": {"edge_node_ratio": 0.001, "boundary_count": 4, "joints": [
     [0, 0, 4, 0, 1], [4, 0, 4, 4, 1], [4, 4, 0, 4, 1], [0, 4, 0, 0, 1],
@@ -269,7 +269,7 @@ TEST(LookAhead, strength_above_the_modulus_and_its_friction_in_radians_are_told)
   EXPECT_TRUE(contains(
       said(check_of(with(R"({"cohesion": 1e7, "friction_deg": 0.5236})"), {"--trial", "0"}), "angle_in_radians"),
       "would be 30 degrees"));
-  // Of dilation only below a degree, and beside friction in degrees.
+  // Dilation alone of less than a degree, and beside friction in degrees.
   const auto dilating = [&](const char* angle) {
     const std::string strength = R"({"cohesion": 1e7, "friction_deg": 35, "dilation_deg": )" + std::string(angle) + "}";
     return said(check_of(with(strength), {"--trial", "0"}), "angle_in_radians");
@@ -289,10 +289,10 @@ TEST(LookAhead, a_run_says_it_too_before_its_first_step) {
       support::run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--set", "steps=2"});
   EXPECT_EQ(run.exit_code, 0) << run.messages;
   EXPECT_TRUE(contains(run.messages, "1 note on the case: free_blocks")) << run.messages;
-  EXPECT_TRUE(contains(support::read_text(folder + "/out/run.json"), "1 block touches nothing at the start and moves"));
+  EXPECT_TRUE(contains(support::read_text(folder + "/out/run.json"), "1 block without contact moves"));
 }
 
-// What is meant to fall in motion is a fault in statics.
+// Intended motion in dynamics is a fault in statics.
 TEST(LookAhead, a_block_that_touches_nothing_is_unheld_in_statics_alone) {
   const std::string text = case_text(blocks({kFloor, rectangle(4, 2, 6, 4)}));
   const auto moving = check_of(text, {"--trial", "0"});
@@ -312,7 +312,7 @@ TEST(LookAhead, a_run_that_fails_at_once_is_told) {
   EXPECT_TRUE(contains(said(report, "first_steps_fail"), "no equilibrium: block 2 accelerates")) << report;
 }
 
-// Whoever asks the exit code, or reads the last line alone, is told too; without steps there is nothing to tell.
+// The exit code and the last line report it too; without steps there is nothing to report.
 TEST(LookAhead, a_run_that_fails_at_once_is_the_last_line_of_check) {
   std::string text = case_text(blocks({kFloor, rectangle(20, 2, 22, 4)}));
   text.replace(text.find(kMoves), kMoves.size(), R"("velocity_carry_over": 0)");
@@ -330,7 +330,7 @@ TEST(LookAhead, what_check_advises_to_set_it_takes_itself) {
   text.replace(text.find(kMoves), kMoves.size(), R"("velocity_carry_over": 0)");
   const std::string file = support::fresh_folder("check_set") + "/case.json";
   support::write_text(file, text);
-  EXPECT_EQ(support::run_keyblock({"check", file, "--set", "motion=dynamic"}).exit_code, 0) << "it falls";
+  EXPECT_EQ(support::run_keyblock({"check", file, "--set", "motion=dynamic"}).exit_code, 0) << "it has no support";
   const support::ProgramRun wrong = support::run_keyblock({"check", file, "--set", "motoin=dynamic"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.messages.find("did you mean"), std::string::npos) << wrong.messages;

@@ -1,4 +1,4 @@
-// `keyblock new` writes cases that run, and that come to what their comments say.
+// `keyblock new` writes cases that run, and whose results agree with their comments.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using support::ProgramRun;
 using support::read_text;
 using support::run_keyblock;
 
-/// Written, run and read again.
+/// Writes, runs and reads a case.
 nlohmann::json run_of(const std::string& name) {
   const std::string folder = support::fresh_folder("new_" + name);
   const std::string file = folder + "/" + name + ".json";
@@ -73,7 +73,7 @@ TEST(NewCommand, strict_json_is_read_by_any_parser_and_says_the_same) {
   }
 }
 
-// The arch and the slope stand: nothing comes further than their joints give.
+// Arch and slope are stable: no displacement exceeds the deformation of their joints.
 TEST(NewCommand, what_ought_to_stand_stands) {
   for (const char* name : {"slope", "arch"})
     EXPECT_LT(run_of(name)["extremes"]["greatest_displacement"]["value"].get<double>(), 0.01) << name;
@@ -87,7 +87,7 @@ TEST(NewCommand, the_block_slides_as_its_comment_says) {
   EXPECT_NEAR(theory, 0.906, 5e-4);
 }
 
-// Bernoulli's beam in plane strain, w l⁴ / (8 E' I); shear adds E' / (k G) (h/l)² / 2 or so, 1.5 %.
+// Bernoulli's beam in plane strain, w l⁴ / (8 E' I); shear adds about E' / (k G) (h/l)² / 2, 1.5 %.
 TEST(NewCommand, the_beam_bends_as_its_comment_says) {
   const double w = 2350 * 9.81;
   const double theory = w * 1e4 / (8 * 14.7e9 / (1 - 0.04) / 12);

@@ -1,4 +1,4 @@
-// run, check, fos, sif and compare plan the same run of a case, and take a wrong setting as wrong usage.
+// run, check, fos, sif and compare plan the same run of a case, and treat a wrong setting as wrong usage.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using support::run_keyblock;
 
 const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/";
 
-// A plate with a crack that ends inside; a file with the body's acceleration is named.
+// A plate with a crack that ends inside; its file names a table of the acceleration of the body.
 constexpr const char* kCracked =
     R"({"keyblock": 1, "blocks": {"blocks": [{"outer": [[-1, -2, 1], [1, -2, 1], [1, 2, 1], [-1, 2, 1]]}]},
  "covers": {"contact": "ignored", "mesh": {"side": 0.4, "tip_side": 0.05}, "cracks": [{"along": [[-0.5, 0], [0.5, 0]]}],

@@ -1,4 +1,4 @@
-// Pictures drawn again from the frames of a run: the same as the run's own, at any step that has a frame.
+// Pictures drawn again from the frames of a run equal those of the run, at any step with a frame.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ constexpr const char* kPlateWithHole = R"({"keyblock": 2, "units": {"length": "m
  "analysis": {"velocity_carry_over": 0, "step_count": 1, "time_step": 1,
   "block_materials": [{"name": "rock", "like": "sandstone"}], "joint_materials": [{"name": "j"}]}})";
 
-/// Forty blocks on a held one, and a small one that falls beside them: far away at the end, and left out.
+/// Forty blocks on a fixed one, and a small one that falls beside them: far away at the end, and left out.
 std::string with_a_small_block_that_falls() {
   std::string blocks = R"({"outer": [[-1, -1, 1], [41, -1, 1], [41, 0, 1], [-1, 0, 1]]})";
   for (int i = 0; i < 40; ++i)
@@ -54,7 +54,7 @@ std::string with_a_small_block_that_falls() {
    "joint_materials": [{"friction_angle_deg": 40}]}})";
 }
 
-/// The folder of a run, its field.svg of `field`; of a template, or of a case.
+/// The folder of a run, its field.svg of `field`; from a template or a case.
 std::string run_of(const std::string& kind, const std::string& field, const std::string& case_text = "",
                    const std::string& frames = "raw") {
   const std::string folder = fresh_folder("plot_" + kind + field);
@@ -104,7 +104,7 @@ TEST(PlotCommand, the_frame_of_a_step_may_be_chosen) {
   EXPECT_TRUE(contains(none.messages, "of the 3 there are, of steps 0 to 4, that of step 2 is the nearest"));
 }
 
-// The factor of displacements and the numbers on the bar are those of all steps; with --own-scale those of the step.
+// The scale of displacements and the numbers on the bar are those of all steps; with --own-scale those of the step.
 TEST(PlotCommand, pictures_of_steps_make_a_film) {
   const std::string out = run_of("block", "s3");
   const auto scale_of = [&](const std::string& step, const std::vector<std::string>& more) {
@@ -132,7 +132,7 @@ TEST(PlotCommand, nothing_is_overwritten_unless_told) {
   EXPECT_NE(read_text(out + "/field.svg"), before);
 }
 
-// Frames, record and tables cannot be made again: not even --force puts a picture in their place.
+// Frames, record and tables cannot be made again: not even --force replaces them by a picture.
 TEST(PlotCommand, what_the_run_left_is_never_replaced) {
   const std::string out = run_of("slope", "sxy");
   for (const char* name : {"/frames/00000004.vtu", "/run.json", "/history.csv"}) {

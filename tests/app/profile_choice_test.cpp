@@ -1,4 +1,4 @@
-// Which profile a run takes where none is asked for, both side by side, and what is said where statics finds no rest.
+// The default profile of a run, both profiles side by side, and the messages of statics without an equilibrium.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using support::ProgramRun;
 using support::read_text;
 using support::run_keyblock;
 
-// Seven blocks of an old file that asks for statics; its slices slide.
+// Seven blocks of an old file that requests statics; its slices slide.
 const std::string kCircle = KEYBLOCK_SOURCE_DIR "/legacy_cases/circle_slope/";
 const std::string kOwn = KEYBLOCK_SOURCE_DIR "/legacy_cases/sliding_block_on_covers/a30_p20/a30_p20.json";
 const std::string kSlide = KEYBLOCK_SOURCE_DIR "/legacy_cases/sliding_block/a30_p20/a30_p20";
@@ -136,7 +136,8 @@ TEST(ProfileChoice, both_stand_side_by_side) {
   EXPECT_EQ(run_keyblock(circle("run", {"-o", folder + "/no", "--both", "--profile", "legacy"})).exit_code, 2);
 }
 
-// Stresses of 1e-12 of the modulus are round-off: a falling block has none. Runs that end apart are not compared.
+// Stresses of 1e-12 of the modulus are round-off: a falling block has none. Runs with different end times are not
+// compared.
 TEST(ProfileChoice, round_off_is_no_difference_and_other_times_are_told) {
   const std::string folder = fresh_folder("both_noise");
   const std::string fall = KEYBLOCK_SOURCE_DIR "/legacy_cases/free_fall/released/released";

@@ -1,4 +1,4 @@
-// Reports of runs: what a client reads equals the record, and damaged folders end in a sentence.
+// Reports of runs: the printed values equal the record, and damaged folders give an error.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What `element` and `fit` refuse, warn of and read of one another.
+// `element` and `fit`: their refusals and warnings, and the files that each reads of the other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -73,9 +73,9 @@ TEST(RockCommands, element_refuses_what_is_no_strain_or_is_not_read) {
   EXPECT_TRUE(says(far, "far.csv:3:3: error: expected eyy from -10 to 10, found 1e+300")) << far.messages;
 }
 
-// Uniaxial strength 2 c at both turns; between them the elastic strain 2 · 2 c/E is given back, so that each leg adds
-// its plastic strain to κ: the first 0.01 - 40/E, those after it 0.012 - 80/E. In uniaxial stress flow of Tresca in an
-// edge has equal lateral strains at constant volume: κ then grows by the axial plastic strain.
+// Uniaxial strength 2 c at both reversals. Between them the elastic strain 2 · 2 c/E is given back, so that each leg
+// adds its plastic strain to κ: the first 0.01 - 40/E, those after it 0.012 - 80/E. In uniaxial stress, flow of Tresca
+// in an edge has equal lateral strains at constant volume: κ then grows by the axial plastic strain.
 TEST(RockCommands, a_cyclic_path_goes_to_and_fro_between_its_targets) {
   const Bench bench("cyclic");
   const std::string out = bench.folder + "/curve.csv";

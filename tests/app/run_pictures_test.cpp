@@ -1,4 +1,4 @@
-// What the pictures of a run show of scenes that change on the way.
+// Pictures of a run whose scene changes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 namespace keyblock::run_pictures_test {
 
-// Two blocks hang side by side, between them a joint of material b; their lower halves are dug out along edges of
-// material c. What is left has as many corners as before, but begins at others.
+// Two blocks side by side under a ceiling, between them a joint of material b. Their lower halves are excavated along
+// edges of material c. The remaining blocks have as many corners as before, but begin at others.
 TEST(RunPictures, joints_are_those_of_the_scene_at_the_end) {
   const std::string folder = support::fresh_folder("run_pictures");
   support::write_text(folder + "/case.json", R"({"keyblock": 2,

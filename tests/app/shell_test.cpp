@@ -1,4 +1,4 @@
-// The shell: what a slip of the hand is told, what goes to which stream, and messages that say what to do.
+// The shell: messages for typing errors, the stream of each output, and messages that name the remedy.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -63,7 +63,7 @@ TEST(Shell, every_command_shows_examples) {
   }
 }
 
-// Names, what they take, sentences in lines of a terminal; none of the parser's own words for its checks.
+// Names, arguments, sentences in lines of a terminal; none of the parser's own words for its checks.
 TEST(Shell, help_says_what_options_take_in_plain_words) {
   for (const char* command : {"check", "cut", "joints", "run", "plot", "view", "serve", "fos", "sif", "compare",
                               "tradeoff", "sweep", "batch", "convert", "element", "fit", "new"}) {
@@ -97,7 +97,7 @@ TEST(Shell, places_are_told_without_powers_of_ten) {
   EXPECT_TRUE(contains(run.messages, "block 2 accelerates (at 12474, 50314; area 2,")) << run.messages;
 }
 
-// Neither is written by hand: what --help lists, they have.
+// Neither is written by hand: both list the same options as --help.
 TEST(Shell, man_page_and_completion_name_all_commands_and_options) {
   const std::string man = run_keyblock({"shell", "man"}).output;
   const std::string bash = run_keyblock({"shell", "bash"}).output;
@@ -125,7 +125,7 @@ TEST(Shell, man_page_and_completion_name_all_commands_and_options) {
 
 TEST(Shell, help_says_what_is_required_and_the_man_page_has_its_defaults_and_all_exit_codes) {
   const std::string man = run_keyblock({"shell", "man"}).output;
-  // What --help says in brackets, in one line with the hyphens of roff.
+  // The text of --help in brackets, in one line with the hyphens of roff.
   for (const char* words : {"are listed, not read (default: 64)", "into the picture if they fit (with \\-\\-svg)",
                             "else geometry file (required)", "jobs at a time (default: number of cores) [1 to 1024]"})
     EXPECT_TRUE(contains(man, words)) << words;
@@ -188,7 +188,7 @@ TEST(Shell, a_long_run_estimates_its_time_if_verbose) {
 // Sixteen steps of 10 s each before steps of 1 s: the mean of all is 5 s after 36 steps.
 TEST(StepPace, a_hard_start_is_forgotten) {
   StepPace pace;
-  double seconds = 100;  // the start
+  double seconds = 100;  // the initial state
   for (int step = 1; step <= 36; ++step) {
     seconds += step <= 16 ? 10 : 1;
     pace.made(step, seconds);
@@ -251,7 +251,7 @@ TEST(Shell, a_word_that_is_none_of_those_of_an_option_is_asked_about) {
   }
 }
 
-// No terminal is there: no colours, whatever TERM says.
+// Without a terminal there are no colours, for any TERM.
 TEST(Shell, no_colours_go_where_no_terminal_is) {
   const ProgramRun run = support::run_script("TERM=xterm-256color \"$K\" check none.json");
   EXPECT_TRUE(contains(run.messages, "error:")) << run.messages;
@@ -282,7 +282,7 @@ TEST(Shell, check_of_a_folder_without_cases_is_an_error) {
       << empty.messages;
 }
 
-// One verdict a line, the exit code of the worst, nothing written.
+// One verdict per line, the exit code of the worst, nothing written.
 TEST(Shell, check_of_a_folder_of_cases_says_a_verdict_a_line) {
   const std::string folder = fresh_folder("check_folder");
   for (const char* name : {"a", "b"})
@@ -321,7 +321,7 @@ TEST(Shell, every_list_is_printed_as_json_too) {
     EXPECT_TRUE(contains(run_keyblock({command, "--help"}).output, "--json")) << command;
 }
 
-// Messages that did not help three new users, in their new wording; those of statics and of legacy's limits are in
+// Messages that did not help three new users, in their new wording. Those of statics and of legacy's limits are in
 // profile_choice_test.cpp.
 TEST(Shell, messages_say_what_to_do) {
   const std::string folder = fresh_folder("messages");
@@ -345,7 +345,7 @@ TEST(Shell, a_missing_modulus_is_missing_and_no_object) {
   EXPECT_TRUE(contains(missing.messages, "found none")) << missing.messages;
 }
 
-// It was told to whoever had not asked for a start at all.
+// The note appears only if the user chose a start.
 TEST(Shell, a_start_that_nobody_asked_for_is_no_warning) {
   const std::string folder = fresh_folder("start");
   ASSERT_EQ(run_keyblock({"new", "arch", "-o", folder + "/arch.json"}).exit_code, 0);
@@ -354,7 +354,7 @@ TEST(Shell, a_start_that_nobody_asked_for_is_no_warning) {
   EXPECT_FALSE(contains(run.messages, "start_settled")) << run.messages;
 }
 
-// A setting that is none, and the nearest that is; warnings come before the first step.
+// An unknown setting is refused with the nearest known one; warnings come before the first step.
 TEST(Shell, a_setting_that_is_none_has_a_nearest_and_warnings_come_first) {
   const ProgramRun setting =
       run_keyblock(slide_into(fresh_folder("nearest") + "/out", {"--set", "joint_strength_facto=0.9"}));
@@ -373,7 +373,7 @@ TEST(Shell, a_setting_that_is_none_has_a_nearest_and_warnings_come_first) {
   EXPECT_LT(warning, end) << run.messages;
 }
 
-// The unit weights that a case with gravity does not give are not warned of.
+// Missing unit weights give no warning in a case with gravity.
 TEST(Shell, gravity_without_unit_weights_is_no_warning) {
   const std::string folder = fresh_folder("weights");
   ASSERT_EQ(run_keyblock({"new", "block", "-o", folder + "/block.json"}).exit_code, 0);

@@ -1,4 +1,4 @@
-// `sif`, and runs in which cracks grow, as a user meets them: tables, files, exit codes, bad input.
+// `sif`, and runs with growing cracks, from the command line: tables, files, exit codes, bad input.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ using Json = nlohmann::json;
 
 const std::string kCases = KEYBLOCK_SOURCE_DIR "/legacy_cases/stress_intensity/";
 
-/// A plate 1 by 2; `covers` and `material` beside what every case has.
+/// A plate 1 by 2; `covers` and `material` added to the usual keys.
 std::string plate(const std::string& covers, const std::string& material = "", int steps = 1) {
   return fmt::format(
       R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[0, -1, 1], [1, -1, 1], [1, 1, 1], [0, 1, 1]]}}]}},
@@ -86,8 +86,8 @@ TEST(SifCommand, prints_factors_of_every_domain_that_agree_with_theory) {
   EXPECT_GE(used, 12);
 }
 
-// With a node on the tip all elements about it hold the tip, and one of them the way ahead. One and two levels about it
-// are of the elements next to the tip, 2.4 % low where these have no near-tip functions.
+// If a node lies on the tip, all elements about it hold the tip, and one of them the direction ahead. One and two
+// levels about it are of the elements next to the tip, 2.4 % low without near-tip functions.
 TEST(SifCommand, levels_about_the_tip_element_and_about_the_nearest_node_are_two_choices_and_both_agree_with_theory) {
   const double exact = 2.82357 * std::sqrt(std::numbers::pi / 2);
   for (const char* mesh : {R"("tip_side": 0.0016)", R"("tip_side": 0.04, "tip_functions": "williams")"}) {
@@ -110,8 +110,8 @@ TEST(SifCommand, levels_about_the_tip_element_and_about_the_nearest_node_are_two
   }
 }
 
-// Two fields that share nothing at the tip: a mesh bisected towards it and near-tip functions. Whichever the case asks
-// for, the other is solved beside it.
+// Two fields without common functions at the tip: a mesh bisected towards it and near-tip functions. The program solves
+// both; the case chooses which of them is its own.
 TEST(SifCommand, both_treatments_of_a_tip_agree) {
   const double exact = 2.82357 * std::sqrt(std::numbers::pi / 2);
   const std::string crack = R"("cracks": [{"along": [[0, 0], [0.5, 0]]}], )";
@@ -195,8 +195,7 @@ TEST(SifCommand, near_tip_functions_are_of_linear_statics_alone) {
   EXPECT_NE(radius.messages.find("expected tip_functions"), std::string::npos) << radius.messages;
 }
 
-// Pressure on the faces in place of tension on the ends: the same K by superposition, if the faces are in the
-// integrals.
+// Pressure on the faces instead of tension on the ends: the same K by superposition, if the faces are in the integrals.
 TEST(SifCommand, loads_on_the_faces_are_part_of_the_integrals) {
   const std::string mesh =
       R"("mesh": {"side": 0.1, "angle": 10, "tip_side": 0.002}, "cracks": [{"along": [[0, 0], [0.5, 0]]}], )";
@@ -213,7 +212,7 @@ TEST(SifCommand, loads_on_the_faces_are_part_of_the_integrals) {
     }
 }
 
-// An initial stress that the faces of a new crack cannot bear opens it as the same tension does.
+// An initial stress that the faces of a new crack cannot carry opens it as the same tension does.
 TEST(SifCommand, initial_stress_opens_a_crack_as_the_same_tension_does) {
   const std::string mesh =
       R"("mesh": {"side": 0.1, "angle": 10, "tip_side": 0.002}, "cracks": [{"along": [[0, 0], [0.5, 0]]}], )";
@@ -250,7 +249,7 @@ TEST(SifCommand, bad_cracks_are_refused_and_nothing_is_written) {
   }
 }
 
-// K of a run stands in a table without the doubts of `sif`.
+// A table of K from a run has no doubts of `sif`.
 TEST(RunsWithCracks, tell_of_coarse_tips_and_of_tips_without_factors) {
   const auto said = [](const std::string& covers) {
     return run_keyblock(
@@ -268,8 +267,8 @@ TEST(RunsWithCracks, tell_of_coarse_tips_and_of_tips_without_factors) {
   EXPECT_EQ(tiny.messages.find("[coarse_tip]"), std::string::npos) << tiny.messages;
 }
 
-// G of a beam driven by a displacement: half of the reaction times the displacement is its energy, and what that
-// loses is the sum of J over the way of the tip, both at one displacement.
+// G of a beam driven by a displacement: half of the reaction times the displacement is its energy. Its loss is the sum
+// of J over the path of the tip, both at one displacement.
 TEST(CrackGrowth, releases_the_energy_that_j_says) {
   const std::string covers = R"("mesh": {"side": 0.2, "angle": 10}, "cracks": [{"along": [[0, 0], [2, 0]]}],
      "growth": {"increment": 0.2}, "displacements": [{"along": [[0, 0], [0, 1]], "held": "y", "y": 0.001},
@@ -296,7 +295,7 @@ TEST(CrackGrowth, releases_the_energy_that_j_says) {
   double released = 0, energy_first = 0, energy_last = 0;
   for (std::size_t i = 0; i < 6; ++i) {
     const double factor = number(tips, i, column(tips, "load_factor"));
-    // History has a row for the start.
+    // History has a row for the initial state.
     const double reaction = number(history, i + 1, column(history, "reaction1_y")) / factor;
     const double energy = reaction * 0.001;  // two arms, half each
     const double j = number(tips, i, column(tips, "J [")) / (factor * factor);
@@ -329,7 +328,7 @@ TEST(CrackGrowth, needs_statics_toughness_and_elastic_rock) {
       R"("mesh": {"side": 0.2, "tip_side": 0.005}, "cracks": [{"along": [[0, 0], [0.5, 0]]}],
          "growth": {"increment": 0.1}, )";
   const ProgramRun soft = run_keyblock({"sif", file_of("sound", plate(covers + kPulled))});
-  EXPECT_EQ(soft.exit_code, 0) << soft.messages;  // sif looks at the cracks as they are
+  EXPECT_EQ(soft.exit_code, 0) << soft.messages;  // sif takes the cracks as they are
   const std::string out = fresh_folder("sif_needs_out") + "/out";
   const ProgramRun no_toughness = run_keyblock({"run", file_of("needs", plate(covers + kPulled)), "-o", out});
   EXPECT_EQ(no_toughness.exit_code, 3);

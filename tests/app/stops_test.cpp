@@ -1,4 +1,4 @@
-// A request to stop is heard wherever a run is, and leaves what can be gone on with.
+// A run answers a request to stop at any time, and leaves results that can be resumed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// A square on a floor, cut into `count` wedges about its middle: their contact forces do not settle in minutes.
+/// A square on a floor, cut into `count` wedges about its middle: their contact forces do not converge in minutes.
 std::string fan(int count) {
   std::string lines =
       "[-5, -1, 15, -1, 1], [15, -1, 15, 0, 1], [15, 0, -5, 0, 1], [-5, 0, -5, -1, 1], "
@@ -54,7 +54,7 @@ std::string slope_in(const std::string& folder) {
 
 }  // namespace
 
-// Some thousand blocks, which take seconds to settle before anything is told.
+// Some thousand blocks, which take seconds to reach their initial state before any message.
 TEST(Stops, are_heard_while_the_start_is_sought) {
   const std::string folder = fresh_folder("stop_start");
   const std::vector<std::string> arguments{"run",
@@ -119,8 +119,8 @@ TEST(Stops, within_steps_leave_a_run_that_ends_with_the_same_bytes) {
   }
 }
 
-// It waits for a reader that does not come (the pipe is full), and cannot hear. (A shell has its background programs
-// ignore SIGINT.)
+// The process waits for a reader that does not come (the pipe is full), and cannot react. (A shell makes its background
+// programs ignore SIGINT.)
 TEST(Stops, asked_for_again_later_end_the_run_at_once) {
   for (const auto& [name, signal] : {std::pair{"TERM", SIGTERM}, {"HUP", SIGHUP}}) {
     const std::string folder = fresh_folder(std::string("stop_twice_") + name);
@@ -135,8 +135,8 @@ TEST(Stops, asked_for_again_later_end_the_run_at_once) {
   }
 }
 
-// As `timeout` does, which sends the signal to the program and to the group it is in. The script waits for the first
-// frame: a program that is still starting does not hear it.
+// Acts as `timeout` does, which sends the signal to the program and to its group. The script waits for the first frame:
+// a program that is still starting does not react.
 TEST(Stops, asked_for_twice_at_once_are_one) {
   const std::string out = fresh_folder("stop_twice_at_once") + "/out";
   const auto run =

@@ -1,4 +1,5 @@
-// Streams that are closed or full, and limits of the shell: a run goes on where it can, and says what it could not.
+// Closed or full streams, and limits of the shell: a run continues if it can, and reports each output that it could not
+// write.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ std::string run_of(int steps) {
 
 }  // namespace
 
-// The first file that is opened takes the place of a closed stream.
+// The first file that is opened gets the number of a closed stream.
 TEST(StreamsAndLimits, messages_that_nobody_reads_neither_end_a_run_nor_go_into_its_files) {
   const std::string folder = fresh_folder("no_stderr");
   ASSERT_EQ(run_script(run_of(400) + "-o " + folder + "/whole").exit_code, 0);
@@ -50,7 +51,7 @@ TEST(StreamsAndLimits, data_that_a_full_disk_does_not_take_are_exit_4_and_the_re
   EXPECT_TRUE(fs::exists(folder + "/out/run.json"));
 }
 
-// The record stands in the folder too: whoever closed the stream has it there.
+// The folder holds the record too, for a user who closed the stream.
 TEST(StreamsAndLimits, a_run_whose_record_nobody_reads_ends_as_its_results_do) {
   const std::string folder = fresh_folder("closed_stdout");
   ASSERT_EQ(run_script(run_of(400) + "-o " + folder + "/whole").exit_code, 0);

@@ -1,4 +1,4 @@
-// `tradeoff` and `sweep` as a user meets them: exit codes, what is written and never overwritten, stable JSON.
+// `tradeoff` and `sweep` from the command line: exit codes, files written and never overwritten, stable JSON.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ TEST(TradeoffCommand, input_that_cannot_be_used_is_exit_3) {
   EXPECT_EQ(run_keyblock({"tradeoff", fresh_folder("no_case")}).exit_code, 3);
 }
 
-// A sliding block: its steps are exact, so refinement leads nowhere else.
+// A sliding block: its steps are exact, so that refinement changes nothing.
 TEST(TradeoffCommand, files_without_expected_values_are_held_against_their_own_limit) {
   const ProgramRun made = run_keyblock({"tradeoff", kSlide + "/a30_p20.geo", kSlide + "/a30_p20.ana", "--json",
                                         "--vary", "step", "--finest", "8", "--set", "steps=200"});

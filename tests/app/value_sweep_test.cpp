@@ -1,4 +1,4 @@
-// `sweep --over`, its shards, and `run --at` as a user meets them.
+// `sweep --over`, its shards, and `run --at` from the command line.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -159,7 +159,7 @@ TEST(ValueSweep, scripts_name_the_shards) {
   EXPECT_TRUE(contains(slurm.output, "--over 'steps=10, 20'")) << slurm.output;
   EXPECT_FALSE(contains(slurm.output, "--slurm"));
   EXPECT_FALSE(fs::exists(folder + "/out"));
-  // The script as Slurm runs it, one task after the other.
+  // The script as Slurm runs it, one task after another.
   write_text(folder + "/job.sh", slurm.output);
   for (const char* task : {"1", "2", "3", "4"})
     EXPECT_EQ(support::run_script("SLURM_ARRAY_TASK_ID=" + std::string(task) + " bash " + folder + "/job.sh").exit_code,

@@ -26,7 +26,7 @@ using support::ReadPage;
 using support::run_keyblock;
 using support::write_text;
 
-/// Two blocks on a held one, of which an excavation cuts the upper one to half: all counts stay.
+/// Two blocks on a fixed one; an excavation cuts the upper one to half: all counts stay.
 constexpr const char* kCutLater = R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"},
  "blocks": {"blocks": [{"material": "<b>rock", "outer": [[0, -1, "j"], [6, -1, "j"], [6, 0, "j"], [0, 0, "j"]]},
    {"material": "<b>rock", "outer": [[1, 0, "j"], [5, 0, "j"], [5, 1, "j"], [1, 1, "j"]]},

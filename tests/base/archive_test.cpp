@@ -1,4 +1,4 @@
-// What is saved comes back, and what does not fit is refused by name.
+// Saved values come back, and a mismatch is refused by name.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/archive.hpp"
 

@@ -1,4 +1,4 @@
-// What two computations in one process know of each other: nothing.
+// Two computations in one process do not affect each other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/context.hpp"
 
@@ -64,7 +64,7 @@ TEST(Context, ends_at_its_limits) {
   few.begin_system();
   EXPECT_THROW(few.begin_system(), StopRequested);
   EXPECT_EQ(few.systems(), 2);
-  EXPECT_FALSE(few.is_stopped()) << "what solves no system goes on";
+  EXPECT_FALSE(few.is_stopped()) << "a run without linear solves continues";
   EXPECT_TRUE(Context({.seconds = 0}).is_stopped());
   EXPECT_FALSE(Context({.seconds = 1e3}).is_stopped());
 }

@@ -44,7 +44,7 @@ std::size_t words(const std::string& sentence) {
       std::distance(std::istream_iterator<std::string>(text), std::istream_iterator<std::string>()));
 }
 
-/// Empty, or the first word of the text that the style guide excludes.
+/// Returns the first word of the text that the style guide excludes; empty if there is none.
 std::string excluded_word(std::string_view text) {
   constexpr std::array<std::string_view, 19> kNever{
       "whatever",      "whoever",       "whereto",     "likewise",     "thereof",    "but for",    "for want of",

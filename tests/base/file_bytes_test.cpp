@@ -1,4 +1,4 @@
-// A file comes whole, whether one thread reads it or several.
+// One thread and several threads read the same whole file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/bytes/file_bytes.hpp"
 

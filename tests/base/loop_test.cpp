@@ -1,4 +1,4 @@
-// Loops on any number of threads do the same.
+// Loops give the same result on any number of threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/loop.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kCount = 40 * kLoopRange + 7;
 
-/// Puts the number of threads back.
+/// Restores the number of threads.
 class Loop : public ::testing::Test {
  protected:
   ~Loop() override { context().use_threads(0); }

@@ -1,4 +1,4 @@
-// Coordinates of surveys are read off, not worked out from powers of ten.
+// Coordinates of surveys are printed with all digits, without powers of ten.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/words/plain_number.hpp"
 
@@ -23,7 +23,7 @@ TEST(PlainNumber, large_numbers_have_all_digits_before_the_point_and_small_ones_
   EXPECT_EQ(plain(2.5e-7, 3), "2.5e-07");
 }
 
-// Where %g has no power of ten the two are the same, so that messages stay as they were.
+// If %g has no power of ten, both agree.
 TEST(PlainNumber, it_is_what_g_writes_where_that_has_no_power_of_ten) {
   for (int i = 0; i < 2000; ++i) {
     const double value = std::pow(10.0, -3.9 + i * 0.0038) * (i % 2 == 0 ? 1 : -1);

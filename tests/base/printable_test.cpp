@@ -1,4 +1,4 @@
-// What a file is called or says cannot speak to the terminal, nor break an XML file.
+// Names and texts of files cannot control the terminal or break an XML file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/printable.hpp"
 

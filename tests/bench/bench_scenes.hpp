@@ -1,4 +1,4 @@
-// Walls, slopes and scattered blocks of any number: what times are measured on.
+// Builds walls, slopes and scattered blocks of any number for the measurements of time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace keyblock::bench {
 
-/// A held floor and `side` courses of as many bricks of 1 m × 0.5 m in running bond, every second course with halves at
-/// its ends. `slope` turns all of it, rad.
+/// A fixed floor and `side` courses of as many bricks of 1 m × 0.5 m in running bond. Every second course has half
+/// bricks at its ends. `slope` rotates the whole scene [rad].
 inline Blocks brick_wall(int side, double slope = 0) {
   Blocks blocks;
   const double width = side;
@@ -27,7 +27,7 @@ inline Blocks brick_wall(int side, double slope = 0) {
   return blocks;
 }
 
-/// Squares of half a metre that fall beside each other without touching.
+/// Squares of half a metre that fall side by side without contact.
 inline Blocks scatter(int side) {
   Blocks blocks;
   for (int row = 0; row < side; ++row)
@@ -38,7 +38,7 @@ inline Blocks scatter(int side) {
   return blocks;
 }
 
-/// A pyramid of squares of a metre, `rows` at its foot, on a held floor.
+/// A pyramid of squares of a metre, `rows` at its foot, on a fixed floor.
 inline Blocks pyramid(int rows) {
   Blocks blocks;
   const double width = rows;
@@ -52,8 +52,7 @@ inline Blocks pyramid(int rows) {
   return blocks;
 }
 
-/// As the scaling runs of the Berkeley program: 1 ms, E 5 GPa, penalty E, friction of 35 degrees; contacts within 50
-/// mm.
+/// The scaling runs of the Berkeley program: 1 ms, E 5 GPa, penalty E, friction of 35 degrees, contacts within 50 mm.
 inline Analysis scaling_analysis(const Blocks& blocks) {
   Analysis analysis = support::plain_analysis(1e-3, 1000000);
   analysis.joint_materials[0].friction_angle_deg = 35;
@@ -72,7 +71,7 @@ inline Analysis scaling_analysis(const Blocks& blocks) {
 /// R = p Δt² / 2m of a whole brick in the step of `scaling_analysis`.
 inline constexpr double kRatioOfBricks = 2;
 
-/// In steps of another R = p Δt² / 2m where one is given.
+/// Steps of another R = p Δt² / 2m, if one is given.
 inline Scene scene_for(const Blocks& blocks, const std::string& profile, double ratio = kRatioOfBricks) {
   Analysis analysis = scaling_analysis(blocks);
   analysis.time_step *= std::sqrt(ratio / kRatioOfBricks);

@@ -1,5 +1,5 @@
-// The same brick wall and pyramid of rigid blocks by Box2D and by us: steps per second, greatest penetration, energy
-// made or lost.
+// Computes the same brick wall and pyramid of rigid blocks by Box2D and by Keyblock: steps per second, largest
+// penetration, energy gained or lost.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <box2d/box2d.h>
 #include <fmt/format.h>
@@ -31,8 +31,8 @@ double now() {
 
 struct Outcome {
   double steps_per_second = 0;
-  double penetration = 0;  ///< greatest way of a block down: at rest there is none but into what carries it
-  double energy = 0;       ///< |kinetic + gravity − at the start| over m g h of all blocks
+  double penetration = 0;  ///< largest downward displacement of a block: at rest only penetration into its support
+  double energy = 0;       ///< |kinetic + gravity − their initial sum| over m g h of all blocks
 };
 
 struct Box {
@@ -54,7 +54,7 @@ double weight_times_height(const std::vector<Box>& boxes) {
   return sum;
 }
 
-// Corners of a block against those of all others would do no better for walls at rest: every block lies on others.
+// Compares each block with its support only, which is enough for walls at rest.
 Outcome by_box2d(const std::vector<Box>& boxes, int effort) {
   b2World world(b2Vec2(0, -static_cast<float>(kGravity)));
   world.SetAllowSleeping(false);
@@ -127,7 +127,7 @@ Outcome by_us(const Blocks& blocks, const std::vector<Box>& boxes, const std::st
   return outcome;
 }
 
-// `ratio`: our steps a second over theirs; none beside our own.
+// `ratio`: steps per second of Keyblock over those of Box2D; empty beside Keyblock's own.
 void print(const std::string& name, const Outcome& outcome, const std::vector<Outcome>& ours) {
   std::string ratios;
   for (const Outcome& one : ours) ratios += fmt::format("{:>10.2f}", one.steps_per_second / outcome.steps_per_second);
@@ -144,7 +144,7 @@ void compare(const std::string& name, const Blocks& blocks) {
     ours.push_back(by_us(blocks, boxes, profile));
     print(fmt::format("ours, {}", profile), ours.back(), {});
   }
-  // More iterations, until it sinks no more than either of us.
+  // Adds iterations until the penetration is that of Keyblock.
   const double least = std::min(ours[0].penetration, ours[1].penetration);
   for (int effort = 1; effort <= kMostEffort; effort *= 2) {
     const Outcome theirs = by_box2d(boxes, effort);
@@ -163,7 +163,7 @@ int main() {
       "{:>26} {:>9} {:>9} {:>9} {:>20}\n",
       b2_version.major, b2_version.minor, b2_version.revision, "", "steps/s", "sinks m", "energy",
       "legacy/  standard/");
-  keyblock::context().use_threads(1);  // processor time is counted, and Box2D takes one
+  keyblock::context().use_threads(1);  // processor time is counted, and Box2D uses one thread
   for (const int side : {10, 30, 50}) compare("brick", brick_wall(side));
   for (const int rows : {14, 45}) compare("pyramid", pyramid(rows));
 }

@@ -1,5 +1,5 @@
-// Prints what a step and a static solution on covers cost beside the bare kernels: is the factor cheaper than conjugate
-// gradients?
+// Prints the cost of a step and of a static solution on covers beside the bare kernels, to compare factorisation and
+// conjugate gradients.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -25,16 +25,16 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kYoungsModulus = 1e9;
 constexpr double kDensity = 2500;
-// On the end of the beam: it would sink by 1/100 of the length at rest.
+// On the end of the beam: it would settle by 1/100 of the length at rest.
 constexpr double kPull = 0.1 * kYoungsModulus / (1000 * 4.0238);
-constexpr double kSwing = 0.05;  // of the tip, over its sinking at rest
+constexpr double kSwing = 0.05;  // of the tip, over its static displacement
 
 constexpr int kLaterSteps = 10;
 constexpr double kTolerance = 1e-10;
 constexpr int kMostIterations = 20000;
 constexpr double kSame = 1e-6;  // two solutions of one matrix, one of them of a semidefinite one
 
-// Of the wall: several threads share the work.
+// Wall-clock time: several threads share the work.
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -45,7 +45,7 @@ double timed(const std::function<void()>& work) {
   return now() - begin;
 }
 
-// Best of as many as fit into a second, three at least: one alone may be the one that other programs held up.
+// Best of as many as fit into a second, three at least: other programs may delay a single one.
 double best(const std::function<void()>& work) {
   double least = 1e300;
   double spent = 0;
@@ -66,21 +66,21 @@ Continuum beam(CoverFunctions functions, double rows) {
   return continuum;
 }
 
-/// Rows of a beam with about so many unknowns.
+/// Returns the rows of a beam with about so many unknowns.
 double rows_for(CoverFunctions functions, double unknowns) {
   constexpr double kFewRows = 16;
   const Continuum few = beam(functions, kFewRows);
   return kFewRows * std::sqrt(unknowns / (2 * CoverBasis(few.manifold, functions).function_count()));
 }
 
-/// Midpoint rule of the elastic force: nothing of the motion is damped.
+/// Midpoint rule of the elastic force: no numerical damping.
 StepRule rule_of(double dt) {
   StandardChoices choices;
   choices.force_weight = 0.5;
   return step_rule(choices, dt);
 }
 
-/// The body swings through its straight shape.
+/// The body oscillates through its straight shape.
 CoverMotion swinging(const ElasticBodies& bodies) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(bodies.unknown_count());
   CoverMotion motion{zero, zero, zero, {}};
@@ -95,7 +95,7 @@ CoverMotion swinging(const ElasticBodies& bodies) {
   return motion;
 }
 
-/// What CoverEquations factorises without damping.
+/// The matrix that CoverEquations factorises without damping.
 void assemble_tangent(const ElasticBodies& bodies, const CoverMotion& start, const Eigen::VectorXd& increment,
                       const StepRule& rule, SparseSystem& tangent) {
   tangent.clear();
@@ -105,7 +105,7 @@ void assemble_tangent(const ElasticBodies& bodies, const CoverMotion& start, con
   bodies.elasticity.add_tangent(start.q, start.q + increment, rule.stiffness, {}, 1, tangent);
 }
 
-// A new factor gives other bits: a step tells how many rounds it took, but not whether it kept the factor. Two in one
+// A new factorisation gives other bits: a step reports its iterations, but not if it kept the factorisation. Two in one
 // step count as one.
 class FactorWatch {
  public:
@@ -124,7 +124,7 @@ class FactorWatch {
   Eigen::VectorXd last_;
 };
 
-/// The first step, which makes the factor, and those after it; `motion` ends where they do.
+/// The first step, which makes the factorisation, and the steps after it; `motion` ends where they do.
 Json steps_of(const support::CoversAlone& alone, const StepRule& rule, double dt, CoverMotion& motion) {
   const Eigen::VectorXd& load = alone.equations().bodies().supports.load();
   FactorWatch watch(alone.equations());
@@ -158,7 +158,8 @@ Json steps_of(const support::CoversAlone& alone, const StepRule& rule, double dt
   return row;
 }
 
-/// Conjugate gradients from zero; what the preconditioner costs stands apart, since it could be kept as the factor is.
+/// Conjugate gradients from zero. The cost of the preconditioner is separate, because it could be kept like the
+/// factorisation.
 template <class Preconditioner>
 Json gradients(const Sparse& lower, const Eigen::VectorXd& right) {
   Eigen::ConjugateGradient<Sparse, Eigen::Lower, Preconditioner> solver;
@@ -173,8 +174,8 @@ Json gradients(const Sparse& lower, const Eigen::VectorXd& right) {
   return row;
 }
 
-/// Each part of a step alone, and conjugate gradients in the place of the factor, for the first round of the step from
-/// `start`.
+/// Times each part of a step alone, and conjugate gradients instead of the factorisation, for the first Newton
+/// iteration of the step from `start`.
 Json kernels_of(CoverEquations& equations, const StepRule& rule, double dt, const CoverMotion& start) {
   const ElasticBodies& bodies = equations.bodies();
   const Eigen::VectorXd increment = dt * start.v;
@@ -203,13 +204,13 @@ double number(const Json& row, const char* key) {
   return row[key].get<double>();
 }
 
-/// The gain or loss of each: a step over the kernels that it calls, and conjugate gradients over what the kept factor
-/// costs a step.
+/// Prints the ratios: a step over the kernels that it calls, and conjugate gradients over the cost of the kept
+/// factorisation in a step.
 void add_ratios(Json& row) {
   const double solve = number(row, "solve");
   row["first_over_kernel"] = number(row, "first_step") / (number(row, "factor") + number(row, "first_rounds") * solve);
   row["step_over_kernel"] = number(row, "step") / (number(row, "step_rounds") * solve);
-  // As few as can be: one solution a step to the tolerance, with a preconditioner that is kept.
+  // The lower bound: one solution per step to the tolerance, with a preconditioner that is kept.
   const double kept = number(row, "rounds") * solve + number(row, "factors") * number(row, "factor");
   row["kept"] = kept;
   for (const char* name : {"diagonal", "cholesky"}) {

@@ -1,5 +1,5 @@
-// Prints what growing cracks cost: a step of growth beside one solution of the same mesh, and cutting a body anew and
-// carrying its motion over beside the factors of its matrices.
+// Prints the cost of growing cracks: a step of growth beside one solution of the same mesh; remeshing a body and
+// transferring its motion beside the factorisations of its matrices.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -28,16 +28,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kAskedSolves = 3;   // of the same mesh, a step of growth
-constexpr double kAskedFactors = 1;  // recut and carried
+constexpr double kAskedFactors = 1;  // remeshing and transfer of the state
 
-// Of the processor, all threads together: other programs do not count.
+// Processor time, all threads together: other programs do not count.
 double timed(const std::function<void()>& work) {
   const std::clock_t begin = std::clock();
   work();
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-/// Best of some: one alone may be the one that other programs held up.
+/// Best of several: other programs may delay a single one.
 double best(const std::function<void()>& work, int times) {
   double least = 1e300;
   for (int i = 0; i < times; ++i) least = std::min(least, timed(work));
@@ -79,13 +79,13 @@ Json growth_step(double side) {
     const double took = timed([&] {
       if (!std::holds_alternative<StepReport>(stepper->advance())) throw std::runtime_error("a step of growth failed");
     });
-    if (i > 0) step = std::min(step, took);  // the first begins with the crack as it is drawn
+    if (i > 0) step = std::min(step, took);  // the first begins with the crack as drawn
   }
   const Continuum& continuum = *stepper->model().continuum;
   const double solve = best([&] { solve_static(continuum); }, 5);
   const int unknowns = 2 * basis_of(continuum).function_count();
   fmt::print(
-      "growth step: {} elements, {} unknowns: step {:.1f} ms, one solution {:.1f} ms: {:.2f} solutions (asked: {}){}\n",
+      "growth step: {} elements, {} unknowns: step {:.1f} ms, one solution {:.1f} ms: {:.2f} solutions (limit: {}){}\n",
       continuum.manifold.elements.size(), unknowns, 1e3 * step, 1e3 * solve, step / solve, kAskedSolves,
       step <= kAskedSolves * solve ? "" : "  MISSED");
   return {{"unknowns", unknowns}, {"step_s", step}, {"solution_s", solve}};
@@ -99,8 +99,8 @@ Problem flying(double side, double tip_side, double end) {
   return problem;
 }
 
-// A mesh that is finer about the tip, as that of a crack that grows is unless told otherwise, is another after each
-// cut: `fineness` is its side far from the tip over that at the tip.
+// A mesh that is finer about the tip, the default for a growing crack, is another one after each increment. `fineness`
+// is its side far from the tip over that at the tip.
 Json recut(int elements, double fineness) {
   const double side = std::sqrt(2 * 4 / (std::sqrt(3.0) * elements));
   const double tip_side = fineness > 1 ? side / fineness : 0;
@@ -126,7 +126,7 @@ Json recut(int elements, double fineness) {
   const double all = cut + map + carry;
   fmt::print(
       "recut and carried, {} at the tip: {} elements, {} unknowns: cut {:.2f} s, matched {:.2f} s, carried {:.2f} s; "
-      "one factor {:.2f} s: {:.1f} factors (asked: {}){}\n",
+      "one factorisation {:.2f} s: {:.1f} factorisations (limit: {}){}\n",
       fineness > 1 ? "finer" : "as fine", continuum.manifold.elements.size(), 2 * basis.function_count(), cut, map,
       carry, factor, all / factor, kAskedFactors, all <= kAskedFactors * factor ? "" : "  MISSED");
   return {{"elements", continuum.manifold.elements.size()},

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a round of Newton's method costs where rock flows, over one of elastic rock with derived functions on the same mesh; asked: at most 1.5.
-And how long a footing takes to collapse at 5,414 unknowns; asked: less than a minute. Exit code 1 where one of these is missed.
+"""Measures the cost of a Newton iteration of flowing rock, over one of elastic rock with derived functions on the same mesh. The limit is 1.5.
+Measures also the time in which a footing of 5,414 unknowns collapses. The limit is a minute. The exit code is 1 if one limit is exceeded.
 
-A round is the difference of two runs of different length over their rounds, so that reading, meshing and writing do not count; each is the least
-of three, in processor time of one thread. What a step does besides its rounds (places, frames) is in them: an elastic step has one round, so that its
-rounds bear more of it; rock that yields with derived functions, of as many rounds a step as with constant ones, is the stricter measure. Times
-alone mean nothing on another machine."""
+The cost of an iteration is the difference of two runs of different length over their iterations, so that reading, meshing and writing do not count.
+Each run is the fastest of three, in processor time of one thread. The other work of a step (places, frames) counts too. An elastic step has one
+iteration, which carries all of it. Elastoplastic rock with derived functions has as many iterations per step as with constant ones, and is the
+stricter measure. Times alone mean nothing on another machine."""
 import argparse
 import json
 import pathlib
@@ -52,7 +52,7 @@ def run(program, text, steps, folder):
 
 
 def round_of(program, text, lengths, folder):
-    """Seconds a round, unknowns, rounds and yielded share of the longer run."""
+    """Seconds per iteration, unknowns, iterations and yielded fraction of the longer run."""
     least = {}
     for _ in range(REPEATS):
         for steps in lengths:
@@ -65,9 +65,9 @@ def round_of(program, text, lengths, folder):
 
 
 def collapse(program, folder):
-    """Rows of footings whose load stands at the end: seconds of the whole run, and the growth of load over settlement in the last step."""
-    print("A footing to collapse, flow associated, 24 steps (asked: %d s)" % COLLAPSE_SECONDS)
-    print("%5s %9s %7s %9s %8s %8s" % ("phi", "unknowns", "rounds", "Nc", "slope", "seconds"))
+    """Rows of footings whose load is constant at the end: seconds of the whole run, and the growth of load over settlement in the last step."""
+    print("A footing to collapse, flow associated, 24 steps (limit: %d s)" % COLLAPSE_SECONDS)
+    print("%5s %9s %7s %9s %8s %8s" % ("phi", "unknowns", "iters", "Nc", "slope", "seconds"))
     rows = []
     for angle in (10, 20, 30):
         file, out = pathlib.Path(folder) / "collapse.json", pathlib.Path(folder) / "collapse"
@@ -87,10 +87,10 @@ def collapse(program, folder):
 
 
 def missed(rows, collapsed):
-    """What is not as asked, in sentences."""
-    sentences = ["side %g: a round of rock that yields costs %.2f rounds of elastic rock, asked %g" % (row["side"], row["ratio"], ASKED)
+    """Returns one sentence per exceeded limit."""
+    sentences = ["side %g: an iteration of elastoplastic rock costs %.2f iterations of elastic rock, limit %g" % (row["side"], row["ratio"], ASKED)
                  for row in rows if row["rock"] == "yields, constant" and row["ratio"] > ASKED]
-    return sentences + ["phi %d: %.0f s to collapse, asked %d s" % (row["phi"], row["seconds"], COLLAPSE_SECONDS)
+    return sentences + ["phi %d: %.0f s to collapse, limit %d s" % (row["phi"], row["seconds"], COLLAPSE_SECONDS)
                         for row in collapsed if row["seconds"] > COLLAPSE_SECONDS]
 
 
@@ -100,8 +100,8 @@ def main():
     parser.add_argument("--steps", type=int, nargs=2, default=(10, 40))
     parser.add_argument("--json", type=pathlib.Path)
     arguments = parser.parse_args()
-    print("A round of Newton's method on a footing, over that of elastic rock with derived functions on the same mesh (asked: %.1f)" % ASKED)
-    print("%9s %-28s %8s %7s %9s %10s %7s" % ("mesh", "rock", "unknowns", "rounds", "yielding", "ms a round", "ratio"))
+    print("A Newton iteration on a footing, over that of elastic rock with derived functions on the same mesh (limit: %.1f)" % ASKED)
+    print("%9s %-28s %8s %7s %9s %10s %7s" % ("mesh", "rock", "unknowns", "iters", "yielding", "ms/iter", "ratio"))
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for edge, far in ((0.1, 0.3), (0.04, 0.16)):

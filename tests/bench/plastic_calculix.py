@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a round of Newton's method costs where rock flows, over one of CalculiX (Debian package calculix-ccx) on the same triangles and under the same
-law: Cook's membrane under plane strain, von Mises with linear hardening (benchmark pla-11). CalculiX 2.20 has no surface of Mohr and Coulomb.
+"""Measures the cost of a Newton iteration of flowing rock, over one of CalculiX (Debian package calculix-ccx) on the same triangles, by the same law.
+The problem is Cook's membrane under plane strain, von Mises with linear hardening (benchmark pla-11). CalculiX 2.20 has no Mohr-Coulomb surface.
 
-A round is the difference of two runs of different length over their rounds, each the least of three, both programs on one thread and in processor
-time. Keyblock takes
-large strain and averages over covers, CalculiX small strain (*STATIC without NLGEOM) and triangles of constant strain, which it makes wedges of.
-Skipped where `ccx` is not installed. Times alone mean nothing on another machine."""
+The cost of an iteration is the difference of two runs of different length over their iterations. Each run is the fastest of three, on one thread and
+in processor time. Keyblock computes large strain and averages over covers. CalculiX computes small strain (*STATIC without NLGEOM) on triangles of
+constant strain, which it makes wedges. The bench is skipped if `ccx` is not installed. Times alone mean nothing on another machine."""
 import argparse
 import json
 import os
@@ -35,7 +34,7 @@ def cook(side, steps):
 
 
 class Round:
-    """Of the longer of two runs: seconds a round, unknowns, rounds, displacement of the upper corner."""
+    """Returns, for the longer of two runs, seconds per iteration, unknowns, iterations, displacement of the upper corner."""
 
     def __init__(self, runs):
         (short, fewer, _, _), (long, more, self.unknowns, self.corner) = runs
@@ -56,7 +55,7 @@ def by_keyblock(program, side, steps, folder):
 
 
 def without_straight_corners(places):
-    """An edge of a body may have corners where round-off lets a neighbouring triangle touch it."""
+    """An edge of a body may have corners where round-off brings a neighbouring triangle to it."""
     cross = lambda a, b, c: (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     size = max(abs(cross(places[0], places[1], p)) + abs(cross(places[0], p, places[-1])) for p in places)
     return [p for i, p in enumerate(places) if abs(cross(places[i - 1], p, places[(i + 1) % len(places)])) > 1e-9 * size]
@@ -117,8 +116,8 @@ def main():
     if not shutil.which("ccx"):
         print("skipped: CalculiX (Debian package calculix-ccx) is not installed")
         return 0
-    print("A round of Newton's method on Cook's membrane that yields, over one of CalculiX on the same triangles (above 1: Keyblock is slower)")
-    print("%5s %-9s %9s %9s %7s %10s %10s %7s" % ("side", "program", "triangles", "unknowns", "rounds", "ms a round", "corner", "ratio"))
+    print("A Newton iteration on a yielding Cook's membrane, over one of CalculiX on the same triangles (above 1: Keyblock is slower)")
+    print("%5s %-9s %9s %9s %7s %10s %10s %7s" % ("side", "program", "triangles", "unknowns", "iters", "ms/iter", "corner", "ratio"))
     rows = []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

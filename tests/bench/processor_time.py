@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Processor time of a program that is run: on a busy machine it wanders less than what a clock on the wall shows."""
+"""Measures the processor time of a program: on a busy machine it varies less than wall-clock time."""
 import resource
 import subprocess
 
 
 def timed(command, **more):
-    """What the program left, and its seconds, of its own and of the system on its behalf."""
+    """Returns the result of the program, and its seconds of user and system time."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run(command, capture_output=True, text=True, **more)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)

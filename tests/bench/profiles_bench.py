@@ -1,16 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a step of profile `standard` costs over one of `legacy`, on the same files, side by side in one run, one thread.
+"""Measures the cost of a step of profile `standard` over one of `legacy`, on the same files, side by side in one run, one thread.
 
-A step is the difference of two runs of different length over their steps, so that reading, the start and writing do not count; each
-is the least of three. The start is what the shorter run took more than its steps. Times alone mean nothing on another machine."""
+The cost of a step is the difference of two runs of different length over their steps, so that reading, initial state and writing do
+not count. Each run is the fastest of three, in processor time of one thread. The cost of the start is the rest of the shorter run.
+Times alone mean nothing on another machine."""
 import argparse
 import csv
 import json
 import pathlib
-import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from processor_time import timed  # noqa: E402
 
 SCENES = [("brick10", "scale_N10_maxd_0.01"), ("brick20", "scale_N20_maxd_0.01"), ("brick50", "scale_N50_maxd_0.01"),
           ("slope5", "slope_N5"), ("slope10", "slope_N10"), ("slope20", "slope_N20")]
@@ -20,24 +23,23 @@ REPEATS = 3
 def run(program, files, profile, steps, folder):
     command = [program, "run", *map(str, files), "--profile", profile, "--set", f"steps={steps}", "--threads", "1",
                "-o", folder, "--force"]
-    done = subprocess.run(command, capture_output=True, text=True)
+    done, seconds = timed(command)
     if done.returncode not in (0, 1):
         errors = [line for line in done.stderr.splitlines() if "error" in line]
         raise RuntimeError(errors[-1] if errors else f"exit code {done.returncode}")
     report = json.loads((pathlib.Path(folder) / "run.json").read_text())
     with open(pathlib.Path(folder) / report["steps"]["table"]) as table:
         report["passes"] = [int(row["passes"]) for row in csv.DictReader(table)]
-    return report
+    return report, seconds
 
 
 def measured(program, files, lengths, folder):
-    """Least seconds by profile and number of steps, profiles and repeats taken in turn; the last reports."""
+    """Returns the least seconds by profile and number of steps, and the last reports. Profiles and repeats alternate."""
     least, reports = {}, {}
     for _ in range(REPEATS):
         for profile in ("legacy", "standard"):
             for steps in lengths:
-                report = run(program, files, profile, steps, folder)
-                seconds = report["seconds"]["run"]
+                report, seconds = run(program, files, profile, steps, folder)
                 least[profile, steps] = min(seconds, least.get((profile, steps), seconds))
                 reports[profile] = report
     return least, reports

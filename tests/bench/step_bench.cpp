@@ -1,5 +1,4 @@
-// Prints what a step costs as scenes grow, in both profiles, and where its time goes; what it kept stands in a JSON
-// file.
+// Prints the cost of a step for growing scenes, in both profiles, and its parts; a JSON file keeps them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <malloc.h>
@@ -37,17 +36,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kEnough = 0.5;  // seconds of steps that are timed at least, if they are not many
+constexpr double kEnough = 0.5;  // least time of the measured steps, if they are few [s]
 constexpr int kMostSteps = 20;
 constexpr int kFewestSteps = 2;
 constexpr int kWarmSteps = 2;
 
-// Of the wall: several threads share the work.
+// Wall-clock time: several threads share the work.
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// What the heap has lent: between two steps, so that factors and lists of a step are given back.
+// Memory in use on the heap, between two steps, when factorisations and lists of a step are free again.
 double megabytes_in_use() {
   const struct mallinfo2 heap = mallinfo2();
   return static_cast<double>(heap.uordblks + heap.hblkhd) / 1e6;
@@ -79,16 +78,17 @@ const std::vector<Layout>& layouts() {
   return all;
 }
 
-// What the Berkeley program needed for the median step of the same brick walls, seconds (noisy, ± 30 %).
+// Time of the Berkeley program for the median step of the same brick walls [s] (noisy, ± 30 %).
 const std::map<int, double>& berkeley_bricks() {
   static const std::map<int, double> seconds = {
       {10, 0.002141}, {20, 0.015570}, {30, 0.093216}, {50, 0.825403}, {70, 3.165920}};
   return seconds;
 }
 
-// Least time of a pass, s a block: what memory and arithmetic of one core of the machine of Keyblock's performance
-// study can give walls with six contacts a brick, for a factor or for iterations at dt c / h = 2, whichever is less
-// (1 / (4 passes × steps a second × blocks)). Between its three sizes by powers.
+// Least time of an open–close iteration [s per block] for walls with six contacts per brick. It follows from memory and
+// arithmetic of one core of the machine of Keyblock's performance study: 1 / (4 iterations × steps per second ×
+// blocks). The smaller bound counts: of a factorisation, or of iterations at dt c / h = 2. Power laws interpolate its
+// three sizes.
 double bound_of_pass(double blocks) {
   constexpr std::array<std::pair<double, double>, 3> kBounds{{{1e3, 3.5e-6}, {1e4, 1e-5}, {1e5, 2.27e-5}}};
   const std::size_t i = blocks < kBounds[1].first ? 0 : 1;
@@ -97,7 +97,7 @@ double bound_of_pass(double blocks) {
   return least * std::pow(std::max(blocks, kBounds[0].first) / small, std::log(most / least) / std::log(large / small));
 }
 
-// Parts of a step of the old rules, each made again from where the run stands; seconds.
+// Parts of a step by Shi's rules, each repeated from the present state [s].
 Json parts_of_legacy(const ShiScene& scene, const Stepping& at) {
   const State& state = at.state;
   Json parts;
@@ -124,7 +124,7 @@ Json parts_of_legacy(const ShiScene& scene, const Stepping& at) {
     Solver factoring;
     factoring.method = LinearMethod::factor;
     parts["solve_factor"] = best([&] { factoring.solve(system); });
-    // The same matrix by CHOLMOD alone: its factor, the pattern analysed before.
+    // The same matrix by CHOLMOD alone: its factorisation, with the pattern analysed before.
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < system.matrix.block_count(); ++i)
       for (const auto& [j, block] : system.matrix.row(i))

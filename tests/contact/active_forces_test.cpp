@@ -1,5 +1,5 @@
-// The forces of an active set meet the equations that define it: few by a dense factor, many by way of the blocks or,
-// on covers, by their own sparse equations, very many by iterations.
+// The forces of an active set satisfy its equations: few by a dense factorisation, many through the blocks or, on
+// covers, by their own sparse equations, very many by iterations.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/active_forces.hpp"
 
@@ -37,7 +37,7 @@ FrictionalProblem chain(int elements, std::mt19937& engine) {
   return problem;
 }
 
-/// Bodies of three functions each, none of which answers to forces on another.
+/// Bodies of three functions each, without coupling between bodies.
 class SharedOfBodies : public SharedFlexibility {
  public:
   SharedOfBodies(std::vector<Eigen::MatrixXd> bodies, bool is_symmetric)
@@ -58,7 +58,7 @@ class SharedOfBodies : public SharedFlexibility {
   bool is_symmetric_;
 };
 
-// A chain of bodies on covers with a block at its end.
+// A chain of NMM bodies with a block at its end.
 FrictionalProblem chain_on_covers(int bodies, std::mt19937& engine, bool is_symmetric = true) {
   std::uniform_real_distribution<double> number(-1, 1);
   const auto random = [&](int rows, int columns) {
@@ -96,7 +96,7 @@ FrictionalProblem chain_on_covers(int bodies, std::mt19937& engine, bool is_symm
   return problem;
 }
 
-// `share`: of W that stands on the diagonal besides, so that springs are stiff where it is small.
+// `share`: of W, added to the diagonal, so that springs are stiff if it is small.
 double misfit(const FrictionalProblem& problem, double share, bool iterates) {
   const auto elements = static_cast<int>(problem.count());
   std::vector<Grip> grips;
@@ -182,8 +182,8 @@ TEST(ActiveForces, soft_springs_between_many_blocks_are_solved_by_iterations_as_
   EXPECT_LE(misfit(400, 1e-3, false), 1e-10);
 }
 
-// Two unit masses in line pressed against a wall by redundant forces that are asked for gaps a rounding apart: no
-// forces close both, and what is left is tolerated; a force that its law forbids is not.
+// Two unit masses in line pressed against a wall by redundant forces that are required for gaps a rounding apart. No
+// forces close both, and the rest is tolerated; a force that its law forbids is not.
 TEST(FrictionalProblem, a_tolerated_gap_settles_forces_that_their_law_allows) {
   ContactRows rows;
   for (int k = 0; k < 2; ++k) {

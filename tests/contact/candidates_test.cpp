@@ -1,4 +1,4 @@
-// The grid finds exactly the pairs that testing all against all finds.
+// The grid finds exactly the candidates that testing all against all finds.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/find/candidates.hpp"
 

@@ -1,4 +1,5 @@
-// Rows of bolts and held points against differences of lengths and places; what a bolt's forces do to momentum.
+// Rows of bolts and fixed points compared with differences of lengths and places; effect of the forces of a bolt on
+// momentum.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/rows/constraints.hpp"
 
@@ -15,7 +16,7 @@ using support::rectangle;
 constexpr double kStep = 1e-6;  // central differences: error about 1e-10
 constexpr double kDifference = 1e-8;
 
-/// Two turned and strained blocks; a bolt from one to the other, one within the second, a point driven on the first.
+/// Two rotated and strained blocks; a bolt from one to the other, one within the second, a point driven on the first.
 struct Tied {
   Model model;
   Reference reference;
@@ -86,7 +87,7 @@ TEST(Constraints, the_row_across_a_bolt_is_its_turning_times_its_length) {
       EXPECT_NEAR(entry(rows[1], e, i), derivative(tied, e, i, angle) * length(chord(tied.q)), kDifference);
 }
 
-// Rigid turn and shift of a bolt as a whole leave its length: 3-4-5 triangle, closed form.
+// Rotating and shifting a bolt as a whole keeps its length: 3-4-5 triangle, closed form.
 TEST(Constraints, elongation_is_present_length_less_that_at_the_start) {
   Tied tied;
   tied.model.bolts = {{{{0, 0}, {0}}, {{3, 4}, {1}}, 1, 0, 0}};
@@ -102,7 +103,7 @@ TEST(Constraints, the_force_of_a_bolt_keeps_both_momenta) {
   UnknownsTable rate = tied.q;
   for (ElementIndex e : indices(rate)) {
     const Point c = tied.reference.centroids[e] + translation(*tied.model.elements[e].basis, tied.q[e]);
-    rate[e] << 0.3 - 2 * c.y, -0.7 + 2 * c.x, 2, 0, 0, 0;  // turning by 2 rad/s about the origin, and a shift
+    rate[e] << 0.3 - 2 * c.y, -0.7 + 2 * c.x, 2, 0, 0, 0;  // rotating by 2 rad/s about the origin, and a shift
   }
   const Eigen::VectorXd seen = rates(rows, rate);
   EXPECT_NEAR(seen[0], 0, 1e-13);  // no power in a rigid motion of all: no net force and no net moment
@@ -143,7 +144,7 @@ TEST(Constraints, a_driven_point_is_off_by_what_its_motion_lacks) {
   // The motion at t = 1 is (0.25, -0.5), half of its last row.
   EXPECT_LE((offsets(tied.model, tied.reference, tied.q, tied.held, 1) - Eigen::Vector2d(-0.125, 0.5)).norm(), 1e-14);
   EXPECT_LE((wanted_velocities(tied.held, 1.5, 0.25) - Eigen::Vector2d(0.25, -0.5)).norm(), 1e-14);
-  EXPECT_EQ(wanted_velocities(tied.held, 2, 0.25).norm(), 0);  // past its table a motion stands still
+  EXPECT_EQ(wanted_velocities(tied.held, 2, 0.25).norm(), 0);  // past its table a motion stays as it was
 }
 
 TEST(Constraints, points_of_fixed_elements_hold_nothing) {

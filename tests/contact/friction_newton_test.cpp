@@ -1,5 +1,5 @@
-// Contact forces by Newton's method beside closed forms: a block on its corners that sticks, slides, tips or lifts off,
-// and random bodies, whose forces are judged by the conditions themselves.
+// Contact forces by Newton's method beside closed forms: a block on its corners that sticks, slides, tips or lifts off.
+// Random bodies, whose forces are checked by the conditions themselves.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/friction_newton.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr double kMass = 2, kSpin = 3, kArm = 0.7, kHeight = 0.4;  // of the block; kSpin is its moment of inertia
 constexpr double kGravity = 9;
 
-/// A point of a rigid body at x, y from its centroid, on a floor: how fast it rises, and how fast it moves along.
+/// A point of a rigid body at x, y from its centroid, on a floor: its velocity upward and along the floor.
 struct Foot {
   double x = 0;
   double y = 0;
@@ -67,8 +67,8 @@ Eigen::Vector3d velocity_after(const FrictionalProblem& problem, const Eigen::Ve
   return v;
 }
 
-/// The greatest violation of the laws of contact and friction, in the unit of forces, for a dense W. A force times its
-/// rate counts as the root of it over the compliance.
+/// Returns the largest violation of the laws of contact and friction, in the unit of forces, for a dense W. A force
+/// times its rate counts as the root of it over the compliance.
 double violation(const Eigen::MatrixXd& w, const Eigen::VectorXd& b, const std::vector<ForceLaw>& laws,
                  const Eigen::VectorXd& forces) {
   const Eigen::VectorXd y = w * forces + b;
@@ -141,8 +141,8 @@ RandomBodies random_bodies(std::mt19937& random, double most_friction, double sp
 
 }  // namespace
 
-// Both corners bear: together the weight, and the couple that the push makes about the floor. They differ by
-// P (h + above)/a.
+// Both corners carry load: together the weight, and the couple of the push about the floor. They differ by P (h +
+// above)/a.
 TEST(FrictionNewton, a_block_that_sticks_bears_weight_push_and_couple) {
   for (const double push : {-3.0, 0.0, 2.0, 5.0}) {
     const Eigen::Vector3d free = pushed(push, 0.2);
@@ -156,7 +156,7 @@ TEST(FrictionNewton, a_block_that_sticks_bears_weight_push_and_couple) {
   }
 }
 
-// Friction is μ m g in all, at the floor: the block goes on by P/m - μ g, and does not turn.
+// Friction is μ m g in all, at the floor: the block moves with P/m - μ g, and does not rotate.
 TEST(FrictionNewton, a_block_that_slides_is_slowed_by_its_weight_times_friction) {
   for (const double push : {6.0, -6.0}) {
     const double sign = push > 0 ? 1 : -1, friction = 0.2;
@@ -175,8 +175,8 @@ TEST(FrictionNewton, a_block_that_slides_is_slowed_by_its_weight_times_friction)
   }
 }
 
-// About the corner that stays nothing turns the block but push and weight: L = a m g - P (h + above), by which it turns
-// at L/(J + m (a² + h²)).
+// Only push and weight rotate the block about the corner that stays: L = a m g - P (h + above). It rotates at L/(J + m
+// (a² + h²)).
 TEST(FrictionNewton, a_block_that_tips_turns_about_the_corner_that_stays) {
   const double push = 30, above = 0.5;
   const Eigen::Vector3d free = pushed(push, above);
@@ -214,7 +214,7 @@ TEST(FrictionNewton, without_friction_nothing_acts_along_the_floor) {
   }
 }
 
-// The matrix has rank three of ten: how five feet share the load is not decided, what they bear together is.
+// The matrix has rank three of ten: the distribution of the load among five feet is open, their resultant is not.
 TEST(FrictionNewton, five_feet_bear_what_two_would) {
   const std::vector<Foot> feet{{-kArm, -kHeight}, {-0.2, -kHeight}, {0.1, -kHeight}, {0.5, -kHeight}, {kArm, -kHeight}};
   for (const double push : {2.0, -3.0, 8.0}) {
@@ -273,7 +273,7 @@ TEST(FrictionNewton, random_bodies_of_little_friction_obey_the_laws_of_contact) 
   EXPECT_LE(open, 2);
 }
 
-// Some of these stay open without the detour; Newton's method must not claim those.
+// Some of these stay open without the detour; Newton's method must not report those as solved.
 TEST(FrictionNewton, what_counts_as_solved_obeys_the_laws_of_contact) {
   std::mt19937 random(8);
   int solved = 0, by_springs = 0;
@@ -302,7 +302,7 @@ TEST(FrictionNewton, forces_that_are_solved_cost_nothing_and_counts_go_on) {
   EXPECT_EQ(newton(problem, first.forces).solves, 0);
 }
 
-// Of the same active set under other loads: one block that bears, pressed twice as hard.
+// The same active set under other loads: one block that carries load, pressed twice as hard.
 TEST(FrictionNewton, a_kept_system_serves_other_loads) {
   FrictionalProblem problem = block_on({{0, -kHeight}}, pushed(1, -kHeight), 0.5);
   KeptSystem kept;

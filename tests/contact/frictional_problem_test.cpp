@@ -68,7 +68,7 @@ TEST(FrictionalProblem, the_interior_leads_to_what_newton_finds) {
   EXPECT_LE((exact.forces - found.forces).norm(), 1e-10);
 }
 
-// Two contacts on one bar: the far one opens. Its force must be zero to the bit, or it passes for closed.
+// Two contacts on one bar: the far one opens. Its force must be zero to the bit, or it counts as closed.
 TEST(FrictionalProblem, an_open_contact_has_no_force_at_all) {
   Eigen::Matrix4d w = Eigen::Matrix4d::Identity();
   w(0, 2) = w(2, 0) = 1e-17;
@@ -78,7 +78,8 @@ TEST(FrictionalProblem, an_open_contact_has_no_force_at_all) {
   EXPECT_EQ(forces[3], 0);
 }
 
-// No system is made: the start is near enough, and presses a contact that opens with more than counts as none.
+// No linear system is made: the initial forces are near enough, and press a contact that opens with more than counts as
+// zero.
 TEST(FrictionalProblem, an_open_contact_keeps_what_is_more_than_none) {
   FrictionalProblem problem = one_contact(-1, 0, 0.5);
   problem.goal = problem.acceptable = 5000;
@@ -88,7 +89,7 @@ TEST(FrictionalProblem, an_open_contact_keeps_what_is_more_than_none) {
   EXPECT_EQ(solve(problem, start).forces, Eigen::VectorXd(Eigen::Vector2d(0.5, 0)));
 }
 
-// The bond is torn off the ground and pushed aside: its shear holds on until it is taken away.
+// The bond is torn off the ground and pushed aside: its shear holds until it is removed.
 TEST(FrictionalProblem, what_cannot_slip_keeps_its_shear_when_it_opens) {
   const double never = std::numeric_limits<double>::infinity();
   FrictionalProblem problem = one_contact(-10, 3, 0.5);

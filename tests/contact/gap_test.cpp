@@ -59,7 +59,7 @@ TEST(Gap, a_common_rigid_motion_is_seen_by_no_row) {
   UnknownsTable rate = pair.q;
   for (ElementIndex e : indices(rate)) {
     const Point c = pair.reference.centroids[e] + translation(*pair.model.elements[e].basis, pair.q[e]);
-    rate[e] << 0.3 - 2 * c.y, -0.7 + 2 * c.x, 2, 0, 0, 0;  // turning by 2 rad/s about the origin, and a shift
+    rate[e] << 0.3 - 2 * c.y, -0.7 + 2 * c.x, 2, 0, 0, 0;  // rotating by 2 rad/s about the origin, and a shift
   }
   EXPECT_LE(rates(rows, rate).cwiseAbs().maxCoeff(), 1e-13);
 }

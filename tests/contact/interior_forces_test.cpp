@@ -1,4 +1,4 @@
-// Forces by way of the interior of their bounds: random problems in which Newton's method goes round in cycles.
+// Forces through the interior of their bounds: random problems in which Newton's method cycles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/interior_forces.hpp"
 
@@ -47,9 +47,9 @@ FrictionalSolution from_none(const FrictionalProblem& problem) {
 
 }  // namespace
 
-// Few pairs have a dense factor, many a sparse one. Soft springs let all paths end. Stiff ones, or none, by which
-// forces are redundant and may even not exist (Painlevé 1895), leave ten paths of 320 without an end (counted in our
-// own output): Newton's method goes on there.
+// Few contacts have a dense factorisation, many a sparse one. Soft springs let all paths end. With stiff ones, or none,
+// forces are redundant and may not even exist (Painlevé 1895): ten paths of 320 have no end (counted in the output).
+// Newton's method continues there.
 TEST(InteriorForces, meet_coulombs_law_in_random_rows) {
   int missed = 0;
   for (const int bodies : {6, 40})
@@ -77,7 +77,7 @@ TEST(InteriorForces, are_those_of_newton_where_springs_make_them_unique) {
   }
 }
 
-// What cannot slip keeps its shear when it is torn open; a held point bears any force.
+// A contact that cannot slip keeps its shear when it is torn open; a fixed point carries any force.
 TEST(InteriorForces, know_what_never_slips_and_what_is_held) {
   FrictionalProblem problem = row_of({6, 0.5, 0.01}, 1);
   problem.laws.front() = {0.5, std::numeric_limits<double>::infinity(), -0.01};
@@ -87,7 +87,7 @@ TEST(InteriorForces, know_what_never_slips_and_what_is_held) {
   EXPECT_LT(found.forces.minCoeff(), 0) << "one of them pulls";
 }
 
-// A normal force that pulls has no Coulomb's law that a path could follow: the forces stay, and say what is left.
+// A normal force that pulls has no Coulomb law that a path could follow: the forces stay, and report the residual.
 TEST(InteriorForces, leave_pulling_friction_as_it_is) {
   FrictionalProblem problem = row_of({6, 0.5, 0.01}, 1);
   problem.laws.front().least = -std::numeric_limits<double>::infinity();

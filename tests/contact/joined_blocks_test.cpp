@@ -6,8 +6,8 @@
 
 namespace keyblock::joined_blocks_test {
 
-// Unknowns of a block: where its middle is and how much longer it is; stiffness of its length. The first hangs on the
-// plane, a load pulls at the end of the last. A force f makes a block longer by f / kLength.
+// Unknowns of a block: place of its middle and elongation; stiffness of its length. The first is tied to the plane, a
+// load pulls at the end of the last. A force f makes a block longer by f / kLength.
 TEST(JoinedBlocks, a_chain_gives_way_as_its_springs_in_series) {
   constexpr int kBlocks = 5;
   constexpr double kLength = 300, kJoint = 1e5, kLoad = 7;

@@ -1,4 +1,4 @@
-// Iterations on random blocks and pairs against a dense factor.
+// Iterations on random blocks and contacts compared with a dense factorisation.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/solve/pair_system.hpp"
 
@@ -12,7 +12,7 @@
 namespace keyblock::pair_system_test {
 namespace {
 
-/// Blocks of 6 and of 3 unknowns and one that is held, each touching the next and one farther on.
+/// Blocks of 6 and of 3 unknowns and one fixed block, each in contact with the next and one farther on.
 struct RandomPairs {
   ContactRows rows;
   Table<ElementIndex, UnknownBlock> flexibility;
@@ -30,7 +30,7 @@ struct RandomPairs {
         if (other < elements) add_pair({e}, {other});
   }
 
-  /// G, a column an unknown of a block that moves.
+  /// G, one column per unknown of a moving block.
   Eigen::MatrixXd g(const BlockNumbers& blocks) const {
     Eigen::MatrixXd all = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), blocks.row_count());
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -94,13 +94,13 @@ TEST(PairSystem, iterations_meet_the_dense_solution_with_slip_and_open_pairs) {
   const auto result = system.solve(scene.h, f, Eigen::VectorXd::Zero(f.size()), 1e-10, 1000);
   EXPECT_TRUE(result.converged);
   EXPECT_LE((result.rates - exact).norm(), 1e-8 * exact.norm());
-  // Begun at the forces of the solution there is nothing left to do: A x = Gᵀ (f − H G x).
+  // From the forces of the solution no iteration is needed: A x = Gᵀ (f − H G x).
   const Eigen::VectorXd start = f - scene.springs() * exact;
   EXPECT_EQ(system.solve(scene.h, f, start, 1e-7, 1000).products, 1);
   EXPECT_LE((system.answer(f) - g * scene.stiffness(blocks).inverse() * g.transpose() * f).norm(), 1e-9 * f.norm());
 }
 
-// Where nothing slips the matrix is symmetric, and another iteration takes its place.
+// If nothing slips the matrix is symmetric, and another iteration is used.
 TEST(PairSystem, iterations_meet_the_dense_solution_where_all_pairs_stick) {
   RandomPairs scene(120, 9);
   for (PairStiffness& of : scene.h) of.tn = 0;

@@ -1,4 +1,4 @@
-// Which corners meet which edges, for the ways two convex blocks can face each other.
+// Corners and edges in contact, for the ways in which two convex blocks can face each other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/find/touch.hpp"
 
@@ -77,7 +77,7 @@ TEST(Touch, a_corner_past_the_end_of_the_floor_is_not_over_it) {
   }
 }
 
-// Where the tops of two floors are in line, a block that slides along the first comes up to the end face of the second.
+// The tops of two floors are in line, and a block that slides along the first comes up to the end face of the second.
 // An arc is there: it neither hits the end nor falls between.
 TEST(Touch, a_block_that_slides_on_to_the_next_floor_does_not_hit_its_end) {
   const BlockPolygon floor = rectangle({4, -1}, {8, 0});

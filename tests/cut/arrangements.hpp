@@ -1,4 +1,4 @@
-// Arrangements written down by their nodes and edges, for the tests of the later stages of cutting.
+// Builds arrangements from their nodes and edges, for the tests of the later stages of cutting.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// The regular mesh covers its box with equal triangles, and its density follows the old cutter's rule.
+// The regular mesh covers its box with equal triangles, and its density follows the rule of Shi's cutter.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/background_mesh.hpp"
 

@@ -1,4 +1,4 @@
-// Graded meshes by bisection: conforming, of the same area, of sound angles, as fine as asked for, and nested.
+// Graded meshes by bisection: conforming, of the same area, of sound angles, as fine as requested, and nested.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/bisect_mesh.hpp"
 
@@ -48,7 +48,7 @@ double least_angle(const TriangleMesh& mesh) {
   return least;
 }
 
-/// Of the triangles that hold a point.
+/// Size of the triangles that hold a point.
 double longest_side_at(const TriangleMesh& mesh, const std::vector<Point>& points) {
   double longest = 0;
   for (const auto& t : mesh.triangles) {
@@ -59,7 +59,7 @@ double longest_side_at(const TriangleMesh& mesh, const std::vector<Point>& point
   return longest;
 }
 
-/// How often every directed side occurs: a side between two triangles has each direction once.
+/// Counts every directed side: a side between two triangles occurs once in each direction.
 bool is_conforming(const TriangleMesh& mesh, std::size_t boundary_sides) {
   std::map<std::pair<int, int>, int> sides;
   for (const auto& t : mesh.triangles)

@@ -1,4 +1,4 @@
-// Cracks in a graph of bodies: where they end, what is near their tips, what is refused, and that cutting bears them.
+// Cracks in a graph of bodies: their ends, the surroundings of their tips, refusals, and cutting along them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/cracks.hpp"
 
@@ -94,7 +94,7 @@ TEST(Cracks, what_no_body_can_have_is_refused) {
             std::string::npos);
 }
 
-// An end on a boundary is moved a little beyond it; what is told is where the file has it.
+// An end on a boundary is moved a little beyond it; messages give its place in the file.
 TEST(Cracks, one_that_is_drawn_twice_is_told_of_as_it_is_drawn) {
   const CrackPlan from_edge = crack({{0, 0.5}, {0.5, 0.5}});
   EXPECT_EQ(fault_of({from_edge, from_edge}),

@@ -1,4 +1,4 @@
-// Which lines meet, where, and in which order along each line; what the reach adds.
+// Crossings of lines: their pairs, their places, their order along each line; the effect of the reach.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/crossings.hpp"
 
@@ -19,7 +19,7 @@ CutTolerances of_a_file(const std::vector<Segment>& lines) {
   return cut_tolerances(drawing_of(lines));
 }
 
-/// Numbers of the other lines that a line meets, in order along it.
+/// Returns the numbers of the other lines that a line meets, in order along it.
 std::vector<int> met_along(const Crossings& crossings, int line) {
   std::vector<int> others;
   for (std::size_t k = crossings.first_stop[line]; k < crossings.first_stop[line + 1]; ++k) {

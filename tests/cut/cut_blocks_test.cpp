@@ -1,4 +1,4 @@
-// Areas add up to the outline, blocks do not depend on how lines are given, and what is odd is said by name.
+// Areas add up to the outline, blocks do not depend on the form of the lines, and irregular input is reported by name.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/cut_blocks.hpp"
 
@@ -168,7 +168,7 @@ TEST(CutBlocks, lines_through_a_corner_that_miss_it_by_rounding_meet_in_one_node
   const CutResult cut = cut_blocks(drawing_of(
       kSquare + std::vector<Segment>{{{-1, -1 + off}, {11, 11 + off}}, {{-1, 11 - off}, {11, -1 - off}}}, 0.01));
   EXPECT_EQ(cut.blocks.blocks.size(), 4U);
-  EXPECT_TRUE(cut.snaps.empty()) << "moves within round-off are no snaps";
+  EXPECT_TRUE(cut.snaps.empty()) << "moves within round-off do not count as snaps";
 }
 
 TEST(CutBlocks, nodes_nearer_than_the_merging_distance_become_one_and_are_reported) {
@@ -191,7 +191,8 @@ TEST(CutBlocks, a_line_beside_another_nearer_than_the_tolerance_is_led_through_i
   EXPECT_EQ(cut_blocks(kept).blocks.blocks.size(), 2U) << "boundary lines are never moved";
 }
 
-// The old program cuts it into two blocks (findings of legacy, defect C): it loses the piece that passes near a node.
+// The Berkeley program cuts it into two blocks (findings of legacy, defect C): it loses the piece that passes near a
+// node.
 TEST(CutBlocks, a_piece_that_passes_a_node_too_near_is_led_through_it_or_lost_as_in_the_old_program) {
   const Drawing drawing = drawing_of({{{-1.01, 0}, {34.55700538, 0}},
                                       {{19.995, 20.00866025}, {31.55200538, -0.008660254038}},
@@ -320,7 +321,7 @@ TEST(CutBlocks, repeated_and_overlapping_lines_are_reported_and_harmless) {
   }
 }
 
-// A drawing exported many times over itself: each pair of lines was a crossing once, 3.9 GB for these.
+// A drawing exported many times over itself: not each pair of lines may count as a crossing, which took 3.9 GB.
 TEST(CutBlocks, lines_repeated_thousands_of_times_cut_as_if_drawn_once) {
   std::vector<Segment> many;
   for (int i = 0; i < 2500; ++i)
@@ -336,8 +337,8 @@ TEST(CutBlocks, lines_repeated_thousands_of_times_cut_as_if_drawn_once) {
   }
 }
 
-// Two of the lines leave the leftmost point of the inner part at an angle of one rounding: by rounded coordinates it is
-// open which of them is the outermost.
+// Two of the lines leave the leftmost point of the inner part at an angle of one rounding. Rounded coordinates do not
+// decide which of them is the outermost.
 TEST(CutBlocks, lines_a_rounding_apart_leave_every_block_its_area) {
   const std::vector<Segment> lines = {
       {{0.24056261216234409, 0.58333333333333326}, {0.38490017945975052, 0.66666666666666663}},

@@ -1,4 +1,4 @@
-// What joints make of a mesh: elements where they cut triangles, covers where they cut stars.
+// Effect of joints on a mesh: they cut triangles into elements and stars into covers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/cut_cover.hpp"
 
@@ -177,7 +177,7 @@ TEST(CutCover, slivers_of_1e_8_survive) {
 }
 
 // 0.1 + 0.2 is one unit in the last place above 0.3, where a row stands: no layer of elements without thickness, on
-// whichever side of the row the edge comes to lie.
+// either side of the row.
 TEST(CutCover, an_edge_on_a_row_up_to_round_off_makes_no_slivers) {
   const Box box{{0, 0}, {1, 0.5}};
   const auto elements = [&](double top, double row) {

@@ -1,4 +1,4 @@
-// Drawings for the tests of cutting, and comparison of blocks whatever their order and starting vertices.
+// Builds drawings for the tests of cutting, and compares blocks in any order and from any starting vertex.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -49,7 +49,7 @@ inline double total_area(const Blocks& blocks) {
   return sum;
 }
 
-/// Are two loops one, from whatever vertex they start?
+/// Returns true if two loops are the same from some starting vertex.
 inline bool is_same_loop(const BlockLoop& a, const BlockLoop& b, double tolerance) {
   if (a.size() != b.size()) return false;
   for (std::size_t shift = 0; shift < b.size(); ++shift) {
@@ -68,7 +68,7 @@ inline bool is_same_block(const BlockPolygon& a, const BlockPolygon& b, double t
   });
 }
 
-/// Blocks of `a` that `b` has not.
+/// Returns the blocks of `a` that `b` lacks.
 inline int count_missing(const Blocks& a, const Blocks& b, double tolerance) {
   return static_cast<int>(std::count_if(a.blocks.begin(), a.blocks.end(), [&](const BlockPolygon& block) {
     return std::none_of(b.blocks.begin(), b.blocks.end(),

@@ -1,4 +1,4 @@
-// Digging out: what is left has the area of the difference, and each body its material.
+// Excavation: the rest has the area of the difference, and each body its material.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/excavate.hpp"
 

@@ -1,4 +1,4 @@
-// Faces lie to the left of their chains, in the old programs' order, with their holes.
+// Faces lie to the left of their chains, in the order of Shi's programs, with their holes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/faces.hpp"
 
@@ -44,7 +44,7 @@ TEST(Faces, a_ring_is_one_face_from_its_lowest_node_with_the_arriving_lines) {
   EXPECT_TRUE(faces[0].holes.empty());
 }
 
-// About node 0 counter-clockwise from x the edges to 1, then 3: each calls for the face to its right. To the right of
+// About node 0 counter-clockwise from x come the edges to 1, then 3: each opens the face to its right. To the right of
 // 0 → 1 is the outside, to the right of the diagonal the lower half, of 0 → 3 the upper one.
 TEST(Faces, are_numbered_by_the_edges_about_the_lowest_nodes) {
   Ends ends = kRing;

@@ -1,4 +1,4 @@
-// Meshes as plans ask for them: what `tip_side` says of the triangles at tips.
+// Meshes of plans: the messages of `tip_side` about the triangles at tips.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/fit_mesh.hpp"
 

@@ -19,8 +19,8 @@
 namespace keyblock::from_cover_test {
 namespace {
 
-// Pieces and covers of each file as their loops have been counted apart from this program; bodies are the loops less
-// two for every hole (a hole has a loop of its own, and two of five in cv15 are one ring).
+// Pieces and covers of each file, counted from their loops apart from this program. Bodies are the loops less two for
+// every hole (a hole has a loop of its own, and two of five in cv15 are one ring).
 struct Sample {
   const char* number;
   std::size_t elements;
@@ -33,7 +33,7 @@ const std::vector<Sample> kSamples = {{"01", 43, 37, 2, 2},     {"02", 39, 31, 1
                                       {"09", 65, 57, 2, 2},     {"10", 259, 269, 18, 18}, {"12", 115, 92, 3, 3},
                                       {"13", 288, 329, 44, 44}, {"14", 321, 226, 2, 2},   {"15", 362, 275, 5, 2}};
 
-// What a cover says whatever the order of its slots.
+// Contents of a cover, in any order of its slots.
 using Loop = std::vector<std::tuple<double, double, int>>;  // x, y, joint material
 
 std::vector<Loop> loops_of(const Cover& cover) {

@@ -1,4 +1,4 @@
-// Covers of the old manifold cutter, cut again from their contact loops: the same pieces on the same covers.
+// Covers of Shi's manifold cutter, cut again from their contact loops: the same pieces on the same covers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -25,9 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file; its n (legacy-formats 2.4; in cv15 the nodes of a row stand as if n were 9); the nodes that the old cutter
-/// moved onto a line nearer than `snap` w; the pieces that it gave the covers of a neighbour. Which nodes and which
-/// pieces is in the files; the rules are fits to them.
+/// A file and its n (legacy-formats 2.4; in cv15 the nodes of a row are placed as if n were 9). Shi's cutter moved some
+/// nodes onto a line nearer than `snap` w, and gave some pieces the covers of a neighbour. The files show these nodes
+/// and pieces; the rules are fits to them.
 struct Sample {
   const char* name;
   int half_rows;
@@ -85,8 +85,8 @@ Box box_of(const Cover& cover) {
   return box;
 }
 
-/// The loops as lines. Six decimals leave joints short of the lines that they end on: they are lengthened by 2e-5, and
-/// what lies nearer than 3e-5 is merged.
+/// Returns the loops as lines. Six decimals leave joints short of the lines that they end on: they are lengthened by
+/// 2e-5, and points nearer than 3e-5 are merged.
 Drawing drawing_of_loops(const Cover& cover) {
   constexpr double kLengthening = 2e-5;
   constexpr double kMerging = 3e-5;
@@ -151,7 +151,7 @@ Recut recut(const Sample& sample) {
   return result;
 }
 
-/// The element of the recut with the same area and centroid, or -1. Six decimals, over the thinnest triangles.
+/// The element of the new cut with the same area and centroid, or -1. Six decimals, over the thinnest triangles.
 int same_element(const Recut& recut, const CoverElement& element) {
   const auto polygon = recut.sample.polygon(element);
   const double triangle = recut.mesh.dx * recut.mesh.dy / 2;
@@ -173,9 +173,9 @@ bool has_same_nodes(const Recut& recut, const ManifoldElement& own, const CoverE
   });
 }
 
-/// Elements share a cover in the recut exactly if they do in the sample: equal up to the numbering.
+/// Elements share a cover in the new cut exactly if they do in the sample: equal up to the numbering.
 bool has_same_covers(const Recut& recut) {
-  std::map<int, int> name;  // in the sample, of a cover of the recut
+  std::map<int, int> name;  // in the sample, of a cover of the new cut
   for (const CoverElement& element : recut.sample.elements) {
     const ManifoldElement& own = recut.manifold.elements[static_cast<std::size_t>(same_element(recut, element))];
     const std::array<Point, 3> triangle = recut.manifold.triangle(own);
@@ -224,7 +224,7 @@ TEST_F(LegacyCovers, all_twelve_are_recut_piece_by_piece_and_cover_by_cover) {
   }
 }
 
-// Without moving nodes the four come near, no more: this is what the rule is worth.
+// Without moving nodes the four come near, no more: this is the benefit of the rule.
 TEST_F(LegacyCovers, the_four_with_moved_nodes_differ_by_up_to_7_percent_without_moving_them) {
   for (Sample sample : kSamples) {
     if (sample.snapped == 0) continue;

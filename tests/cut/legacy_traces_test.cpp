@@ -1,4 +1,4 @@
-// Cutting the drawings of the reference runs gives the blocks that the old program printed, in its order.
+// Cutting the drawings of the reference runs gives the blocks that the Berkeley program printed, in its order.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What holds for every cut mesh, whatever was cut: areas, triangles, stars, neighbours, and Euler's count.
+// Checks the properties of every cut mesh: areas, triangles, stars, neighbours, and Euler's count.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -65,7 +65,7 @@ inline std::vector<ElementEdge> edges_of(const Manifold& manifold) {
   return edges;
 }
 
-/// Edges that lead to a neighbour, in pairs: each has its reverse, to the bit, in that neighbour.
+/// Checks that edges with a neighbour come in pairs: each has its reverse, to the bit, in that neighbour.
 inline std::vector<std::array<ElementEdge, 2>> inner_edges_of(const Manifold& manifold) {
   using Key = std::array<double, 4>;
   const auto at = [&](int corner) { return manifold.corners[static_cast<std::size_t>(corner)].position; };
@@ -88,8 +88,8 @@ inline std::vector<std::array<ElementEdge, 2>> inner_edges_of(const Manifold& ma
   return pairs;
 }
 
-/// V - E + F of all elements sewn together along inner edges equals, for every connected piece of the plane, 2 less the
-/// number of its boundary loops.
+/// Checks V - E + F of all elements joined along inner edges. In every connected piece of the plane it is 2 less the
+/// number of boundary loops.
 inline void expect_euler(const Manifold& manifold) {
   UnionFind vertices(manifold.corners.size());
   UnionFind pieces(manifold.elements.size());
@@ -111,7 +111,8 @@ inline void expect_euler(const Manifold& manifold) {
   EXPECT_EQ(vertex_count - edge_count + face_count, 2 * piece_count - static_cast<int>(manifold.boundary_loops.size()));
 }
 
-/// Every corner in its triangle up to round-off; covers of an element are those of its triangle's nodes and distinct.
+/// Checks that every corner lies in its triangle up to round-off, and that the covers of an element are distinct and
+/// belong to the nodes of its triangle.
 inline void expect_elements_in_triangles(const Manifold& manifold) {
   for (const ManifoldElement& element : manifold.elements) {
     const std::array<Point, 3> t = manifold.triangle(element);
@@ -129,7 +130,8 @@ inline void expect_elements_in_triangles(const Manifold& manifold) {
   }
 }
 
-/// Neighbours share the covers of their common side; the elements of a cover hang together through such neighbours.
+/// Checks that neighbours share the covers of their common side, and that the elements of a cover are connected through
+/// such neighbours.
 inline void expect_covers_connected(const Manifold& manifold) {
   const auto has = [&](int e, int cover) {
     const auto& covers = manifold.elements[static_cast<std::size_t>(e)].covers;
@@ -158,7 +160,8 @@ inline void expect_covers_connected(const Manifold& manifold) {
   EXPECT_EQ(leaders.size(), manifold.covers.size());
 }
 
-/// Each ends where the next of its loop begins, and every edge without neighbour is in one loop.
+/// Checks that each edge ends at the beginning of the next one of its loop, and that every edge without a neighbour is
+/// in one loop.
 inline void expect_loops_closed(const Manifold& manifold) {
   std::map<int, int> head;  // of the edge that leaves a corner
   std::size_t boundary = 0;

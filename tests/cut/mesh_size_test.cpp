@@ -1,4 +1,4 @@
-// The side wanted in a place, found among the nearest of many points, is that of a search of all.
+// The side required at a place, found among the nearest of many points, is that of a search of all.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/mesh_size.hpp"
 

@@ -1,4 +1,4 @@
-// Which crossings become one node, and where it stands, under both ways of merging.
+// Crossings that become one node, and its place, under both ways of merging.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/nodes.hpp"
 
@@ -84,7 +84,8 @@ TEST(Nodes, nearest_first_joins_the_nearer_pair_and_in_order_found_the_earlier_n
   EXPECT_EQ(places_of(nodes_of(comb(row), NodeMerging::nearest_first)), (std::vector<double>{0, 0.09}));
 }
 
-// The nodes of the old programs depend on the order of the lines, ours need not: right to left it joins the other way.
+// The nodes of Shi's programs depend on the order of the lines, Keyblock's need not: from right to left it joins the
+// other way.
 TEST(Nodes, only_in_order_found_depends_on_the_order_of_lines) {
   const auto groups = [](std::vector<double> row, NodeMerging merging) {
     std::vector<bool> left_alone;
@@ -98,7 +99,7 @@ TEST(Nodes, only_in_order_found_depends_on_the_order_of_lines) {
   EXPECT_EQ(groups({0.15, 0.09, 0}, NodeMerging::in_order_found), (std::vector<bool>{true}));
 }
 
-// A crossing joins the node that came first, which does not move: the chain 0, 0.08, 0.16 does not run on.
+// A crossing joins the node that came first, which does not move: the chain 0, 0.08, 0.16 ends after two.
 TEST(Nodes, no_node_grows_beyond_the_merging_distance) {
   for (NodeMerging merging : kBoth) {
     const NodeTable table = nodes_of(comb({0, 0.08, 0.16, 0.24}), merging);
@@ -116,7 +117,7 @@ TEST(Nodes, crossings_of_boundary_lines_with_one_another_stay_apart) {
   }
 }
 
-// The old programs look for crossings with boundary lines first (legacy-formats 3.6).
+// Shi's programs look for crossings with boundary lines first (legacy-formats 3.6).
 TEST(Nodes, crossings_with_boundary_lines_are_numbered_first) {
   const std::vector<Segment> lines{{{-5, 0}, {5, 0}}, {{0, -1}, {0, 3}}, {{-1, 2}, {4, 2}}, {{3, -1}, {3, 3}}};
   for (NodeMerging merging : kBoth) {

@@ -60,7 +60,7 @@ TEST(PlacePoints, a_point_outside_is_left_out_with_its_place) {
   EXPECT_EQ(cut.warnings[0].place.line, 42);
 }
 
-// What r·cos and the like give lies off a face by round-off, half of it outside.
+// A point such as r·cos lies off a face by round-off, half of them outside.
 TEST(PlacePoints, marks_on_a_slanted_face_are_held_whatever_the_last_digit_says) {
   Drawing drawing = drawing_of({{{-6, -4}, {18, -4}},
                                 {{18, -4}, {18, 10}},
@@ -83,7 +83,7 @@ TEST(PlacePoints, marks_on_a_slanted_face_are_held_whatever_the_last_digit_says)
   EXPECT_EQ(cut.blocks.loading_points.size(), 39U);
   EXPECT_EQ(cut.blocks.fixed_points.size(), 39U);
   EXPECT_FALSE(has_warning(cut.warnings, "point_outside_blocks"));
-  EXPECT_FALSE(has_warning(cut.warnings, "points_moved")) << "round-off is not worth a word";
+  EXPECT_FALSE(has_warning(cut.warnings, "points_moved")) << "round-off gives no message";
 }
 
 TEST(PlacePoints, a_mark_within_the_merging_distance_is_moved_onto_the_block_and_said) {

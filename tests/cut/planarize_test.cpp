@@ -54,7 +54,7 @@ TEST(Planarize, a_node_farther_than_the_tolerance_is_passed_by) {
   EXPECT_EQ(p.arrangement.edges.size(), 2U);
 }
 
-// Where nearly all nodes lie beside one another, a piece that was followed into every part by itself took 2^n parts.
+// Nearly all nodes lie beside one another. Following each part of a piece by itself would take 2^n parts.
 TEST(Planarize, a_piece_among_many_nodes_beside_one_another_comes_to_an_end) {
   std::vector<Point> nodes{{0, 0}, {10, 0}};
   std::vector<std::pair<int, int>> pieces{{0, 1}};
@@ -64,7 +64,7 @@ TEST(Planarize, a_piece_among_many_nodes_beside_one_another_comes_to_an_end) {
     pieces.push_back({2 * i + 2, 2 * i + 3});
   }
   const Planarized p = planarize(arrangement_of(nodes, pieces), 0, a_tenth());
-  EXPECT_FALSE(p.is_settled) << "each round makes more";
+  EXPECT_FALSE(p.is_settled) << "each iteration makes more";
 }
 
 TEST(Planarize, boundary_pieces_make_detours_within_round_off_only) {

@@ -19,7 +19,7 @@ Arrangement graph(int nodes, const Ends& ends) {
   return arrangement_of(std::vector<Point>(static_cast<std::size_t>(nodes)), ends);
 }
 
-/// Do the ends of edge `e` hang together without it?
+/// Returns true if the ends of edge `e` are connected without it.
 bool is_on_closed_chain(const Arrangement& a, std::size_t e) {
   UnionFind parts(a.nodes.size());
   for (std::size_t i = 0; i < a.edges.size(); ++i)

@@ -1,4 +1,4 @@
-// What must hold for a cut mesh holds for random drawings, with joints on mesh lines and without merging as well.
+// Random drawings keep the properties of a cut mesh, also with joints on mesh lines and without merging.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

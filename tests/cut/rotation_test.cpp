@@ -1,4 +1,4 @@
-// Edges about a node counter-clockwise, told apart by their lines where coordinates cannot.
+// Edges about a node counter-clockwise, distinguished by their lines if coordinates cannot.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/lines/rotation.hpp"
 
@@ -33,7 +33,7 @@ TEST(RotationSystem, the_next_half_edge_keeps_the_face_on_the_left) {
   EXPECT_EQ(rotation.next(9), 0);
   EXPECT_EQ(rotation.next(4), 6) << "2 → 3 goes on to 3 → 0";
   EXPECT_EQ(rotation.next(6), 8) << "3 → 0 turns into the diagonal 0 → 2";
-  EXPECT_EQ(rotation.next(twin(0)), twin(6)) << "outside, the other way round";
+  EXPECT_EQ(rotation.next(twin(0)), twin(6)) << "outside, in the other direction";
 }
 
 TEST(RotationSystem, twins_have_head_and_tail_exchanged) {
@@ -43,7 +43,7 @@ TEST(RotationSystem, twins_have_head_and_tail_exchanged) {
   EXPECT_EQ(tail(one, twin(0)), 0);
 }
 
-// Two edges whose far nodes were rounded to one point: the lines they lie on say which comes first.
+// Two edges whose far nodes were rounded to one point: the lines they lie on decide their order.
 TEST(RotationSystem, edges_on_their_lines_are_ordered_by_the_lines) {
   for (const bool is_upper_first : {true, false}) {
     Arrangement a = arrangement_of({{0, 0}, {1, 1}, {1, 1}, {-1, 0}}, {{0, 1}, {0, 2}, {0, 3}});

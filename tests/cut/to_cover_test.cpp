@@ -1,4 +1,4 @@
-// A cut mesh written as a cover file says the same: areas, loops, points, and holes on one chain.
+// A cut mesh written as a cover file holds the same areas, loops and points, and its holes on one chain.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/covers/to_cover.hpp"
 

@@ -26,7 +26,7 @@ TEST(Tolerances, without_a_ratio_the_arrangement_is_exact) {
   EXPECT_EQ(exact.near_pass, 0);
   EXPECT_EQ(exact.reach_ratio, 0);
   EXPECT_EQ(exact.round_off, 0);
-  EXPECT_GT(exact.inset, 0) << "fixed points stand inside the edge all the same";
+  EXPECT_GT(exact.inset, 0) << "fixed points are inside the edge all the same";
   EXPECT_TRUE(cut_tolerances(Drawing{}).is_exact());
 }
 

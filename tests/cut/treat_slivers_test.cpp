@@ -1,5 +1,5 @@
-// Slivers that are glued leave the rock as it is but for the joint between them and their neighbour; those left out
-// leave a gap. Areas and outlines are those of the drawing, by hand.
+// Glued slivers leave the rock unchanged except for the joint to their neighbour; omitted ones leave a gap. Areas and
+// outlines are those of the drawing, by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/bodies/treat_slivers.hpp"
 
@@ -105,7 +105,7 @@ TEST(TreatSlivers, a_chain_of_slivers_goes_to_one_block) {
       << cut.warnings[0].sentence;
 }
 
-// A block in the shape of a C, whose mouth the sliver closes around another block.
+// A C-shaped block, whose mouth the sliver closes around another block.
 TEST(TreatSlivers, a_sliver_that_closes_a_ring_leaves_a_hole_in_it) {
   Blocks blocks;
   const BlockLoop letter{{{0, 0}, 0}, {{3, 0}, 0}, {{3, 1}, 0}, {{1, 1}, 0},
@@ -192,7 +192,7 @@ TEST(TreatSlivers, without_slivers_the_setting_says_so) {
   EXPECT_TRUE(treated(row_with_sliver(), Slivers::kept).warnings.empty());
 }
 
-// Random joints across a square: as much rock as before, every side of what is left was a side of the same joint.
+// Random joints across a square: as much rock as before, and every remaining side was a side of the same joint.
 TEST(TreatSlivers, random_drawings_keep_their_area_and_their_joints) {
   Dice dice(71);
   int glued = 0;

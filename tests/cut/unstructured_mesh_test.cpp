@@ -1,4 +1,4 @@
-// Unstructured meshes keep their size and their angles, are cut like regular ones, and follow lines where asked to.
+// Unstructured meshes keep their size and their angles, are cut like regular ones, and follow lines if requested.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut/mesh/unstructured_mesh.hpp"
 
@@ -125,7 +125,7 @@ TEST(UnstructuredMesh, is_the_same_every_time) {
   EXPECT_EQ(first.triangles, second.triangles);
 }
 
-// Sides of 1e-16 at a point of coordinates about 1 fall on one another: refinement would not end.
+// Sides of 1e-16 at a point of coordinates about 1 coincide: refinement would not end.
 TEST(UnstructuredMesh, sides_that_coordinates_do_not_resolve_are_refused) {
   const BodyGraph graph = cut_bodies(drawing_of(rectangle_sides({0, 0}, {10, 10}), 0)).graph;
   MeshPlan plan;

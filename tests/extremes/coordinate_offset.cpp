@@ -1,4 +1,4 @@
-// ext-04: every case of legacy_cases far from the origin gives the displacements it gives near it.
+// ext-04: every case of legacy_cases has the same displacements far from the origin as near it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ constexpr Point kFar{1e7, 1e7};
 constexpr double kSameDisplacement = 1e-6;
 // Over the area of a block: the corners of a floor of 40 m2 are rounded in the input already, by 1e-9 m each.
 constexpr double kSameArea = 1e-8;
-// Of the full list, one for each kind of motion.
+// One of the full list for each kind of motion.
 constexpr std::array<const char*, 6> kBrief{"sliding_block/a30_p20", "free_fall/released", "free_fall/spinning",
                                             "stack/five_blocks",     "push_block/ramp",    "block_at_rest/dynamic"};
 

@@ -1,4 +1,4 @@
-// ext-10: symmetric scenes stay symmetric where corners meet corners.
+// ext-10: symmetric scenes stay symmetric when corners meet corners.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -30,12 +30,12 @@ Extreme dropped(const std::string& what, const Blocks& blocks, double dt, double
           kMostDrift, run.trouble};
 }
 
-// The upper square falls 5 cm onto the corner of a held one.
+// The upper square falls 5 cm onto the corner of a fixed one.
 Blocks corner_to_corner() {
   return scene_of_blocks({on_corner({0, -2 * std::sqrt(0.5)})}, {on_corner({0, 0.05})});
 }
 
-// A wedge of 60 degrees falls 5 cm into the notch between two held triangles.
+// A wedge of 60 degrees falls 5 cm into the notch between two fixed triangles.
 Blocks into_notch() {
   const double run = std::tan(radians(30));
   const BlockPolygon left = polygon({{0, 0}, {-run, 1}, {-2, 1}, {-2, 0}});
@@ -43,7 +43,7 @@ Blocks into_notch() {
   return scene_of_blocks({left, right}, {polygon({{0, 0.05}, {run, 1.05}, {-run, 1.05}})});
 }
 
-// A square falls 5 cm flat onto the corner of a held one.
+// A square falls 5 cm flat onto the corner of a fixed one.
 Blocks flat_on_corner() {
   return scene_of_blocks({on_corner({0, -2 * std::sqrt(0.5)})}, {rectangle({-0.5, 0.05}, {0.5, 1.05})});
 }

@@ -1,5 +1,5 @@
-// ext-08: parameters at the end of their range: the exact answer where there is one, a sentence that says what is wrong
-// where there is none, never a NaN in silence.
+// ext-08: parameters at the end of their range. The exact answer if there is one, else a message that names the fault;
+// never a NaN without a message.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ Extreme row(std::string quantity, double expected, double got, double tolerance,
   return {"ext-08", std::move(quantity), expected, got, tolerance, std::move(note)};
 }
 
-// Whether what was said names the trouble.
+// Returns true if a message names the fault.
 Extreme says(const std::string& variant, const std::string& word, const std::string& said) {
   return row(variant + fmt::format(": says \"{}\"", word), 1, said.find(word) != std::string::npos ? 1 : 0, 0, said);
 }
@@ -40,7 +40,7 @@ Extreme without_gravity() {
   return row("gravity 0: drift of a block on a floor", 0, length(run.travel(1)), kRoundOff, run.trouble);
 }
 
-// Mean vertical stress of a block at rest is half the pressure of its weight, whatever its elasticity.
+// Mean vertical stress of a block at rest is half the pressure of its weight, for any elasticity.
 Extreme stress_at_rest(const std::string& variant, double modulus, double poissons_ratio, const std::string& plane) {
   Problem problem;
   problem.geometry = column(1);
@@ -51,7 +51,7 @@ Extreme stress_at_rest(const std::string& variant, double modulus, double poisso
   return row(variant + ": vertical stress at rest", expected, run.block(1).stress.yy, 1e-6 * -expected, run.trouble);
 }
 
-// Under its own weight a block of 1e-3 Pa would be pressed into nothing; a falling one is exact.
+// Under its own weight a block of 1e-3 Pa would be pressed to nothing; a falling one is exact.
 Extremes too_soft() {
   Problem falling;
   falling.geometry = scene_of_blocks({}, {rectangle({0, 10}, {1, 11})});
@@ -66,7 +66,7 @@ Extremes too_soft() {
               trouble.starts_with("ended") || trouble.starts_with("refused") ? 1 : 0, 0, trouble)};
 }
 
-// Text, because a file is where such numbers come from: k01 n5 nb nj g2 g1, block material, joint material.
+// Text, because such numbers come from files: k01 n5 nb nj g2 g1, block material, joint material.
 std::string what_reader_says(const std::string& time_step, const std::string& density) {
   const std::string text =
       fmt::format("1 10 1 1 0.01 {}\n{} 25506 5e9 0.25\n0 0 0\n0 0 0\n0 0 0\n30 0 0\n", time_step, density);

@@ -1,4 +1,4 @@
-// ext-07: what a million steps leave of rest, spin and momentum.
+// ext-07: rest, spin and momentum after a million steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ Extreme rest(const std::string& where, double slope, int steps) {
           run.trouble};
 }
 
-// A slow spin: 1e-3 rad a step.
+// A slow spin: 1e-3 rad per step.
 Extremes spin(int steps) {
   Problem problem;
   problem.geometry = scene_of_blocks({}, {rectangle({0, 0}, {1, 1})});
@@ -42,7 +42,7 @@ Extremes spin(int steps) {
            {}}};
 }
 
-// Of squares of a metre; a spin stretches their area, not their mass.
+// Momentum of squares of a metre; a spin stretches their area, not their mass.
 double momentum(const Frame& frame) {
   double sum = 0;
   for (const ElementFrame& e : frame.elements) sum += kDensity * e.velocity.x;

@@ -1,4 +1,4 @@
-// The list of extreme cases and the look of their table.
+// Lists the extreme cases and lays out their table.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/extremes/extreme.hpp"
 

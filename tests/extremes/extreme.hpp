@@ -1,4 +1,4 @@
-// One figure of an extreme case, what it must be, and what it was.
+// Holds one figure of an extreme case: its reference value, its tolerance and its result.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,19 +11,19 @@ namespace keyblock::extremes {
 /// A row of the table. Yes-or-no questions have the answers 1 and 0.
 struct Extreme {
   std::string id;        ///< ext-01 …, as in the list of benchmarks
-  std::string quantity;  ///< with the variant it belongs to
+  std::string quantity;  ///< with its variant
   double expected = 0;
   double got = 0;
   double tolerance = 0;  ///< absolute
-  std::string note;      ///< what a program said; why a figure is what it is
+  std::string note;      ///< message of a program, or the reason for a figure
 
-  /// A figure that is no number misses.
+  /// Returns true if the figure misses. NaN always misses.
   bool holds() const { return std::abs(got - expected) <= tolerance; }
 };
 
 using Extremes = std::vector<Extreme>;
 
-/// `brief` takes seconds, `full` minutes: more steps and more variants of the same questions.
+/// `brief` takes seconds; `full` takes minutes, with more steps and more variants of the same questions.
 enum class Effort { brief, full };
 
 Extremes mass_ratio(Effort effort);             ///< ext-01
@@ -37,16 +37,16 @@ Extremes degenerate_parameters(Effort effort);  ///< ext-08
 Extremes wall_at_rest(Effort effort);           ///< ext-09
 Extremes corner_on_corner(Effort effort);       ///< ext-10
 
-/// A case of the list above by its name.
+/// Returns a case of the list above by its name.
 struct ExtremeCase {
   const char* id;
   Extremes (*rows)(Effort);
 };
 
-/// All of them in order.
+/// Returns all cases in order.
 const std::vector<ExtremeCase>& extreme_cases();
 
-/// The table: case, quantity, expected, got, tolerance, verdict, note.
+/// Writes the table: case, quantity, expected, found, tolerance, verdict, note.
 std::string table_head();
 std::string table_row(const Extreme& row);
 

@@ -1,4 +1,4 @@
-// Blocks, materials and runs that several extreme cases share.
+// Builds blocks, materials and runs that several extreme cases share.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/extremes/extreme_scenes.hpp"
 
@@ -15,7 +15,7 @@ namespace keyblock::extremes {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-// Longer runs are looked at only where they begin and end.
+// Longer runs are observed only at their beginning and end.
 constexpr int kFewSteps = 2000;
 
 bool is_finite(const Frame& frame) {

@@ -1,4 +1,4 @@
-// Scenes of the extreme cases and what a run of profile `standard` leaves of them.
+// Builds the scenes of the extreme cases and runs them under profile `standard`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,9 +18,10 @@ inline constexpr double kDensity = 2600;
 inline constexpr double kModulus = 5e9;
 inline constexpr double kPoisson = 0.25;
 
-/// What is left of a run, also of one that was refused or broke off. `first` is the state before the first step.
+/// Result of a run, also of one that was refused or ended early. `first` is the state before the first step.
 struct Run {
-  std::string trouble;  ///< why it was refused, ended or crashed; empty if it made every step with finite numbers
+  std::string
+      trouble;  ///< reason for a refusal, an early end or a crash; empty if all steps were made with finite numbers
   Frame first;
   Frame before_last;  ///< one step before `last`, in runs of up to 2000 steps
   Frame last;
@@ -28,18 +29,18 @@ struct Run {
   double drawn_area = 0;  ///< of all blocks, as given or cut
 
   bool is_sound() const { return trouble.empty(); }
-  /// A block at the end; full of NaN where the run left none.
+  /// Returns a block at the end; full of NaN if the run has no results.
   ElementFrame block(std::size_t index) const;
-  /// Of its centroid, since `first`.
+  /// Returns the displacement of its centroid since `first`.
   Point travel(std::size_t block) const;
-  /// Of a measured point, since before any load.
+  /// Returns the displacement of a measured point since the unloaded drawing.
   Point measured(std::size_t point) const;
 };
 
 /// Runs a problem under profile `standard`.
 Run run_standard(const Problem& problem, const std::vector<Override>& overrides = {});
 
-/// Dynamic run of the default material under gravity, without friction.
+/// Returns a dynamic run of the default material under gravity, without friction.
 Analysis plain_analysis(double dt, int steps);
 
 BlockMaterial rock(double density, double modulus, double poissons_ratio);
@@ -47,17 +48,17 @@ BlockMaterial rock(double density, double modulus, double poissons_ratio);
 BlockPolygon polygon(std::vector<Point> corners, int material = 0);
 BlockPolygon rectangle(Point low, Point high, int material = 0);
 
-/// Blocks that do not move, and blocks that do: the former each held by two points.
+/// Builds fixed and free blocks; each fixed block has two fixed points.
 Blocks scene_of_blocks(std::vector<BlockPolygon> held, const std::vector<BlockPolygon>& moving);
 
-/// Block 0: a held slope of 20 m falling to the right at `slope`; block 1: a square metre on it.
+/// Block 0: a fixed slope of 20 m that falls to the right at `slope`; block 1: a square metre on it.
 Blocks block_on_slope(double slope);
 
-/// Block 0: a held floor; blocks 1 … count on top of one another, a metre square, with a measured point in the middle
-/// of the topmost edge.
+/// Block 0: a fixed floor; blocks 1 … count: a tower of metre squares, with a measured point in the middle of the
+/// topmost edge.
 Blocks column(int count);
 
-/// (g/2) (sin α − cos α tan φ) t², 0 where friction holds.
+/// (g/2) (sin α − cos α tan φ) t², or 0 if friction holds the block.
 double slide(double slope, double friction, double time);
 
 double radians(double degrees);

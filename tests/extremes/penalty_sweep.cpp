@@ -11,7 +11,7 @@ namespace keyblock::extremes {
 namespace {
 
 constexpr std::array<double, 10> kRatios{1e-3, 1e-2, 1e-1, 1, 10, 1e2, 1e3, 1e4, 1e5, 1e6};
-// Beyond this ratio a warning or 5 % is asked, below it the formula.
+// Beyond this ratio a warning or 5 % is required, below it the formula.
 constexpr double kUsual = 1e4;
 
 std::vector<Override> springs(double stiffness) {
@@ -41,7 +41,7 @@ Extreme settlement(double ratio) {
           run.trouble};
 }
 
-// A block on two springs sinks by W/(2p).
+// A block on two springs settles by W/(2p).
 Extreme penetration(double ratio) {
   Problem problem;
   Blocks blocks = column(1);
@@ -59,7 +59,7 @@ Extreme penetration(double ratio) {
           run.trouble};
 }
 
-// The springs are stretched by the start already: travel is counted from there.
+// The initial state stretches the springs already: travel is counted from there.
 Extreme sliding(double ratio) {
   const double time = 0.5;
   Problem problem;

@@ -1,4 +1,4 @@
-// ext-05: blocks that are hardly there, given as polygons and left by cuts close to one another.
+// ext-05: slivers, given as polygons and left by cuts close to one another.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -24,8 +24,8 @@ Extremes lying_triangle(double height) {
   const std::string variant = fmt::format("triangle {:g} high: ", height);
   const Run run = run_standard(problem);
   const double area = height / 2;
-  // Rest: its mean vertical stress is a third of the pressure of its greatest depth, by Σ of weight times height of the
-  // centroid.
+  // Equilibrium: its mean vertical stress is a third of the pressure of its largest depth, by Σ of weight times height
+  // of the centroid.
   return {{"ext-05", variant + "area", area, run.block(1).area, kStrained * area, run.trouble},
           {"ext-05",
            variant + "vertical stress",
@@ -36,8 +36,8 @@ Extremes lying_triangle(double height) {
           {"ext-05", variant + "drift", 0, length(run.travel(1)), 1e-9, {}}};
 }
 
-// Two joints `distance` apart through a held square of 1 m: the blocks together keep its area, whether or not the strip
-// between is kept as a block.
+// Two joints `distance` apart through a fixed square of 1 m: the blocks together keep its area, with or without a block
+// in the strip between.
 Drawing strip(double distance, double overhang) {
   Drawing drawing;
   drawing.edge_node_ratio = 1e-12;
@@ -70,8 +70,8 @@ Extremes cut_strip(double distance) {
           {"ext-05", variant + "sinking of the upper block", 0, length(run.travel(upper)), 1e-9, {}}};
 }
 
-// Ends of such joints outside the square meet within the reach of a line and leave needles there, which nothing holds:
-// they fall, or the run says what it cannot do.
+// Ends of such joints outside the square meet within the reach of a line and leave unsupported needles there. They
+// fall, or a message names the fault.
 Extreme needles(double distance) {
   const Run run = run_strip(distance, 0.1);
   return {"ext-05", fmt::format("needles {:g} wide: no crash, no NaN", distance),

@@ -11,7 +11,7 @@
 namespace keyblock::extremes {
 namespace {
 
-// Steps to reach `time`, or as many as there is patience for.
+// Steps to reach `time`, up to a limit.
 int steps_to(double time, double dt, int most) {
   return std::clamp(static_cast<int>(std::lround(time / dt)), 1, most);
 }
@@ -28,7 +28,7 @@ Extreme fall(double dt, int most_steps) {
           run.trouble};
 }
 
-// At 0.1 s and above the old programs must cut the step or warn; here the answer itself is asked for.
+// At 0.1 s and above Shi's programs must cut the step or warn; this test requires the answer itself.
 Extreme sliding(double dt, int most_steps) {
   const int steps = steps_to(0.5, dt, most_steps);
   const double time = steps * dt;

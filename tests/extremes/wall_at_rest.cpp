@@ -13,7 +13,7 @@ constexpr double kHeight = 0.2;
 
 struct Wall {
   int courses = 0;
-  int bricks = 0;  ///< of a course; every second course has two half bricks in place of one
+  int bricks = 0;  ///< of a course; every second course has two half bricks instead of one
 };
 
 Blocks blocks_of(const Wall& wall) {

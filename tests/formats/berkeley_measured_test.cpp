@@ -1,4 +1,4 @@
-// Measured points in time: blocks of rows, the zero bytes the old program leaves, and files cut off.
+// Measured points in time: blocks of rows, the zero bytes of the Berkeley program, and files cut off.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/berkeley_measured.hpp"
 

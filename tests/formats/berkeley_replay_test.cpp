@@ -1,4 +1,4 @@
-// Replay files: frames of moving blocks, rows without meaning passed over, and a last frame cut off.
+// Replay files: frames of moving blocks, rows without meaning that are skipped, and a last frame cut off.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/berkeley_replay.hpp"
 

@@ -1,4 +1,4 @@
-// Files of a case are paired whatever their order; what cannot be paired is said.
+// Files of a case are paired in any order; files without a partner are reported.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case.hpp"
 
@@ -14,7 +14,7 @@
 namespace keyblock::formats::case_test {
 namespace {
 
-/// A folder of its own for each test, gone with it.
+/// A folder of its own for each test, removed at its end.
 class CaseFiles : public testing::Test {
  protected:
   CaseFiles() : folder_(std::filesystem::temp_directory_path() / ("keyblock_case_" + std::to_string(getpid()))) {

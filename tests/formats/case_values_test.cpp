@@ -1,4 +1,4 @@
-// What people write in a case file beside numbers: values with units, names of materials, a library, commas too many.
+// Values of a case file beside numbers: values with units, names of materials, a library, surplus commas.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/case_values.hpp"
 
@@ -130,7 +130,7 @@ TEST(CaseValues, names_of_bolts_are_told_in_tables_and_pictures) {
   EXPECT_NE(picture.find(">tie</text>"), std::string::npos);
 }
 
-// Settings are texts: those that look like numbers stay what they are.
+// Settings are texts: those that look like numbers stay unchanged.
 TEST(CaseValues, settings_are_left_alone) {
   std::string text = case_of(kMetre, kRock, kJoint, kRatio);
   text.insert(1, R"("run": {"set": {"time_step": "0.001", "gravity": "9.81"}}, )");
@@ -172,7 +172,7 @@ TEST(CaseValues, a_material_may_be_like_one_of_the_library) {
   const std::string joint = R"({"name": "bedding", "like": "granite_joint"})";
   const Analysis analysis = *read({"f", case_of(kMillimetre, rock, joint, kRatio)}).content.analysis;
   EXPECT_DOUBLE_EQ(analysis.block_materials[0].youngs_modulus, 52700);
-  EXPECT_DOUBLE_EQ(analysis.block_materials[0].density, 2700);  // what stands beside it rules
+  EXPECT_DOUBLE_EQ(analysis.block_materials[0].density, 2700);  // the value beside it has priority
   EXPECT_DOUBLE_EQ(analysis.joint_materials[1].friction_angle_deg, 33);
 }
 

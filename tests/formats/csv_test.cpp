@@ -1,5 +1,4 @@
-// Tables are written with the agreed columns and numbers that read back the same, and read with places for every
-// fault.
+// Tables have the agreed columns and numbers that read back the same; reading gives each fault its place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/csv.hpp"
 
@@ -87,7 +86,7 @@ TEST(Csv, history_ends_with_the_forces_of_bolts) {
             "1,0.5,1,2,3,4,-50,100.5\n");
 }
 
-// Of 300 blocks it would have 1,202 columns.
+// A table of 300 blocks would have 1,202 columns.
 TEST(Csv, history_of_chosen_points_keeps_their_numbers) {
   History history;
   history.rows.push_back({1, 0.5, {{{1, 2}, {3, 4}, 0, {}}, {{5, 6}, {7, 8}, 1, {}}, {{9, 10}, {11, 12}, 2, {}}}, {}});

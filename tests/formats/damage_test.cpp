@@ -1,4 +1,4 @@
-// Files cut off anywhere or changed at random are read or refused with an InputError, never anything else.
+// Files cut off anywhere or changed at random are read or refused with an InputError, and cause no other exception.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

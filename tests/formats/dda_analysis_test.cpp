@@ -84,7 +84,7 @@ TEST(DdaAnalysis, shi_text_has_a_flag_for_every_point_of_the_blocks_and_two_rows
   EXPECT_TRUE(text.ends_with("\n1.5\n"));
 }
 
-// The second row stands behind the first whatever its time.
+// The second row follows the first at any time.
 TEST(DdaAnalysis, a_constant_that_begins_late_is_written_and_read) {
   Content content = read({"f", shi("0 0")}, {1, 1}).content;
   for (const double time : {1e30, -1e30, 1e308}) {
@@ -155,7 +155,7 @@ TEST(DdaAnalysis, impossible_values_are_errors_at_their_token) {
   EXPECT_NE(replaced("20\n", "0\n"), "");
 }
 
-// Spec section 4, item 12: the mistake is named where it stands, not as a fault of Berkeley's dialect.
+// Spec section 4, item 12: the message names the mistake at its place, not a fault of Berkeley's dialect.
 TEST(DdaAnalysis, a_faulty_curve_of_a_shi_file_is_named_where_it_stands) {
   const std::string head = "1 5 1 1 0.01 0.01 1e6\n";
   const std::string tail = "2.5 24.5 1e6 0.2 0 0 0 0 0 0 0 0 0\n30 0 0\n1.4\n";

@@ -46,7 +46,7 @@ TEST(DdaBlocks, written_file_has_the_slots_of_the_specification) {
   EXPECT_EQ(kDdaBlocks.write({{}, blocks, {}}),
             "1 0 8\n0 0 0\n1 1 4\n1 0 0\n2 2 0\n3 2 2\n4 0 2\n"
             "1 0 0\n"                   // the first vertex again
-            "0 1.4142135623730951 4\n"  // greatest radius, area
+            "0 1.4142135623730951 4\n"  // largest radius, area
             "0 4 4\n"                   // first moments of area
             "0 1 1\n");                 // centroid
 }

@@ -1,4 +1,4 @@
-// The native geometry file: what is read, which variants, and where faults are found.
+// The native geometry file: its contents, its variants, and the places of faults.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/shi/dda_geometry.hpp"
 

@@ -1,4 +1,4 @@
-// DDAML in every dress it comes in, and where its faults are found.
+// DDAML in all its variants, and the places of its faults.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/ddaml.hpp"
 

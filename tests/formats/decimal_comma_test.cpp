@@ -1,4 +1,4 @@
-// A comma that may be a decimal one stops the reading at its place; one that can only part numbers does not.
+// A comma that may be a decimal one stops the reading at its place; one that can only separate numbers does not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

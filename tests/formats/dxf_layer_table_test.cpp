@@ -1,4 +1,4 @@
-// What a table says of the layers of a drawing, and what is said where it says nothing sound.
+// The table of the layers of a drawing, and the messages about faults in it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf_layer_table.hpp"
 

@@ -1,4 +1,4 @@
-// Hand-made DXF texts for tests.
+// Builds small DXF texts for tests.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,13 +6,13 @@
 
 namespace keyblock::formats {
 
-/// A DXF text around these entities: pairs of lines, the last ended. `header` stands in the section HEADER.
+/// Returns a DXF text with these entities: pairs of lines, the last one ended. `header` is the section HEADER.
 inline std::string dxf_text(const std::string& entities, const std::string& header = "") {
   return "999\nkeyblock edge-node ratio 0.01\n0\nSECTION\n2\nHEADER\n" + header +
          "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
 }
 
-/// One entity of every kind that is read, as drawing programs lay them out, and some that are skipped.
+/// Returns one entity of every kind that is read, laid out as drawing programs do, and some that are skipped.
 inline const std::string kDxfSample = dxf_text(
     "  0\nLWPOLYLINE\n  5\n2A\n100\nAcDbEntity\n  8\nBOUNDARY_1\n100\nAcDbPolyline\n 90\n4\n 70\n1\n 43\n0.0\n"
     " 10\n0.0\n 20\n0.0\n 10\n8.0\n 20\n0.0\n 10\n8.0\n 20\n6.0\n 10\n0.0\n 20\n6.0\n"

@@ -1,4 +1,4 @@
-// Splines and ellipses of DXF files: chords within the stated distance of the curve, held against formulas.
+// Splines and ellipses of DXF files: chords within the stated distance of the curve, compared with formulas.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/curves/dxf_spline.hpp"
 
@@ -19,7 +19,7 @@
 namespace keyblock::formats::dxf_spline_test {
 namespace {
 
-/// The greatest distance of points of a curve from a chain of chords.
+/// Returns the largest distance of points of a curve from a chain of chords.
 template <class Curve>
 double deviation(const std::vector<Point>& chain, Curve curve) {
   double greatest = 0;
@@ -47,7 +47,7 @@ std::vector<double> clamped_knots(int degree, std::size_t controls) {
   return knots;
 }
 
-/// By the recursion of Cox and de Boor, basis function by basis function.
+/// Recursion of Cox and de Boor, basis function by basis function.
 double basis(const std::vector<double>& knots, std::size_t i, int degree, double t) {
   if (degree == 0) return t >= knots[i] && (t < knots[i + 1] || (t == 1 && knots[i] < 1 && knots[i + 1] == 1)) ? 1 : 0;
   const auto p = static_cast<std::size_t>(degree);

@@ -1,5 +1,5 @@
-// DXF: every entity lands in its place, curves keep their tolerance, what is skipped is listed, faults are found where
-// they stand, and what is written is read again.
+// DXF: every entity gets its place, curves keep their tolerance, messages list skipped entities and place faults, and
+// written files are read again.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/dxf/dxf.hpp"
 
@@ -210,7 +210,7 @@ TEST(Dxf, a_layer_that_is_nearly_a_word_is_told_which) {
     EXPECT_EQ(told(layer).find("did you mean"), std::string::npos) << told(layer);
 }
 
-// The convention of the old Windows program (findings of legacy, defect F).
+// The convention of Shi's Windows program (findings of legacy, defect F).
 TEST(Dxf, the_number_of_a_layer_stands_at_its_end_or_right_behind_its_word) {
   const Reading reading = read_entities(line("JOINT_3 bedding") + line("joints bedding 4") + line("JOINT5") +
                                         line("JOINT_2 set 6") + line("JOINT bedding"));
@@ -276,8 +276,8 @@ TEST(Dxf, what_is_skipped_is_listed_once_a_kind_with_its_number) {
             "f:36:1: warning: skipped: 1 × entity of a block that no INSERT draws [dxf_skipped]");
 }
 
-// A block of a unit square on layer 0 with a joint of its own layer, base point in its middle.
-// Most shapes decide; what is tilted lies in no plane.
+// A block of a unit square on layer 0 with a joint of its own layer, base point in its middle. The majority of shapes
+// decides; tilted ones lie in no plane.
 TEST(Dxf, the_plane_is_that_of_most_entities) {
   const std::string at = "30\n412.5\n31\n412.5\n";
   const Reading reading = read_entities(line("JOINT_1", at) + line("JOINT_2", at) + line("JOINT_3"));
@@ -311,7 +311,7 @@ TEST(Dxf, an_insert_in_rows_and_columns_draws_its_block_at_each) {
   const std::vector<JointLine> joints = read({"f", text}).content.drawing->joints;
   ASSERT_EQ(joints.size(), 6U);
   for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 2; ++column) {  // turned by 90 degrees: columns go up, rows to the left
+    for (int column = 0; column < 2; ++column) {  // rotated by 90 degrees: columns go up, rows to the left
       const Segment& found = joints[static_cast<std::size_t>(2 * row + column)].segment;
       EXPECT_LT(distance(found.start, {5.0 - 20 * row, 7.0 + 10 * column}), 1e-12);
       EXPECT_LT(distance(found.end, {5.0 - 20 * row, 10.0 + 10 * column}), 1e-12)
@@ -335,7 +335,7 @@ TEST(Dxf, an_insert_draws_its_block_scaled_turned_and_on_its_own_layer) {
   ASSERT_EQ(drawing.joints.size(), 5U);
   EXPECT_EQ(drawing.joints[0].joint_material, 1);
   EXPECT_EQ(drawing.joints[4].joint_material, 2);
-  // (-0.5, -0.5) by (4, 2), turned by 90 degrees: (1, -2) from (10, 20).
+  // (-0.5, -0.5) by (4, 2), rotated by 90 degrees: (1, -2) from (10, 20).
   EXPECT_NEAR(drawing.joints[0].segment.start.x, 11, 1e-12);
   EXPECT_NEAR(drawing.joints[0].segment.start.y, 18, 1e-12);
   EXPECT_NEAR(drawing.joints[4].segment.start.x, 10, 1e-12);
@@ -367,7 +367,7 @@ TEST(Dxf, blocks_that_would_draw_without_end_are_refused) {
 
 namespace {
 
-/// As a drawing program writes it: without the comment of this program.
+/// Text of a drawing program: without the comment of Keyblock.
 Reading drawn(const std::string& entities) {
   std::string text = dxf_text(entities);
   return read({"f", text.substr(text.find("0\nSECTION"))});

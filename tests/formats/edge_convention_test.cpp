@@ -1,4 +1,4 @@
-// Shared edges tell which edge a vertex's joint material belongs to.
+// Shared edges show which edge the joint material of a vertex belongs to.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/shi/edge_convention.hpp"
 
@@ -7,8 +7,8 @@
 namespace keyblock::formats::edge_convention_test {
 namespace {
 
-/// Squares left and right of x = 1 whose shared edge has material `on_start` at its first and `on_end` at its
-/// last vertex, seen along each block's own turn.
+/// Squares left and right of x = 1, whose shared edge has material `on_start` at its first and `on_end` at its last
+/// vertex, in the direction of each block.
 std::vector<BlockPolygon> squares(int on_start, int on_end, double gap = 0) {
   return {{0, {{{0, 0}, 7}, {{1, 0}, on_start}, {{1, 1}, on_end}, {{0, 1}, 7}}, {}},
           {0, {{{1 + gap, 1}, on_start}, {{1 + gap, 0}, on_end}, {{2, 0}, 8}, {{2, 1}, 8}}, {}}};

@@ -1,4 +1,4 @@
-// The specification of joint sets: every key lands in its place, defaults are as documented, others are refused.
+// The specification of joint sets: every key gets its place, defaults are as documented, other keys are refused.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/joint_spec.hpp"
 

@@ -1,4 +1,4 @@
-// JSON values know where they stand, whatever is written between them.
+// JSON values know their place, with any text between them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/json_text.hpp"
 

@@ -1,4 +1,4 @@
-// The case file: what it holds lands in its place, and what it must not hold is named where it stands.
+// The case file: its contents get their place, and forbidden contents are named at theirs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/keyblock_case.hpp"
 

@@ -1,4 +1,4 @@
-// Every format has its row, and every sample is what it says it is.
+// Every format has its row, and every sample is of its format.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/knowledge.hpp"
 

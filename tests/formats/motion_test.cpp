@@ -1,4 +1,4 @@
-// Ground motions in both formats, and what tells them from other files of numbers.
+// Ground motions in both formats, and their difference from other files of numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/motion.hpp"
 

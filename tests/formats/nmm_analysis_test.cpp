@@ -1,4 +1,4 @@
-// The manifold program's analysis file: alone, beside its cover, and where Shi's DDA dialect would fit as well.
+// The analysis file of Shi's manifold program: alone, beside its cover, and if Shi's DDA dialect would fit as well.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/shi/nmm_analysis.hpp"
 

@@ -1,4 +1,4 @@
-// The cover file: every record in its place, written back word by word, and faults named where they stand.
+// The cover file: every record in its place, written back word by word, and faults at their place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/shi/nmm_cover.hpp"
 

@@ -1,4 +1,4 @@
-// Numbers of old files are read whatever their spelling, and written so that they read back the same.
+// Numbers of old files are read in any spelling, and written so that they read back the same.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/numbers.hpp"
 

@@ -16,7 +16,7 @@
 namespace keyblock::formats::plain_real_test {
 namespace {
 
-/// Of a word with `before` and `behind` about it.
+/// Reads a word with `before` and `behind` about it.
 std::optional<double> read_word(const std::string& word, const std::string& before = "12345.6 ",
                                 const std::string& behind = " 12345.6") {
   const std::string text = before + word + behind;

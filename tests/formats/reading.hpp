@@ -1,4 +1,4 @@
-// Short ways for tests to read a text and to name what went wrong.
+// Reads a text in a test and returns the error of a failed reading.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace keyblock::formats {
 
-/// The message of the InputError a reading ends in; empty where it succeeds.
+/// Returns the message of the InputError; empty if the text was read.
 inline std::string error_of(const std::string& text, const ReadHint& hint = {}) {
   try {
     read({"f", text}, hint);

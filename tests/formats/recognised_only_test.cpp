@@ -1,4 +1,5 @@
-// Files that are known and not read: recognised by their beginnings, refused by name, and near misses left to others.
+// Files of known formats without a reader: recognised by their beginnings and refused by name; similar files are left
+// to others.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/berkeley/recognised_only.hpp"
 

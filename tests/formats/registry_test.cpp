@@ -1,4 +1,4 @@
-// A file is recognised by its content, and what is not ours is refused by name.
+// A file is recognised by its content, and an unknown one is refused by name.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/registry.hpp"
 
@@ -67,7 +67,7 @@ TEST(Registry, a_deck_of_udec_is_named) {
   EXPECT_EQ(recognised("; a slope\nnew\nround 0.01\nBlock 0 0 0 10 10 10 10 0\nJSET 45,0 20,0 0,0 2,0\n"), "udec-deck");
   EXPECT_EQ(recognised("block size 0.5\nprop mat 1 d 2600\n"), "udec-deck");
   EXPECT_NE(error_of("block 0 0 0 10 10 10 10 0\ncrack 0 5 10 5\n").find("commands of UDEC"), std::string::npos);
-  EXPECT_EQ(error_of("block\nround trip\n").find("UDEC"), std::string::npos) << "words that stand there by chance";
+  EXPECT_EQ(error_of("block\nround trip\n").find("UDEC"), std::string::npos) << "words that are there by chance";
   EXPECT_EQ(error_of("property of the owner\nblock letters\n").find("UDEC"), std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-// Whatever a format can hold comes back from its text unchanged: contents drawn at random, some hundreds a format.
+// The contents of every format come back from their text unchanged: some hundreds per format, drawn at random.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

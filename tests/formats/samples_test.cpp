@@ -1,4 +1,4 @@
-// Every sample of the old programs that may be used locally is recognised, and read where its format is.
+// Every sample of Shi's programs that may be used locally is recognised, and read if its format is.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

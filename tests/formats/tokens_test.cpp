@@ -1,4 +1,4 @@
-// Words know their place whatever the line ends, and a cursor says what it expected where it stopped.
+// Words know their place with any line endings, and a cursor reports the expected word and its place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/text/tokens.hpp"
 

@@ -1,4 +1,4 @@
-// What the views leave out: every item they name is one of the case file, and has no part in what they write.
+// Omissions of the views: every item they name is one of the case file, and their output does not depend on it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/views.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Hands every value that the item means to `visit`; false where the schema knows no such item.
+/// Hands every value that the item means to `visit`; false if the schema has no such item.
 template <class Visit>
 bool visit_item(Json* value, const Json& layout, const std::string& item, Visit visit) {
   if (item.empty()) {

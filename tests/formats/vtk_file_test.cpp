@@ -1,4 +1,4 @@
-// Numbers in files for viewers: the same whichever way they are written, and a clear error where bytes are missing.
+// Numbers in files for viewers: the same in every encoding, and a clear error if bytes are missing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/vtk_file.hpp"
 

@@ -1,4 +1,4 @@
-// Files for viewers are well-formed, count what they hold, and keep times and coordinates to the last digit.
+// Files for viewers are well-formed, have correct counts, and keep times and coordinates to the last digit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/vtk.hpp"
 

@@ -50,7 +50,7 @@ std::string with(const std::string& what, const std::string& by) {
   return text;
 }
 
-/// As text, with the kinds of values told apart.
+/// Returns the value as text, in which kinds of values differ.
 std::string shown(const JsonValue& value) {
   switch (value.kind()) {
     case JsonKind::null:
@@ -121,7 +121,7 @@ TEST(YamlCase, what_a_case_file_has_no_use_for_is_refused) {
   EXPECT_NE(error_of("keyblock: 2\n? [a, b]\n: c\n"), "");
 }
 
-// JSON is YAML: whatever is written as the one reads as the other.
+// JSON is YAML: both readers agree on any JSON text.
 TEST(YamlCase, json_reads_as_yaml) {
   const std::vector<support::ContentKind> kinds = support::content_kinds();
   const auto kind = std::ranges::find(kinds, &kKeyblockCase, &support::ContentKind::format);

@@ -78,7 +78,8 @@ TEST(Kink, all_criteria_are_symmetric) {
   }
 }
 
-// Faces pressed together by K_I < 0, whose K_II is what two good meshes differ by, go nowhere; with more they slide.
+// Faces pressed together by K_I < 0 do not propagate if K_II is the difference of two good meshes; with more they
+// slide.
 TEST(Kink, a_tip_pressed_together_goes_nowhere_by_noise) {
   const Toughness toughness{.mode_1 = 1, .mode_2 = 2.0};
   for (const GrowthCriterion criterion :

@@ -1,4 +1,4 @@
-// Faces that let go of each other: what they take, and when they have parted.
+// Faces of a crack as they part: the energy that they take, and the time of parting.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/parting_faces.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kEnergy = 0.04, kModulus = 2e4;
 
-// From (0, 0) to (0.3, 0): what lies to the right of it, below, pulls the left face by `traction`.
+// From (0, 0) to (0.3, 0): the rock to its right, below, pulls the left face by `traction`.
 PartingFaces faces_under(Point traction) {
   PartingFaces faces = parting_faces({0, 0}, {0.3, 0}, kEnergy, kModulus, {0.3, 0}, [&](Point) { return traction; });
   for (PartingPoint& point : faces.points) {
@@ -28,7 +28,7 @@ DisplacementAt apart_by(Point opening) {
   return [opening](int element, Point) { return element == 0 ? opening : Point{}; };
 }
 
-/// A body of the left face that moves freely but for the pulls; the right one stands still.
+/// A body of the left face that moves freely except for the pulls; the right one is fixed.
 struct Mover {
   double mass = 1;
   Point at = {};
@@ -37,7 +37,7 @@ struct Mover {
   double energy() const { return mass * dot(speed, speed) / 2; }
 };
 
-/// One step under a constant force; returns the work that the pulls took of it.
+/// Makes one step under a constant force; returns the work that the pulls took.
 double step(PartingFaces& faces, Mover& mover, double dt) {
   std::vector<PartingFaces> all{faces};
   PullsOfStep search(all);
@@ -62,7 +62,7 @@ const double kAtToughness = 8 * std::sqrt(kEnergy / kModulus / (2 * std::numbers
 // A traction that the linear law lets go at the opening of a tip: t δ l / 2 = Γ.
 const Point kTraction{0, -2 * kEnergy / (kAtToughness * 0.3)};
 
-// With three times Γ a body leaves with two; from steps of a hundredth of the way to one that goes far beyond it.
+// With three times Γ a body leaves with two; steps are from a hundredth of the way to one that goes far beyond it.
 TEST(PartingFaces, take_their_energy_whatever_the_step) {
   for (const Point direction : {Point{0, 1}, Point{0.8, 0.6}, Point{-1, 0}})
     for (const double way : {0.01, 0.1, 0.4, 1.0, 3.0}) {
@@ -82,7 +82,7 @@ TEST(PartingFaces, take_their_energy_whatever_the_step) {
     }
 }
 
-/// Two bodies that are tied by most of their mass, so that what pulls one moves the other: inverse masses 1 and 0.8.
+/// Two bodies tied by most of their mass, so that a pull on one moves the other: inverse masses 1 and 0.8.
 struct TiedMovers {
   double at[2] = {0, 0};
   double speed[2] = {0, 0};
@@ -104,7 +104,7 @@ struct TiedMovers {
   }
 };
 
-// A search piece by piece took up to 14 rounds here, and then let a piece pull no more in the step.
+// A search piece by piece takes up to 14 iterations here, and must not let a piece pull less in the step.
 TEST(PartingFaces, that_move_each_other_take_their_energy_in_few_rounds) {
   for (const double way : {0.05, 0.3, 1.0}) {
     std::vector<PartingFaces> all{faces_under(kTraction), faces_under(0.5 * kTraction)};
@@ -134,7 +134,7 @@ TEST(PartingFaces, that_move_each_other_take_their_energy_in_few_rounds) {
   }
 }
 
-// With half of Γ they hold it; it swings and never has more energy than it began with.
+// With half of Γ the pulls hold it; it oscillates and never has more energy than it began with.
 TEST(PartingFaces, that_swing_make_no_energy) {
   for (const double way : {0.02, 0.3, 2.0}) {
     PartingFaces faces = faces_under(kTraction);
@@ -147,7 +147,7 @@ TEST(PartingFaces, that_swing_make_no_energy) {
   }
 }
 
-// Faces that slide the way they are pulled are not driven on.
+// Faces that slide in the direction of their pull are not driven on.
 TEST(PartingFaces, that_move_with_their_pull_are_given_no_energy) {
   for (const double way : {0.02, 0.3, 2.0}) {
     PartingFaces faces = faces_under({kTraction.y, 0});

@@ -1,4 +1,4 @@
-// The order of the stress at corners, and which corners of a body have one.
+// The order of the stress at corners, and the corners of a body that have one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fracture/rock_corners.hpp"
 

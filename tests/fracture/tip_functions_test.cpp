@@ -1,5 +1,5 @@
-// Solutions with near-tip functions: the near-tip field itself, K of an edge crack, how fast its energy converges, and
-// tips that contact closes.
+// Solutions with near-tip functions: the near-tip field itself, K of an edge crack, convergence of its energy, and tips
+// that contact closes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -81,7 +81,7 @@ constexpr double kEdgeCrack = 3.5388220051642585;  // 2.82357 √(π/2), indepen
 
 }  // namespace
 
-// Functions on all covers: the field that they are made for is in their span, whatever the mesh.
+// Functions on all covers: the near-tip field is in their span, on any mesh.
 TEST(TipFunctions, the_near_tip_field_is_exact) {
   const Point at{0.03, 0.013};
   Continuum continuum = cracked({-0.5, -0.5}, {0.5, 0.5}, {{-0.5, 0.013}, at}, 0.15, 2);
@@ -130,9 +130,9 @@ TEST(TipFunctions, an_edge_crack_is_within_the_error_asked_for) {
   EXPECT_LE(coarse.unknowns, 3000);
 }
 
-// Energies of meshes each twice as fine as the one before rise towards a limit as U - C h^2p: their differences fall by
-// 4^p, p the rate of the energy norm. It is above 1.5 where functions reach equally far on all meshes; where they
-// shrink with the mesh it is a half (Laborde et al. 2005; Béchet et al. 2005).
+// Energies of meshes, each twice as fine as the one before, rise towards a limit as U - C h^2p: their differences fall
+// by 4^p, p the rate of the energy norm. It is above 1.5 if functions reach equally far on all meshes; if they shrink
+// with the mesh it is a half (Laborde et al. 2005; Béchet et al. 2005).
 TEST(TipFunctions, the_energy_converges_in_a_fixed_radius) {
   std::vector<double> energies;
   for (const double side : {0.1, 0.05, 0.025}) energies.push_back(edge_crack(side, 0.2).energy);
@@ -141,8 +141,8 @@ TEST(TipFunctions, the_energy_converges_in_a_fixed_radius) {
   EXPECT_GE(std::log2(first / second) / 2, 1.5) << first << " " << second;
 }
 
-// Contact that presses the faces together at the tip leaves no K_I, and what the integral says of it goes out of K_II
-// in the share of the forces. A force that cannot explain an opening, or of another body, closes nothing.
+// Contact that presses the faces together at the tip leaves no K_I. Its value from the integral is taken out of K_II in
+// proportion to the forces. A force that cannot explain an opening, or of another body, closes nothing.
 TEST(ClosedTip, is_one_whose_own_faces_press_as_hard_as_k_says) {
   const Continuum continuum = edge_cracked(0.1, 0);
   const ContinuumSolution solution = solve_static(continuum);
@@ -161,7 +161,7 @@ TEST(ClosedTip, is_one_whose_own_faces_press_as_hard_as_k_says) {
     return factors_at(view, tip, domain);
   };
   const Point force{-4, 10};
-  // So much of the field that it and the forces leave a K_I of 1.
+  // Part of the field, so that it and the forces leave a K_I of 1.
   const double share = (1 - factors(0, force, false).k.mode_1) / kEdgeCrack;
   const TipFactors open = factors(share, force, false);
   EXPECT_FALSE(open.is_closed);
@@ -176,8 +176,7 @@ TEST(ClosedTip, is_one_whose_own_faces_press_as_hard_as_k_says) {
   EXPECT_FALSE(factors(share, {0, -10}, true).is_closed) << "faces that pull each other";
 }
 
-// Faces that are pressed a little behind the tip alone are closed where K_I is one by which they would overlap, and
-// open where it is not.
+// Faces pressed a little behind the tip alone are closed if K_I would make them overlap, and open if not.
 TEST(ClosedTip, does_not_overlap_where_faces_press_behind_it) {
   const Continuum continuum = edge_cracked(0.1, 0);
   const ContinuumSolution solution = solve_static(continuum);

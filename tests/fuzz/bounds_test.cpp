@@ -1,4 +1,4 @@
-// No input makes a reader hold more than 20 times its size or run longer than 10 s a megabyte.
+// No input makes a reader hold more than 20 times its size or run longer than 10 s per megabyte.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -136,7 +136,7 @@ TEST_F(Bounds, a_megabyte_of_one_record_is_read_within_the_limits_in_every_forma
   EXPECT_GE(cases, 30);
 }
 
-// As another program may write it: nothing between numbers but a comma.
+// As another program may write it: only a comma between numbers.
 TEST_F(Bounds, a_case_file_without_white_space_is_read_within_the_limits) {
   for (const LongContent& content : long_contents(100000)) {
     std::string text = kKeyblockCase.write(content.content);
@@ -145,7 +145,7 @@ TEST_F(Bounds, a_case_file_without_white_space_is_read_within_the_limits) {
   }
 }
 
-// Whether they are accepted or refused.
+// Accepted or refused.
 TEST_F(Bounds, a_case_file_of_the_shortest_items_is_read_within_the_limits) {
   for (const std::string list :
        {R"("frames":[)", R"("tracks":[)", R"("frames":[{"elements":[)", R"("tracks":[{"rows":[)",

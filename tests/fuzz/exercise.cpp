@@ -1,4 +1,4 @@
-// Reading, checking and writing under the meter.
+// Reads, checks and writes under the meter.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/exercise.hpp"
 

@@ -1,4 +1,4 @@
-// What is done with any bytes whatever to show that a reader stands them: read, check, write, within memory and time.
+// Reads, checks and writes arbitrary bytes within limits of memory and time, to show that a reader withstands them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,30 +16,32 @@ struct Reader {
   const formats::Format* format = nullptr;  ///< null: by content
 };
 
-/// Every format of the registry that is read, then `anything`.
+/// Returns every format of the registry that is read, then `anything`.
 std::vector<Reader> all_readers();
 
-/// The reader of that name; throws std::invalid_argument if there is none.
+/// Returns the reader of that name; throws std::invalid_argument if there is none.
 Reader find_reader(std::string_view name);
 
-/// What one reading took, beside the input itself.
+/// Cost of one reading, without the input itself.
 struct Cost {
-  std::size_t bytes = 0;  ///< held at its peak while reading
-  double seconds = 0;     ///< of processor time: all that is done
+  std::size_t bytes = 0;  ///< at its peak while reading
+  double seconds = 0;     ///< of processor time, for all work
 };
 
 inline constexpr double kBytesPerByte = 20;
-inline constexpr std::size_t kBytesAtLeast = 1 << 20;  ///< whatever the input: tables of parsers, messages
+inline constexpr std::size_t kBytesAtLeast = 1 << 20;  ///< for any input: tables of parsers, messages
 inline constexpr double kSecondsPerMegabyte = 10;
 inline constexpr double kSecondsAtLeast = 1;
 
-/// Reads, and checks what is read. Only InputError may come out of that; anything else leaves this function.
+/// Reads and checks the result. Only InputError is caught; any other exception leaves this function.
 Cost read_and_check(const Reader& reader, const std::string& text);
 
-/// The same; what is read is written by every writer that takes it, of which only std::invalid_argument may come.
+/// Does the same, and writes the result with every writer that accepts it. Writers may throw only
+/// std::invalid_argument.
 Cost exercise(const Reader& reader, const std::string& text);
 
-/// Which limit the cost is above, in words; empty where it keeps both. `slowdown`: of an instrumented program.
+/// Returns the limit that the cost exceeds, in words; empty if it keeps both. `slowdown` is that of an instrumented
+/// program.
 std::string excess(const Cost& cost, std::size_t size, double slowdown = 1);
 
 }  // namespace keyblock::support

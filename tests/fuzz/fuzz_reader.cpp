@@ -1,9 +1,9 @@
-// The libFuzzer program: holds one reader against whatever the fuzzer makes up.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs one reader under libFuzzer.
 //
 //   fuzz_reader list             names of the readers
 //   fuzz_reader seeds FOLDER     writes the sample of every format there, to start from
 //   fuzz_reader READER FLAGS…    libFuzzer with that reader; FLAGS and folders are libFuzzer's
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace keyblock;
 
-/// The sanitizers and the coverage counters slow a reader so much at most.
+/// Largest slowdown of a reader by sanitizers and coverage counters.
 constexpr double kSlowdown = 20;
 
 support::Reader& reader_under_test() {

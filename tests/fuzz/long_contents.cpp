@@ -1,4 +1,4 @@
-// One content a list; the rest of it is as small as a file may be.
+// Builds one content per list; the rest of it is as small as a file may be.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/long_contents.hpp"
 
@@ -48,7 +48,7 @@ void fill(List& list, std::size_t count, typename List::value_type item) {
   list.assign(count, item);
 }
 
-/// What a content of one geometry, or of an analysis, becomes when one list in it grows.
+/// Content of one geometry, or of an analysis, in which one list grows.
 template <typename Whole, typename Change>
 LongContent grown(std::string name, Whole whole, const Change& change) {
   change(whole);

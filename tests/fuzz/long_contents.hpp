@@ -1,5 +1,4 @@
-// Contents with one long list of the shortest numbers each: what a format says in the fewest bytes takes the most
-// memory.
+// Builds contents with one long list of the shortest numbers. Such files need the most memory per byte.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,11 +10,11 @@
 namespace keyblock::support {
 
 struct LongContent {
-  std::string name;  ///< of the list that is long
+  std::string name;  ///< of the long list
   formats::Content content;
 };
 
-/// One a list, `count` items long.
+/// Returns one content per list, `count` items long.
 std::vector<LongContent> long_contents(std::size_t count);
 
 }  // namespace keyblock::support

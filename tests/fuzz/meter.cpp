@@ -1,4 +1,4 @@
-// The replaced operators; sizes come from the allocator, so that deleting needs no record.
+// Replaces the operators; sizes come from the allocator, so that deleting needs no record.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/meter.hpp"
 

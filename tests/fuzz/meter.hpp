@@ -1,4 +1,4 @@
-// Counts the bytes a program holds, by its own operator new: only the programs that hold readers to a limit link it.
+// Counts the bytes that a program allocates, by its own operator new. Only programs that limit readers link it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,17 +6,17 @@
 
 namespace keyblock::support {
 
-/// Bytes held now, as the allocator rounds them; pugixml's too, once `count_xml` was called.
+/// Returns the bytes allocated now, as the allocator rounds them; those of pugixml too, after a call of `count_xml`.
 std::size_t bytes_held();
 
-/// The most held since the last `forget_peak`.
+/// Returns the largest number of bytes since the last `forget_peak`.
 std::size_t peak_bytes();
 void forget_peak();
 
-/// Lets pugixml, which calls malloc, allocate through the counted operator.
+/// Makes pugixml, which calls malloc, allocate through the counted operator.
 void count_xml();
 
-/// Processor seconds of this program so far, all threads.
+/// Returns the processor seconds of this program so far, all threads.
 double processor_seconds();
 
 }  // namespace keyblock::support

@@ -1,4 +1,5 @@
-// Areas that bodies share, against those one can see: notched, hollow, turned, and neighbours that only touch.
+// Areas that bodies share, compared with areas found by inspection: notched, hollow, rotated, and neighbours with a
+// common side only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/common_area.hpp"
 

@@ -1,4 +1,4 @@
-// Area and centroid do not suffer from a far origin, containment is decided at vertices and edges too.
+// A far origin changes neither area nor centroid; containment is decided at vertices and edges too.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/polygon.hpp"
 

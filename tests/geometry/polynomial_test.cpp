@@ -1,4 +1,4 @@
-// Moments of polygons and rules of quadrature against integrals by hand.
+// Moments of polygons and rules of quadrature compared with integrals by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/polynomial.hpp"
 

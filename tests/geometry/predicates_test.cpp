@@ -1,4 +1,4 @@
-// Signs are right where floating point cannot tell, and stations keep the exact order of crossings.
+// Signs are right where floating point cannot decide, and stations keep the exact order of crossings.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/predicates.hpp"
 

@@ -25,7 +25,7 @@ TEST(Segment, a_segment_without_length_is_a_point) {
 TEST(Segment, meetings_are_told_apart) {
   const Segment s{{0, 0}, {4, 4}};
   EXPECT_EQ(meeting(s, {{0, 4}, {4, 0}}), Meeting::crossing);
-  EXPECT_EQ(meeting(s, {{2, 2}, {9, 0}}), Meeting::crossing) << "an end that touches";
+  EXPECT_EQ(meeting(s, {{2, 2}, {9, 0}}), Meeting::crossing) << "an end on the segment";
   EXPECT_EQ(meeting(s, {{4, 4}, {9, 0}}), Meeting::crossing) << "end to end";
   EXPECT_EQ(meeting(s, {{3, 3}, {9, 9}}), Meeting::overlapping);
   EXPECT_EQ(meeting(s, {{4, 4}, {9, 9}}), Meeting::overlapping) << "in one point, along each other";

@@ -52,7 +52,7 @@ TEST(TipRule, triangles_of_any_height_integrate_the_inverse_distance) {
       const double exact = inverse_distance(tip, a, b), across = inverse_distance_across(tip, a, b);
       const auto points = tip_triangle_rule(tip, a, b);
       EXPECT_NEAR(sum(points, [&](Point x) { return 1 / distance(x, tip); }), exact, 1e-11 * exact) << height;
-      if (height >= 1e-2) {  // nearer tips are known in the mean of all directions
+      if (height >= 1e-2) {  // nearer tips are known on average over all directions
         EXPECT_NEAR(sum(points,
                         [&](Point x) {
                           const double c = (tip.y - x.y) / distance(x, tip);

@@ -1,4 +1,4 @@
-// Tables of contacts that would grow too long have every n-th frame, and say so.
+// Tables of contacts that would grow too long have every n-th frame, and a note about it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 namespace keyblock::contact_tables_test {
 namespace {
 
-/// Lines of contacts.csv, its heading among them, after `written` frames with one contact each where `expected` were to
-/// come.
+/// Counts the lines of contacts.csv with its heading, after `written` frames of one contact each, if `expected` frames
+/// were announced.
 std::size_t lines_with(ContactTables which, int expected, int written, int& thinned) {
   const std::string out = support::fresh_folder("contact_tables") + "/out";
   RunFolder folder(out, Overwrite::no, Trace::no);

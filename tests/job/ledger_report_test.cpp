@@ -1,4 +1,4 @@
-// Ledgers made by hand: their columns by scope, their table read back, and how well they close.
+// Energy balances made by hand: their columns by scope, their table read back, and their closure.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/ledger_report.hpp"
 
@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 const Units kMetres{"m", "kg", "s"};
 
-/// A body of 2 kg falls for a second at 10 m/s² and is pushed along by 3 N s. The ledger loses 1 % of its energy.
+/// A body of 2 kg falls for a second at 10 m/s² and is pushed along by 3 N s. The balance loses 1 % of its energy.
 Ledger fall() {
   LedgerRow start, end;
   start.stored.gravity = 500;
@@ -32,7 +32,7 @@ Ledger fall() {
   return ledger;
 }
 
-/// Columns where the ledger has flows or not, no supports, and something more.
+/// Columns with and without flows, no supports, and one column more.
 std::vector<std::string> names_of(bool has_flows, bool LedgerScope::*more = nullptr) {
   Ledger ledger = fall();
   ledger.scope.has_flows = has_flows;
@@ -75,7 +75,7 @@ TEST(LedgerReport, the_table_is_read_back_under_the_names_of_the_record) {
   EXPECT_EQ(formats::csv_real(table, table.rows[1], 0), 10);
 }
 
-// What loads leave of the change of momentum, supports gave.
+// Supports gave the change of momentum that loads do not explain.
 TEST(LedgerReport, supports_give_what_loads_leave_of_the_change_of_momentum) {
   Ledger ledger = fall();
   ledger.scope.has_supports = true;

@@ -1,4 +1,4 @@
-// What the user named as an output is all that commands write: nothing beside it, nothing through it, nothing twice.
+// Commands write only the outputs that the user named: nothing beside them, nothing through them, nothing twice.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST(OutputFiles, what_is_no_file_is_not_replaced) {
   ASSERT_EQ(support::run_script("mkfifo " + folder + "/pipe").exit_code, 0);
   fs::create_directory(folder + "/folder");
   std::vector<std::string> outputs{folder + "/pipe", folder + "/folder"};
-  // A device of our own, where we may make one: a fault here would replace the machine's.
+  // A device made for this test, if permitted: a fault here would replace the machine's.
   const std::string device = folder + "/device";
   if (support::run_script("mknod " + device + " c 1 3").exit_code == 0) outputs.push_back(device);
   for (const std::string& output : outputs) {

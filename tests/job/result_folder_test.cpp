@@ -1,5 +1,4 @@
-// The folder of a run holds what the run wrote and what the user put there: neither is lost, mixed up or taken for the
-// other.
+// The folder of a run holds the files of the run and those of the user: none is lost, mixed up or mistaken.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -167,7 +166,7 @@ TEST(ResultFolder, the_checkpoint_of_another_run_is_refused) {
   stop_after_frame_80(folder + "/b", "8000");
   fs::copy_file(folder + "/a/checkpoint.h5", folder + "/b/checkpoint.h5", fs::copy_options::overwrite_existing);
   expect_refused_unchanged(folder + "/b", "found that of a run in " + folder + "/a, which still exists");
-  // Nor where the other folder is gone: its frames are not these.
+  // Nor if the other folder is gone: its frames are not these.
   fs::remove_all(folder + "/a");
   fs::remove(folder + "/b/frames/00000080.vtu");
   expect_refused_unchanged(folder + "/b", "found one");
@@ -188,7 +187,7 @@ TEST(ResultFolder, a_folder_taken_away_ends_the_run_and_is_not_made_again) {
   const auto run = run_keyblock(stack_into(folder + "/out", "1000000"), folder + "/out/frames/00000000.vtu",
                                 [&] { fs::rename(folder + "/out", folder + "/elsewhere"); });
   EXPECT_EQ(run.exit_code, 4) << run.messages;
-  // A frame, or the table of contacts beside it: what is written first after that.
+  // A frame, or the table of contacts beside it: the first file written after that.
   EXPECT_TRUE(contains(run.messages, "cannot write " + folder + "/out/")) << run.messages;
   EXPECT_FALSE(fs::exists(folder + "/out"));
   EXPECT_TRUE(fs::exists(folder + "/elsewhere/checkpoint.h5"));

@@ -1,4 +1,4 @@
-// Linear statics says where a body rotates by more than it can know of; steps in time, which know, give the elastica.
+// Linear statics warns of a body that rotates beyond its limits; steps in time give the elastica.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ std::string cantilever(double load) {
                      -load / 0.2);
 }
 
-/// A plate that a pin and a soft spring hold, moved out of line by a force: it rotates as a whole.
+/// A plate on a pin and a soft spring, moved out of line by a force: it rotates as a whole.
 std::string pinned(double force) {
   return fmt::format(R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[0, 0, 1], [2, 0, 1], [2, 1, 1],
     [0, 1, 1]]}}]}}, "covers": {{"contact": "ignored", "mesh": {{"side": 0.5}},

@@ -1,4 +1,4 @@
-// Runs whose results cannot be trusted end with 1 and say why; their like that can be trusted end with 0.
+// Runs with unreliable results end with 1 and a reason; similar reliable ones end with 0.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_doubts.hpp"
 
@@ -16,7 +16,7 @@ using support::fresh_folder;
 using support::run_keyblock;
 using support::write_text;
 
-/// A held floor and a block of 1 m with its lower side at the height `low`.
+/// A fixed floor and a block of 1 m with its lower side at the height `low`.
 std::string block_over_floor(const std::string& low, const std::string& high, const std::string& modulus) {
   return R"({"keyblock": 1, "blocks": {"blocks": [
     {"material": 1, "outer": [[-2, -1, 1], [3, -1, 1], [3, 0, 1], [-2, 0, 1]]},
@@ -38,8 +38,8 @@ support::ProgramRun run_of(const std::string& folder, const std::string& text, c
   return run_keyblock({"run", out + "/in.json", "--profile", profile, "-o", out + "/out", "--verbose"});
 }
 
-/// A free block of 1 m and 2500 kg/m3 without weight, under the old rules: what `more` says of its points and of the
-/// analysis is all that acts.
+/// A free block of 1 m and 2500 kg/m3 without weight, by Shi's rules. Only `more` acts on it: its points and its
+/// analysis.
 std::string lone_block(const std::string& points, const std::string& more) {
   return R"({"keyblock": 1, "blocks": {"blocks": [{"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]}], )" +
          points + R"(}, "analysis": {"velocity_carry_over": 1, "step_count": 10, "time_step": 0.01,
@@ -63,7 +63,7 @@ double last_of(const formats::CsvTable& table, const std::string& column) {
   return formats::csv_real(table, table.rows.back(), formats::csv_column(table, column));
 }
 
-/// Runs it under the old rules: what moves at the end has all that was done on it, nothing else took or gave. Returns
+/// Runs the block by Shi's rules. All work becomes its motion at the end; nothing else adds or takes energy. Returns
 /// that energy.
 double energy_of_work(const std::string& folder, const std::string& points, const std::string& more) {
   const std::string out = fresh_folder(folder);
@@ -76,8 +76,8 @@ double energy_of_work(const std::string& folder, const std::string& points, cons
   return kinetic;
 }
 
-/// What is said of the energy of a free block of 1 m that weighs 10 kN/m where `gravity` says so, and made `made` where
-/// `largest` was stored.
+/// Returns the messages about the energy of a free block of 1 m. It weighs 10 kN/m if `gravity` says so, and gained
+/// `made` when `largest` was stored.
 std::string energy_doubt(double made, double largest, const std::string& gravity = "9.81") {
   Problem problem;
   Blocks blocks;
@@ -113,7 +113,7 @@ TEST(RunDoubts, energy_is_held_against_what_weight_does_over_a_small_way_where_l
       << "without weight";
 }
 
-// Of 100 steps 11 out of balance by more than 1e-4 are a doubt, 10 are not; the old rules have no such residual.
+// 11 of 100 steps out of balance by more than 1e-4 are a doubt, 10 are not; Shi's rules have no such residual.
 TEST(RunDoubts, forces_out_of_balance_in_more_than_a_tenth_of_the_steps_are_doubted) {
   const auto doubt = [](int unbalanced, const std::string& profile) -> std::string {
     Problem problem;
@@ -138,7 +138,7 @@ TEST(RunDoubts, forces_out_of_balance_in_more_than_a_tenth_of_the_steps_are_doub
   EXPECT_EQ(doubt(11, "legacy"), "");
 }
 
-// Slid by a millimetre, 10 J/m: one part in fifty is told of, however slow it was.
+// Slid by a millimetre, 10 J/m: one part in fifty is reported, at any speed.
 TEST(RunDoubts, energy_of_what_slid_is_held_against_the_largest_there_was) {
   EXPECT_EQ(energy_doubt(0.2, 10),
             "energy came from nothing: 0.02 of the largest stored energy; limit 0.01 (energy_limit)");
@@ -150,19 +150,19 @@ TEST(RunDoubts, a_block_at_rest_on_a_floor_is_trusted) {
     expect_trusted(run_of("doubt_none", block_over_floor("0", "1", "5e9"), profile));
 }
 
-// Half of it in the floor from the start: springs of legacy do not push it out in five steps.
+// Half of it is in the floor initially: springs of legacy do not push it out in five steps.
 TEST(RunDoubts, blocks_that_overlap_at_the_end_are_doubted_whatever_the_contacts_saw) {
   expect_doubted(run_of("doubt_overlap", block_over_floor("-0.5", "0.5", "5e9"), "legacy"),
                  "block 1 and block 2 share 0.5 of the smaller one's area at the end");
 }
 
-// Its weight presses a block of E = 2e4 by γ h / 2E = 0.6 of its height in the mean, before the first step.
+// Its weight presses a block of E = 2e4 by γ h / 2E = 0.6 of its height on average, before the first step.
 TEST(RunDoubts, what_the_start_crushes_counts) {
   expect_doubted(run_of("doubt_soft", block_over_floor("0", "1", "2e4"), "standard"), "block 2 was compressed to 0.3");
 }
 
-// Its weight comes at once on a block of E = 5e4, whose mean strain then swings between 0 and twice γ h / 2E = 0.25: it
-// is near its unloaded area again when the run ends.
+// Its weight acts suddenly on a block of E = 5e4, whose mean strain then oscillates between 0 and twice γ h / 2E =
+// 0.25. Its area is nearly the unloaded one again when the run ends.
 TEST(RunDoubts, what_was_crushed_between_start_and_end_counts) {
   std::string text = block_over_floor("0", "1", "5e4");
   const std::string steps = R"("step_count": 5)";
@@ -174,13 +174,13 @@ TEST(RunDoubts, what_was_crushed_between_start_and_end_counts) {
   expect_doubted(run, "block 2 was compressed to 0.5");
 }
 
-// Under half its weight in the mean, 12263 N/m2, it shortens by a quarter, and its middle goes down by half of that.
+// Under half its weight on average, 12263 N/m2, it shortens by a quarter, and its middle goes down by half of that.
 TEST(RunDoubts, a_start_that_moves_a_block_by_a_tenth_of_its_size_is_doubted) {
   expect_doubted(run_of("doubt_moved", block_over_floor("0", "1", "5e4"), "standard"), "the initial state moves block");
 }
 
-// A cantilever of 10 m bends by w L⁴/(8 E I) = 7 cm, a sixth of the side of its elements, and begins so; a square on a
-// frictionless slope of 45 degrees slides, which is told and no fault.
+// A cantilever of 10 m bends by w L⁴/(8 E I) = 7 cm, a sixth of the side of its elements, and begins so. A square on a
+// frictionless slope of 45 degrees slides, which is reported and no fault.
 TEST(RunDoubts, a_start_at_rest_may_bend_bodies_on_covers) {
   const auto case_of = [](const std::string& blocks, const std::string& held) {
     return R"({"keyblock": 1, "blocks": {"blocks": [)" + blocks +
@@ -225,8 +225,8 @@ TEST(RunDoubts, the_work_of_driven_points_is_in_the_books_of_the_old_rules) {
                  R"("fixed_point_motions": [[[0, 0, 0], [0.05, 0.01, 0], [1, 0.2, 0.1]]])");
 }
 
-// The shaken slope of the fronts: under the old rules its blocks fly apart, and nothing else says so. After these steps
-// the last digit decides whether a block moves too far even for the smallest step.
+// The shaken slope of the fronts: under Shi's rules its blocks fly apart, without any other sign. After these steps the
+// last digit decides if a block moves too far even for the smallest step.
 TEST(RunDoubts, blocks_that_fly_apart_under_given_accelerations_are_doubted) {
   const std::string folder = fresh_folder("doubt_slope");
   const std::string slope = KEYBLOCK_SOURCE_DIR "/legacy_cases/fronts/slope.json";

@@ -1,4 +1,4 @@
-// The units of the numbers of a record, by where they stand.
+// The units of the numbers of a record, by their place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_measures.hpp"
 

@@ -92,7 +92,7 @@ TEST(RunReport, a_record_says_what_went_in_and_what_was_chosen) {
   EXPECT_EQ(json["outputs"], Json({"history.csv", "picture.svg"}));
   EXPECT_FALSE(json.contains("units"));
   EXPECT_FALSE(json.contains("unit_of"));
-  EXPECT_FALSE(json.contains("ledger")) << "no books were kept";
+  EXPECT_FALSE(json.contains("ledger")) << "no energy balance was kept";
 }
 
 TEST(RunReport, numbers_of_elements_count_from_1) {
@@ -111,7 +111,7 @@ TEST(RunReport, numbers_of_elements_count_from_1) {
   EXPECT_TRUE(none["held"].is_array() && none["held"].empty());
 }
 
-// Bins end at 0, 3, 10 and 40 passes; the last has no end.
+// Bins end at 0, 3, 10 and 40 iterations; the last has no end.
 TEST(RunReport, counts_are_sums_and_bounds_of_the_steps) {
   const Json counts = read(record())["counts"];
   EXPECT_EQ(counts["blocks"], 2);
@@ -221,7 +221,7 @@ TEST(RunReport, stages_say_their_steps_and_whether_they_came_to_rest) {
   EXPECT_EQ(stages[0]["steps"], Json({1, 10}));
   EXPECT_EQ(stages[0]["balanced"], true);
   EXPECT_EQ(stages[1]["steps"], Json({11, 30}));
-  EXPECT_TRUE(stages[1]["balanced"].is_null()) << "was not asked";
+  EXPECT_TRUE(stages[1]["balanced"].is_null()) << "was not requested";
 }
 
 TEST(RunReport, what_was_not_found_is_null) {

@@ -35,7 +35,7 @@ StepReport step(int number) {
   return report;
 }
 
-/// All warnings about steps that differ from a sound one.
+/// Returns all warnings about steps that differ from a sound one.
 Warnings said(const Prepared& prepared, const std::vector<std::function<void(StepReport&)>>& changes) {
   StepWatch watch(prepared);
   int number = 0;
@@ -52,14 +52,14 @@ std::string sentence(const Warnings& warnings, const std::string& name) {
   return found == warnings.end() ? std::string() : found->sentence;
 }
 
-/// Whether all of these stand in a text: the counts and numbers of a sentence, not its words.
+/// Returns true if all of these are in a text: the counts and numbers of a sentence, not its words.
 testing::AssertionResult tells(const std::string& text, const std::vector<std::string>& parts) {
   for (const std::string& part : parts)
     if (text.find(part) == std::string::npos) return testing::AssertionFailure() << part << " is not in: " << text;
   return testing::AssertionSuccess();
 }
 
-/// Of a frame with these bolts, broken or whole.
+/// Returns the warnings about a frame with these bolts, broken or whole.
 Frame frame_of(const std::vector<bool>& broken) {
   Frame frame;
   for (const bool is_broken : broken) {
@@ -111,7 +111,7 @@ TEST(RunWarnings, contacts_that_do_not_settle_are_counted) {
       tells(sentence(said(two_blocks(), {{}, unsettled(3)}), "unsettled_step_accepted"), {"step 2: 3 contacts "}));
 }
 
-// Ten times what is allowed in contact.
+// Ten times the limit in contact.
 TEST(RunWarnings, blocks_deep_in_one_another_are_told_by_how_much_is_allowed) {
   const Prepared prepared = two_blocks();
   const double allowed = prepared.scene.settings.open_close.allowed_penetration * prepared.scene.model.scale;
@@ -183,7 +183,7 @@ TEST(RunWarnings, a_start_that_is_not_the_one_asked_for_is_told) {
   EXPECT_TRUE(tells(outcome_warnings(two_blocks(), outcome, {})[2].sentence, {"2 steps "}));
 }
 
-// A table that ends at the end of the run, or at nothing, is held without a word.
+// A table that ends at the end of the run, or at zero, is continued without a message.
 TEST(RunWarnings, a_table_that_ends_before_the_run_is_told_at_its_place) {
   Prepared prepared = two_blocks();
   TimeCurve early{{0, 1}, {{0, 0}, {3, 0}}, {"in.ana", 12, 1}};

@@ -1,4 +1,4 @@
-// What a checkpoint holds beside the stepper, restored from its bytes; and checkpoints that are not those of the run.
+// The contents of a checkpoint beside the stepper, restored from its bytes; and checkpoints of another run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/saved_run.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 using support::fresh_folder;
 using support::write_text;
 
-/// Every member differs from what a new one has.
+/// Every member differs from its default.
 RunRequest request() {
   return {.program = this_program(),
           .folder = "/results/a \"b\"",
@@ -41,7 +41,7 @@ RunRequest request() {
           .has_page = true};
 }
 
-/// What the bytes hold of a request.
+/// Returns the request in the bytes.
 RunRequest restored(const std::string& bytes) {
   Archive archive = archive_of_checkpoint("checkpoint.h5", bytes);
   RunRequest found;
@@ -161,7 +161,7 @@ TEST(SavedRun, settings_that_changed_are_refused_by_name) {
   EXPECT_TRUE(contains(complaint<InputError>([&] { require_same("c.h5", saved, now); }), "c=3"));
 }
 
-// A folder may be moved; a copy of one whose run still stands where it was may not go on beside it.
+// A folder may be moved; a copy of a run that is still in its place may not continue beside it.
 TEST(SavedRun, a_copy_of_a_folder_is_refused_while_its_run_stands) {
   const std::string own = fresh_folder("saved_run_own"), copy = fresh_folder("saved_run_copy");
   RunRequest saved = request();
@@ -178,7 +178,7 @@ TEST(SavedRun, a_copy_of_a_folder_is_refused_while_its_run_stands) {
 }
 
 TEST(SavedRun, the_clock_of_checkpoints_is_due_after_its_interval) {
-  EXPECT_FALSE(CheckpointClock(0).is_due()) << "none but where the run is stopped";
+  EXPECT_FALSE(CheckpointClock(0).is_due()) << "only if the run is stopped";
   CheckpointClock often(1e-3), seldom(1000);
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
   EXPECT_TRUE(often.is_due());

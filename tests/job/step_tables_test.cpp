@@ -31,7 +31,7 @@ StepReport step(int number) {
   return report;
 }
 
-/// Of the last row.
+/// Returns the columns of the last row.
 double last(const std::string& text, std::string_view column) {
   const formats::CsvTable table = formats::read_csv({"step_table.csv", text});
   return formats::csv_real(table, table.rows.back(), formats::csv_column(table, column));

@@ -1,4 +1,4 @@
-// What is said of steps as they are told: once, with the first that it concerns.
+// Messages about steps: each once, with the first step that it concerns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST(StepWatch, a_load_step_of_many_parts_is_warned_of_once) {
             "step 3 was made in 7 parts, near a limit load or too long for elastoplastic rock; as in 2 of 5 steps");
 }
 
-// Of 3 steps out of balance by more than 1e-6, two stay below 1e-4.
+// Two of 3 steps out of balance by more than 1e-6 stay below 1e-4.
 TEST(StepWatch, forces_out_of_balance_are_told_by_the_worst_step_with_its_contact) {
   StepWatch watch(square_that_yields());
   const double residuals[] = {2e-6, 1e-9, 7e-4, 3e-5};
@@ -86,7 +86,7 @@ TEST(StepWatch, bolts_that_break_on_the_way_are_named) {
   ASSERT_EQ(broken_bolts(first, last, {}).size(), 1u);
   EXPECT_EQ(broken_bolts(first, last, {})[0].sentence, "1 of 2 bolts broke: 1 \"B1\"; bolts.csv has the frame");
   first.bolts = {broken};
-  EXPECT_TRUE(broken_bolts(first, last, {}).empty()) << "broken from the start, which is told before the run";
+  EXPECT_TRUE(broken_bolts(first, last, {}).empty()) << "broken in the initial state, which is reported before the run";
   last.bolts = {broken, also};
   EXPECT_NE(broken_bolts(first, last, {})[0].sentence.find("broke: 5;"), std::string::npos);
 }

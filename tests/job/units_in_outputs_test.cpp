@@ -1,6 +1,6 @@
-// One case declared in metres and kilograms, in metres and kilonewtons, in millimetres and tonnes, and in metres and
-// megapascals: every number of every output is the same once its unit is taken into account. The case has values with
-// their own units throughout, so that only the section "units" differs.
+// One case in four systems of units: metres and kilograms, metres and kilonewtons, millimetres and tonnes, metres and
+// megapascals. Every number of every output is the same, if its unit is taken into account. The values of the case have
+// their own units, so that only the section "units" differs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -33,14 +33,14 @@ constexpr double kRelativeOfShort = 2e-7;  // of the value: a number of 24 bits,
 struct System {
   const char* name;
   const char* units;
-  double metre;  ///< how many of its units of length one metre is
+  double metre;  ///< units of length in a metre
 };
 constexpr std::array<System, 4> kSystems{{{"m_kg_s", R"({"length": "m", "mass": "kg", "time": "s"})", 1},
                                           {"m_kN_s", R"({"length": "m", "force": "kN", "time": "s"})", 1},
                                           {"mm_t_s", R"({"length": "mm", "mass": "t", "time": "s"})", 1000},
                                           {"m_MPa_s", R"({"length": "m", "stress": "MPa", "time": "s"})", 1}}};
 
-// What each column measures, by a unit of SI; # is a number. Those of plain numbers are not here.
+// Measure of each column, as a unit of SI; # is a number. Plain numbers are left out.
 const std::map<std::string, std::string> kKinds{
     {"time", "s"},
     {"dt", "s"},
@@ -184,7 +184,7 @@ const std::set<std::string> kNumbers{"step",
                                      "principal_axis",
                                      "fixed_points"};
 
-// A block that slides on a held one, bolted to it, pushed, with a third that falls onto it.
+// A block that slides on a fixed one, bolted to it, pushed, with a third that falls onto it.
 const std::string kSliding = R"(
  "blocks": {"blocks": [
    {"material": "rock", "outer": [["0 m", "0 m", 1], ["6 m", "0 m", 1], ["6 m", "1 m", 1], ["0 m", "1 m", 1]]},
@@ -218,7 +218,7 @@ const std::string kCrack = R"(
     "toughness": {"mode_1": "1.5 MPa√m"}}],
   "joint_materials": [{}]})";
 
-// A pillar of rock that yields under a lid that is pressed down.
+// A pillar of elastoplastic rock under a lid that is pressed down.
 const std::string kPillar = R"(
  "blocks": {"blocks": [{"outer": [["0 m", "0 m", 1], ["1 m", "0 m", 1], ["1 m", "2 m", 1], ["0 m", "2 m", 1]]}],
   "measured_points": [["0.5 m", "1 m", 1]]},
@@ -232,10 +232,10 @@ const std::string kPillar = R"(
       "dilation_deg": "5 deg"}}],
   "joint_materials": [{}]})";
 
-/// Numbers of one output: by their place, each with what it is worth in SI or where it is a plain one.
+/// Numbers of one output: by their place, each with its value in SI or marked as plain.
 struct Number {
   double value = 0;
-  std::string kind;  ///< the dimension, so that small differences are weighed against what is largest of it
+  std::string kind;  ///< the dimension, so that small differences are compared with the largest number of it
   bool is_short = false;
 };
 using Numbers = std::map<std::string, Number>;
@@ -260,7 +260,7 @@ std::pair<std::string, std::string> name_and_unit(const std::string& heading) {
   const std::size_t open = heading.find(" [");
   std::string name = heading.substr(0, open);
   const std::string unit = open == std::string::npos ? "" : heading.substr(open + 2, heading.size() - open - 3);
-  // K_I2 is none; x12 is x#.
+  // K_I2 is one word; x12 is x#.
   if (const std::size_t at = name.find_first_of("0123456789"); at != std::string::npos) {
     const std::size_t end = std::min(name.find_first_not_of("0123456789", at), name.size());
     name = name.substr(0, at) + "#" + name.substr(end);
@@ -268,7 +268,7 @@ std::pair<std::string, std::string> name_and_unit(const std::string& heading) {
   return {name, unit};
 }
 
-/// The dimension that the heading says has to be that of the table above.
+/// The dimension in the heading must be that of the table above.
 void expect_kind(const std::string& heading, const std::string& where) {
   auto [name, unit] = name_and_unit(heading);
   // Ends of a bolt.
@@ -296,7 +296,7 @@ Numbers numbers_of_table(const fs::path& file) {
   for (std::size_t row = 0; row < table.rows.size(); ++row)
     for (std::size_t column = 0; column < table.header.size(); ++column) {
       auto [name, unit] = name_and_unit(table.header[column]);
-      // In long form each row names the unit of its value, 1 of a plain number.
+      // In long form each row names the unit of its value, 1 for a plain number.
       if (name == "value") unit = table.rows[row].cells.back() == "1" ? "" : table.rows[row].cells.back();
       const std::string bare = table.header[column].substr(0, table.header[column].find(" ["));
       if (const auto value = number_in(table.rows[row].cells[column]))
@@ -356,8 +356,8 @@ Numbers numbers_of_record(const fs::path& file) {
   return found;
 }
 
-/// Numbers on axes and bars. Those of an axis stand before its label; each is taken with every unit that the picture
-/// names, as a list of what it may be worth.
+/// Numbers on axes and bars. Those of an axis come before its label. Each is taken with every unit that the picture
+/// names, as a list of its possible values.
 struct Picture {
   std::vector<std::string> units;
   std::vector<double> factors;  ///< of each
@@ -396,7 +396,7 @@ void add_to(Scales& scales, const Numbers& numbers) {
   }
 }
 
-// How often systems were solved, and which of two equal elements is named, is left to rounding.
+// Rounding decides the number of linear solves, and which of two equal elements is named.
 bool is_left_to_rounding(const std::string& place) {
   return std::ranges::any_of(
       std::array<std::string_view, 7>{"unbalanced", "passes", "oci", ".element", "solves", "misfit", "residual"},
@@ -420,13 +420,13 @@ void expect_same(const Numbers& one, const Numbers& other, const Scales& scales,
   }
 }
 
-// Ticks are round in each system: the same ones where the units differ by a power of ten.
+// Ticks are round in each system: the same ones if the units differ by a power of ten.
 void expect_same_picture(const Picture& one, const Picture& other, const std::string& where) {
   ASSERT_EQ(one.units.size(), other.units.size()) << where;
   for (std::size_t i = 0; i < one.units.size(); ++i) {
     EXPECT_EQ(kind_of(one.units[i]), kind_of(other.units[i])) << where;
     const double power = std::log10(factor_of(one.units[i]) / factor_of(other.units[i]));
-    if (std::abs(power - std::round(power)) > 1e-6) return;  // N/mm^1.5: its ticks stand elsewhere
+    if (std::abs(power - std::round(power)) > 1e-6) return;  // N/mm^1.5: its ticks are at other places
   }
   ASSERT_EQ(one.numbers.size(), other.numbers.size()) << where;
   ASSERT_EQ(one.bars.size(), other.bars.size()) << where;
@@ -471,7 +471,7 @@ std::map<std::string, Numbers> numbers_in(const std::string& folder, const std::
   return all;
 }
 
-// `scales`: of what a run has that adds up to nothing, as loads in balance do.
+// `scales`: of sums that vanish in the run, as those of balanced loads do.
 void expect_same_results(const std::string& name, const std::string& scene, const std::set<std::string>& wanted,
                          Scales scales) {
   scales.merge(Scales{{"number", 1}, {"rad", 1}, {"deg", 180}});

@@ -1,4 +1,4 @@
-// What a run leaves for viewers, read back by VTK's own readers.
+// Files of a run for viewers, read back by VTK's own readers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ std::map<std::string, double> read_by_vtk(const std::string& folder) {
 
 constexpr double kWeight = 24525;
 
-/// A held floor, two squares on it, and a bolt of constant pull between the lower one and the floor.
+/// A fixed floor, two squares on it, and a bolt of constant pull between the lower one and the floor.
 const char* const kCase = R"({"keyblock": 1,
   "blocks": {"blocks": [{"outer": [[-2, -1, 1], [3, -1, 1], [3, 0, 1], [-2, 0, 1]]},
                         {"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]},
@@ -46,7 +46,7 @@ const char* const kCase = R"({"keyblock": 1,
     "joint_materials": [{"friction_angle_deg": 30}],
     "block_materials": [{"density": 2500, "unit_weight": 24525, "youngs_modulus": 5e9, "poissons_ratio": 0.25}]}})";
 
-std::string last_folder;  // of the run that was seen last
+std::string last_folder;  // of the latest run
 
 std::map<std::string, double> seen_of_run(const std::string& bolts, const std::string& name = "viewer_files") {
   const std::string folder = fresh_folder(name);
@@ -93,7 +93,7 @@ TEST(ViewerFiles, vtk_reads_contacts_whose_forces_bear_the_blocks_and_corners_th
   EXPECT_NEAR(seen.at("most_pressed") / (-1.5 * kWeight), 1, 0.05) << "the mean of the lower square";
 }
 
-// What VTK's reader has of the contacts is what the table has, column by column.
+// VTK's reader has the contacts of the table, column by column.
 TEST(ViewerFiles, vtk_and_the_table_of_contacts_have_the_same_sums) {
   const auto seen = seen_of_run("[]", "viewer_sums");
   if (seen.empty()) GTEST_SKIP() << kNoVtk;

@@ -65,7 +65,7 @@ TEST(ShiStep, oscillator_decays_with_the_spectral_radius_of_theory) {
 TEST(ShiStep, static_mode_decays_by_one_over_one_plus_half_omega_squared) {
   for (double omega : {0.1, 0.3, 1.0, 2.0}) {
     Oscillator oscillator(omega, 0);
-    oscillator.scene.model.fixed_points[0].curve = {{0, 1}, {{1e-3, 0}, {1e-3, 0}}, {}};  // towards a displaced rest
+    oscillator.scene.model.fixed_points[0].curve = {{0, 1}, {{1e-3, 0}, {1e-3, 0}}, {}};  // to a displaced position
     const double first = 1e-3 - oscillator.next_x();
     const double second = 1e-3 - oscillator.next_x();
     EXPECT_NEAR(second / first, 1 / (1 + omega * omega / 2), 1e-6) << "Omega " << omega;
@@ -91,8 +91,8 @@ TEST(ShiStep, free_fall_is_exact) {
 
 namespace {
 
-// Rebound speed over impact speed of a square falling flat, without weight, on a fixed floor: two contact
-// springs. Stiff blocks and nearly rigid fixings leave the contact springs alone to give.
+// Rebound speed over impact speed of a square falling flat, without weight, on a fixed floor: two contact springs.
+// Stiff blocks and nearly rigid fixings leave only the contact springs to deform.
 double rebound(double dt_over_contact_time, double gap_in_steps) {
   constexpr double kMass = 2500;
   constexpr double kPenalty = 1e6;
@@ -133,7 +133,7 @@ TEST(ShiStep, rebound_from_a_contact_spring_loses_what_the_scalar_recurrence_los
   }
 }
 
-// The Newmark recurrence needs no more than one solve a step when nothing touches.
+// Without contacts the Newmark recurrence needs no more than one solve per step.
 TEST(ShiStep, only_the_first_solve_of_a_run_is_repeated) {
   Blocks blocks;
   blocks.blocks = {rectangle({0, 10}, {1, 11})};
@@ -172,7 +172,7 @@ TEST(ShiStep, rigid_blocks_slide_as_theory_says_on_each_other_and_on_affine_ones
   }
 }
 
-// Iterations stop at 1e-11 of the load: what they leave is nothing beside what a block moves.
+// Iterations stop at 1e-11 of the load: their error is small beside the motion of a block.
 TEST(Advance, every_way_to_solve_makes_the_same_steps) {
   std::vector<Point> places;
   for (const LinearMethod method : {LinearMethod::factor, LinearMethod::conjugate_gradients}) {

@@ -15,7 +15,7 @@ using support::plain_analysis;
 
 }  // namespace
 
-// A term that the scene does not need is not in the list that is called.
+// The list has no term that the scene does not need.
 TEST(Assemble, only_required_terms_are_called) {
   EXPECT_EQ(legacy_scene(kBlock, plain_analysis(1e-3, 1)).terms.size(), 4U);
   Analysis weightless = plain_analysis(1e-3, 1);

@@ -1,4 +1,4 @@
-// Weight: of the current area, with one gravity for all or the own unit weight of each material.
+// Weight of the current area, with one gravity for all or the own unit weight of each material.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/body_force.hpp"
 

@@ -1,4 +1,4 @@
-// Bolts pull with the force they have, resist being stretched, and hold what hangs on them.
+// Bolts pull with their present force, resist elongation, and carry the blocks attached to them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/bolt.hpp"
 
@@ -16,14 +16,14 @@ using support::rectangle;
 using support::step_once;
 using support::system_of_one_block;
 
-/// 2 × 1 about (11, 20.5) and about (15, 20.5), far from touching, with one bolt from corner to corner.
+/// 2 × 1 about (11, 20.5) and about (15, 20.5), far apart, with one bolt from corner to corner.
 Blocks two_blocks(double stiffness, double pretension) {
   Blocks blocks{{rectangle({10, 20}, {12, 21}), rectangle({14, 20}, {16, 21})}, {}, {}, {}, {}, {}};
   blocks.bolts = {{{{12, 21}, {14, 21}}, 0, 1, stiffness, 0, pretension}};
   return blocks;
 }
 
-/// 2 × 1 with 4 m of room below a held one; two bolts of `stiffness` above its quarter points.
+/// 2 × 1 with 4 m of room below a fixed one; two bolts of `stiffness` above its quarter points.
 Blocks hanging_block(double stiffness) {
   Blocks blocks{{rectangle({0, 5}, {2, 6}), rectangle({0, 0}, {2, 1})}, {}, {}, {}, {}, {}};
   blocks.fixed_points = {{{0.1, 5.5}, 0, {}}, {{1.9, 5.5}, 0, {}}};
@@ -70,7 +70,7 @@ TEST(Bolt, within_one_block_resists_its_stretching) {
   EXPECT_NEAR(system.load[3], -7, 1e-12);
 }
 
-// Closed form: each hangs with W/2 on a spring of k, whichever end is named first.
+// Closed form: each hangs with W/2 on a spring of k, in either order of the ends.
 TEST(Bolt, two_bolts_share_the_weight_that_hangs_on_them) {
   constexpr double kStiffness = 1e6;
   Analysis analysis = plain_analysis(1, 10);
@@ -91,10 +91,10 @@ TEST(Bolt, pretension_pulls_two_free_blocks_together) {
   constexpr double kForce = 1e4;
   constexpr double kMass = 5000;
   Blocks blocks = two_blocks(0, kForce);
-  blocks.bolts[0].segment = {{11.5, 20.5}, {14.5, 20.5}};  // through both centroids: no turning
+  blocks.bolts[0].segment = {{11.5, 20.5}, {14.5, 20.5}};  // through both centroids: no rotation
   Analysis analysis = plain_analysis(1e-2, 50);
   analysis.gravity = 0;
-  analysis.allowed_displacement_ratio = 0.01;  // and with it the reach within which contacts are looked for
+  analysis.allowed_displacement_ratio = 0.01;  // and with it the reach within which contacts are searched
   const ShiScene scene = legacy_scene(blocks, analysis);
   Stepping stepping = start(scene);
   for (int i = 0; i < 50; ++i) step_once(scene, stepping);

@@ -1,4 +1,4 @@
-// What passes from old contacts to new ones, row by row of the transfer table (legacy-rules 4 and 5).
+// Transfer from old contacts to new ones, row by row of the transfer table (legacy-rules 4 and 5).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/carry.hpp"
 
@@ -52,7 +52,7 @@ Contact parallel_pair(Triple first, Triple second, ContactState state = ContactS
 }
 
 // Legacy-rules 4: the state that the old contact hands on is 1, 2, or 0 through its first triple and 1 or 0 through its
-// second; a vertex-edge contact takes (b), the state handed to its second triple, before (a), that to its first.
+// second. A vertex-edge contact takes (b), the state handed to its second triple, before (a), that to its first.
 struct Row {
   const char* what;
   Contact old;

@@ -1,4 +1,4 @@
-// Two blocks on one another: which contacts are found, how they start, how they open, close, slide and lock.
+// Two blocks on one another: their contacts, the initial state of these, and how they open, close, slide and lock.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using support::legacy_scene;
 using support::plain_analysis;
 using support::rectangle;
 
-/// A unit square at height `gap` over a wide base; allowed displacement small, so that corners are told apart.
+/// A unit square at height `gap` over a wide base; allowed displacement small, so that corners are distinguished.
 struct SquareOnBase {
   ShiScene scene;
   State state;

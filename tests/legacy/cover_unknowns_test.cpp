@@ -1,5 +1,5 @@
-// Elements on covers under the old step: free fall, spin, a beam against the static solution, a slit that closes, a
-// block that slides on a slope.
+// Elements on covers under Shi's step: free fall, spin, a beam beside the static solution, a slit that closes, a block
+// that slides on a slope.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/cover_unknowns.hpp"
 
@@ -151,9 +151,9 @@ TEST(CoverUnknowns, the_lips_of_a_slit_in_one_body_do_not_pass_through_each_othe
   EXPECT_LT(overlap(true), 0.02 * free);
 }
 
-// Friction between them in the old step: each corner of the mesh locks and slides for itself, and a corner that locks
-// within a step stops its share of the block. At 20 degrees this block comes 10 to 60 % short of theory; without
-// friction, and where friction holds, nothing of that shows.
+// Friction between them in Shi's step: each corner of the mesh locks and slides by itself, and a corner that locks
+// within a step stops its part of the block. At 20 degrees this block comes 10 to 60 % short of theory; without
+// friction, and if friction holds, there is no such error.
 TEST(CoverUnknowns, a_block_on_covers_slides_down_a_smooth_slope_as_theory_says_and_stays_on_a_rough_one) {
   const double slope = std::numbers::pi / 6;
   const auto turned = [&](double x, double y) {

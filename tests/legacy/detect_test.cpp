@@ -1,4 +1,4 @@
-// Contacts at concave corners, which half of a parallel pair acts, and the list kept when nothing is found.
+// Contacts at concave corners, the half of a parallel pair that acts, and the list kept when nothing is found.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/detect.hpp"
 
@@ -45,7 +45,7 @@ const BlockPolygon kAngle{0, {{{0, 0}, 0}, {{4, 0}, 0}, {{4, 1}, 0}, {{1, 1}, 0}
 }  // namespace
 
 // Legacy-rules 2: a convex vertex in a concave one is a vertex-edge candidate with each of its two edges, never
-// vertex-vertex. The square's other two lower and left corners touch the edges alone.
+// vertex-vertex. The square's other two lower and left corners have contact with the edges alone.
 TEST(Detect, a_square_in_a_concave_corner_touches_both_edges_of_it) {
   const BlockPolygon square = rectangle({1, 1}, {2, 2});
   const Contacts concave_first = detected({kAngle, square}).contacts;
@@ -70,8 +70,8 @@ TEST(Detect, reference_lines_have_the_other_block_outside) {
   }
 }
 
-// Legacy-rules 3: of two corners with a parallel pair of edges the one whose vertex lies between the ends of the
-// other's edge acts.
+// Legacy-rules 3: two corners with a parallel pair of edges. The corner acts whose vertex lies between the ends of the
+// edge of its partner.
 TEST(Detect, of_a_parallel_pair_the_vertex_that_lies_beside_the_others_edge_acts) {
   const BlockPolygon lower = rectangle({0, 0}, {1, 1});
   const Contacts to_the_right = detected({lower, rectangle({0.02, 1}, {1.02, 2})}).contacts;
@@ -114,8 +114,8 @@ TEST(Detect, a_step_that_finds_no_contact_keeps_the_last_list_under_the_quirk) {
   EXPECT_EQ(contact_counts_of_a_throw(false), (std::vector<int>{2, 2, 0, 0, 0}));
 }
 
-// The list of near vertices is kept while blocks wander through one another, fast and slowly, and gives the contacts of
-// a new search at every step.
+// The list of near vertices is kept while blocks move through one another, fast and slowly, and gives the contacts of a
+// new search at every step.
 TEST(Detect, a_kept_list_of_near_vertices_gives_the_contacts_of_a_new_search) {
   std::vector<BlockPolygon> blocks;
   for (int i = 0; i < 30; ++i)

@@ -1,4 +1,4 @@
-// The stress that an element brings along pushes against its strains.
+// The initial stress of an element acts against its strains.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/terms/initial_stress.hpp"
 
@@ -16,7 +16,7 @@ using support::system_of_one_block;
 
 }  // namespace
 
-// F -= S (sxx, syy, sxy) on (ex, ey, gxy) (legacy-rules 7.3): a pressed block (negative stress) wants to widen.
+// F -= S (sxx, syy, sxy) on (ex, ey, gxy) (legacy-rules 7.3): a pressed block (negative stress) widens.
 TEST(InitialStress, is_the_area_times_the_stress_against_the_strains) {
   const ShiScene scene = legacy_scene(kBlock, plain_analysis(1e-3, 1));
   State state = start(scene).state;

@@ -1,4 +1,4 @@
-// How contacts are judged after a solve: change of line, instant of touching, turning back (legacy-rules 10).
+// States of contacts after a solve: change of line, instant of contact, reversal (legacy-rules 10).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/judge.hpp"
 
@@ -71,8 +71,8 @@ TEST(Judge, an_open_vertex_vertex_contact_stays_open_while_it_is_outside_of_eith
   EXPECT_TRUE(pair.after({-kFar, -0.9 * pair.scene.rules.closing_depth}).is_open());
 }
 
-// Legacy-rules 10.2: where the line changes, the distance to the line active before decides, though that to the new
-// line is the one that is kept.
+// Legacy-rules 10.2: at a change of the line, the distance to the line active before decides, though that to the new
+// line is kept.
 TEST(Judge, a_vertex_vertex_contact_that_changes_line_opens_by_the_line_active_before) {
   const Contact to_second = in_the_corner(ContactState::on_first_line).after({kFar, -kFar});
   EXPECT_EQ(to_second.state, ContactState::on_second_line);
@@ -90,7 +90,8 @@ TEST(Judge, a_vertex_vertex_contact_that_keeps_its_line_opens_by_that_line) {
   EXPECT_EQ(in_the_corner(ContactState::on_first_line).after({-2 * kFar, -kFar}).state, ContactState::on_first_line);
 }
 
-// Legacy-rules 10.3. From x = 1 at height 0.01, falling 0.04 while moving 0.8: it touches after a quarter of the way.
+// Legacy-rules 10.3. From x = 1 at height 0.01, falling 0.04 while moving 0.8: contact begins after a quarter of the
+// way.
 TEST(Judge, the_contact_point_is_where_the_vertex_is_at_the_instant_of_touching) {
   const Contact touched = TipOnBase({1, 0.01}).after({0.8, -0.04});
   ASSERT_FALSE(touched.is_open());

@@ -1,4 +1,4 @@
-// One rectangle for the tests of the terms.
+// Builds one rectangle for the tests of the terms.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

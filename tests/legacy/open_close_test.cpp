@@ -1,4 +1,4 @@
-// How often the iteration solves: the first solve of a run twice, contacts that never settle up to the bound.
+// Number of solves of the iteration: the first solve of a run twice, contacts that never settle up to the bound.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/open_close.hpp"
 
@@ -13,8 +13,8 @@ using support::legacy_scene;
 using support::plain_analysis;
 using support::rectangle;
 
-/// A block on another. `settles` false: closing within w0 of distance and opening above minus w0, so that every
-/// judgement turns every contact over.
+/// A block on another. `settles` false: closing within w0 of distance and opening above minus w0, so that every check
+/// reverses every contact.
 ShiScene two_blocks(bool settles, int pass_limit = 8) {
   Analysis analysis = plain_analysis(1e-3, 1);
   analysis.allowed_displacement_ratio = 0.01;
@@ -77,7 +77,7 @@ TEST(OpenClose, a_step_unfinished_at_the_bound_is_redone_until_the_run_is_given_
   EXPECT_EQ(std::get<StepFailure>(made).contacts, (std::vector<std::size_t>{0, 1}));
 }
 
-// Legacy-rules 11.1: the old program compares the passes with the given limit but ends its loop at 8.
+// Legacy-rules 11.1: the Berkeley program compares the iterations with the given limit but ends its loop at 8.
 TEST(OpenClose, under_another_limit_than_eight_an_unfinished_step_is_accepted) {
   for (int limit : {5, 9}) {
     const ShiScene scene = two_blocks(false, limit);
@@ -89,7 +89,7 @@ TEST(OpenClose, under_another_limit_than_eight_an_unfinished_step_is_accepted) {
   }
 }
 
-// Legacy-rules 9: friction of the transferred values acts in the first pass of a step, not in that of a redo.
+// Legacy-rules 9: friction of the transferred values acts in the first iteration of a step, not in that of a redo.
 TEST(OpenClose, friction_of_the_last_step_acts_in_the_first_pass_unless_the_step_is_redone) {
   ShiScene scene = two_blocks(true);
   scene.model.joint_materials[0].friction_angle_deg = 45;

@@ -24,7 +24,7 @@ TEST(Penalty, grows_with_penetration_and_falls_slowly) {
 
 TEST(Penalty, misfit_is_that_of_the_closed_contacts) {
   Contacts contacts(3);
-  contacts[0].distance = -5;  // open: counts for nothing
+  contacts[0].distance = -5;  // open: does not count
   contacts[1].state = ContactState::locked;
   contacts[1].distance = -2;
   contacts[2].state = ContactState::on_second_line;

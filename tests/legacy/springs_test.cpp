@@ -1,5 +1,5 @@
-// The springs and the friction of one contact against energies and virtual work of its moved points; lists against
-// their contacts.
+// The springs and the friction of one contact compared with energies and virtual work of its moved points; lists
+// compared with their contacts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/springs.hpp"
 
@@ -140,7 +140,7 @@ TEST(Springs, an_open_contact_has_none) {
   EXPECT_EQ(dense(system.matrix).norm(), 0);
 }
 
-// Legacy-rules 9: f along the line on P0 of the one block, against it on P1 of the other, f = |p| kn tan(phi).
+// Legacy-rules 9: f along the line on P0 of one block, against it on P1 of the other, f = |p| kn tan(phi).
 TEST(Friction, does_the_work_of_a_force_pair_along_the_line) {
   SkewPair pair;
   pair.contact.state = ContactState::sliding;
@@ -189,8 +189,8 @@ TEST(Friction, needs_sliding_a_direction_and_leave_to_act) {
   EXPECT_EQ(pair.friction().norm(), 0);
 }
 
-// A list is what its contacts are one by one: several of a pair, one of them open, lines on either element, both
-// orders; for blocks of six unknowns, of three, of both, and for one that has none.
+// A list equals the sum of its contacts: several of a pair, one of them open, lines on either element, both orders.
+// Blocks have six unknowns, three, both, or none.
 TEST(Springs, a_list_adds_up_to_its_contacts_whatever_the_bases) {
   for (const auto& [lower, upper] : {std::pair{&affine_basis(), &affine_basis()},
                                      {&rigid_basis(), &rigid_basis()},

@@ -1,4 +1,4 @@
-// The first state has the stress and velocity of the material, as the old engine reads its slots or as the file says.
+// The first state has the stress and velocity of the material, by the slots of the Berkeley program or by the file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/start_state.hpp"
 

@@ -1,4 +1,5 @@
-// After an accepted step: everything has moved, stress has grown by the strain, velocity follows constant acceleration.
+// After an accepted step everything has moved, stress has grown by the strain, and velocity follows constant
+// acceleration.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/update.hpp"
 
@@ -77,7 +78,7 @@ TEST(Update, stress_grows_by_the_modulus_of_the_plane_times_the_strain) {
   EXPECT_NEAR(plane_stress.xx, 5e6 / (1 - 0.0625), 1e-6);
   EXPECT_NEAR(plane_stress.yy, 0.25 * 5e6 / (1 - 0.0625), 1e-6);
   EXPECT_NEAR(plane_stress.xy, 2e-3 * 5e9 / 2.5, 1e-6);
-  scene.settings.plane = Plane::strain;  // the right factor, whatever the stiffness has (legacy-rules 12)
+  scene.settings.plane = Plane::strain;  // the right factor, for any stiffness (legacy-rules 12)
   const Stress plane_strain = updated(scene, increment({0, 0, 0, 1e-3})).elements[ElementIndex{0}].stress;
   EXPECT_NEAR(plane_strain.xx, 5e6 * 0.75 / (1.25 * 0.5), 1e-6);
   EXPECT_NEAR(plane_strain.yy, 5e6 * 0.25 / (1.25 * 0.5), 1e-6);

@@ -1,4 +1,4 @@
-// Directions and wedges: who may touch whom at a vertex.
+// Directions and wedges: possible contacts at a vertex.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/contact/wedge.hpp"
 
@@ -14,7 +14,7 @@ TEST(Wedge, directions_of_the_four_quadrants) {
   EXPECT_NEAR(edge_direction({0, 1}, 0), 90, 1e-12);
 }
 
-// Legacy-rules 3: the 1e-7 turns a vertical edge of length 1 by about 6e-6 degrees.
+// Legacy-rules 3: the 1e-7 rotates a vertical edge of length 1 by about 6e-6 degrees.
 TEST(Wedge, berkeley_offset_turns_a_vertical_edge) {
   EXPECT_NEAR(90 - edge_direction({0, 1}, 1e-7), 5.7296e-6, 1e-9);
 }

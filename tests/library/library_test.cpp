@@ -1,4 +1,4 @@
-// The public library: what a program outside gets, and that two runs in one process know nothing of each other.
+// The public library as an outside program uses it; two runs in one process do not affect each other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ kb::Case slide() {
   return kb::Case::read({kCases + "sliding_block/a30_p20"});
 }
 
-/// Courses of bricks, every other one set off by half a brick, on a floor that is held.
+/// Courses of bricks, every other one offset by half a brick, on a fixed floor.
 kb::Case wall(int bricks, int courses) {
   std::string blocks;
   const auto add = [&](double left, double bottom, double right, double top) {
@@ -47,7 +47,7 @@ kb::Case wall(int bricks, int courses) {
   return kb::Case::read({path});
 }
 
-/// Of the last block.
+/// Returns the displacement of the last block.
 double way(const kb::Frame& frame) {
   const auto moved = frame.displacement();
   return std::hypot(moved(moved.rows() - 1, 0), moved(moved.rows() - 1, 1));
@@ -66,7 +66,7 @@ std::vector<double> state_after(const kb::Plan& plan, const kb::Context& context
   return {vertices.values().begin(), vertices.values().end()};
 }
 
-// Pages of this process in memory.
+// Returns the pages of this process in memory.
 long resident_pages() {
   std::ifstream file("/proc/self/statm");
   long size = 0, resident = 0;
@@ -168,7 +168,7 @@ TEST(Api, every_column_that_a_frame_names_is_there_with_its_rows) {
   EXPECT_EQ(end.stress().values().data(), end.reals("blocks", "stress").values().data()) << "one copy for all";
 }
 
-// A wall has so many contacts that its loops take threads; both runs share the plan, and one sets up threads as the
+// A wall has so many contacts that its loops use threads; both runs share the plan, and one sets up threads as the
 // other steps.
 TEST(Api, two_runs_in_two_threads_give_the_bytes_of_one_alone) {
   const kb::Plan plan(wall(30, 25), {"standard", {{"start", "sudden"}}});
@@ -182,7 +182,7 @@ TEST(Api, two_runs_in_two_threads_give_the_bytes_of_one_alone) {
   EXPECT_EQ(beside, alone);
 }
 
-// Of bodies on covers in time a plan holds a factor that all its runs solve with.
+// A plan of NMM bodies in time holds one factorisation that all its runs solve with.
 TEST(Api, two_runs_of_a_plan_on_covers_give_the_bytes_of_one_alone) {
   const kb::Plan plan(kb::Case::read({kCases + "sudden_load_on_covers/undamped"}), {"", {{"steps", "30"}}});
   const std::vector<double> alone = state_after(plan, kb::Context(1));

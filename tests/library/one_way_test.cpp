@@ -1,4 +1,4 @@
-// Whoever asks for a case gets the same plan of it: commands, studies and the library; and a run ends alike.
+// Commands, studies and the library get the same plan of a case, and a run ends alike.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace kb = keyblock::api;
 
 using SettingList = std::vector<std::pair<std::string, std::string>>;
 
-/// What must agree.
+/// Values that must agree.
 struct Outline {
   std::string profile;
   SettingList settings;
@@ -49,12 +49,12 @@ std::size_t stride() {
   return std::getenv("KEYBLOCK_ALL_CASES") != nullptr ? 1 : 7;
 }
 
-/// The exit code that `keyblock run` gives to this end.
+/// Returns the exit code that `keyblock run` gives to this end.
 int code_of(kb::End end) {
   return end == kb::End::finished ? 0 : end == kb::End::doubtful ? 1 : 4;
 }
 
-/// Runs to the end; nothing where that takes longer than a second.
+/// Runs to the end; returns nothing if that takes longer than a second.
 std::optional<int> code_of_run(const kb::Plan& plan) {
   const auto begin = std::chrono::steady_clock::now();
   kb::Run run(plan);

@@ -1,4 +1,4 @@
-// What the library records is what the program leaves.
+// The library records the same files as the program.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST(Record, a_recorded_run_leaves_what_the_program_leaves) {
                               program.string();
   ASSERT_EQ(std::system(command.c_str()), 0);
   expect_same_results(own, program);
-  EXPECT_THROW(kb::record(slide(), own.string()), kb::SettingError) << "results stand there";
+  EXPECT_THROW(kb::record(slide(), own.string()), kb::SettingError) << "results are there";
   EXPECT_THROW(kb::resume(own.string()), kb::SettingError) << "the run is over";
   fs::remove_all(own);
   fs::remove_all(program);

@@ -1,4 +1,4 @@
-// Cracks that close: pla-12, the energy against its definition, convexity, loops of strain, and strength on top.
+// Cracks that close: pla-12, the energy compared with its definition, convexity, loops of strain, and strength besides.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/crack_closure.hpp"
 
@@ -50,7 +50,7 @@ std::vector<Strength> surfaces() {
       mohr_coulomb(30, 30, 2), mohr_coulomb(30, 0, 2), mohr_coulomb(30, 10, 20, 1), tresca, von_mises, cone, softening};
 }
 
-/// A strain of a size between 1e-5 and 1e-1, half of them with much of it alike in all directions.
+/// A strain of a size between 1e-5 and 1e-1, half of them mostly isotropic.
 Eigen::Vector4d random_strain(std::mt19937_64& dice) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> even(0, 1);
@@ -68,7 +68,7 @@ double energy_at(const Eigen::VectorXd& strain, const Eigen::VectorXd& cracks, c
   return intact.dot(modulus * intact) / 2 + k * cracks.squaredNorm() / 2;
 }
 
-/// Its least over w, one crack after another until none changes: another way than sets of closed cracks.
+/// Minimum over w, one crack after another until none changes: another method than sets of closed cracks.
 double least_energy(const Eigen::VectorXd& strain, const Eigen::MatrixXd& modulus) {
   const double k = 1 / (1 / kOpen - 1 / kIntact), shut = -kClosed * (1 - kOpen / kIntact);
   Eigen::VectorXd w = Eigen::VectorXd::Zero(strain.size());
@@ -139,7 +139,7 @@ TEST(CrackClosure, stress_is_the_slope_of_the_energy_and_the_tangent_that_of_str
     }
 }
 
-// The softest that series can be is all cracks open under shear, 1/((1 + ν)/E2 + 1/k).
+// The softest answer in series has all cracks open under shear, 1/((1 + ν)/E2 + 1/k).
 TEST(CrackClosure, stiffness_between_two_strains_is_never_below_that_of_open_cracks) {
   const double softest = 1 / (1.25 / kIntact + 1 / kOpen - 1 / kIntact);
   std::mt19937_64 dice(5);
@@ -157,7 +157,7 @@ TEST(CrackClosure, stiffness_between_two_strains_is_never_below_that_of_open_cra
   EXPECT_LT(least, 1.2 * softest);  // the pairs come near it
 }
 
-// Axes turn, cracks close and open one after another: what a loop takes it gives back.
+// Axes rotate, cracks close and open one after another: a loop gives back all energy that it took.
 TEST(CrackClosure, a_closed_loop_of_strain_does_no_work) {
   const std::array<Eigen::Vector4d, 6> corners{{{0, 0, 0, 0},
                                                 {-2e-3, 1e-3, 0, 0},
@@ -188,7 +188,8 @@ TEST(CrackClosure, what_is_no_closure_is_refused) {
   EXPECT_NE(why_unusable(CrackClosure{10e3, 0}, 30e3).find("closure_strain"), std::string::npos);
 }
 
-// On the surface, its crack strain that of its stress, and intact rock's answer to what the crack strain leaves.
+// A stress on the surface, with the crack strain of that stress, and the answer of intact rock to the rest of the
+// strain.
 TEST(CrackReturn, random_trials_end_on_the_surface_with_the_cracks_of_their_stress) {
   std::mt19937_64 dice(6);
   for (const Strength& strength : surfaces())
@@ -233,8 +234,8 @@ TEST(CrackReturn, random_trials_end_on_the_surface_with_the_cracks_of_their_stre
     }
 }
 
-// Friction of 80 degrees without dilation in rock that hardly changes its volume: of 40,000 random strains the one
-// whose search ends off the crack strain of its stress.
+// Friction of 80 degrees without dilation in rock of nearly constant volume: of 40,000 random strains the one whose
+// search ends off the crack strain of its stress.
 TEST(CrackReturn, a_search_that_fails_is_flagged) {
   YieldLaw law{kIntact, 0.49, mohr_coulomb(80, 0, 20)};
   law.closure = CrackClosure{kOpen, kClosed};
@@ -272,7 +273,7 @@ TEST(CrackReturn, the_tangent_is_the_derivative) {
     }
 }
 
-// Discrete gradient: whatever closes on the way, the mean stress with what it lacks does the work of the energy.
+// Discrete gradient: if cracks close on the way, the corrected mean stress does the work of the energy.
 TEST(CrackReturn, the_stress_of_a_way_does_the_work_of_its_energy) {
   std::mt19937_64 dice(8);
   for (const Plane plane : {Plane::strain, Plane::stress}) {

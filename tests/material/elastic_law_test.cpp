@@ -1,5 +1,5 @@
-// Logarithmic strain against eigenvalues and differences, the work of its steps against its energy, and both laws under
-// uniaxial pressure against their closed forms.
+// Logarithmic strain compared with eigenvalues and differences, the work of its steps with its energy, and both laws
+// under uniaxial pressure with their closed forms.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/elastic_law.hpp"
 
@@ -30,7 +30,7 @@ Eigen::Matrix2d tensor(const Eigen::Vector3d& green) {
   return c;
 }
 
-/// Of symmetric C = Q diag Qᵀ.
+/// Function of symmetric C = Q diag Qᵀ.
 Eigen::Vector3d log_by_eigenvalues(const Eigen::Vector3d& green) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> found(tensor(green));
   const Eigen::Matrix2d log = found.eigenvectors() * (found.eigenvalues().array().log() / 2).matrix().asDiagonal() *
@@ -38,7 +38,7 @@ Eigen::Vector3d log_by_eigenvalues(const Eigen::Vector3d& green) {
   return {log(0, 0), log(1, 1), 2 * log(0, 1)};
 }
 
-/// Green strains of stretches between 0.3 and 2 along turned axes.
+/// Green strains of stretches between 0.3 and 2 along rotated axes.
 class Strains {
  public:
   Eigen::Vector3d next(double least = 0.3, double most = 2) {
@@ -122,7 +122,7 @@ TEST(ElasticLaw, stress_is_the_gradient_of_the_energy_and_stiffness_that_of_stre
   }
 }
 
-// Whatever the step: what the force works is what the energy gains where θ = ½, and T_θ · Δε else.
+// In any step: the work of the force is the gain of energy for θ = ½, and T_θ · Δε else.
 TEST(ElasticLaw, the_work_of_a_step_is_the_change_of_energy) {
   Strains strains;
   for (const ElasticLaw law : {ElasticLaw::st_venant_kirchhoff, ElasticLaw::logarithmic}) {
@@ -154,7 +154,8 @@ TEST(ElasticLaw, the_stiffness_of_a_step_is_its_derivative_but_for_what_falls_wi
   }
 }
 
-// What corrects the stress of a step vanishes with the square of the step, but its round-off is taken over that square.
+// The correction of the stress of a step vanishes with the square of the step, but its round-off is divided by that
+// square.
 TEST(ElasticLaw, steps_of_next_to_nothing_are_those_of_rest) {
   const Eigen::Vector3d from(-2e-4, -7e-4, 3e-4);
   const Eigen::Vector3d at_rest = log_step_stress(from, from, kInitial);
@@ -173,7 +174,7 @@ TEST(ElasticLaw, a_bar_under_pressure_softens_or_does_not) {
     for (const ElasticLaw law : {ElasticLaw::st_venant_kirchhoff, ElasticLaw::logarithmic}) {
       const ElasticPoint point = point_of(law, kNone);
       Eigen::Vector3d green((stretch * stretch - 1) / 2, 0, 0);
-      for (int round = 0; round < 60; ++round)  // sides that carry nothing
+      for (int round = 0; round < 60; ++round)  // free sides
         green(1) -= point.stress(green)(1) / point.stiffness(green)(1, 1);
       const double force = stretch * point.stress(green)(0);
       const double theory = law == ElasticLaw::st_venant_kirchhoff ? plane * stretch * (stretch * stretch - 1) / 2

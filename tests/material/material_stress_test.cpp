@@ -1,4 +1,4 @@
-// Stress across the plane, held against Hooke's law in three dimensions.
+// Stress across the plane, compared with Hooke's law in three dimensions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/material_stress.hpp"
 
@@ -53,7 +53,7 @@ TEST(MaterialStress, the_start_has_what_is_given_or_else_what_the_law_says) {
   material.stress_gradient.zz = 5e4;
   const Stress given = start_stress(material, material.stress_gradient, 10, Plane::strain);
   EXPECT_DOUBLE_EQ(given.zz, -2.5e6);
-  // From there on the law says what changes.
+  // From there on the law decides the changes.
   EXPECT_DOUBLE_EQ(with_across({-0.9e6 + 1e5, -1.8e6, 0}, given, share_across(material, Plane::strain)).zz,
                    -2.5e6 + kNu * 1e5);
 }

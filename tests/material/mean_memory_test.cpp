@@ -1,4 +1,4 @@
-// Means of what points of rock remember: strains by weight, regions by the most of it.
+// Means of the memory of points of rock: strains by weight, regions by the largest weight.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/mean_memory.hpp"
 
@@ -37,7 +37,7 @@ TEST(MeanMemory, a_region_is_that_of_most_of_what_is_not_elastic) {
   mean.add(3, memory(1, YieldRegion::apex));
   EXPECT_EQ(mean.over(10).region, YieldRegion::apex);  // half is not more than half
   mean.add(1, memory(1, YieldRegion::edge));
-  EXPECT_EQ(mean.over(11).region, YieldRegion::edge);  // of equal ones the first
+  EXPECT_EQ(mean.over(11).region, YieldRegion::edge);  // the first of equal ones
   mean.add(8, memory(0, YieldRegion::elastic));
   EXPECT_EQ(mean.over(19).region, YieldRegion::elastic);
 }

@@ -1,4 +1,4 @@
-// Strength divided by a factor: tangents, what flow keeps, values after a change.
+// Strength divided by a factor: tangents, parts of flow that stay, values after a change.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "material/reduced_strength.hpp"
 

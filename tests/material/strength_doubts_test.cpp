@@ -1,4 +1,4 @@
-// What a user is told of strengths that can be used but hardly be meant.
+// Warnings about strengths that can be used but are hardly intended.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

@@ -74,7 +74,7 @@ std::vector<Strength> all_surfaces() {
   return all;
 }
 
-/// Trial stresses of many sizes, with equal and nearly equal ones, shifted by pressure; greatest first.
+/// Trial stresses of many sizes, with equal and nearly equal ones, shifted by pressure; largest first.
 Eigen::Vector3d random_trial(std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   std::uniform_int_distribution<int> kind(0, 5);
@@ -107,8 +107,8 @@ struct Worst {
   double surface = 0, order = 0, work = 0, flow = 0;
 };
 
-/// Of an associated law also that its return is the projection in the norm of energy: (σᵗʳ - σ) · D⁻¹ (σ - y) ≥ 0 for
-/// any y inside.
+/// Checks, for an associated law, that its return is the projection in the norm of energy: (σᵗʳ - σ) · D⁻¹ (σ - y) ≥ 0
+/// for any y inside.
 void check_trial(const Strength& strength, const Eigen::Vector3d& trial, std::mt19937_64& random, Worst& worst) {
   const SurfaceOfKappa surface{strength, kInfinite};
   const Eigen::Matrix3d modulus = principal_modulus();
@@ -240,7 +240,7 @@ TEST(YieldLaw, a_million_random_trials_come_to_the_surface) {
 
 namespace {
 
-/// Greatest difference of a tangent to central differences, over that of the modulus; `kink` where a difference crosses
+/// Largest difference of a tangent to central differences, over that of the modulus; `kink` if a difference crosses
 /// from one region to another.
 double tangent_error(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before, bool& kink) {
   const Response r = respond(law, increment, before, 1);
@@ -297,7 +297,7 @@ TEST(YieldLaw, tangents_are_the_derivatives_in_all_regions) {
 
 namespace {
 
-/// A point pulled or pressed along y with the stress along x kept, as pla-02 does; zz free or held.
+/// A point pulled or pressed along y with the stress along x kept, as pla-02 does; zz free or fixed.
 struct Driven {
   YieldLaw law;
   YieldState state = {};
@@ -305,7 +305,7 @@ struct Driven {
   Eigen::Vector4d stress = Eigen::Vector4d::Zero();
   double along = 0, work = 0;
 
-  /// Strains xx (and zz alike where it is free) that keep their stress, found between bounds.
+  /// Strains xx (and zz alike if it is free) that keep their stress, found between bounds.
   void strain_to(double target, double kept) {
     const double step = target - along;
     const auto at = [&](double lateral) {
@@ -414,7 +414,7 @@ TEST(YieldLaw, triaxial_strength) {
   }
 }
 
-// Work of a bar that loses all its strength, less nothing: G_f over its size.
+// Work of a bar that loses all its strength: G_f over its size.
 TEST(YieldLaw, softening_takes_the_fracture_energy) {
   for (const double size : {0.5, 1.0})
     for (Strength strength : {von_mises(10), mohr_coulomb(30, 30, 2), mohr_coulomb(30, 0, 2)}) {
@@ -430,7 +430,7 @@ TEST(YieldLaw, softening_takes_the_fracture_energy) {
       const double end = 2 * 0.8 / (size * fall) + 0.02;
       constexpr int kSteps = 4000;
       for (int i = 1; i <= kSteps; ++i) bar.strain_to(-end * i / kSteps, 0);
-      // The residual 1e-3 of von Mises bears on to the end.
+      // The residual 1e-3 of von Mises carries load to the end.
       EXPECT_NEAR(bar.work * size, 0.8, 0.8 * 2e-3);
       EXPECT_NEAR(strain_of_change(strength, size), strain_of_change(bar.law.strength, 1), 1e-15);
     }
@@ -446,7 +446,7 @@ TEST(YieldLaw, nothing_is_borne_across_a_plate) {
       const Eigen::Vector3d increment = 0.01 * Eigen::Vector3d(unit(random), unit(random), unit(random));
       const Response r = respond_plane_stress(law, increment, state, 1);
       const double scale = std::max(r.stress.cwiseAbs().maxCoeff(), surface_scale({strength, kInfinite}, 0));
-      // Rounding of the elastic trial stress stays where the strength is as good as none.
+      // Rounding of the elastic trial stress remains if the strength is nearly zero.
       ASSERT_NEAR(r.stress(3), 0, 1e-11 * scale + 2e-14 * law.youngs_modulus * increment.norm())
           << "phi " << strength.values.friction_deg << " c " << strength.values.cohesion << " step " << i;
       state = r.after;
@@ -486,7 +486,7 @@ TEST(Strength, what_cannot_be_is_refused) {
   weaker.change->values.friction_deg = 5;
   EXPECT_NE(doubts_of(weaker).front().sentence.find("above friction_deg 5 after the change"), std::string::npos);
   EXPECT_EQ(doubts_of(mohr_coulomb(20, 30, 2)).size(), 1U);
-  // Angles that a change leaves as they are give no second doubt.
+  // Angles that a change leaves unchanged give no second doubt.
   Strength looser = mohr_coulomb(20, 30, 2);
   looser.change = StrengthChange{.values = looser.values, .fracture_energy = 1};
   looser.change->values.cohesion = 1;

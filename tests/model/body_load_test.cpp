@@ -1,4 +1,4 @@
-// Weight under a gravity that is turned or scaled, and the sum of constant and tabulated acceleration.
+// Weight under a gravity that is rotated or scaled, and the sum of constant and tabulated acceleration.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/body_load.hpp"
 

@@ -1,4 +1,4 @@
-// Which blocks move, and with how many unknowns.
+// Blocks that move, and the number of their unknowns.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/setup/choose_basis.hpp"
 
@@ -15,8 +15,8 @@ using support::rectangle;
 Model four_blocks() {
   Blocks blocks;
   for (double x : {0.0, 2.0, 4.0, 6.0}) blocks.blocks.push_back(rectangle({x, 0}, {x + 1, 1}));
-  blocks.fixed_points = {{{0.1, 0.5}, 0, {}}, {{0.9, 0.5}, 0, {}},   // two places: held
-                         {{2.5, 0.5}, 1, {}}, {{2.5, 0.5}, 1, {}},   // one place twice: may turn
+  blocks.fixed_points = {{{0.1, 0.5}, 0, {}}, {{0.9, 0.5}, 0, {}},   // two places: fixed
+                         {{2.5, 0.5}, 1, {}}, {{2.5, 0.5}, 1, {}},   // one place twice: may rotate
                          {{4.1, 0.5}, 2, {}}, {{4.9, 0.5}, 2, {}}};  // driven
   Analysis analysis = support::plain_analysis(1, 1);
   analysis.fixed_point_motions.resize(6);

@@ -1,5 +1,4 @@
-// What the functions of covers can say: constants, linear and quadratic fields, and how their gradients follow from
-// values.
+// Span of the functions of covers: constants, linear and quadratic fields; gradients derived from values.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/cover_basis.hpp"
 
@@ -16,7 +15,7 @@ Manifold plate() {
   return cut_body({rectangle_corners({0, 0}, {1, 0.7})}, mesh);
 }
 
-/// Unknowns (one component) of the field q at the nodes: its values where functions stand for values.
+/// Unknowns (one component) of the field q at the nodes: its values if functions are nodal.
 Eigen::VectorXd nodal(const Manifold& manifold, double (*q)(Point)) {
   Eigen::VectorXd d(static_cast<Eigen::Index>(manifold.covers.size()));
   for (std::size_t c = 0; c < manifold.covers.size(); ++c)
@@ -48,7 +47,7 @@ TEST(CoverBasis, nodal_values_say_what_the_order_allows) {
   }
 }
 
-// One triangle has three covers: no quadratic can be told from them, a linear field can.
+// One triangle has three covers: they cannot determine a quadratic field, but a linear one.
 TEST(CoverBasis, derived_gradients_of_a_single_element_are_linear) {
   MeshSetting mesh;
   mesh.h = 5;

@@ -1,4 +1,4 @@
-// A scene is asked only for the terms it needs.
+// A scene requires only the terms it needs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/setup/requirements.hpp"
 

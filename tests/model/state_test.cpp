@@ -1,4 +1,4 @@
-// Where polygons lie and how fast they move: digits far from the origin, velocity at the end of a step.
+// Places and velocities of polygons: digits far from the origin, velocity at the end of a step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/state.hpp"
 

@@ -1,4 +1,4 @@
-// Functions about crack tips: their gradients, what they span, and that θ goes on wherever rock does.
+// Functions about crack tips: their gradients, their span, and the continuity of θ in connected rock.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/tips/tip_enrichment.hpp"
 
@@ -37,7 +37,7 @@ Manifold cracked_square(const std::vector<std::vector<Point>>& cracks, double si
   return cut_cover(graph, fitted_mesh(mesh, graph, tips).mesh);
 }
 
-/// Of one component, unknown 1 for function `f` alone.
+/// Field of one component: unknown 1 for function `f` alone.
 double value(const CoverBasis& basis, int element, int f, Point x) {
   const ElementShape shape = basis.shape(element);
   const Eigen::RowVectorXd n = shape.values(x);
@@ -46,7 +46,7 @@ double value(const CoverBasis& basis, int element, int f, Point x) {
   return 0;
 }
 
-/// The greatest jump of any function across the sides that elements share, and the number of sides.
+/// The largest jump of any function across the sides that elements share, and the number of sides.
 std::pair<double, int> greatest_jump(const Manifold& manifold, const CoverBasis& basis) {
   double jump = 0;
   int sides = 0;
@@ -98,7 +98,7 @@ TEST(NearTipFunctions, gradients_are_those_of_the_values_on_every_branch) {
   }
 }
 
-// The field of any K, turned by any angle, is a sum of the four with two unknowns each.
+// The field of any K, rotated by any angle, is a sum of the four with two unknowns each.
 TEST(NearTipFunctions, span_the_near_tip_field_of_a_body_that_turns) {
   const TipAxes tip{{0, 0}, {1, 0}};
   const PlaneElasticity rock{2.5, 0.22, true};
@@ -172,7 +172,7 @@ TEST(TipEnrichment, covers_within_the_radius_carry_functions_and_those_around_gr
     }
     carriers += tips.carries_functions(c) ? 1 : 0;
   }
-  // In covers cut thin a combination may say nothing.
+  // In covers cut thin a combination may vanish.
   const int last = tips.number_functions(100);
   EXPECT_LE(last, 100 + 4 * carriers);
   EXPECT_GT(last, 100 + 4 * carriers - 4);

@@ -1,4 +1,4 @@
-// A formula is a number or an expression of the place, and reaches nothing else.
+// A formula is a number or an expression of the place, and has access to nothing else.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/formula.hpp"
 

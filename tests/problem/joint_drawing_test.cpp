@@ -1,4 +1,4 @@
-// Traces are clipped to what lies inside the outline and outside tunnels, and the drawing cuts into blocks.
+// Traces are clipped to the inside of the outline and the outside of tunnels, and the drawing cuts into blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/joints/joint_drawing.hpp"
 

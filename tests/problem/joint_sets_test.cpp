@@ -1,4 +1,4 @@
-// Traces of joint sets have the statistics asked for: dip, spacing, length, gap.
+// Traces of joint sets have the requested statistics: dip, spacing, length, gap.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/joints/joint_sets.hpp"
 

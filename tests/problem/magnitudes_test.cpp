@@ -1,4 +1,4 @@
-// What overflows is refused where it stands; the infinities of old files, 1e99 and below, are not.
+// Overflowing numbers are refused at their place; the infinities of old files, 1e99 and below, are not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/magnitudes.hpp"
 

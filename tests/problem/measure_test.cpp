@@ -1,4 +1,4 @@
-// Names of the units in which results are given, made of those that a case declares.
+// Names of the units of results, composed of those that a case declares.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/units/measure.hpp"
 
@@ -66,7 +66,7 @@ TEST(Measure, units_are_named_by_those_that_the_case_declares) {
   EXPECT_EQ(unit_of(measures::kStress, kPounds), "lb/ft/s²");  // the poundal has no name here
 }
 
-// What a reader of a table does with a heading: read as a unit, it is worth what the units of the case make of it.
+// A reader of a table may read a heading as a unit: its value is then the product of the units of the case.
 TEST(Measure, a_name_is_worth_what_the_declared_units_make_of_it) {
   const Measure all[] = {measures::kLength,         measures::kArea,
                          measures::kTime,           measures::kVelocity,
@@ -136,7 +136,7 @@ TEST(Measure, what_is_not_declared_stays_a_letter) {
   EXPECT_TRUE(is_declared(measures::kForce, kMetres));
 }
 
-// Every example of a kind is one of that kind: the message that shows it can be followed.
+// Every example of a kind is one of that kind: a user can follow the message that shows it.
 TEST(Measure, examples_are_values_of_their_kind) {
   for (const Measure& measure : {measures::kLength,
                                  measures::kArea,

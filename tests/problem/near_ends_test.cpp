@@ -67,7 +67,7 @@ TEST(NearEnds, a_corner_is_where_both_lines_lead) {
   EXPECT_EQ(drawing.joints[0].segment.end, drawing.joints[1].segment.start) << "one point to the last digit";
 }
 
-// A joint that crosses the outline beside an open corner is not what the outline is closed with.
+// A joint that crosses the outline beside an open corner does not close the outline.
 TEST(NearEnds, an_outline_is_closed_with_itself_before_any_joint) {
   Drawing drawing = lines_drawn({{{0, 0}, {9.98, 0}}, {{10, 0.02}, {10, 5}}});
   drawing.joints.push_back({{{9.985, -3}, {9.965, 3}}, 0, {}});

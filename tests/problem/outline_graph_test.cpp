@@ -1,4 +1,4 @@
-// Boundary lines as a graph: doubles count once, ends on lines part them, faults have a place.
+// Boundary lines as a graph: doubles count once, ends on lines divide them, faults have a place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/lines/outline_graph.hpp"
 

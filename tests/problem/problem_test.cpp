@@ -1,4 +1,4 @@
-// check() says everything at once, mends what can be mended and names it.
+// check() reports all faults at once, and corrects what it can with a warning.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/problem.hpp"
 
@@ -60,7 +60,7 @@ TEST(Problem, materials_out_of_range_are_a_fault_of_a_case_file_that_holds_both)
   drawing.joints.push_back({{{0, 0}, {1, 1}}, 8, {"g", 3, 1}});
   Problem problem{drawing, sound_analysis()};
   problem.has_own_case = true;
-  problem.analysis->place = {"other", 1, 1};  // an old drawing beside a case file of today
+  problem.analysis->place = {"other", 1, 1};  // an old drawing beside a present case file
   const Checked beside = check(problem);
   EXPECT_TRUE(beside.errors.empty());
   EXPECT_EQ(names(beside), std::vector<std::string>{"joint_material_clamped"});

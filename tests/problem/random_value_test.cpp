@@ -1,4 +1,4 @@
-// Drawn lengths have the mean and the scatter asked for, and follow from the seed alone.
+// Drawn lengths have the requested mean and scatter, and depend on the seed alone.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/joints/random_value.hpp"
 

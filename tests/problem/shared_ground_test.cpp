@@ -1,5 +1,5 @@
-// Blocks in one place and holes outside their blocks are told of; neighbours and joints as wide as a cutter's tolerance
-// are not.
+// Blocks in one place and holes outside their blocks are reported; neighbours and joints as wide as the tolerance of a
+// cutter are not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/shared_ground.hpp"
 

@@ -1,4 +1,4 @@
-"""The program behind the Python package: what it leaves, and that runs in Python equal it.
+"""The program behind the Python package: its outputs, and runs in Python with the same results.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -39,7 +39,7 @@ class Program(Folder):
                        check=True, capture_output=True)
         names = {str(p.relative_to("first")) for p in Path("first").rglob("*") if p.is_file()}
         self.assertEqual(names, {str(p.relative_to("second")) for p in Path("second").rglob("*") if p.is_file()})
-        for name in names - {"run.json"}:  # which has the times that it took
+        for name in names - {"run.json"}:  # which holds times
             self.assertEqual((Path("first") / name).read_bytes(), (Path("second") / name).read_bytes(), name)
         self.assertIn("histories", results.tables())
         with self.assertRaises(kb.SettingError):

@@ -1,4 +1,4 @@
-// Numbers stand inside their blocks, as large as they may; those of slivers are left out and counted.
+// Numbers are inside their blocks, as large as possible; those of slivers are left out and counted.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/block_numbers.hpp"
 
@@ -54,7 +54,7 @@ TEST(BlockNumbers, they_lie_inside_blocks_of_any_shape) {
 
 TEST(BlockNumbers, they_are_of_the_usual_size_where_there_is_room_and_fill_a_narrow_block) {
   EXPECT_DOUBLE_EQ(largest_inside({rectangle(100, 100)}, "12").size, 13);
-  // Of a strip as high as 8 the digits, 0.73 of the size, with 15 % around them.
+  // Number in a strip as high as 8 the digits, 0.73 of the size, with 15 % around them.
   EXPECT_NEAR(largest_inside({rectangle(100, 8)}, "12").size, 8 / (1.15 * kDigits), 0.02);
   EXPECT_LT(largest_inside({rectangle(100, 1)}, "12").size, 4);
   EXPECT_EQ(largest_inside({{{0, 0}, {1, 1}}}, "12").size, 0);

@@ -1,4 +1,4 @@
-// Pictures of blocks show every block, joint material and point, and stand for odd scenes too.
+// Pictures of blocks show every block, joint material and point, also of irregular scenes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/blocks_picture.hpp"
 

@@ -1,4 +1,4 @@
-// The page of a catalogue holds every row, and nothing of a file's text is taken for markup; small pictures stay small.
+// The page of a catalogue holds every row, and no text of a file counts as markup; small pictures stay small.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/catalogue_page.hpp"
 
@@ -57,7 +57,7 @@ TEST(CataloguePage, a_reason_is_said_once_and_another_message_beside_it) {
   EXPECT_NE(page.find("96 % apart<br><small>first of 3 warnings: a sliver</small>"), std::string::npos) << page;
 }
 
-// Ten columns share the window, as wide as it is; fifteen as wide as their words ran off a screen of 1280.
+// Ten columns share the width of the window; fifteen as wide as their words exceed a screen of 1280.
 TEST(CataloguePage, fits_the_window) {
   const std::string page = catalogue_page("All", {});
   EXPECT_EQ(count(page, "<th>"), 10U);

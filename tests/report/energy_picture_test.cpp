@@ -1,4 +1,4 @@
-// The energy picture draws what a scene has and leaves out what it has not.
+// The energy picture draws only the energies of the scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/energy_picture.hpp"
 
@@ -62,7 +62,7 @@ TEST(EnergyPicture, energies_small_beside_the_others_have_a_panel_of_their_own) 
   ASSERT_EQ(curves_in(second).size(), 1U);
   EXPECT_EQ(curves_in(second)[0], curves_in(first)[1]);
 
-  // A thousandth of the strain energy is read in a third; what is round-off has none.
+  // A thousandth of the strain energy is read in a third panel; round-off has none.
   ledger.rows.back().stored.contact = 0.004;
   ledger.rows.back().flow.external = 1e-9;
   const std::string three = energy_picture("three sizes", ledger);
@@ -76,7 +76,7 @@ TEST(EnergyPicture, energies_small_beside_the_others_have_a_panel_of_their_own) 
   EXPECT_FALSE(contains(energy_picture("none small", ledger), "below 5 %"));
 }
 
-// A scale of its own would show the round-off of an energy that stays.
+// A scale of its own would show the round-off of a constant energy.
 TEST(EnergyPicture, a_small_energy_that_stays_has_no_panel) {
   Ledger ledger = falling();
   ledger.rows.front().stored.strain = 0.125115998262;

@@ -1,4 +1,4 @@
-// The picture of a field names what it shows: elements, the factor of the displacement, the component of the stress.
+// The picture of a field names its contents: elements, scale of the displacement, component of the stress.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/field_picture.hpp"
 
@@ -34,12 +34,12 @@ TEST(FieldPicture, it_names_elements_scale_and_stress) {
   EXPECT_TRUE(contains(svg, "1 block"));
   EXPECT_TRUE(contains(svg, "displacement × 10"));  // 0.08 of the extent √2, rounded down to 1, 2 or 5
   EXPECT_TRUE(contains(svg, "σyy"));
-  EXPECT_TRUE(contains(svg, ">-3.17<"));  // mean of two corners of -4 and the middle; white stands for no stress
-  EXPECT_TRUE(contains(svg, ">0.167<"));  // of the upper corners and the middle: no tension beyond it is on the bar
+  EXPECT_TRUE(contains(svg, ">-3.17<"));  // mean of two corners of -4 and the middle; white is zero stress
+  EXPECT_TRUE(contains(svg, ">0.167<"));  // of the upper corners and the middle: no larger tension is on the bar
 }
 
-// All compressive, but of a wide range: white is no stress, blue the greatest pressure, and nothing on the bar is red.
-// Far from 0 the colours are of what is between, pale to strong.
+// All compressive, but of a wide range: white is zero stress, blue the largest pressure, and nothing on the bar is red.
+// Far from 0 the colours are of the range itself, pale to strong.
 TEST(FieldPicture, a_stress_of_one_sign_has_one_side_of_the_colours) {
   const auto scale = [](std::vector<double> values) {
     std::vector<Patch> patches;
@@ -106,8 +106,8 @@ TEST(FieldPicture, rigid_blocks_have_no_stress) {
   EXPECT_FALSE(contains(svg, "tension positive"));
 }
 
-// At the corners of the lower edge σxx = σxy = 0 and σyy = -4, at the upper ones σyy = 1: σ1 is 0 and 1, σ3 -4 and 0,
-// and the von Mises stress without σzz is |σyy|. A piece has the mean of its edge and the middle's -1.5.
+// At the corners of the lower edge σxx = σxy = 0 and σyy = -4, at the upper ones σyy = 1. There σ1 is 0 and 1, σ3 -4
+// and 0, and the von Mises stress without σzz is |σyy|. A piece has the mean of its edge and the middle's -1.5.
 TEST(FieldPicture, principal_stresses_von_mises_and_displacement_may_be_shown) {
   const FieldFrame field = sheared();
   const auto shown = [&](const char* word) {
@@ -140,7 +140,7 @@ TEST(FieldPicture, stresses_stand_in_a_unit_that_keeps_them_short) {
   EXPECT_TRUE(contains(field_picture(picture), ">σyy [GPa]<"));
 }
 
-// Of a held block nobody computed a stress: white would say that it is 0.
+// Stress of a fixed block is not computed: white would mean zero.
 TEST(FieldPicture, held_blocks_without_stress_are_grey_and_in_the_legend) {
   FieldFrame field = sheared();
   FieldElement held = field.elements[0];
@@ -262,7 +262,7 @@ TEST(FieldPatches, contours_run_through_triangles_of_linear_values) {
   EXPECT_TRUE(contours_of(field, yy, as_drawn, {5.0}).empty());
 }
 
-// Which blocks are left out is decided for all pictures of a run.
+// The same blocks are left out in all pictures of a run.
 TEST(FieldPicture, it_leaves_out_what_it_is_told_to) {
   FieldFrame field = sheared();
   field.elements.push_back(field.elements[0]);

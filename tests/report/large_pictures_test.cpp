@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kSide = 317;  // squares: 100,489 in all
 constexpr std::size_t kMostBytes = 2'000'000;
-constexpr double kMostSeconds = 2;  // on a busy machine; 0.2 on one that is free
+constexpr double kMostSeconds = 2;  // on a busy machine; 0.2 on a free one
 
 enum class Values { per_block, linear };
 

@@ -1,4 +1,4 @@
-// Pictures of rock that yields: names, colours about zero, states that are there, reactions and their plateaus.
+// Pictures of elastoplastic rock: names, colours about zero, present states, reactions and their plateaus.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/rock/plastic_picture.hpp"
 

@@ -199,7 +199,7 @@ TEST(RasterLayer, edges_thinner_than_a_pixel_are_pale_and_fade_out_round_small_s
   };
   EXPECT_EQ(edge_of(20, 0.5), 0xFF000000) << "one pixel";
   EXPECT_EQ(edge_of(20, 0.25), 0xFF7F7F7F) << "half a pixel";
-  EXPECT_EQ(edge_of(3, 0.25), 0xFFBFBFBF) << "round six pixels";
+  EXPECT_EQ(edge_of(3, 0.25), 0xFFBFBFBF) << "around six pixels";
   EXPECT_EQ(edge_of(2, 0.25), 0xFFFFFFFF);
   EXPECT_EQ(edge_of(2, 0.5), 0xFF000000);
 }

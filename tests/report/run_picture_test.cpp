@@ -1,4 +1,4 @@
-// A picture of a run has start, end and curves, and leaves out what there is none of.
+// A picture of a run has start, end and curves, and leaves out absent items.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/run_picture.hpp"
 
@@ -51,7 +51,7 @@ TEST(RunPicture, start_end_and_curves_are_named) {
 }
 
 // Corners of the square: lower left, lower right, upper right, upper left. The edge that arrives at the third is the
-// right one, of joint material 2; that which arrives at the fourth, the upper one, is of none.
+// right one, of joint material 2. The edge that arrives at the fourth, the upper one, has no material.
 TEST(RunPicture, joints_of_two_materials_are_told_apart) {
   RunPicture picture = slide();
   picture.curves.clear();
@@ -79,7 +79,7 @@ TEST(RunPicture, joints_of_two_materials_are_told_apart) {
   EXPECT_TRUE(edges(run_picture(picture), "#d55e00").empty());
 }
 
-// A bolt that vanished would look like one that never was; one without properties like one that carries.
+// A missing bolt would look like one that never was; one without properties like one that carries load.
 TEST(RunPicture, broken_bolts_and_bolts_without_properties_are_told_apart) {
   RunPicture picture = slide();
   picture.end.bolts = {{{3, 0.2}, {4, 0.2}, 5, false, 0, "A"},
@@ -142,7 +142,7 @@ TEST(RunPicture, the_same_run_gives_the_same_bytes) {
   EXPECT_EQ(run_picture(slide()), run_picture(slide()));
 }
 
-// A sliver that fell out of a slope squeezed the slope into a corner of the page.
+// A sliver that fell out of a slope must not squeeze the slope into a corner of the page.
 TEST(RunPicture, small_blocks_far_away_are_left_out_and_counted) {
   RunPicture picture = slide();
   picture.end = Frame{};
@@ -167,7 +167,7 @@ TEST(RunPicture, small_blocks_far_away_are_left_out_and_counted) {
   const auto polygons = [](const std::string& text) { return std::count(text.begin(), text.end(), 'Z'); };
   EXPECT_EQ(polygons(run_picture(picture)), polygons(alone) + 1) << "the square of the legend, and no block";
   RunPicture marked = picture;
-  marked.marked = {40};  // what failed is shown wherever it is
+  marked.marked = {40};  // the failed block is shown at any place
   EXPECT_FALSE(leaves_out(marked));
   RunPicture measured = picture;
   measured.end.measured_points = {{{0.05, -20}, {}, 40}};
@@ -180,7 +180,7 @@ TEST(RunPicture, small_blocks_far_away_are_left_out_and_counted) {
   EXPECT_FALSE(leaves_out(of_few));
 }
 
-// The number of a curve stands in the drawing beside what it is of, and the legend says what numbers are.
+// The drawing has the number of a curve beside its object, and the legend explains numbers.
 TEST(RunPicture, what_has_a_curve_has_its_number_in_the_drawing) {
   RunPicture picture = slide();
   EXPECT_FALSE(has(run_picture(picture), "whose curve is drawn"));

@@ -1,4 +1,4 @@
-// Pictures of strength reduction: slip of two squares worked out by hand, and what the documents hold.
+// Pictures of strength reduction: slip of two squares by hand, and the contents of the documents.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/rock/strength_picture.hpp"
 
@@ -24,7 +24,7 @@ FieldFrame two_squares(int other_body, Point displacement) {
 
 }  // namespace
 
-// The lower square's top runs to the left, with the square on its left: what lies above moves by (0.3, 0.1).
+// The lower square's top runs to the left, with the square on its left: the square above moves by (0.3, 0.1).
 TEST(StrengthPicture, slip_is_that_of_the_shared_stretch) {
   const auto lines = slip_lines(two_squares(1, {0, 0}), two_squares(1, {0.3, 0.1}));
   ASSERT_EQ(lines.size(), 1U);
@@ -50,7 +50,7 @@ TEST(StrengthPicture, shows_both_states_and_what_slips) {
   EXPECT_EQ(strength_picture(standing).find("slip 0.3"), std::string::npos);
 }
 
-// What falls has no displacement: where its search was given up says nothing.
+// A falling block has no displacement: the end of an abandoned search says nothing.
 TEST(StrengthPicture, the_chart_shows_what_falls_without_a_height_and_never_green) {
   using Kind = StrengthPoint::Kind;
   const StrengthChart chart{

@@ -1,4 +1,4 @@
-// A page is well-formed whatever it is given, and the map keeps shape and orientation of the plane.
+// A page is well-formed for any contents, and the map keeps shape and orientation of the plane.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drawing/svg.hpp"
 

@@ -40,7 +40,7 @@ TEST(Ticks, any_data_is_covered_by_few_ticks_with_different_labels) {
   }
 }
 
-// The smallest number there is divided by five is 0, and the span of the greatest is none.
+// The smallest number divided by five is 0, and the span of the largest is infinite.
 TEST(Ticks, the_least_and_the_greatest_numbers_have_an_axis_too) {
   const double cases[][2] = {{0, 5e-324},      {-5e-324, 5e-324},   {0, 1e-300},
                              {1e-291, 3e-291}, {-1.7e308, 1.7e308}, {0, 1.7e308}};

@@ -1,4 +1,4 @@
-// What the pictures of costs and of maps show.
+// Contents of the pictures of costs and of maps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/tradeoff_picture.hpp"
 

@@ -1,4 +1,4 @@
-// Forces of contacts, as frames report them, balance what blocks weigh and how they are accelerated, in both profiles.
+// Forces of contacts, as frames report them, balance weight and inertia of blocks, in both profiles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/contact_frame.hpp"
 
@@ -32,7 +32,7 @@ Told run_told(const Blocks& blocks, double friction_deg, int steps, const std::s
   Problem problem;
   problem.geometry = blocks;
   problem.analysis = plain_analysis(kStep, steps);
-  problem.analysis->allowed_displacement_ratio = 0.01;  // `legacy` looks for contacts that far
+  problem.analysis->allowed_displacement_ratio = 0.01;  // `legacy` searches contacts within this distance
   problem.analysis->joint_materials[0].friction_angle_deg = friction_deg;
   const Prepared prepared = prepare(problem, profile, overrides);
   Told told;
@@ -53,7 +53,7 @@ Point force_on(int element, const ContactFrames& contacts) {
   return sum;
 }
 
-/// Greatest of |m (v1 - v0) / dt - weight - contact forces| over the weight, from the second step on: in the first one
+/// Largest |m (v1 - v0) / dt - weight - contact forces| over the weight, from the second step on: in the first one
 /// `legacy` closes its contacts. Its mass and weight are those of the area at the start of the step, as Shi has them;
 /// `standard` keeps the mass.
 double out_of_balance(const Told& told, const std::string& profile) {
@@ -72,7 +72,7 @@ double out_of_balance(const Told& told, const std::string& profile) {
   return greatest;
 }
 
-/// A held floor and squares on each other.
+/// A fixed floor and squares on each other.
 Blocks stack(int count) {
   Blocks scene;
   scene.blocks = {rectangle({-2, -1}, {3, 0})};
@@ -117,7 +117,7 @@ TEST(ContactFrame, a_joint_bears_what_stands_above_it) {
       EXPECT_EQ(sum.other, i + 1);
       EXPECT_EQ(sum.closed, 2);
       EXPECT_NEAR(sum.normal_force / ((3 - i) * kWeight), 1, 1e-9) << motion;
-      EXPECT_NEAR(sum.force.y / ((3 - i) * kWeight), -1, 1e-9) << motion << ": pressed down by what is above";
+      EXPECT_NEAR(sum.force.y / ((3 - i) * kWeight), -1, 1e-9) << motion << ": pressed down by the blocks above";
       EXPECT_NEAR(sum.shear_force / kWeight, 0, 1e-9) << motion;
     }
   }

@@ -1,4 +1,4 @@
-// What the closures of a ledger are relative to, and that they see what is missing.
+// References of the closures of an energy balance, and their response to missing terms.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/ledger.hpp"
 
@@ -45,7 +45,7 @@ TEST(LedgerSums, gains_and_losses_have_opposite_signs_in_the_balance) {
   EXPECT_EQ(sums_of(ledger).energy_closure(), 0);
 }
 
-// 100 J fall and 60 of them rise again: 160 would be made of nothing.
+// 100 J fall and 60 of them rise again: 160 would be created energy.
 TEST(LedgerSums, energy_beyond_what_was_stored_before_and_given_is_made) {
   Ledger ledger = falling_and_rubbing();
   EXPECT_EQ(sums_of(ledger).energy_made(ledger.scope), 0);
@@ -71,7 +71,7 @@ TEST(LedgerSums, what_contact_springs_give_back_is_not_made) {
   EXPECT_DOUBLE_EQ(sums_of(ledger).energy_made(ledger.scope), 0.3);
 }
 
-// Without flows nothing says what contact holds: only more than at the start is made.
+// Without flows the energy of contacts is unknown: only energy above the initial one is created.
 TEST(LedgerSums, without_flows_energy_counts_from_the_start) {
   Ledger ledger = falling_and_rubbing();
   ledger.scope.has_flows = false;

@@ -1,4 +1,4 @@
-// Reactions of driven edges: what counts as driven, slope, and when a reaction is said to stand.
+// Reactions of driven edges: definition of driven, slope, and the plateau of a reaction.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/reaction_curve.hpp"
 
@@ -9,7 +9,7 @@
 namespace keyblock::reaction_curve_test {
 namespace {
 
-/// Displacement 1 is held, 2 is driven by 0, 1, 2, … and pushes back down.
+/// Displacement 1 is fixed, 2 is driven by 0, 1, 2, … and pushes back down.
 History history_of(const std::vector<double>& reactions) {
   History history;
   for (std::size_t i = 0; i < reactions.size(); ++i) {
@@ -42,7 +42,8 @@ TEST(ReactionCurve, a_plateau_is_of_three_steps_at_least) {
   EXPECT_FALSE(plateau_of(reaction_curves(history_of({0, 2, 3, 3.0001, 3.0002, 3.0002, 3.1}))[0]));
 }
 
-// Of 1 in 300 the reaction grows by 0.004 / 3 / (1/300) = 0.4 of it: no plateau, however small the steps are.
+// If the edge moves by 1 in 300 the reaction grows by 0.004 / 3 / (1/300) = 0.4 of it: no plateau, however small the
+// steps are.
 TEST(ReactionCurve, small_steps_alone_make_no_plateau) {
   History history = history_of({3, 3.004, 3.008, 3.012, 3.016});
   for (std::size_t i = 0; i < history.rows.size(); ++i) history.rows[i].driven[1] = 300 + static_cast<double>(i);
@@ -61,7 +62,7 @@ TEST(ReactionCurve, many_small_steps_make_no_plateau_of_a_reaction_that_grows) {
   EXPECT_FALSE(plateau_of(reaction_curves(history)[0]));
 }
 
-// A reaction that stands only while the edge goes a hundredth further may be at a kink of its curve.
+// A constant reaction while the edge moves by one more hundredth may be a kink of its curve.
 TEST(ReactionCurve, a_plateau_leads_a_tenth_further_at_least) {
   History history = history_of({0, 2, 3, 3, 3, 3, 3});
   for (std::size_t i = 2; i < history.rows.size(); ++i) history.rows[i].driven[1] = 2 + 0.02 * static_cast<double>(i);

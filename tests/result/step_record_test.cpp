@@ -1,4 +1,4 @@
-// What steps add up to.
+// Sums over steps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/step_record.hpp"
 

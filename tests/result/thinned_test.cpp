@@ -1,4 +1,4 @@
-// Which rows of a long run are kept, and that an interruption changes none.
+// Rows of a long run that are kept; an interruption changes none.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result/rows/thinned.hpp"
 
@@ -34,7 +34,7 @@ std::vector<int> steps_of(const Rows& rows) {
   return steps;
 }
 
-// Heights 1, but for a peak at 7 and a hollow at 13; the first of equal ones is the extreme.
+// Heights 1, except a peak at 7 and a hollow at 13; the first of equal ones is the extreme.
 Row row_of(int step) {
   return {step, step == 7 ? 2.0 : step == 13 ? 0.5 : 1.0};
 }

@@ -1,5 +1,5 @@
-// Prescribed displacements that contradict each other are refused with both named; those that agree, or hold different
-// components or bodies, are not.
+// Prescribed displacements that contradict each other are refused with both named; those that agree, or concern
+// different components or bodies, are not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/bodies/agreement.hpp"
 
@@ -18,7 +18,7 @@ DisplacementPlan held(std::vector<Point> along, Held component, const char* x, c
   return {std::move(along), component, {x, {}}, {y, {}}, {normal, {}}, {}};
 }
 
-/// A plate of 5 by 2, or that beside another.
+/// A plate of 5 by 2, or the one beside another.
 Problem plate(std::vector<DisplacementPlan> displacements, bool has_second_body = false) {
   Problem problem;
   Blocks blocks;
@@ -38,7 +38,7 @@ Problem plate(std::vector<DisplacementPlan> displacements, bool has_second_body 
   return problem;
 }
 
-/// Empty where they agree.
+/// Returns the error; empty if they agree.
 std::string fault_of(std::vector<DisplacementPlan> displacements, bool has_second_body = false) {
   try {
     prepare(plate(std::move(displacements), has_second_body), "standard", {});
@@ -105,7 +105,7 @@ TEST(Agreement, one_formula_in_two_chains_is_one_condition) {
             "");
 }
 
-// A fixed point stays; an edge that is driven through it contradicts it, and one that is held in place does not.
+// A fixed point stays; an edge that is driven through it contradicts it, and one that is fixed does not.
 TEST(Agreement, a_fixed_point_on_a_driven_edge_is_refused) {
   const auto fault = [](Point fixed, DisplacementPlan displacement) {
     Problem problem = plate({std::move(displacement)});

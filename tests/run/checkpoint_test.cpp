@@ -1,5 +1,5 @@
-// A run left between two steps and restored from its checkpoint tells what the run that was not left tells, bit for
-// bit; a checkpoint that is not whole is refused.
+// A run restored from its checkpoint reports the same as the undisturbed run, bit for bit; an incomplete checkpoint is
+// refused.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/checkpoint.hpp"
 
@@ -31,12 +31,12 @@ struct Sample {
   std::vector<std::string> profiles = {"legacy", "standard"};
 };
 
-// One a feature whose memory goes from step to step.
+// One scene for each feature whose memory lasts from step to step.
 const std::vector<Sample>& samples() {
   static const std::vector<Sample> all{
       {"circle_slope", {}, {"legacy"}},                                             // many contacts, a step by rule
       {"circle_slope", {{"linear_method", "conjugate_gradients"}}, {"legacy"}},     // iterations from a guess
-      {"sliding_block_on_covers", {}, {"standard"}},                                // bodies on covers
+      {"sliding_block_on_covers", {}, {"standard"}},                                // NMM bodies
       {"toppling_column/falls", {{"step_control", "shi"}, {"time_step", "0.01"}}},  // contact, parts of a step
       {"stack/five_blocks", {{"enforcement", "penalty"}}, {"standard"}},            // stretched springs
       {"restitution/e_050",
@@ -44,7 +44,7 @@ const std::vector<Sample>& samples() {
        {"standard"}},                                                 // impact, parts by their error
       {"bolt/breaking", {{"time_step", "0.02"}}},                     // bolts, broken ones
       {"driven_point/ramp", {}},                                      // a driven point
-      {"masonry_arch/quake_thin_falls", {}},                          // a settled start
+      {"masonry_arch/quake_thin_falls", {}},                          // a settled initial state
       {"cohesive_joint/c40", {}},                                     // bonds
       {"settlement/five_tall_static", {{"enforcement", "penalty"}}},  // statics
       {"settlement/five_tall_static", {{"motion", "static"}, {"load_steps", "6"}}, {"standard"}},  // loads in parts
@@ -64,7 +64,7 @@ Scene scene_of_sample(const Sample& sample, const std::string& profile) {
   return prepare(with_named_files(problem, settings), profile, settings).scene;
 }
 
-/// All that a run tells.
+/// All reports of a run.
 struct Told {
   std::vector<Frame> frames;
   std::vector<HistoryRow> rows;
@@ -93,7 +93,7 @@ struct Told {
   }
 };
 
-/// What is told until `step`, and the checkpoint there.
+/// The reports until `step`, and the checkpoint there.
 std::pair<Told, std::string> left_at(const Scene& scene, int step) {
   Told told;
   std::string bytes;

@@ -1,5 +1,5 @@
-// Faces of cracks that touch and rub beside near-tip functions: K of a closed flaw against theory, pressure without
-// overlap, none where a crack opens.
+// Faces of cracks in frictional contact beside near-tip functions: K of a closed flaw compared with theory, pressure
+// without overlap, none if a crack opens.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -96,8 +96,8 @@ FaceSums sums_of(const ContactFrames& contacts) {
 
 }  // namespace
 
-// K_II = -(τ - μ σn) √(π c), τ and σn half of the compression (Horii & Nemat-Nasser 1985), and J what goes with it.
-// The faces, 2 long, bear σn and μ of it.
+// K_II = -(τ - μ σn) √(π c), τ and σn half of the compression (Horii & Nemat-Nasser 1985), and the J of it. The faces,
+// 2 long, carry σn and μ of it.
 TEST(ClosedFaces, slip_as_far_as_friction_lets_them) {
   for (const double friction : {0.0, 0.3, 0.6}) {
     const std::unique_ptr<Stepper> stepper = solved(flawed_plate(friction));
@@ -117,8 +117,8 @@ TEST(ClosedFaces, slip_as_far_as_friction_lets_them) {
   }
 }
 
-// Whatever the sides at the tips and however the mesh lies, along the flaw too: contact in the pieces at the tips keeps
-// the near-tip functions from passing the faces through each other.
+// For any sides at the tips and any mesh, along the flaw too: contact in the pieces at the tips keeps the near-tip
+// functions from passing the faces through each other.
 TEST(ClosedFaces, slip_as_far_on_any_mesh) {
   struct Mesh {
     double tip_side;
@@ -140,7 +140,7 @@ TEST(ClosedFaces, slip_as_far_on_any_mesh) {
   }
 }
 
-// Friction beyond 1 holds the faces at 45°: no K at all.
+// Friction beyond 1 holds the faces at 45°: K is zero.
 TEST(ClosedFaces, stick_where_friction_is_enough) {
   const std::unique_ptr<Stepper> stepper = solved(flawed_plate(1.2));
   const TipFactors found = factors_of(*stepper, 0);
@@ -151,7 +151,7 @@ TEST(ClosedFaces, stick_where_friction_is_enough) {
 }
 
 // Compression within the plate, in equilibrium without loads on its edges, closes a flaw as compression on the edges
-// does; the two together close it twice as hard.
+// does; both together close it twice as hard.
 TEST(ClosedFaces, feel_the_initial_stress_of_the_rock) {
   Problem problem = flawed_plate(0.3);
   problem.analysis->block_materials.front().initial_stress.yy = -1;

@@ -1,4 +1,4 @@
-// Runs in which contacts of bodies on covers take much of the energy as they close say so.
+// Runs warn if closing contacts of NMM bodies take much of the energy.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -34,8 +34,8 @@ bool tells_of_closing(const std::string& name, const std::string& text) {
 
 }  // namespace
 
-// On a heavy stiff beam the blow is over in a fraction of a step of 2 ms, whose closing takes the energy. A light beam
-// goes along with the block.
+// On a heavy stiff beam the impact lasts a fraction of a step of 2 ms, whose closing takes the energy. A light beam
+// moves with the block.
 TEST(ClosingMessages, a_blow_that_the_step_does_not_resolve_is_told_of_and_one_that_it_does_is_not) {
   EXPECT_TRUE(tells_of_closing("heavy", struck_beam("2500", "5e10")));
   EXPECT_FALSE(tells_of_closing("light", struck_beam("2.5", "5e8")));

@@ -1,5 +1,5 @@
-// Cracks whose results are not what they seem: faces that overlap, faces that are bonded, paths of long increments,
-// bodies that part under a load that stays.
+// Warnings about misleading cracks: faces that overlap, faces that are bonded, paths of long increments, bodies that
+// part under a constant load.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -92,7 +92,7 @@ TEST(CrackDoubts, growth_of_a_tip_whose_faces_overlap_is_not_trusted) {
   EXPECT_TRUE(says(run, "which extended in step 1")) << run.messages;
 }
 
-// A crack across the load that presses it has no K_II but for noise.
+// A crack across the load that presses it has no K_II except noise.
 TEST(CrackDoubts, a_crack_pressed_across_does_not_grow) {
   const ProgramRun run = run_of(file_of(
       "across", R"({"keyblock": 1, "blocks": {"blocks": [{"outer": [[0, -1, 1], [1, -1, 1], [1, 1, 1], [0, 1, 1]]}]},

@@ -1,4 +1,4 @@
-// How cracks go on: tips of joints and cracks that start, in one step.
+// Propagation of cracks: tips of joints and cracks that start, in one step.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/crack_front.hpp"
 
@@ -26,7 +26,8 @@ Manifold square_with_joint() {
 
 }  // namespace
 
-// The joint is crack 1 until a crack of its own begins at its tip; the one that starts meanwhile comes behind it.
+// The joint is crack 1 until a crack of its own begins at its tip; a crack that starts meanwhile follows it in the
+// list.
 TEST(CrackFront, a_joint_goes_on_while_a_crack_starts) {
   const Manifold manifold = square_with_joint();
   ASSERT_EQ(manifold.tips.size(), 1U);

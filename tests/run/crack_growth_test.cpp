@@ -1,4 +1,4 @@
-// Growth of cracks left between two steps, and bodies that a crack cuts through.
+// Growth of cracks between two steps, and bodies that a crack cuts in two.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ TEST(CrackGrowth, left_before_any_step_it_goes_on_to_the_same_bytes) {
 }
 
 // The arms of a plate are pulled apart until its crack runs into a hole: the run ends before all steps are made, and
-// says where.
+// reports the place.
 TEST(CrackGrowth, a_crack_that_ends_in_a_hole_ends_the_run_and_says_so) {
   const std::string file = support::fresh_folder("crack_hole") + "/in.json";
   support::write_text(file, R"({"keyblock": 1,
@@ -74,7 +74,7 @@ TEST(CrackGrowth, a_crack_that_ends_in_a_hole_ends_the_run_and_says_so) {
   EXPECT_NE(outcome.why_early.find("crack 1 to (2.5, "), std::string::npos) << outcome.why_early;
 }
 
-// The upper part of a body on covers that a crack cuts through at 30 degrees slides on the lower one as Coulomb says.
+// The upper part of an NMM body cut by a crack at 30 degrees slides on the lower one by Coulomb's law.
 TEST(CrackGrowth, a_body_cut_through_is_two_that_slide) {
   const double slope = std::tan(std::numbers::pi / 6), friction = 0.3;
   const std::string text = fmt::format(
@@ -97,7 +97,7 @@ TEST(CrackGrowth, a_body_cut_through_is_two_that_slide) {
   EXPECT_NEAR(moved.y / moved.x, slope, 0.005);
 }
 
-// Cracks of all kinds through one plate: each is solved, or said to have no room; none is lost.
+// Cracks of all kinds through one plate: each is solved, or reported to have no room; none is lost.
 TEST(CrackGrowth, random_cracks_are_solved) {
   const std::string file = KEYBLOCK_SOURCE_DIR "/legacy_cases/stress_intensity/edge_crack_05/edge_crack_05.json";
   Problem problem = problem_of(file);

@@ -1,4 +1,4 @@
-// Where cracks start in intact rock, under what load, and what is said where the mesh is too coarse to tell.
+// Start of cracks in intact rock: place, load, and the warning if the mesh is too coarse.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ struct Start {
   CrackPlan crack;
 };
 
-/// The load factor under which the first crack starts, and the crack.
+/// The load factor at which the first crack starts, and the crack.
 Start first_start(const std::string& name, const std::string& text) {
   const std::string file = support::fresh_folder("crack_starts_" + name) + "/in.json";
   support::write_text(file, text);
@@ -60,7 +60,7 @@ std::string bar(double side, double length) {
       length, side, analysis(1.5, 3));
 }
 
-// Stress is the same all over: a bar breaks at its strength, however coarse its mesh. L = (1.5/3)²/π = 0.08.
+// Uniform stress: a bar breaks at its strength on any mesh. L = (1.5/3)²/π = 0.08.
 TEST(CrackStarts, a_bar_in_tension_breaks_at_its_strength_on_any_mesh) {
   for (const double side : {0.05, 0.1, 0.25})
     EXPECT_NEAR(first_start(fmt::format("bar_{}", side), bar(side, 2)).load, 3, 0.01) << side;
@@ -109,7 +109,7 @@ std::string bent_l(double side, double near) {
       side, near, analysis(std::sqrt(0.02 * std::numbers::pi), 1));
 }
 
-// L = 0.02: what coarse meshes say of the load is what a mesh finds that shows the stress over L.
+// L = 0.02: the load on coarse meshes is that of a mesh that resolves the stress over L.
 TEST(CrackStarts, a_corner_breaks_under_the_same_load_on_coarse_meshes_as_on_a_fine_one) {
   const double fine = first_start("l_fine", bent_l(0.2, 0.008)).load;
   for (const double near : {0.02, 0.05, 0.1}) {

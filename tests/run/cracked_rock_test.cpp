@@ -1,4 +1,4 @@
-// Runs of rock whose cracks close: a block and a body on covers that swing without loss, and what is refused.
+// Runs of rock with closing cracks: a DDA block and an NMM body that oscillate without loss, and refusals.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using support::read_text;
 using support::run_keyblock;
 using support::write_text;
 
-/// A unit square under an initial stress that nothing balances, in time. `more`: of the case; `closure`: of its rock.
+/// A unit square under an initial stress without equilibrium, in time. `more`: of the case; `closure`: of its rock.
 std::string square(const std::string& more, const std::string& closure) {
   return R"({"keyblock": 1, "blocks": {"blocks": [{"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]}]})" + more +
          R"(, "analysis": {"step_count": 50, "time_step": 0.001, "allowed_displacement_ratio": 1, "plane_strain": true,
@@ -49,7 +49,7 @@ Done run_of(const std::string& name, const std::string& text, const std::vector<
 
 }  // namespace
 
-// The energy of the start swings between motion and strain while cracks open and close: none is lost or made.
+// The initial energy oscillates between motion and strain while cracks open and close: none is lost or created.
 TEST(CrackedRock, what_swings_keeps_its_energy) {
   for (const auto& [name, covers] :
        {std::pair{"block", ""}, {"covers", R"(, "covers": {"mesh": {"side": 0.5, "angle": 10}})"}}) {
@@ -63,7 +63,7 @@ TEST(CrackedRock, what_swings_keeps_its_energy) {
   }
 }
 
-// Rock without a strength cannot yield, as a block or on covers: nothing of it is told.
+// Rock without a strength cannot yield, neither DDA nor NMM: no message mentions it.
 TEST(CrackedRock, rock_that_cannot_yield_has_no_plastic_outputs) {
   for (const auto& [name, covers] :
        {std::pair{"told_block", ""}, {"told_covers", R"(, "covers": {"mesh": {"side": 0.5, "angle": 10}})"}}) {

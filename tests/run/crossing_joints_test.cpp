@@ -1,4 +1,5 @@
-// Where joints cross, corners of opposite blocks meet: one that slides along one joint must not hang on the other.
+// Corners of opposite blocks meet at crossings of joints: a block that slides along one joint must not catch on the
+// other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -19,8 +20,8 @@ double rad(double degrees) {
   return degrees * std::numbers::pi / 180;
 }
 
-/// A bench whose base is held: two bedding joints that fall to the right, and one across them that falls to the left
-/// and comes out in the free left face.
+/// A bench with a fixed base: two bedding joints that fall to the right, and one across them that falls to the left and
+/// comes out in the free left face.
 Problem bench(double dt, int steps) {
   Drawing drawing;
   drawing.edge_node_ratio = 1e-3;
@@ -46,14 +47,15 @@ Problem bench(double dt, int steps) {
   return problem;
 }
 
-// The slab between the bedding joints has nothing below but a wedge that slides out of its way: it goes down the cross
-// joint at least as fast as alone, for the bedding, at no more than its friction angle from vertical, passes on to it
-// the weight above. Rigid blocks with sharp corners, exactly where they were drawn, go the same way with any step.
+// The slab between the bedding joints has only a wedge below, which slides out of its way. It goes down the cross joint
+// at least as fast as alone, because the bedding, at no more than its friction angle from vertical, transmits the
+// weight above to it. Rigid blocks with sharp corners, exactly as drawn, go the same way with any step.
 TEST(CrossingJoints, a_block_slides_down_one_joint_past_the_corner_at_the_crossing) {
   const double dip = std::atan(10.0 / 7), time = 0.2;
   const double alone = kGravity * (std::sin(dip) - std::cos(dip) * std::tan(rad(kCross))) * time * time / 2;
   const std::vector<Override> ideal = {{"basis", "rigid"}, {"enforcement", "lagrange"}, {"corner_rounding", "0"}};
-  // A corner that comes to a crossing bears on the edge beyond it once it has passed the rounding, by default 2 mm.
+  // A corner that comes to a crossing has contact with the edge beyond it once it has passed the rounding, by default 2
+  // mm.
   const std::vector<Override> fine = {{"corner_rounding", "3e-5"}};
   double rigid = 0;
   for (const auto& [dt, settings] : {std::pair{4e-3, ideal}, {4e-3, fine}, {2e-3, fine}, {1e-3, fine}, {5e-4, fine}}) {

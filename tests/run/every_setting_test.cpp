@@ -1,4 +1,4 @@
-// Every setting has an effect on every kind of body, or a warning or an error says that it has none: never silence.
+// Every setting has an effect on every kind of body, or a warning or an error says that it has none.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ Problem scene(Kind kind) {
   return problem;
 }
 
-/// All that a run tells, and what was said of the settings before it.
+/// All reports of a run, and the messages about its settings.
 struct Answer {
   std::string bytes;
   Warnings warnings;
@@ -99,7 +99,7 @@ std::vector<std::string> values_for(const SettingText& setting) {
   return values;
 }
 
-// What another setting must say for this one to be read, and what the scene cannot show, with the reason.
+// Conditions on other settings for this one to be read, and effects that the scene cannot show, with the reason.
 const std::map<std::string, Override> kBeside{{"spring_points", {"enforcement", "penalty"}},
                                               {"normal_to_shear_stiffness", {"enforcement", "penalty"}},
                                               {"contact_penalty", {"enforcement", "penalty"}}};
@@ -107,7 +107,7 @@ const std::set<std::string> kNotShown{"penetration_limit",
                                       "crushing_limit",
                                       "energy_limit",         // of the record, not the run
                                       "allowed_penetration",  // of warnings
-                                      "force_tolerance",      // more than 50 touches
+                                      "force_tolerance",      // more than 50 contacts
                                       "corner_rounding",      // crossing joints
                                       "ledger",
                                       "dynamics"};
@@ -142,7 +142,7 @@ TEST_P(EverySetting, has_an_effect_or_is_said_to_have_none) {
         EXPECT_TRUE(!is_said || after.bytes == before.bytes) << setting.name << " = " << value << " has an effect";
         is_heard = is_said || after.bytes != before.bytes;
         if (!is_heard) silent = value;
-      } catch (const std::exception&) {  // a value that is refused is not silent, but shows nothing
+      } catch (const std::exception&) {  // a refused value has its message, but shows no effect
       }
       if (is_heard) break;
     }

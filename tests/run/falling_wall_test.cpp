@@ -12,8 +12,8 @@
 
 namespace keyblock::falling_wall_test {
 
-// Contact forces once went round in cycles until the run ended at step 97 of 105. No step may leave more out of balance
-// than a run is trusted with. What pushes bricks apart at impacts lifts them: 0.14 J of what 0.2 s release.
+// Contact forces must not cycle, as they once did at step 97 of 105. No step may leave a residual beyond the limit of a
+// reliable run. The impacts that push bricks apart lift them: 0.14 J of the energy that 0.2 s release.
 TEST(FallingWall, of_513_bricks_lands) {
   const Problem problem = formats::load_case({KEYBLOCK_SOURCE_DIR "/tests/run/scenes/wall_of_513_bricks.json"}).problem;
   for (const char* enforcement : {"automatic", "penalty"}) {

@@ -1,4 +1,4 @@
-// Steppers take over what the making of a scene worked out, or work it out themselves, with the same result to the bit.
+// Steppers use the cached data of the scene, or compute it themselves, with the same result to the bit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kTriangle = 0.2;
 
-/// A plate of 1 by 2 that flies and turns, with an edge crack as far as `end`.
+/// A plate of 1 by 2 that flies and rotates, with an edge crack as far as `end`.
 Scene flying_plate(double end) {
   Problem problem;
   Blocks blocks;

@@ -1,4 +1,4 @@
-// Cracks that grow under the loads as they are: energy, momentum, checkpoints, blocks beside them, cracks that start.
+// Cracks that grow under given loads: energy, momentum, checkpoints, blocks beside them, cracks that start.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ std::string cantilever(int steps, double time_step, double tip_side) {
       tip_side, steps, time_step, kYoung, kPoisson, kToughness);
 }
 
-// Each increment takes its energy, and what the ledger names is all there is.
+// Each increment takes its energy, and the energy balance has no other term for it.
 TEST(GrowthUnderLoads, takes_the_energy_of_fracture) {
   const std::unique_ptr<Stepper> stepper = stepper_for(scene_of(file_of("energy", cantilever(130, 0.02, 0.03))));
   LedgerSums sums;
@@ -68,14 +68,14 @@ TEST(GrowthUnderLoads, takes_the_energy_of_fracture) {
   ASSERT_EQ(stepper->tips().size(), 1U);
   const double grown = stepper->tips().front().length - 2;
   ASSERT_GT(grown, 0.75) << "no growth to speak of";
-  // At rest the opening of 5.2e-3 has brought the tip to a: δ = 2 K (3.46 a + 2.38 h)²/(10.38 h^1.5 E'), of the formula
-  // for K by G = P²/2 dC/da (Kanninen 1973).
+  // In statics the opening of 5.2e-3 has brought the tip to a: δ = 2 K (3.46 a + 2.38 h)²/(10.38 h^1.5 E'), from the
+  // formula for K by G = P²/2 dC/da (Kanninen 1973).
   const double at_rest =
       (std::sqrt(5.2e-3 * 10.38 * kYoung / (1 - kPoisson * kPoisson) / (2 * kToughness)) - 2.38) / 3.46;
   EXPECT_NEAR(2 + grown, at_rest, 0.4) << "an increment";
   EXPECT_LT(sums.energy_closure(), 1e-8);
   const double taken = stepper->ledger().flow.fracture;
-  // Of the last increment the faces may still be parting.
+  // The faces of the last increment may still be parting.
   EXPECT_LE(taken, 1.0001 * kEnergy * grown);
   EXPECT_GE(taken, 0.99 * kEnergy * (grown - 0.4));
   EXPECT_NEAR(stepper->tips().front().at.y, 0, 0.2) << "half an increment";
@@ -157,14 +157,14 @@ TEST(GrowthUnderLoads, a_beam_on_blocks_breaks_in_two) {
     sums.add(stepper->ledger());
     if (stepper->tips().empty()) ++parted;
   }
-  EXPECT_TRUE(stepper->tips().empty()) << "it hangs together";
+  EXPECT_TRUE(stepper->tips().empty()) << "it is connected";
   EXPECT_LT(sums.energy_closure(), 1e-8);
   const double energy = 1e6 * 1e6 * (1 - 0.04) / 3e10 * 0.05;
   EXPECT_NEAR(stepper->ledger().flow.fracture, energy,
               0.25 * energy);  // the last bit breaks under the block's pressure
 }
 
-// Loads that are there at once start cracks beside the sides they pull at; the ends of some lie beyond these.
+// Sudden loads start cracks beside the sides they pull at; the ends of some lie beyond these.
 TEST(GrowthUnderLoads, a_crack_that_starts_beside_a_line_parts_within_the_rock) {
   const std::string text = R"({"keyblock": 1, "units": {"length": "ft", "stress": "psi", "time": "s"},
       "blocks": {"blocks": [{"outer": [[-3, -2, 1], [3, -2, 1], [3, 2, 1], [-3, 2, 1]]}]},
@@ -189,7 +189,7 @@ TEST(GrowthUnderLoads, a_crack_that_starts_beside_a_line_parts_within_the_rock) 
   EXPECT_LT(sums.energy_closure(), 1e-8);
 }
 
-// At rest each step sees one increment: a crack that would go on at once under the last load is told as such.
+// In statics each step has one increment: a crack that would propagate further under the last load is reported.
 TEST(GrowthUnderLoads, a_run_at_rest_that_ends_with_tips_that_go_on_is_not_trusted) {
   // K_I = s √(π a) of an infinite plate (Irwin 1957) with a = 0.8 reaches the toughness of 10 at s = 6.3.
   for (const double load : {3.0, 12.0}) {
@@ -214,7 +214,7 @@ TEST(GrowthUnderLoads, a_run_at_rest_that_ends_with_tips_that_go_on_is_not_trust
   }
 }
 
-// A plate with an inclined edge crack, in tension that lets every step go on.
+// A plate with an inclined edge crack, under a tension that lets every step propagate.
 std::string pulled_plate(const char* loads, double pull, const char* corrector) {
   return fmt::format(
       R"({{"keyblock": 1, "blocks": {{"blocks": [{{"outer": [[0, -2, 1], [3, -2, 1], [3, 2, 1], [0, 2, 1]]}}]}},
@@ -241,7 +241,7 @@ std::vector<Point> path_of(const std::string& text) {
   return path;
 }
 
-// What a path is does not depend on how much more than enough pulls.
+// The path does not depend on the surplus of the load.
 TEST(GrowthUnderLoads, goes_at_rest_where_scaled_loads_lead_it) {
   const std::vector<Point> scaled = path_of(pulled_plate("scaled", 1, "true"));
   const std::vector<Point> given = path_of(pulled_plate("given", 3, "true"));
@@ -250,7 +250,7 @@ TEST(GrowthUnderLoads, goes_at_rest_where_scaled_loads_lead_it) {
   EXPECT_GT(distance(scaled.front(), scaled.back()), 0.35);
   for (std::size_t i = 0; i < kPathSteps; ++i) EXPECT_LT(distance(scaled[i], given[i]), 1e-3) << i;
   EXPECT_GT(distance(given.back(), uncorrected.back()), 2e-3)
-      << "a correction, twice what the paths above may differ by";
+      << "a correction, twice the tolerance of the paths above";
 }
 
 // A plate pressed at its ends, narrowest at half its height: the first crack starts in shear at the strength of

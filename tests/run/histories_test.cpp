@@ -1,5 +1,5 @@
-// What a run follows in time: words of the command line, resultants across lines of blocks held against weight and
-// inertia, and contacts that know the joint of the drawing they lie on.
+// Histories of a run: words of the command line, resultants across lines of blocks compared with weight and inertia,
+// and contacts that know their joint of the drawing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -50,8 +50,8 @@ Prepared prepared(const Blocks& blocks, double friction_deg, int steps, const st
   return prepare(problem, profile, overrides);
 }
 
-/// Greatest distance, over the weight of a block, of the resultant across `line` from m a - W of the blocks `above`, in
-/// all steps but the first, in which `legacy` closes its contacts.
+/// Largest distance, over the weight of a block, of the resultant across `line` from m a - W of the blocks `above`. All
+/// steps count except the first, in which `legacy` closes its contacts.
 double misfit(const Prepared& scene, const Segment& line, const std::vector<std::size_t>& above, bool is_legacy) {
   double greatest = 0;
   int checked = 0;
@@ -79,7 +79,7 @@ double misfit(const Prepared& scene, const Segment& line, const std::vector<std:
   return greatest;
 }
 
-/// Courses of two squares each on a held floor.
+/// Courses of two squares each on a fixed floor.
 Blocks wall(int courses) {
   Blocks scene;
   scene.blocks = {rectangle({-2, -1}, {4, 0})};
@@ -126,7 +126,7 @@ TEST(Histories, resultant_across_a_line_is_weight_and_inertia_of_what_is_above) 
   }
 }
 
-// Half of the wall stands over half of the line; a line the other way round has the opposite force.
+// Half of the wall is on half of the line; a reversed line has the opposite force.
 TEST(Histories, a_line_takes_what_lies_between_its_ends_and_acts_on_its_left) {
   const Prepared scene = prepared(wall(3), 30, 5, "standard");
   Observer observer;
@@ -140,7 +140,7 @@ TEST(Histories, a_line_takes_what_lies_between_its_ends_and_acts_on_its_left) {
   run(scene.scene, 1, observer);
   EXPECT_NEAR(all.force.y / (4 * kWeight), 1, 1e-8);
   EXPECT_NEAR(back.force.y / (-4 * kWeight), 1, 1e-8);
-  EXPECT_NEAR(all.moment / kWeight, 0, 1e-6) << "about its middle, over which the wall stands";
+  EXPECT_NEAR(all.moment / kWeight, 0, 1e-6) << "about its middle, which is below the wall";
   EXPECT_GT(all.closed, half.closed);
   EXPECT_GT(half.force.y, 0);
 }
@@ -178,10 +178,10 @@ TEST(Histories, contacts_know_the_joint_of_the_drawing_in_both_profiles) {
       EXPECT_EQ(contact.joint_material, contact.position.y > 1.5 ? 1 : 0) << profile;
     }
     EXPECT_EQ(met, (std::set<int>{4, 5})) << profile;
-    if (std::string(profile) == "legacy") continue;  // springs that still swing after three steps
+    if (std::string(profile) == "legacy") continue;  // springs still oscillate after three steps
     const std::vector<JointLineSum> sums = joint_line_sums(contacts);
     ASSERT_EQ(sums.size(), 2U);
-    EXPECT_NEAR(sums[0].normal_force / (2 * kWeight), 1, 0.05) << "two square metres stand on the upper joint";
+    EXPECT_NEAR(sums[0].normal_force / (2 * kWeight), 1, 0.05) << "two square metres are on the upper joint";
     EXPECT_NEAR(sums[1].normal_force / (4 * kWeight), 1, 0.05) << profile;
   }
 }
@@ -204,7 +204,7 @@ TEST(Histories, what_is_not_there_is_refused_by_name) {
   EXPECT_EQ(refused(history_of("contact:1,3")), "");
 }
 
-// Force and elongation belong together by the stiffness; the length is that between the ends of the frame.
+// Stiffness relates force and elongation; the length is that between the ends of the frame.
 TEST(Histories, a_bolt_is_followed_by_its_force_and_elongation) {
   Blocks scene;
   scene.blocks = {rectangle({-2, -1}, {4, 0}), rectangle({0, 0}, {2, 1})};

@@ -1,5 +1,5 @@
-// The factor on joint strength reaches the steps of both profiles: a block slides as fast as the reduced friction lets
-// it.
+// The factor on joint strength reaches the steps of both profiles: a block slides as fast as the reduced friction
+// permits.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -38,8 +38,8 @@ TEST(JointStrengthRun, standard_slides_at_the_reduced_friction_and_holds_at_the_
   EXPECT_LT(way_down("standard", "1"), 5e-6);
 }
 
-// The old program's friction lags a step behind while the block settles under its sudden weight: speed off by at most
-// g cos α f tan φ dt, as in legacy_cases/sliding_block.
+// The friction of Shi's step lags behind while the block settles under its sudden weight: the speed is off by at most g
+// cos α f tan φ dt, as in legacy_cases/sliding_block.
 TEST(JointStrengthRun, legacy_slides_at_the_reduced_friction) {
   const double lag = 9.81 * std::cos(support::radians(30)) * 0.5 * std::tan(support::radians(35)) * 1e-3 * 0.5;
   EXPECT_NEAR(way_down("legacy", "0.5"), expected_way(0.5), lag);

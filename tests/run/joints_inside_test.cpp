@@ -1,4 +1,4 @@
-// Joints of a drawing that end inside blocks: cracks of those on covers, nothing to the others.
+// Joints of a drawing that end inside blocks: cracks of NMM bodies, without effect on DDA blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(JointsInside, what_goes_beyond_the_outline_is_no_joint_inside) {
   EXPECT_FALSE(warns(made));
 }
 
-// The outline between a sliver and its neighbour is gone: the joint that crosses it goes on as one.
+// The outline between a sliver and its neighbour is gone: the joint that crosses it continues as one.
 TEST(JointsInside, cross_an_outline_that_a_glued_sliver_had) {
   EXPECT_EQ(tips(two_blocks(", [3.984375, 0, 3.984375, 2, 1], [3.9921875, 1, 3, 1, 1]", {{"slivers", "glue"}})), 2u);
 }

@@ -1,5 +1,5 @@
-// Bodies on covers whose load steps are linear solutions: what holds and loads them arrives, forces balance, what is
-// dug out begins a scene, and what cannot be solved is named.
+// NMM bodies whose load steps are linear solutions: supports and loads arrive, forces balance, an excavation begins a
+// scene, and an unsolvable case is named.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/bodies/linear_case.hpp"
 
@@ -51,9 +51,9 @@ Problem square() {
   return problem;
 }
 
-/// All that a run tells.
+/// All reports of a run.
 struct Solved {
-  std::vector<Frame> frames;  ///< that of the start included
+  std::vector<Frame> frames;  ///< that of the initial state included
   std::vector<StepReport> steps;
   RunOutcome outcome;
 
@@ -71,7 +71,7 @@ Solved solved(const Problem& problem) {
   return told;
 }
 
-/// Why a case cannot be prepared, or its run failed.
+/// Returns the reason why a case cannot be prepared, or why its run failed.
 std::string fault_of(const Problem& problem) {
   try {
     return solved(problem).outcome.reason;
@@ -98,7 +98,7 @@ std::vector<Point> quarter(double radius) {
   return points;
 }
 
-/// A quarter of a disc under -1 all round, of which load step 2 of 3 digs the inner half out; measured on its edge.
+/// A quarter of a disc under -1 all round; load step 2 of 3 excavates the inner half; measured on its edge.
 Problem dug_disc() {
   Problem problem = square();
   std::vector<Point> disc = quarter(2);
@@ -126,7 +126,7 @@ Problem dug_disc() {
 }  // namespace
 
 // A column free to widen carries 3 (2 - y); its field is quadratic: v = -3/1000 (2y - y²/2) + 3 · 0.25/2000 x², which
-// its base is given.
+// is prescribed on its base.
 TEST(LinearCase, a_column_carries_its_weight_and_all_forces_balance) {
   for (const char* functions : {"derived", "linear", "quadratic"}) {
     Problem problem = square();
@@ -165,8 +165,8 @@ TEST(LinearCase, an_initial_stress_in_balance_with_the_loads_moves_nothing) {
   EXPECT_LT(length(solved(other).last().measured_points[0].displacement), 1e-14);
 }
 
-// Lamé: dug out of a disc under -1 all round, the hole's edge moves by (1 + ν)/E · a²/(b² - a²) ((1 - 2ν) a + b²/a)
-// inwards.
+// Lamé: in a disc under -1 all round, the edge of the excavated hole moves by (1 + ν)/E · a²/(b² - a²) ((1 - 2ν) a +
+// b²/a) inwards.
 TEST(LinearCase, what_is_dug_out_relaxes_its_edge) {
   std::vector<double> inward;
   const double edge = std::sqrt(0.5);
@@ -218,7 +218,8 @@ TEST(LinearCase, a_body_that_can_move_is_named_with_its_motion) {
   EXPECT_EQ(solved(two).frames.size(), 1U) << "the start alone";
 }
 
-// Held along its lower side; a crack from side to side leaves the upper part on nothing. One that ends inside does not.
+// Fixed along its lower side; a crack from side to side leaves the upper part without support. One that ends inside
+// does not.
 TEST(LinearCase, a_crack_that_cuts_a_body_through_is_named_with_what_it_cuts_off) {
   Problem problem = square();
   problem.covers->contact = CoverContact::ignored;

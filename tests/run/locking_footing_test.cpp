@@ -1,4 +1,4 @@
-// What the warning of locking functions says of a footing, against the load of Prandtl (1920).
+// The warning of locking functions for a footing, compared with the load of Prandtl (1920).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 

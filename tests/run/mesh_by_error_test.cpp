@@ -1,4 +1,4 @@
-// Meshes refined by the error of their stresses: what the estimate is worth, where they are refined, what is refused.
+// Meshes refined by the error of their stresses: accuracy of the estimate, places of refinement, refusals.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@
 namespace keyblock::mesh_by_error_test {
 namespace {
 
-/// fra-01: a plate of 1 by 2 in tension with an edge crack of half its width, held by springs that bear nothing.
+/// fra-01: a plate of 1 by 2 in tension with an edge crack of half its width, fixed by springs that carry no load.
 Problem cracked_plate(double error) {
   Problem problem;
   Blocks blocks;
@@ -107,9 +107,9 @@ TEST(MeshByError, the_estimate_is_the_error_of_smooth_solutions) {
   }
 }
 
-// Of dead loads the energy that a mesh does not hold is that of its error, (F(u) - F(u_h) - s)/F(u): what the ghost
-// penalty s has of it is below a tenth here. The reference is a mesh of other functions with a tenth of the error. Next
-// to the tip stresses have no polynomial to be fitted by, and derived functions smooth them: there the estimate is low.
+// Under dead loads the energy that a mesh lacks is that of its error, (F(u) - F(u_h) - s)/F(u); the ghost penalty s is
+// below a tenth of it here. The reference is a mesh of other functions with a tenth of the error. Next to the tip no
+// polynomial fits the stresses, and derived functions smooth them: there the estimate is low.
 TEST(MeshByError, the_estimate_is_low_at_a_crack_but_falls_with_the_error) {
   Problem fine = cracked_plate(0.004);
   fine.covers->functions = CoverFunctions::linear;
@@ -117,7 +117,7 @@ TEST(MeshByError, the_estimate_is_low_at_a_crack_but_falls_with_the_error) {
   for (const double asked : {0.05, 0.02}) {
     const Solved found = solved(cracked_plate(asked));
     EXPECT_LE(found.error, asked);
-    EXPECT_GT(found.error, asked / 2) << "refined further than asked";
+    EXPECT_GT(found.error, asked / 2) << "refined further than requested";
     const double of_exact = std::sqrt((exact - found.strain) / exact) / found.error;
     EXPECT_GT(of_exact, 1) << asked;
     EXPECT_LT(of_exact, 2.5) << asked;
@@ -172,7 +172,7 @@ TEST(MeshByError, stops_at_the_largest_mesh_and_says_so) {
   EXPECT_TRUE(has_warning(found.warnings, "mesh_error_not_reached"));
 }
 
-// The energy of a force at a point has no limit: nothing is asked of the stresses next to it.
+// The energy of a force at a point has no limit: the stresses next to it are not required to converge.
 TEST(MeshByError, points_that_bear_forces_are_left_out_and_named) {
   Problem plate = beam_of(5, 0.5, 0.01);
   plate.analysis->block_materials[0].density = plate.analysis->block_materials[0].unit_weight = 1;
@@ -183,10 +183,10 @@ TEST(MeshByError, points_that_bear_forces_are_left_out_and_named) {
   EXPECT_FALSE(has_warning(on_points.warnings, "mesh_error_not_reached"));
   EXPECT_LT(on_points.unknowns, 5000);
   EXPECT_FALSE(has_warning(solved(cracked_plate(0.05)).warnings, "mesh_error_at_points"))
-      << "springs that bear nothing";
+      << "springs that carry no load";
 }
 
-// On elements as long as the beam the fits follow any stress: such a mesh does not show how wrong it is.
+// On elements as long as the beam the fits follow any stress: such a mesh does not show its error.
 TEST(MeshByError, coarse_first_meshes_are_not_trusted) {
   const auto held_beam = [](CoverFunctions functions, double side, double error) {
     Problem beam = beam_of(5, side, error);
@@ -236,7 +236,7 @@ TEST(MeshByError, is_the_same_far_from_the_origin) {
   EXPECT_NEAR(found.mode_1, near.mode_1, 0.02 * near.mode_1);
 }
 
-// The error is that of all bodies together: the one that is strained gets the triangles.
+// The error is that of all bodies together: the strained one gets the triangles.
 TEST(MeshByError, serves_several_bodies) {
   Problem problem = cracked_plate(0.05);
   std::get<Blocks>(problem.geometry).blocks.push_back(support::rectangle({3, -1}, {4, 1}));
@@ -262,7 +262,7 @@ TEST(MeshByError, is_set_from_the_command) {
     EXPECT_THROW(set(plan, "mesh.most_unknowns", wrong), std::invalid_argument) << wrong;
 }
 
-// Its mesh is found without contact, and points of the old programs are felt with it.
+// Its mesh is found without contact, and points of Shi's programs are included.
 TEST(MeshByError, refuses_loads_that_it_would_not_see) {
   Problem loaded = cracked_plate(0.05);
   loaded.covers->contact = CoverContact::felt;
@@ -294,7 +294,7 @@ TEST(MeshByError, refuses_a_first_mesh_that_is_too_large) {
       << fault_of(problem);
 }
 
-// One more halving may be more than is allowed: then nothing has confirmed the estimate.
+// One more halving may exceed the limit: then nothing has confirmed the estimate.
 TEST(MeshByError, says_that_a_first_estimate_is_not_confirmed) {
   Problem problem = cracked_plate(0);
   const int first = solved(problem).unknowns;
@@ -316,7 +316,7 @@ TEST(MeshByError, is_found_before_cracks_grow) {
   ASSERT_TRUE(prepared.scene.growth);
 }
 
-// Its mesh is found at rest without contact, whatever moves afterwards.
+// Its mesh is found in equilibrium without contact, for any later motion.
 TEST(MeshByError, serves_cases_in_motion_that_are_held) {
   Problem problem = cracked_plate(0.05);
   const int at_rest = prepare(problem, "standard", {}).requirements.unknowns;

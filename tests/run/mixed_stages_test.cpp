@@ -1,4 +1,4 @@
-// Stages that give blocks a mesh, or another one, beside blocks that stay blocks.
+// Stages that give blocks a mesh, or another one, beside DDA blocks that stay.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -40,8 +40,8 @@ Problem in_flight(double dt = 1e-4) {
 
 }  // namespace
 
-// Newton: nothing pushes bodies in flight, whatever they are made of. The angular momentum of a block is that of its
-// unstrained shape, that of a mesh of where its points are: at a change they differ by the strain.
+// Newton: no force acts on bodies in flight, with any unknowns. The angular momentum of a block is that of its
+// unstrained shape, that of a mesh is of the places of its points: at a change they differ by the strain.
 TEST(MixedStages, blocks_given_covers_in_flight_keep_momentum_and_energy) {
   for (const CoverFunctions functions :
        {CoverFunctions::constant, CoverFunctions::derived, CoverFunctions::linear, CoverFunctions::quadratic}) {
@@ -67,7 +67,7 @@ TEST(MixedStages, blocks_given_covers_in_flight_keep_momentum_and_energy) {
   }
 }
 
-// A column that stands goes on standing: what the mesh changes is the stress within.
+// A stable column stays stable: the mesh changes the stress within.
 TEST(MixedStages, a_block_given_covers_under_load_bears_it) {
   Problem problem = column(3);
   problem.stages = {stage_of(40), stage_of(60, "mesh")};
@@ -92,7 +92,7 @@ TEST(MixedStages, a_block_given_covers_under_load_bears_it) {
   }
 }
 
-// Glued halves that are pulled apart stay glued where they are given meshes whose nodes lie elsewhere.
+// Glued halves that are pulled apart stay glued when they get meshes with nodes at other places.
 TEST(MixedStages, faces_stay_bonded_when_a_mesh_parts_them) {
   Problem problem = column(2);
   Blocks& blocks = std::get<Blocks>(problem.geometry);
@@ -100,7 +100,7 @@ TEST(MixedStages, faces_stay_bonded_when_a_mesh_parts_them) {
   blocks.blocks.erase(blocks.blocks.begin());
   for (BlockPoint& point : blocks.fixed_points) point.block = 1;
   JointMaterial& joint = problem.analysis->joint_materials[0];
-  joint.cohesion = joint.tensile_strength = 1e6;  // forty times the weight that hangs on it
+  joint.cohesion = joint.tensile_strength = 1e6;  // forty times the weight below it
   problem.analysis->block_materials.push_back(problem.analysis->block_materials.front());
   blocks.blocks[0].material = 1;
   problem.stages = {stage_of(20), stage_of(40, "mesh"), stage_of(40, "finer")};

@@ -1,4 +1,4 @@
-// A case in other units is the same case: nothing in the program has a size of its own.
+// A case in other units is the same case: no number in the program has a scale of its own.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace keyblock::other_units_test {
 namespace {
 
-/// How many new units are in an old one. Powers of two of even exponent, so that roots too are scaled without rounding.
+/// Number of new units in an old one. Powers of two of even exponent, so that roots too are scaled without rounding.
 struct NewUnits {
   double length = 1, mass = 1, time = 1;
 
@@ -68,8 +68,9 @@ std::vector<Point> ways(const NewUnits& units, const std::vector<Override>& over
 
 }  // namespace
 
-// An absolute tolerance anywhere would show; 1e-10 is a hundred-millionth of the way, beyond round-off. In units that
-// round otherwise friction may bear in other ways: that is the last digit of the input, not its scale.
+// An absolute tolerance anywhere would show; 1e-10 is a hundred-millionth of the displacement, beyond round-off. In
+// units that round otherwise friction may share the load in other ways: that is the last digit of the input, not its
+// scale.
 TEST(OtherUnits, a_jointed_bank_moves_the_same_in_units_that_round_alike) {
   const std::vector<std::vector<Override>> choices = {
       {}, {{"start", "sudden"}}, {{"enforcement", "lagrange"}}, {{"impact", "springs"}}, {{"step_control", "error"}}};

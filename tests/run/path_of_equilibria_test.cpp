@@ -1,5 +1,5 @@
-// Rock that is followed beyond its limit load along the path of equilibria, where the load falls and where what drives
-// it turns back, beside closed forms of a uniform bar.
+// Elastoplastic rock beyond its limit load along the path of equilibria, also where the load falls and the driven
+// displacement reverses, beside closed forms of a uniform bar.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ using support::write_text;
 constexpr double kE = 1000, kYield = 10, kHardening = 12;
 
 /// Nominal stress of a bar with free sides at a stretch, per area before any load: T/λ with T = E ln λ up to the yield
-/// stress, then rising by H per plastic strain. It is greatest where dT/d(ln λ) = T (Considère 1885).
+/// stress, then rising by H per plastic strain. It is largest where dT/d(ln λ) = T (Considère 1885).
 double nominal(double stretch) {
   const double strain = std::log(stretch);
   const double hardened = (kE * kHardening * strain + kE * kYield) / (kE + kHardening);
@@ -54,7 +54,7 @@ struct Path {
   int exit_code = 0;
   std::string messages;
   std::string folder;
-  std::vector<double> share, low, high;  ///< of the loads; how far both edges have gone
+  std::vector<double> share, low, high;  ///< of the loads; displacement of both edges
 };
 
 Path followed(const std::string& name, const std::string& text, const std::vector<std::string>& more = {}) {
@@ -82,7 +82,7 @@ const std::string kHeldBelow = R"({"along": [[0, 0], [1, 0]], "held": "y"})";
 
 }  // namespace
 
-// Pulled by a load of 12, of which it bears 10.0: equal shares end there, the path goes on.
+// Pulled by a load of 12, of which it carries 10.0: equal increments end there, the path continues.
 TEST(PathOfEquilibria, the_load_of_a_bar_falls_beyond_its_greatest) {
   const std::string more = R"(, "tractions": [{"along": [[0, 1], [1, 1]], "y": 12}])";
   const Path path = followed("bar", bar(kHeldBelow, more, 120) + R"(, "path_step": "60"}}})");
@@ -100,8 +100,8 @@ TEST(PathOfEquilibria, the_load_of_a_bar_falls_beyond_its_greatest) {
   EXPECT_EQ(shares.exit_code, 4) << shares.messages;
 }
 
-// Its upper edge is pulled away while it hangs on two springs of 1/2: the way of the edge, λ - 1 + P/K, turns back
-// where the load falls faster than K.
+// Its upper edge is pulled away through two springs of 1/2: the displacement of the edge, λ - 1 + P/K, reverses where
+// the load falls faster than K.
 TEST(PathOfEquilibria, what_drives_a_bar_on_soft_springs_turns_back) {
   const std::string driven = R"({"along": [[0, 1], [1, 1]], "held": "y", "y": 30})";
   const std::string springs = R"(, "springs": [[0, 0, 0, 1, 0.5], [1, 0, 0, 1, 0.5]])";
@@ -111,7 +111,7 @@ TEST(PathOfEquilibria, what_drives_a_bar_on_soft_springs_turns_back) {
   for (std::size_t i = 1; i < path.share.size(); ++i) {
     const double stretch = 1 + path.high[i] - path.low[i];
     ASSERT_NEAR(path.low[i], nominal(stretch), 1e-6 * greatest_nominal()) << i;
-    // The edge that is driven gives way a little.
+    // The driven edge gives way a little.
     ASSERT_NEAR(30 * path.share[i], stretch - 1 + nominal(stretch), 1e-5) << i;
     farthest = std::max(farthest, path.high[i]);
     most = std::max(most, stretch);
@@ -125,7 +125,7 @@ TEST(PathOfEquilibria, full_loads_end_the_path) {
   const Path path = followed("elastic", bar(kHeldBelow, more, 10) + R"(, "path_step": "2"}}})");
   ASSERT_EQ(path.exit_code, 0) << path.messages;
   EXPECT_EQ(path.share.back(), 1);
-  EXPECT_LE(path.share.size(), 7U);  // the start and as many as half of the steps
+  EXPECT_LE(path.share.size(), 7U);  // the initial state and as many as half of the steps
   EXPECT_NEAR(nominal(1 + path.high.back() - path.low.back()), 5, 1e-6);
 }
 

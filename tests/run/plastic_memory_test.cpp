@@ -1,4 +1,4 @@
-// Rock that has yielded and becomes another material in a stage: what it keeps of its plastic strain.
+// Elastoplastic rock that becomes another material in a stage: the part of its plastic strain that it keeps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using support::write_text;
 constexpr double kStress = 50, kE = 1e5, kNu = 0.3;
 
 /// A block of 1 by 1 that yields under one of weight 45, and becomes in a second stage elastic rock of `modulus`. Its
-/// points 1 and 2 are measured: its centre, and the middle of its top.
+/// measured points 1 and 2 are its centre and the middle of its top.
 std::string squeezed(double modulus, const std::string& joint, const std::string& covers) {
   return R"({"keyblock": 1, "blocks": {"blocks": [
     {"outer": [[-2, -1, 1], [3, -1, 1], [3, 0, 1], [-2, 0, 1]], "material": 1},
@@ -63,7 +63,7 @@ double at(const formats::CsvTable& points, std::size_t rows_from_end, const std:
 }  // namespace
 
 // Uniaxial plane strain: the elastic part of the strain is (1 - ν²) σ/E. A block of twice the modulus gives half of it
-// back, and keeps the rest, which is plastic. Before, it sprang back to the elastic strain alone.
+// back, and keeps the rest, which is plastic.
 TEST(PlasticMemory, a_yielded_block_that_becomes_elastic_rock_gives_back_elastic_strain_alone) {
   const formats::CsvTable points = points_of("block", squeezed(2 * kE, R"({"friction_angle_deg": 0})", ""));
   const double elastic = (1 - kNu * kNu) * kStress / kE;
@@ -78,7 +78,7 @@ TEST(PlasticMemory, a_yielded_block_that_becomes_elastic_rock_gives_back_elastic
   EXPECT_EQ(at(points, 1, "has_yielded"), 1);
 }
 
-// Elastic rock of the same modulus bears the same stress at the same strain: nothing moves.
+// Elastic rock of the same modulus carries the same stress at the same strain: nothing moves.
 TEST(PlasticMemory, a_yielded_body_on_covers_that_becomes_elastic_rock_stays_where_it_is) {
   const formats::CsvTable points = points_of(
       "covers", squeezed(kE, R"({"friction_angle_deg": 30, "cohesion": 1e4, "tensile_strength": 1e4})",

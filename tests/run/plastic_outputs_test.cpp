@@ -1,5 +1,5 @@
-// What runs of rock that yields leave: plastic strain against closed forms, states, sums, reactions, rounds; and that
-// resumed ones leave the same, elastic ones nothing of it.
+// Outputs of runs of elastoplastic rock: plastic strain compared with closed forms, states, sums, reactions,
+// iterations. Resumed runs write the same, elastic ones none of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ using support::write_text;
 
 constexpr double kE = 1e4, kNu = 0.3;
 
-/// A unit square, held smoothly below and on the left, with a measured point in each of two opposite corners.
+/// A unit square, smoothly supported below and on the left, with a measured point in each of two opposite corners.
 std::string square(const std::string& displacements, const std::string& strength) {
   return R"({"keyblock": 1, "blocks": {"blocks": [{"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]}],
     "measured_points": [[0, 0, 1], [1, 1, 1]]}, "covers": {
@@ -73,8 +73,7 @@ Done run_of(const std::string& name, const std::string& text, const std::vector<
   return done;
 }
 
-/// Logarithmic strain of the square, and the stress that goes with it, Cauchy stress times the change of volume; shear
-/// is none.
+/// Logarithmic strain of the square, and its stress, Cauchy stress times the change of volume; shear is zero.
 struct Homogeneous {
   double xx = 0, yy = 0;
   double txx = 0, tyy = 0, tzz = 0;
@@ -95,13 +94,13 @@ struct Homogeneous {
   double plastic(double strain, double own, double others) const { return strain - (own - kNu * others) / kE; }
 };
 
-// Edges give way by 1e-4 of what rock does (HeldEdges), as much as their elements are small: strain is homogeneous to
-// that.
+// Edges give way by 1e-4 of the displacement of the rock (HeldEdges), in proportion to the size of their elements:
+// strain is homogeneous to that.
 constexpr double kGiven = 1e-4 * 0.01;
 
 }  // namespace
 
-// εᵖ = ε - D⁻¹ T in each direction; at constant volume; its work by a strength that stays is σy κ.
+// εᵖ = ε - D⁻¹ T in each direction; at constant volume; its work by a constant strength is σy κ.
 TEST(PlasticOutputs, plastic_strain_of_a_pressed_square_is_the_strain_less_the_elastic_one) {
   const Done done = run_of("pressed", square(kPressed, kMises));
   ASSERT_EQ(done.exit_code, 0) << done.messages;
@@ -203,7 +202,7 @@ TEST(PlasticOutputs, elastic_runs_leave_nothing_of_it) {
   }
 }
 
-// A block pressed down by its weight flows at constant volume; the work in the history is that of the ledger.
+// A block pressed down by its weight flows at constant volume; the work in the history is that of the energy balance.
 TEST(PlasticOutputs, a_block_that_yields_in_time_tells_the_same) {
   const Done done = run_of("block", R"({"keyblock": 1, "blocks": {"blocks": [
     {"material": 1, "outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]},
@@ -222,7 +221,7 @@ TEST(PlasticOutputs, a_block_that_yields_in_time_tells_the_same) {
                   std::stod(point["plastic_strain_zz"]),
               0, 1e-12);
   auto history = done.last("history.csv");
-  EXPECT_EQ(history["yielded_fraction"], "1");  // of the rock that may
+  EXPECT_EQ(history["yielded_fraction"], "1");  // of the elastoplastic rock
   EXPECT_GT(std::stod(history["plastic_work [F L]"]), 0);
   EXPECT_EQ(std::stod(history["plastic_work [F L]"]), done.record["ledger"]["end"]["plastic"].get<double>());
 }
@@ -254,7 +253,7 @@ std::vector<double> last_cells(const Done& done, const char* name) {
 
 }  // namespace
 
-// Under plane strain a side free to move gives way by ν/(1-ν) of what the pressed one does.
+// Under plane strain a side free to move gives way by ν/(1-ν) of the displacement of the pressed one.
 TEST(PlasticOutputs, elastic_strain_of_elastic_rock_is_that_of_its_displacement) {
   const std::string little = R"({"along": [[0, 1], [1, 1]], "held": "y", "y": -1e-5})";
   const Done done = run_of("elastic_strain", square(little, ""));
@@ -264,13 +263,14 @@ TEST(PlasticOutputs, elastic_strain_of_elastic_rock_is_that_of_its_displacement)
   const std::vector<double> zz = last_cells(done, "elastic_strain_zz");
   ASSERT_GT(yy.size(), 4U);
   for (std::size_t i = 0; i < yy.size(); ++i) {
-    EXPECT_NEAR(yy[i], -1e-5, 1e-8);  // edges give way by 1e-4 of what rock does, strain changes by its own square
+    EXPECT_NEAR(yy[i], -1e-5,
+                1e-8);  // edges give way by 1e-4 of the displacement of the rock, strain changes by its own square
     EXPECT_NEAR(xx[i], kNu / (1 - kNu) * 1e-5, 1e-8);
     EXPECT_NEAR(zz[i], 0, 1e-12);
   }
 }
 
-// To a hundredth of the elastic part, which is told of Cauchy stress, at a strain of 0.01.
+// To a hundredth of the elastic part, which is given by Cauchy stress, at a strain of 0.01.
 TEST(PlasticOutputs, elastic_and_plastic_strain_add_up_to_that_of_the_displacement) {
   const Done done = run_of("sum_of_strains", square(kPressed, kMises));
   ASSERT_EQ(done.exit_code, 0) << done.messages;

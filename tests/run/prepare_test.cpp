@@ -1,4 +1,4 @@
-// A problem becomes a scene, or says what is missing; what has no effect is warned of.
+// A problem becomes a scene, or a message names what is missing; inputs without effect give a warning.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/prepare.hpp"
 

@@ -1,5 +1,5 @@
-// A soft bar on covers, pressed between two stiff plates without friction to a share of its length: under plane strain
-// with free sides its Cauchy stress is E* ln λ / (λ μ) by the logarithmic law, μ = λ^(-ν/(1-ν)), E* = E/(1-ν²).
+// A soft bar on covers, pressed between two stiff plates without friction to a fraction of its length. Under plane
+// strain with free sides its Cauchy stress is E* ln λ / (λ μ) by the logarithmic law, μ = λ^(-ν/(1-ν)), E* = E/(1-ν²).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ Pressed pressed(double stretch, const std::string& law) {
 
 }  // namespace
 
-// To 0.6 of its length, beyond what the other law bears; 2 % for a mesh of four sides a face.
+// To 0.6 of its length, beyond the limit of the other law; 2 % for a mesh of four sides per face.
 TEST(PressedBar, the_logarithmic_law_follows_its_closed_form_beyond_where_the_other_gives_way) {
   constexpr double kStretch = 0.6;
   const Pressed log = pressed(kStretch, "logarithmic");

@@ -1,4 +1,5 @@
-// Random cracks in a square of rock: a scene of each kind, and those that failed; a thousand in `make validate`.
+// Random cracks in a square of rock: a scene of each kind, and scenes that failed before; a thousand in `make
+// validate`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_cracks.hpp"
 
@@ -50,15 +51,15 @@ TEST(RandomCracks, tips_without_room_have_no_functions) {
 }
 
 // Pieces of 1e-24 between a crack and sides 2e-12 away: their area about the middle of their triangle was round-off,
-// and the point that stress acts at was none.
+// and the point of their stress was not finite.
 TEST(RandomCracks, slivers_have_a_place_for_their_stress) {
   const CracksTold told = support::told_of_cracks(support::random_cracks(CrackKind::along_sides, 113));
   expect_sound(told);
   EXPECT_GT(told.linear, 0) << "it did not fly";
 }
 
-// Slivers between two cracks, in contact with both: what was cut off open touches moved them in each round, and a step
-// was taken with energy of 1e-10 missing; other scenes found no step at all.
+// Slivers between two cracks, in contact with both: open contacts that were cut off moved them in each iteration, and a
+// step was accepted with energy of 1e-10 missing. Other scenes found no step.
 TEST(RandomCracks, rounds_between_acceptable_forces_settle) {
   const CracksTold told = support::told_of_cracks(support::random_cracks(CrackKind::nearly_closed, 4));
   expect_sound(told);

@@ -1,4 +1,4 @@
-// What is shown of a state: loops with holes apart, displacements since the start, end velocities, followed points.
+// Values recorded of a state: loops with holes apart, displacements since the start, end velocities, followed points.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/record.hpp"
 

@@ -1,5 +1,5 @@
-// A body on covers that is cut anew on a mesh finer at the tip: what has not changed is copied, the rest keeps momentum
-// and what its functions can hold.
+// An NMM body remeshed more finely at the tip: unchanged parts are copied, the rest keeps momentum and the span of its
+// functions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ Point node_of(const Manifold& manifold, std::size_t cover) {
   return manifold.mesh.nodes[static_cast<std::size_t>(manifold.covers[cover].node)];
 }
 
-/// Turned by 0.3 rad, bent, and of a pattern that no other mesh holds; it flies, turns and swings.
+/// Rotated by 0.3 rad, bent, and of a pattern that no other mesh holds; it flies, rotates and oscillates.
 Motion moving(const StandardScene& scene) {
   Motion motion = start_motion(scene);
   const Manifold& manifold = scene.model.continuum->manifold;
@@ -91,7 +91,7 @@ Eigen::Vector3d momenta(const CoverScene& covers, const UnknownsTable& q, const 
   return sum;
 }
 
-/// One plate and the same with a longer crack, with a motion carried from the one to the other.
+/// One plate and the same with a longer crack, with a motion transferred between them.
 class Recut {
  public:
   explicit Recut(CoverFunctions functions, bool may_yield = false)
@@ -137,7 +137,7 @@ class Recut {
   Motion carried_;
 };
 
-/// Unknowns of the first function of covers of nodes far from both tips and from the crack, which has two of a node.
+/// Unknowns of the first function of covers of nodes far from both tips and from the crack, which has two per node.
 std::map<std::pair<double, double>, Eigen::Vector2d> far_unknowns(const CoverScene& covers,
                                                                   const Eigen::VectorXd& field) {
   std::map<std::pair<double, double>, Eigen::Vector2d> found;
@@ -151,7 +151,8 @@ std::map<std::pair<double, double>, Eigen::Vector2d> far_unknowns(const CoverSce
   return found;
 }
 
-/// Of a velocity and a gradient what the unknowns lack of those of points: the root of the means of their squares.
+/// Difference between a velocity and a gradient of the unknowns and those of points: the root of the means of their
+/// squares.
 std::pair<double, double> errors(const CoverScene& covers, const std::vector<std::vector<FieldPoint>>& fields,
                                  const Eigen::VectorXd& d, const Eigen::VectorXd& v) {
   double of_velocity = 0, of_gradient = 0;
@@ -182,10 +183,10 @@ TEST_P(RecutOf, copies_what_is_far_from_the_tips_to_the_bit) {
   const auto are = far_unknowns(recut.is(), recut.carried().q.shared);
   ASSERT_GT(were.size(), 300U);
   EXPECT_EQ(were, are);
-  if (GetParam() == CoverFunctions::linear) return;  // they depend on each other: the field alone is told
+  if (GetParam() == CoverFunctions::linear) return;  // they depend on each other: only the field is determined
   const auto speeds = far_unknowns(recut.is(), recut.carried().v.shared);
   for (const auto& [node, v] : far_unknowns(recut.was(), recut.motion().v.shared))
-    EXPECT_LT((speeds.at(node) - v).norm(), 1e-6);  // the body is turned for its angular momentum
+    EXPECT_LT((speeds.at(node) - v).norm(), 1e-6);  // the body is rotated to keep its angular momentum
 }
 
 TEST_P(RecutOf, keeps_momentum_and_angular_momentum) {
@@ -196,7 +197,7 @@ TEST_P(RecutOf, keeps_momentum_and_angular_momentum) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(is[i] / was[i], 1, kRounding) << i;
 }
 
-// To carry everything by points is the nearest in the energy of strain: to change only a part is as near.
+// Transfer by points everywhere is the nearest in the energy of strain: transfer of a part is as near.
 TEST_P(RecutOf, is_as_near_to_the_field_as_if_everything_was_projected) {
   const Recut recut(GetParam());
   const std::vector<std::vector<FieldPoint>> fields = recut.fields();

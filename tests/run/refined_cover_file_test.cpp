@@ -19,7 +19,7 @@ namespace {
 
 const CrackPlan kCrack{{{0, 0}, {0.5, 0}}, {}};
 
-/// A plate of 1 by 2 in tension, held by springs that bear nothing.
+/// A plate of 1 by 2 in tension, fixed by springs that carry no load.
 Problem plate() {
   Problem problem;
   Blocks blocks;

@@ -1,4 +1,4 @@
-// What an observer is told of a run, in which order, and how a run ends.
+// The reports of a run to its observer, their order, and the ends of a run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run.hpp"
 
@@ -17,7 +17,7 @@ using support::legacy_scene;
 using support::plain_analysis;
 using support::rectangle;
 
-/// One measured point, so that there is a row a step.
+/// One measured point, so that there is one row per step.
 Scene falling_block(int steps) {
   return legacy_scene({{rectangle({0, 10}, {1, 11})}, {}, {}, {}, {{{0, 10}, 0, {}}}, {}}, plain_analysis(1e-3, steps));
 }
@@ -111,7 +111,7 @@ TEST(Run, the_same_scene_gives_the_same_bits) {
   EXPECT_EQ(places(), places());
 }
 
-/// One block at rest on a held one.
+/// One block at rest on a fixed one.
 Scene resting_block(int steps) {
   return legacy_scene({{rectangle({0, 0}, {3, 1}), rectangle({1, 1}, {2, 2})},
                        {},
@@ -122,7 +122,7 @@ Scene resting_block(int steps) {
                       plain_analysis(1e-3, steps));
 }
 
-// The request stands when the third step begins, though nobody looks at it between the steps.
+// The request is present when the third step begins, though nobody looks at it between the steps.
 TEST(Run, stopped_within_a_step_ends_before_it_and_lets_its_state_be_saved) {
   for (const Dynamics dynamics : {Dynamics::shi, Dynamics::standard}) {
     Scene scene = resting_block(5);

@@ -1,4 +1,4 @@
-// A slope that slides is the same slope wherever its origin lies, however its axes are turned and in whatever units.
+// A slope that slides is the same slope at any origin, with any rotation of its axes and in any units.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,14 +20,14 @@ namespace {
 
 struct Variant {
   std::string name;
-  std::function<Point(Point)> place;  ///< where a point of the file lies
+  std::function<Point(Point)> place;  ///< place of a point of the file
   double turn = 0;                    ///< of the axes, degrees
   bool is_in_mm = false;              ///< mm, t, s instead of m, kg, s: the energy of a slice has the same figure
 };
 
 struct Slid {
   double released = 0;      ///< energy of gravity
-  double greatest = 0;      ///< way of a block
+  double greatest = 0;      ///< displacement of a block
   std::vector<Point> ways;  ///< of the blocks above a fifth of the mean area, in the axes of the file
 };
 
@@ -73,10 +73,10 @@ Slid slid(const Variant& variant, const std::string& slivers, int steps) {
 
 }  // namespace
 
-// Where two faces end together round-off once chose whose corner names their touch, and by that name a corner at a
-// crossing of joints passed or bore for good: moved by a kilometre the same slope released 10 % less, and a block ended
-// elsewhere by half the greatest way. With the slivers kept, blocks that fell strike others after 0.3 s: what they do
-// then hangs on the last digits, and is not compared.
+// Round-off must not choose whose corner names a contact if two faces end together. By that name a corner at a crossing
+// of joints passed or stayed: moved by a kilometre, the same slope released 10 % less, and a block ended at a distance
+// of half the largest displacement. With the slivers kept, fallen blocks strike others after 0.3 s: their motion then
+// depends on the last digits, and is not compared.
 TEST(SameAnywhere, a_slope_slides_alike_whatever_its_origin_axes_and_units) {
   const Variant drawn{"as drawn", [](Point p) { return p; }};
   const std::vector<Variant> variants = {

@@ -1,5 +1,5 @@
-// One body as a block, in a single triangle of covers, on a mesh of covers, and solved linearly: a run leaves the same
-// files with the same columns, and frames with the same data of cells.
+// One body as a block, in a single triangle of covers, on a mesh of covers, and solved linearly. All four runs write
+// the same files with the same columns, and frames with the same data of cells.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ using support::write_text;
 struct Way {
   std::string name;
   std::string covers;        ///< section of the case file; empty: a block
-  std::string fixed_points;  ///< of a block; bodies on covers are held along their base
+  std::string fixed_points;  ///< of a block; NMM bodies are fixed along their base
   bool is_static = false;
 };
 
@@ -46,9 +46,9 @@ std::string text_of(const Way& way) {
          way.covers + "}";
 }
 
-/// What a run of the body leaves.
+/// Outputs of a run of the body.
 struct Left {
-  std::set<std::string> files;  ///< but the picture of energies, for linear statics keeps no ledger
+  std::set<std::string> files;  ///< without the picture of energies, for linear statics has no energy balance
   std::set<std::string> keys;   ///< of run.json
   std::set<std::string> settings;
   std::vector<std::string> heads;  ///< of the tables
@@ -61,7 +61,7 @@ std::set<std::string> keys_of(const nlohmann::json& object) {
   return keys;
 }
 
-/// Without the reactions, which stand at the end where load steps sum them.
+/// Without the reactions, which come last if load steps sum them.
 std::string first_line(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
   return line.substr(0, line.find(",reaction1"));
@@ -75,7 +75,7 @@ Left left_by(const Way& way) {
   const auto record = nlohmann::json::parse(read_text(folder + "/out/run.json"));
   Left left;
   for (const auto& name : record.at("outputs")) left.files.insert(name.get<std::string>());
-  left.files.erase("energy.svg");  // linear statics keeps no books
+  left.files.erase("energy.svg");  // linear statics has no energy balance
   left.files.erase("ledger.csv");
   left.keys = keys_of(record);
   left.settings = keys_of(record.at("settings"));
@@ -85,7 +85,7 @@ Left left_by(const Way& way) {
   EXPECT_TRUE(frame.load_file((folder + "/out/frames/00000003.vtu").c_str()));
   const pugi::xml_node piece = frame.child("VTKFile").child("UnstructuredGrid").child("Piece");
   for (const pugi::xml_node& array : piece.child("CellData")) left.cells.insert(array.attribute("Name").value());
-  // Displacement of corners whatever the body hangs on; stress of corners where it varies between them.
+  // Displacement of corners for every kind of body; stress of corners if it varies between them.
   const pugi::xml_node points = piece.child("PointData");
   EXPECT_TRUE(points.find_child_by_attribute("Name", "displacement"));
   EXPECT_EQ(points.find_child_by_attribute("Name", "stress_xx").empty(), way.covers.empty());

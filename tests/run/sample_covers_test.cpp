@@ -1,5 +1,5 @@
-// The twelve old manifold pairs, where they are at hand: what their held bodies come to by linear elasticity, and how
-// far the runs of the files get, against figures found apart from this program (a prototype with its own assembly).
+// Twelve pairs of Shi's manifold program, if available: the equilibrium of their fixed bodies by linear elasticity, and
+// the progress of the runs of the files. The reference is a prototype with its own assembly.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/sample_covers.hpp"
 

@@ -1,4 +1,4 @@
-// A file of settings comes back as it was written, and every fault is told where it stands.
+// A file of settings comes back as it was written, and every fault is reported at its place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/settings_file.hpp"
 

@@ -1,4 +1,4 @@
-// What a material, a setting or a bolt says holds for bodies on covers as it does for blocks.
+// Materials, settings and bolts act on NMM bodies as they do on DDA blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ const char* const kMaterials = R"("block_materials": [
   {"density": 2500, "unit_weight": 0, "youngs_modulus": 1e10, "poissons_ratio": 0, "initial_velocity": [0.5, 0, 0]}],
   "joint_materials": [{"friction_angle_deg": 0, "cohesion": 0, "tensile_strength": 0}], "penalty_factor": 10)";
 
-/// Two squares apart from each other, on covers, both moving to the right.
+/// Two NMM squares apart from each other, both moving to the right.
 std::string two_squares(const std::string& analysis, const std::string& more, const std::string& bolts = "") {
   return R"({"keyblock": 1, "blocks": {"blocks": [
     {"material": 1, "outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]},
@@ -80,8 +80,8 @@ TEST(SettingsOnCovers, mass_damping_of_one_material_is_that_of_all_where_all_hav
   EXPECT_NEAR(all[0], all[1], 1e-12);
 }
 
-// A bolt without springs' weakness: two free bodies of mass m on a bolt of stiffness k along y, pulled at the start by
-// the pretension P, swing about the place where it is slack: each by P/(2k) (1 - cos ωt), ω² = 2k/m.
+// A bolt alone: two free bodies of mass m on a bolt of stiffness k along y, pulled initially by the pretension P. They
+// oscillate about the slack state: each by P/(2k) (1 - cos ωt), ω² = 2k/m.
 TEST(SettingsOnCovers, a_bolt_holds_bodies_on_covers) {
   const std::string still = R"("velocity_carry_over": 1, "step_count": 400, "time_step": 0.0005, "gravity": 0, )";
   const std::string bolt = R"(, "bolts": [[0.5, 0.5, 0.5, 4.5, 1, 2, 1e6, 0, 2e3]])";
@@ -93,8 +93,8 @@ TEST(SettingsOnCovers, a_bolt_holds_bodies_on_covers) {
   EXPECT_NEAR(dy[1], -way, 0.02 * 1e-3);
 }
 
-// A square of height h held on its lower side and pressed by p on its upper one, in linear statics: it sinks by p h/E
-// in plane stress.
+// A square of height h fixed on its lower side and pressed by p on its upper one, in linear statics: it settles by p
+// h/E in plane stress.
 std::string held_square(const std::string& settings) {
   return R"({"keyblock": 1, "blocks": {"blocks": [
     {"material": 1, "outer": [[0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1]]}],
@@ -128,7 +128,7 @@ TEST(SettingsOnCovers, gravity_of_the_case_file_reaches_linear_statics) {
     return last_row(held_square(set), {}, messages).at(5) + 3.0 * 2 / 1000;
   };
   const double once = sinks("-1.5");
-  EXPECT_NEAR(once, -1.5 * 4 / 2 / 1000, 0.03 * 0.003);  // but for the lateral strain that the lower side hinders
+  EXPECT_NEAR(once, -1.5 * 4 / 2 / 1000, 0.03 * 0.003);  // except the lateral strain that the lower side hinders
   EXPECT_NEAR(sinks("-3"), 2 * once, 1e-9);
 }
 

@@ -1,4 +1,4 @@
-// Statics that no sliver hides: what is glued or left out bears and weighs what its area says.
+// Statics with slivers: those glued or left out carry load and weigh in proportion to their area.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using support::rectangle;
 
 constexpr double kSliver = 0.005;  // its width; it is one high
 
-/// A block of 2 × 2 on a held floor, with a sliver beside its upper half that nothing holds.
+/// A block of 2 × 2 on a fixed floor, with an unsupported sliver beside its upper half.
 Problem wall_with_sliver(double friction_deg = 0) {
   Problem problem;
   Blocks all;
@@ -93,7 +93,7 @@ TEST(SliversRun, stages_begin_with_the_rock_as_it_was_glued) {
   EXPECT_NEAR(told.frames.back().elements[1].area, 3, 1e-4);  // less the quarter with the sliver
 
   problem.stages[1].settings = {{"slivers", "leave_out"}};
-  EXPECT_EQ(refusal_of(problem, "glue"), "");  // said for all stages
+  EXPECT_EQ(refusal_of(problem, "glue"), "");  // reported for all stages
   problem.stages[0].settings = {{"slivers", "glue"}};
   try {
     prepare(problem, "standard", {});

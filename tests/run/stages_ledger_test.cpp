@@ -1,4 +1,4 @@
-// Through every change of a scene the ledger closes: excavations under contact, a tunnel, a thousand changes in
+// The energy balance closes through every change of a scene: excavations under contact, a tunnel, a thousand changes in
 // flight.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
@@ -36,8 +36,8 @@ TEST_P(StagesUnderContact, close_the_ledger_of_an_excavation_in_four_stages) {
 INSTANTIATE_TEST_SUITE_P(Enforcements, StagesUnderContact, testing::Values("lagrange", "penalty", "augmented"),
                          [](const auto& one) { return std::string(one.param); });
 
-// Notched blocks of a tunnel: a corner that two convex pieces of a block meet was two contacts with one memory, and the
-// energy was off by a tenth.
+// Notched blocks of a tunnel: a corner at which two convex pieces of a block meet is one contact with one memory.
+// Counted as two, it made the energy wrong by a tenth.
 TEST(StagesLedger, closes_for_the_tunnel) {
   const std::string file = std::string(KEYBLOCK_SOURCE_DIR) + "/docs/tunnel.json";
   const Problem problem = check(formats::load_case({file}).problem).problem;
@@ -56,7 +56,7 @@ TEST(StagesLedger, closes_through_a_thousand_random_changes_in_flight) {
   EXPECT_LT(told.energy, 1e-7);
 }
 
-/// Cut and dug on and on, rock soon is dust: a hundred changes of each. With 10 seeds in `make validate`.
+/// Repeated cuts and excavations soon leave only dust: a hundred changes of each. With 10 seeds in `make validate`.
 struct ChangesOnCovers {
   ChangingBodies bodies;
   CoverFunctions functions;

@@ -1,4 +1,4 @@
-// Stages of bodies on covers: statics, flight, contact.
+// Stages of NMM bodies: statics, flight, contact.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using support::Told;
 using support::told_of;
 using support::wall_with_opening;
 
-/// A bar on covers that flies and turns, from which a piece is dug out.
+/// A bar on covers that flies and rotates, from which a piece is excavated.
 Problem flying_on_covers(CoverFunctions functions) {
   Problem problem = squares_on_covers(functions);
   std::get<Blocks>(problem.geometry).blocks = {rectangle({0, 0}, {3, 1}), rectangle({5, 0}, {6, 1})};
@@ -66,13 +66,13 @@ TEST_P(StagesOnCovers, in_flight_keep_momentum_and_book_the_energy_that_goes) {
   EXPECT_LT(told.frames.back().elements.size(), told.frames.front().elements.size());
 }
 
-// What goes takes its share of the momentum, as a rigid body that turns about the centre of its whole has it.
+// A removed part takes its share of the momentum, as a rigid body that rotates about the centre of the whole has it.
 TEST_P(StagesOnCovers, what_goes_takes_its_own_momentum_and_no_other) {
   const Told told = told_of(flying_on_covers(GetParam()));
   const auto at = [&](int step) { return std::ranges::find(told.ledger.rows, step, &LedgerRow::step); };
   const Momentum lost{at(20)->momentum.linear - at(21)->momentum.linear, 0};
   const double dt = 1e-3;
-  const Point weight{0, -kWeight * (4 - 0.9 * 0.6) * dt};  // of what is left, in the step after
+  const Point weight{0, -kWeight * (4 - 0.9 * 0.6) * dt};  // of the rest, in the step after
   const double mass = 2500 * 0.9 * 0.6;
   const Point arm{1.25 - 1.5, 0.7 - 0.5};
   const double turn = 0.7 * 20 * dt;
@@ -101,7 +101,7 @@ TEST(Stages, under_contact_on_covers_close_the_ledger_of_an_excavation_in_four_s
   EXPECT_LT(sums_of(told.ledger).energy_closure(), 1e-8);
 }
 
-// A change of a joint material finds the edges that are there by then, as it does those of blocks.
+// A change of a joint material finds the edges present by then, as it does those of blocks.
 TEST(Stages, on_covers_dug_edges_are_of_the_joint_material_of_their_stage) {
   Problem problem = squares_on_covers(CoverFunctions::constant);
   problem.analysis->joint_materials.push_back(problem.analysis->joint_materials.front());

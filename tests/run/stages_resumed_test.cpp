@@ -1,4 +1,4 @@
-// A run of stages that was saved before any step goes on to the same bytes.
+// A run of stages that was saved before any step continues to the same bytes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ Scene eventful_on_covers() {
   return prepare(problem, "standard", {}).scene;
 }
 
-/// Blocks that are given covers, other ones, dug, bolted and blocks again.
+/// Blocks that get covers, other ones, are excavated, bolted and made blocks again.
 Problem eventful_mixed_problem() {
   Problem problem = column(3);
   problem.analysis->block_materials.push_back(problem.analysis->block_materials.front());
@@ -66,7 +66,8 @@ Scene eventful_mixed() {
   return prepare(eventful_mixed_problem(), "standard", {}).scene;
 }
 
-/// The same of rock so weak that it yields under its weight: what points remember goes from blocks to covers and back.
+/// The same of rock so weak that it yields under its weight: the memory of points is transferred from blocks to covers
+/// and back.
 Scene eventful_in_yielding_rock() {
   Problem problem = eventful_mixed_problem();
   Strength strength;
@@ -76,7 +77,7 @@ Scene eventful_in_yielding_rock() {
   return prepare(problem, "standard", {}).scene;
 }
 
-/// Linear solutions of which load steps 2 and 4 dig something out.
+/// Linear solutions with excavations in load steps 2 and 4.
 Scene dug_at_once() {
   Problem problem = squares_on_covers(CoverFunctions::derived);
   problem.analysis->velocity_carry_over = 0;
@@ -89,7 +90,7 @@ Scene dug_at_once() {
   return scene;
 }
 
-/// The same of rock that yields under its weight.
+/// The same of elastoplastic rock that yields under its weight.
 Problem dug_problem(CoverFunctions functions) {
   Problem problem = squares_on_covers(functions);
   Strength strength;
@@ -133,7 +134,7 @@ TEST_P(ResumedStages, left_before_any_step_they_go_on_to_the_same_bytes) {
   }
   ASSERT_EQ(static_cast<int>(saved.size()), scene.settings.step_count);
   saved.push_back(bytes_of(*whole));
-  // What comes to the state of the next step goes on from there as that does: one step of each is enough.
+  // A state that reaches the next step continues from there as that does: one step of each is enough.
   for (std::size_t step = 0; step + 1 < saved.size(); ++step) {
     Archive archive = archive_of_checkpoint("checkpoint.h5", saved[step]);
     const std::unique_ptr<Stepper> again = restored_stepper(scene, archive);

@@ -1,5 +1,5 @@
-// A run of stages goes on from what the stage before left: what stays keeps place, velocity, strain and contact forces,
-// and the ledger closes through every change.
+// A run of stages continues from the stage before: unchanged blocks keep place, velocity, strain and contact forces,
+// and the energy balance closes through every change.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ using support::stage_of;
 using support::Told;
 using support::told_of;
 
-/// Blocks that fly and turn, with nothing to hold them.
+/// Blocks that fly and rotate, without supports.
 Problem flying() {
   Problem problem;
   Blocks all;
@@ -121,7 +121,7 @@ TEST(Stages, a_cut_in_flight_keeps_momentum_and_energy) {
   EXPECT_LT(sums.linear_momentum_closure(), 1e-12);
   EXPECT_LT(sums.angular_momentum_closure(), 1e-10);
   EXPECT_LT(sums.energy_closure(), 1e-8);
-  // The affine field of a block goes on in its pieces: nothing comes or goes with the cut itself.
+  // The affine field of a block continues in its pieces: the cut itself changes nothing.
   EXPECT_LT(std::abs(told.ledger.rows.back().flow.change), 1e-9 * sums.largest_energy());
 }
 
@@ -159,7 +159,7 @@ TEST(Stages, pieces_have_numbers_and_an_origin_and_the_largest_keeps_its_own) {
   EXPECT_EQ(told.rows.front().points.size(), 3U);
 }
 
-// A bolt that is put in while the block slides has its pretension there and then.
+// A bolt that is placed while the block slides has its pretension at once.
 TEST(Stages, a_measured_point_keeps_its_number_when_another_goes) {
   Problem problem = column(2);
   std::get<Blocks>(problem.geometry).measured_points = {{{1, 1.5}, 2, {}}, {{1, 0.25}, 1, {}}};

@@ -1,5 +1,5 @@
-// Stress across the plane is the same whatever a body hangs on: a block under either dynamics, covers in steps, covers
-// at once.
+// Stress across the plane is the same for every kind of body: a block under either dynamics, covers in steps, covers at
+// once.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ TEST(StressAcross, on_covers_is_that_of_the_point_in_steps_and_at_once) {
   EXPECT_NEAR(last_frame(at_once, "standard").measured_points.at(0).stress.zz, -3.9e6, 1e-3);
 }
 
-// Under its own field, given or not: ν (xx + yy) goes with -3 and -2, or else what is said.
+// Under its own field, given or not: ν (xx + yy) with -3 and -2, or else the given value.
 TEST(StressAcross, of_a_field_is_what_it_says_or_what_goes_with_it) {
   for (const bool is_given : {false, true}) {
     Problem problem = square(true);

@@ -20,7 +20,7 @@ BlockMaterial rock(double density, double youngs_modulus, double poissons_ratio)
   return material;
 }
 
-/// A beam of 9 x 0.5 on two held blocks, and a block of six times its weight half a metre above its middle.
+/// A beam of 9 x 0.5 on two fixed blocks, and a block of six times its weight half a metre above its middle.
 Problem struck_beam(double dt) {
   Problem problem;
   Blocks all;
@@ -43,15 +43,15 @@ Problem struck_beam(double dt) {
 
 }  // namespace
 
-// The clean-up of velocities once gave 57 J here, of 8 kJ, so that 0.017 of the energy came from nothing. What is left
-// is flutter of faces that slide, below what a run is trusted with (energy_limit).
+// The correction of velocities must not create energy, as it once did: 57 J of 8 kJ. The rest is flutter of sliding
+// faces, below the limit of a reliable run (energy_limit).
 TEST(StruckBeam, is_not_given_energy_by_the_clean_up_of_velocities) {
   const support::Told told = told_of(struck_beam(2e-3));
   const LedgerSums sums = sums_of(told.ledger);
   EXPECT_LT(sums.energy_closure(), 1e-8);
   EXPECT_LT(sums.energy_made(told.ledger.scope), Settings{}.trust.energy);
   EXPECT_GT(told.ledger.rows.back().flow.clean_up, 0);
-  double given = 0;  // by the clean-up of a step, and of the one after it
+  double given = 0;  // by the correction of a step, and of the one after it
   for (std::size_t i = 2; i < told.ledger.rows.size(); ++i) {
     const double two = told.ledger.rows[i].flow.clean_up - told.ledger.rows[i - 2].flow.clean_up;
     const double closing = told.ledger.rows[i].flow.closing - told.ledger.rows[i - 2].flow.closing;

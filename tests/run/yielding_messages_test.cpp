@@ -1,4 +1,4 @@
-// What runs of rock that yields say where steps are too long, and where no equilibrium is found.
+// Messages of runs of elastoplastic rock about steps that are too long, and about a missing equilibrium.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Done run_of(const std::string& name, const std::string& text, const std::vector<
   return {run.exit_code, run.messages, nlohmann::json::parse(support::read_text(folder + "/out/run.json"))};
 }
 
-/// A block that falls by a hundredth upon a body on covers, which a pretensioned bolt presses until it yields.
+/// A block that falls by a hundredth upon an NMM body, which a pretensioned bolt presses until it yields.
 const std::string kSqueezed = R"({"keyblock": 1, "blocks": {"blocks": [
   {"outer": [[-2, -1, 1], [3, -1, 1], [3, 0, 1], [-2, 0, 1]], "material": 1},
   {"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], "material": 2},
@@ -45,7 +45,7 @@ const std::string kSqueezed = R"({"keyblock": 1, "blocks": {"blocks": [
   {"density": 1, "unit_weight": 10, "youngs_modulus": 1e7, "poissons_ratio": 0.3}]},
   "covers": {"mesh": {"side": 0.3, "materials": [[2]]}}})";
 
-/// A smooth pillar on a mesh turned by 10°, pressed by a twentieth of its height (`press`).
+/// A smooth pillar on a mesh rotated by 10°, pressed by a twentieth of its height (`press`).
 std::string pillar(const std::string& press, const std::string& load) {
   return R"({"keyblock": 1, "blocks": {"blocks": [{"outer": [[0, 0, 1], [1, 0, 1], [1, 2, 1], [0, 2, 1]]}]},
     "covers": {"contact": "ignored", "mesh": {"side": 0.25, "angle": 10},
@@ -61,8 +61,8 @@ const std::vector<std::string> kAlong{"--set steps=200", "--set load_control=arc
 
 }  // namespace
 
-// Plastic work is booked with the stress at the end of each step, the force has the mean: what is between them falls
-// with the step, and the sum of both columns comes nearer to what short steps say than plastic work alone.
+// Plastic work is counted with the stress at the end of each step, the force with the mean. Their difference falls with
+// the step, and the sum of both columns is nearer to that of short steps than plastic work alone.
 TEST(YieldingMessages, steps_that_overstate_plastic_work_are_told) {
   const Done coarse = run_of("coarse", kSqueezed);
   ASSERT_EQ(coarse.exit_code, 0) << coarse.messages;
@@ -80,7 +80,7 @@ TEST(YieldingMessages, steps_that_overstate_plastic_work_are_told) {
   EXPECT_LT(coarse.record["ledger"]["closure"]["energy"].get<double>(), 1e-6);
 }
 
-// Where the solver finds the way there is nothing to be said of; the words are those of a step that is cut.
+// If the solver finds the equilibrium there is no message; the words are those of a step that is cut.
 TEST(YieldingMessages, advice_after_a_load_step_can_be_followed) {
   const Done loaded = run_of("loaded", pillar("", R"("tractions": [{"along": [[1, 2], [0, 2]], "pressure": 8}], )"));
   ASSERT_EQ(loaded.exit_code, 4) << loaded.messages;
@@ -94,7 +94,7 @@ TEST(YieldingMessages, advice_after_a_load_step_can_be_followed) {
   EXPECT_FALSE(along.says("expected")) << along.messages;
 }
 
-// An edge that is driven inward by more than there is turns elements over whatever the steps.
+// An edge that is driven inward by more than the body is wide turns elements over with any steps.
 TEST(YieldingMessages, a_driven_edge_is_not_said_to_have_a_limit_load) {
   const Done driven =
       run_of("driven", pillar(R"(, {"along": [[1, 2], [0, 2]], "held": "y", "y": -2.5})", ""), {"--set", "steps=4"});

@@ -1,5 +1,5 @@
-// Rock that yields in time and under contact: what a blow does to it, books that close, and the friction of bodies on
-// covers that are struck.
+// Elastoplastic rock in time and under contact: effect of an impact, closed energy balances, and the friction of NMM
+// bodies under impact.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using support::read_text;
 using support::run_keyblock;
 using support::write_text;
 
-/// Blocks of which those of material 1 are on covers, on a floor of material 2 that is held.
+/// Blocks on a fixed floor of material 2; those of material 1 are NMM bodies.
 std::string scene(const std::string& blocks, const std::string& points, const std::string& materials, double friction,
                   double dt, int steps, const std::string& mesh) {
   return fmt::format(R"({{"keyblock": 1, "blocks": {{"blocks": [{}], {}}}, "covers": {{"mesh": {}}}, "analysis": {{
@@ -42,7 +42,7 @@ struct Done {
   nlohmann::json report;
   std::string folder;
 
-  /// Of every row the column of this name.
+  /// Returns the column of this name in every row.
   std::vector<double> column(const std::string& name) const {
     const formats::CsvTable table = formats::read_csv(formats::load(folder + "/out/ledger.csv"));
     const std::size_t place = formats::csv_column(table, name);
@@ -73,7 +73,8 @@ std::string falling_column(const std::string& strength, double dt, int steps) {
 
 }  // namespace
 
-// A beam of rock that flows under its weight in one step of a second: nothing touches, and no contact is blamed.
+// A beam of rock that flows under its weight in one step of a second: nothing is in contact, and no message blames a
+// contact.
 TEST(YieldingMotion, a_step_too_long_for_the_flow_says_so) {
   const std::string folder = fresh_folder("yielding_motion_too_long");
   ASSERT_EQ(run_keyblock({"new", "beam", "-o", folder + "/beam.json"}).exit_code, 0);
@@ -89,8 +90,8 @@ TEST(YieldingMotion, a_step_too_long_for_the_flow_says_so) {
       << run.messages;
 }
 
-// The symmetric part of a tangent whose flow is not normal has no factor at rest but with much inertia: it took 556
-// systems a step on covers and 21 on a block.
+// The symmetric part of a tangent of non-associated flow has no factorisation in statics but with much inertia: it took
+// 556 linear solves per step on covers and 21 on a block.
 TEST(YieldingMotion, plates_press_rock_that_flows_without_dilation_in_few_systems) {
   for (const auto& [on_covers, most] : {std::pair{true, 60}, {false, 3}}) {
     const std::string plates = kFloor + R"(,
@@ -123,7 +124,7 @@ TEST(YieldingMotion, what_swings_too_slowly_is_told_before_the_run) {
   EXPECT_EQ(elastic.messages.find("soft_patterns"), std::string::npos) << elastic.messages;
 }
 
-// Friction at the end of a step that turns the velocity over would push: 3 % of the energy came from nothing so.
+// Friction at the end of a step that reverses the velocity would push: that created 3 % of the energy.
 TEST(YieldingMotion, a_column_on_covers_that_hits_a_floor_makes_no_energy) {
   for (const auto& [dt, steps] : {std::pair{5e-4, 100}, {1e-4, 400}}) {
     const Done done = run_of("elastic", falling_column("", dt, steps));
@@ -145,8 +146,8 @@ TEST(YieldingMotion, a_column_that_yields_as_it_hits_closes_its_books) {
   }
 }
 
-// A weight that falls on a weak pillar: the energy of the fall is that of plastic shortening under the strength 2 c of
-// Tresca, whose nominal stress on covers is T/λ with the logarithmic strain: E + M g s = T L ln(1/λ) - T² L/(2 E').
+// A weight that falls on a weak pillar: the energy of the fall becomes plastic work under the strength 2 c of Tresca.
+// On covers its nominal stress is T/λ with the logarithmic strain: E + M g s = T L ln(1/λ) - T² L/(2 E').
 TEST(YieldingMotion, a_pillar_under_a_falling_weight_sinks_by_the_energy_of_the_fall) {
   constexpr double kMass = 20000, kGravity = 9.81, kFall = 0.501, kStrength = 2e6, kLength = 2;
   const double modulus = 1e9 / (1 - 0.3 * 0.3);
@@ -173,7 +174,7 @@ TEST(YieldingMotion, a_pillar_under_a_falling_weight_sinks_by_the_energy_of_the_
   EXPECT_NEAR(-lowest, sink, 0.02 * sink);
 }
 
-// A square that comes down turning on a slope, slides on and is caught by a bolt.
+// A square that comes down on a slope, rotating, slides on and is caught by a bolt.
 TEST(YieldingMotion, a_body_that_slides_turns_and_hangs_on_a_bolt_closes_its_books) {
   const std::string text = scene(
       R"({"material": 2, "outer": [[-6, -4, 1], [6, -4, 1], [6, 3, 1]]},

@@ -1,5 +1,5 @@
-// Runs of rock that yields: uniaxial strength, loads beyond it, forces that vanish, what nothing holds, and
-// where a strength is refused.
+// Runs of elastoplastic rock: uniaxial strength, loads beyond it, forces that vanish, unsupported parts, and refusals
+// of a strength.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -84,7 +84,7 @@ const std::string kPressed = R"(, {"along": [[0, 1], [1, 1]], "held": "y", "y": 
 
 }  // namespace
 
-// The nominal stress of large strain: the true one times the width, which lateral flow makes 1/(1 - ε) at constant
+// The nominal stress of large strain: the true one times the width. Lateral flow makes the width 1/(1 - ε) at constant
 // volume and a little more under dilation; 1.5 % at a strain of 1 %.
 TEST(YieldingRock, a_square_bears_its_uniaxial_strength) {
   const double coulomb = 2 * 10 * std::tan((45.0 + 20.0 / 2) * std::numbers::pi / 180);
@@ -105,8 +105,8 @@ TEST(YieldingRock, a_load_beyond_the_strength_ends_the_run_and_is_named) {
   EXPECT_NE(done.messages.find("no equilibrium beyond"), std::string::npos) << done.messages;
 }
 
-// Tresca ground over ten points, under a stiff block and under the same pressure as a traction, which another search
-// finds equilibria for.
+// Tresca ground over ten points, under a stiff block and under the same pressure as a traction, for which another
+// search finds equilibria.
 TEST(YieldingRock, ground_under_a_block_stands_up_to_its_limit_load) {
   const std::string ground = R"({"outer": [[-5, -3, 1], [5, -3, 1], [5, 0, 1], [-5, 0, 1]], "material": 1})";
   const std::string analysis = R"("time_step": 1, "velocity_carry_over": 0, "plane_strain": true,
@@ -141,7 +141,7 @@ TEST(YieldingRock, ground_under_a_block_stands_up_to_its_limit_load) {
 
 // pla-09 A: 2:1, H 10, φ 20°, c/(γ H) 0.05, no foundation layer; published factors of safety are 1.36 to 1.42
 // (Griffiths & Lane 1999; log-spiral 1.368); flow is associated here. With sides of 1.5 the slope slides by 2 % of its
-// height at 1.45 and then bears its weight: the mesh must be finer than that.
+// height at 1.45 and then carries its weight: the mesh must be finer than that.
 TEST(YieldingRock, a_slope_stands_below_its_factor_of_safety_and_falls_above_it) {
   for (const auto& [factor, exit_code] : {std::pair{1.36, 0}, {1.45, 4}}) {
     const double tangent = std::tan(20 * std::numbers::pi / 180) / factor;
@@ -199,7 +199,7 @@ TEST(YieldingRock, softening_too_steep_for_the_mesh_is_refused_with_the_side_all
   expect_refused(run_of("steep_cracked", regular(square(kPressed, "", rock), "0.3")), "a side below 0.05953");
 }
 
-// Of an unstructured mesh too the side that is named runs.
+// The side named for an unstructured mesh runs too.
 TEST(YieldingRock, the_side_allowed_of_an_unstructured_mesh_is_allowed) {
   const std::string strength = R"({"surface": "von_mises", "yield_stress": 20, "after": {"yield_stress": 1,
     "fracture_energy": 0.004}})";

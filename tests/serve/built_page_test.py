@@ -1,8 +1,8 @@
-"""The built pages in the repository are those that their sources make, byte for byte.
+"""The built pages in the repository equal those built from their sources, byte for byte.
 
 usage: tests/serve/built_page_test.py REPOSITORY
 
-Skipped, with a message, where node is missing or too old, or where `npm ci` was not run in page/.
+Skipped, with a message, if node is missing or too old, or if `npm ci` was not run in page/.
 """
 
 import re

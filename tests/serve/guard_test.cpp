@@ -1,4 +1,4 @@
-// Requests are let in by host, origin, token and cookie; paths stay within the folder; words become no options.
+// Requests are accepted by host, origin, token and cookie; paths stay within the folder; words become no options.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "serve/http/guard.hpp"
 

@@ -1,4 +1,4 @@
-// A slow client is cut off, and does not keep others waiting.
+// A slow client is cut off, and does not delay others.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "serve/http/http_server.hpp"
 

@@ -1,4 +1,4 @@
-"""The window as a browser sees it: hostile requests are refused, and a case goes the whole way to its compared results.
+"""The window as a browser sees it: hostile requests are refused, and a case is drawn, run and compared.
 
 usage: tests/serve/serve_test.py PROGRAM
 """

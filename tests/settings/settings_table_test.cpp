@@ -1,4 +1,4 @@
-// Settings by name: every one can be read and set, and a wrong one is refused with what was expected.
+// Settings by name: every one can be read and set, and a wrong one is refused with the expected values.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/settings_table.hpp"
 

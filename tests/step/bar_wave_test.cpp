@@ -1,4 +1,4 @@
-// Benchmark dda-31: a pulse runs along a bar and turns back at its end, the bar made of sub-blocks and cut on covers.
+// Benchmark dda-31: a pulse runs along a bar and returns from its end; the bar is made of sub-blocks and cut on covers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -24,9 +24,9 @@ constexpr double kWaveSpeed = 2000;
 constexpr double kPulse = 0.01;   // s
 constexpr double kTopSpeed = 1;   // m/s
 constexpr int kLength = 100;      // m
-constexpr double kStep = 2.5e-4;  // s: half of what a metre takes
+constexpr double kStep = 2.5e-4;  // s: half of the time per metre
 
-// The way of the left end: the integral of half a sine of velocity.
+// The displacement of the left end: the integral of half a sine of velocity.
 TimeCurve pulse() {
   TimeCurve curve;
   for (int i = 0; i <= 40; ++i) {
@@ -60,7 +60,7 @@ Settings bar_settings(const Analysis& analysis) {
 
 enum class Bar { of_blocks, on_covers };
 
-// Both ends may be held; the left one is driven.
+// Both ends may be fixed; the left one is driven.
 Scene bar(Bar kind, bool holds_right_end) {
   const Analysis analysis = bar_analysis();
   const Settings settings = bar_settings(analysis);
@@ -83,7 +83,7 @@ Scene bar(Bar kind, bool holds_right_end) {
   return scene;
 }
 
-// The mean way along the bar and the mean stress of what lies about x, step by step.
+// The mean displacement along the bar and the mean stress of the blocks or elements about x, step by step.
 struct Record {
   std::vector<double> times;
   std::vector<double> ways;
@@ -144,7 +144,8 @@ TEST_P(BarWave, arrives_in_time_and_doubles_the_speed_of_a_free_end) {
   EXPECT_NEAR(end.top_speed() / (2 * kTopSpeed), 1, 0.05);
 }
 
-// Back at the middle: a free end sends tension back, a held one compression, and at the held end the stress is doubled.
+// Back at the middle: a free end sends tension back, a fixed one compression, and at the fixed end the stress is
+// doubled.
 TEST_P(BarWave, turns_back_at_its_end) {
   const double peak = kDensity * kWaveSpeed * kTopSpeed;
   const Record free = watch(bar(GetParam(), false), 49.5, 50.6, 0.09);

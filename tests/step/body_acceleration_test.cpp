@@ -71,7 +71,7 @@ TEST(GivenAcceleration, linear_acceleration_is_second_order_in_standard) {
 }
 
 // Taken at the end of the step, v = c t (t + dt)/2 and s = Σ dt (v_k + v_k+1)/2 = c (t³/6 + t² dt/4 + t dt²/12): first
-// order, as point loads are in the old program.
+// order, as point loads are in Shi's step.
 TEST(GivenAcceleration, linear_acceleration_is_first_order_in_legacy) {
   const double c = 6;
   for (double dt : {0.01, 0.05, 0.1}) {

@@ -1,4 +1,4 @@
-// A block that swings on a bolt in profile `standard`: what the step does to elastic energy.
+// A block that oscillates on a bolt in profile `standard`: effect of the step on elastic energy.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ constexpr double kStiffness = 1e6;
 constexpr double kMass = 2500;
 constexpr double kSpeed = 0.3;
 
-// A free block of a square metre on a bolt to a held one, pushed along it.
+// A free block of a square metre on a bolt to a fixed one, pushed along it.
 Scene oscillator(double dt, double force_weight) {
   Blocks blocks;
   blocks.blocks = {rectangle({-4, 0}, {-3, 1}), rectangle({0, 0}, {1, 1})};
@@ -39,7 +39,7 @@ Scene oscillator(double dt, double force_weight) {
   return standard_scene_of(blocks, analysis, settings);
 }
 
-// Share of the first amplitude, v0/ω by closed form, that is left in the last of five periods; ω dt = 0.2 at 10 ms.
+// Fraction of the first amplitude, v0/ω by closed form, that is left in the last of five periods; ω dt = 0.2 at 10 ms.
 double amplitude_left(double dt, double force_weight) {
   const double omega = std::sqrt(kStiffness / kMass);
   const double period = 2 * std::numbers::pi / omega;
@@ -55,7 +55,8 @@ TEST(BoltOscillator, keeps_its_amplitude_under_the_default_rule) {
   EXPECT_NEAR(amplitude_left(1e-3, StandardChoices{}.force_weight), 1, 0.001);
 }
 
-// Each step leaves the share 1/√(1 + (ω dt)²/2) of the amplitude (the rule of weights 1/2 and 1, by its determinant).
+// Each step leaves the fraction 1/√(1 + (ω dt)²/2) of the amplitude (the rule of weights 1/2 and 1, by its
+// determinant).
 TEST(BoltOscillator, is_damped_by_the_weight_of_the_elastic_force) {
   const double steps = 4.5 * 2 * std::numbers::pi / 0.2;
   EXPECT_NEAR(amplitude_left(1e-2, 1), std::pow(1 + 0.2 * 0.2 / 2, -steps / 2), 0.06);

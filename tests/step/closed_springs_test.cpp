@@ -1,5 +1,5 @@
-// One rigid block on two springs: each step by the rule of a spring that was closed before, at rest soon where the step
-// is too long for it.
+// One rigid block on two springs: each step by the rule of a spring that was closed before, soon in equilibrium if the
+// step is too long for it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ constexpr double kGravity = 9.81;
 constexpr double kMass = 2500;  // of a square metre
 constexpr double kStep = 0.01;
 
-// A square metre on a floor that is held; two springs with ω dt = `followed` together.
+// A square metre on a fixed floor; two springs with ω dt = `followed` together.
 Scene on_springs(double followed, ImpactLaw impact = ImpactLaw::jump) {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, 0}, {1, 1})};
@@ -90,7 +90,7 @@ TEST(ClosedSprings, what_a_step_cannot_follow_comes_to_rest_on_the_compressed_sp
     EXPECT_NEAR(memory.normal, kMass * kGravity / 2, 1e-5 * kMass * kGravity);
 }
 
-// What rings down is the algorithm's loss, and nothing else: no work is made.
+// The energy that vanishes is the loss of the algorithm; no work is created.
 TEST(ClosedSprings, what_rings_down_is_in_the_ledger_as_algorithmic_loss) {
   StandardStepper stepper(on_springs(100));
   LedgerSums sums;
@@ -106,8 +106,8 @@ TEST(ClosedSprings, what_rings_down_is_in_the_ledger_as_algorithmic_loss) {
   EXPECT_LE(sums.energy_closure(), 1e-9);
 }
 
-// A column that leans by half a radian falls about its corner: the normal of the floor has no part in what its corner
-// does.
+// A column that leans by half a radian falls about its corner: the normal of the floor has no effect on the motion of
+// its corner.
 TEST(ClosedSprings, a_block_that_turns_about_its_corner_loses_little_and_in_second_order) {
   double before = 0;
   for (const double dt : {1e-2, 5e-3}) {
@@ -137,7 +137,7 @@ TEST(ClosedSprings, a_block_that_turns_about_its_corner_loses_little_and_in_seco
   }
 }
 
-// A floor that one point holds and another drives gives way to the dashpots no more than it would to any force.
+// A floor fixed at one point and driven at another gives way to the dashpots no more than to any force.
 TEST(ClosedSprings, a_block_on_a_driven_floor_moves_with_it) {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, 0}, {1, 1})};

@@ -1,4 +1,4 @@
-// The start of blocks on springs: forces that fit the gaps, so that nothing rings, creeps or is kicked.
+// The compatible start of blocks on springs: forces that fit the gaps, so that nothing oscillates, creeps or is kicked.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/compatible_start.hpp"
 
@@ -32,7 +32,7 @@ Blocks column_on_slope() {
   return scene;
 }
 
-/// A block of 2 m² under a held one, on two bolts of 1 MN/m at a quarter and three quarters of its width.
+/// A block of 2 m² under a fixed one, on two bolts of 1 MN/m at a quarter and three quarters of its width.
 Blocks hung_block(double pretension, double strength) {
   Blocks scene;
   scene.blocks = {support::rectangle({0, 4}, {2, 5}), support::rectangle({0, 0}, {2, 1})};
@@ -67,8 +67,8 @@ double first_acceleration() {
 
 }  // namespace
 
-// A heel pressed into its spring by the shift of the toe would throw the column over at 7e-4 rad/s, 30 times as fast as
-// it is after these steps.
+// A heel pressed into its spring by the shift of the toe would throw the column over at 7e-4 rad/s, 30 times its speed
+// after these steps.
 TEST(CompatibleStart, the_heel_of_a_toppling_column_on_springs_gives_it_no_spin) {
   for (const BlockBasis basis : {BlockBasis::rigid, BlockBasis::affine}) {
     Analysis analysis = plain_analysis(kStep, 100);
@@ -86,8 +86,8 @@ TEST(CompatibleStart, the_heel_of_a_toppling_column_on_springs_gives_it_no_spin)
   }
 }
 
-// Three points an edge leave one of the normal forces open to a rigid block. A share of ringing makes it slip by
-// μ g/ω for ever where friction just holds.
+// Three points per edge leave one of the normal forces open to a rigid block. Part of an oscillation makes it slip by μ
+// g/ω for ever if friction just holds.
 TEST(CompatibleStart, a_block_on_springs_stays_where_friction_just_holds_it) {
   for (const BlockBasis basis : {BlockBasis::rigid, BlockBasis::affine}) {
     for (const double penalty_factor : {1, 10, 100}) {
@@ -118,8 +118,8 @@ TEST(CompatibleStart, the_start_is_reported) {
             "as the file has it");
 }
 
-// Each bolt bears half the weight, and has the length of that; the block, stretched by its own weight, by 1.2 µm. A
-// bolt that has half the weight by its pretension gets this alone.
+// Each bolt carries half the weight, and has the length of that; the block, stretched by its own weight, by 1.2 µm. A
+// bolt whose pretension is half the weight gets this alone.
 TEST(CompatibleStart, a_hung_block_is_in_balance_with_its_bolts) {
   const Analysis analysis = of_hung_block();
   for (const double pretension : {0.0, 0.3 * kWeight, 0.5 * kWeight}) {
@@ -132,7 +132,7 @@ TEST(CompatibleStart, a_hung_block_is_in_balance_with_its_bolts) {
   }
 }
 
-// Two per cent either side of what is borne.
+// Two per cent either side of the carried load.
 TEST(CompatibleStart, a_bolt_that_the_weight_breaks_is_not_balanced) {
   EXPECT_NEAR(drop_of(hung_block(0, 1.02 * kWeight / 2), 0.1), 0, 1e-12);
   const double omega = std::sqrt(2 * kBolt / (kWeight / 9.81));
@@ -140,8 +140,8 @@ TEST(CompatibleStart, a_bolt_that_the_weight_breaks_is_not_balanced) {
               2e-5);
 }
 
-// Contacts bear what they can: the bolts of a block on a floor stay as the file has them, and so does a pretension that
-// pulls.
+// Contacts carry what they can: the bolts of a block on a floor keep the values of the file, and so does a pretension
+// that pulls.
 TEST(CompatibleStart, bolts_that_the_loads_do_not_stretch_stay_as_they_are) {
   const Analysis analysis = of_hung_block();
   Blocks scene = hung_block(100, 0);
@@ -153,9 +153,9 @@ TEST(CompatibleStart, bolts_that_the_loads_do_not_stretch_stay_as_they_are) {
     EXPECT_NEAR(bolt.force, 100, 3) << "the block gives by 2.4 µm under its weight";
 }
 
-// A block of a millionth of the mass between two heavy ones: forces were once judged by what they do to the light one,
-// so that none of the weight was borne, and shifts left 4 % of the gaps. Springs let the column ring by 1 % for a
-// second.
+// A block of a millionth of the mass between two heavy ones. Forces must not be judged by their effect on the light
+// one: then none of the weight was carried, and shifts left 4 % of the gaps. Springs let the column oscillate by 1 %
+// for a second.
 TEST(CompatibleStart, a_light_block_between_heavy_ones_bears_the_upper_one) {
   constexpr double kHeavy = 2.6e6, kLight = 2.6;
   for (const Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
@@ -185,7 +185,7 @@ TEST(CompatibleStart, a_light_block_between_heavy_ones_bears_the_upper_one) {
   }
 }
 
-// Three bolts are one more than statics needs: each pulls by its stiffness, and together they bear the weight.
+// Three bolts are one more than statics needs: each pulls by its stiffness, and together they carry the weight.
 TEST(CompatibleStart, three_bolts_share_the_weight_by_their_stiffness) {
   const Analysis analysis = of_hung_block();
   for (const double middle : {1.0, 10.0, 0.1}) {
@@ -199,8 +199,8 @@ TEST(CompatibleStart, three_bolts_share_the_weight_by_their_stiffness) {
   }
 }
 
-// Weight that presses a block through itself, and lengths whose forces underflow, gave frames of NaN or of blocks
-// inside out.
+// Weight that presses a block through itself, and lengths whose forces underflow, must not give frames of NaN or of
+// inverted blocks.
 TEST(CompatibleStart, a_start_that_is_none_leaves_the_scene_as_drawn_and_ends_the_run) {
   Blocks blocks;
   blocks.blocks = {support::rectangle({0, -1}, {10, 0}), support::rectangle({1, 0}, {2, 1})};

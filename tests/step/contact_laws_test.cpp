@@ -1,4 +1,4 @@
-// When a bonded face is sheared off: its points together, not one by one.
+// Shear failure of a bonded face: its points fail together, not one by one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/contact_laws.hpp"
 
@@ -7,7 +7,7 @@
 namespace keyblock::contact_laws_test {
 namespace {
 
-// Two points of one face, each half of c L = 100, with friction 0.5.
+// Two points of one face, each with half of c L = 100, and friction 0.5.
 Touches ends_of_a_face() {
   Touches ends(2);
   ends[0].facing = {{1}, {5}, 0};

@@ -1,4 +1,4 @@
-// Closed contacts are found by their touch, else by the facing of their twin.
+// Closed contacts are found by the name of their contact, else by the facing of their twin.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/contact_memory.hpp"
 
@@ -47,7 +47,7 @@ TEST(ClosedContacts, a_twin_on_the_other_edge_of_a_facing_inherits) {
   EXPECT_EQ(closed.of(touch(5, 9, {{10}, {20}, 2})), nullptr);
   EXPECT_EQ(closed.of(touch(5, 9)), nullptr);
   const ClosedContacts two({{touch(8, 2, kFacing), force(6)}, {touch(1, 2, kFacing), force(4)}});
-  EXPECT_EQ(two.of(touch(5, 9, kFacing))->normal, 6);  // that of the last touch by name
+  EXPECT_EQ(two.of(touch(5, 9, kFacing))->normal, 6);  // that of the last contact by name
   EXPECT_EQ(two.of(touch(1, 2, kFacing))->normal, 4);
 }
 

@@ -1,4 +1,4 @@
-// Steps whose size is chosen by their error or by displacement, against closed forms.
+// Steps whose size is chosen by their error or by displacement, compared with closed forms.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/controlled_step.hpp"
 
@@ -31,7 +31,7 @@ Settings controlled(const Analysis& analysis, StepControl control, double tolera
   return settings;
 }
 
-// dda-05: distance error of a block that friction stops from 3 m/s, output once in 0.1 s.
+// dda-05: distance error of a block that friction stops from 3 m/s, output once per 0.1 s.
 double stopping_error(double tolerance) {
   const double a = radians(15);
   Analysis analysis = plain_analysis(0.1, 1);
@@ -129,7 +129,7 @@ TEST(ControlledStep, error_falls_with_the_tolerance) {
   }
 }
 
-// A tolerance that no part of the least size meets: the step is made, and says so.
+// A tolerance that no part of the least size meets: the step is made, with a warning.
 TEST(ControlledStep, parts_that_are_cut_no_further_are_counted) {
   const double a = radians(30);
   Analysis analysis = plain_analysis(0.1, 1);

@@ -1,4 +1,4 @@
-// A column of diamonds, which has nothing but corners and the faces between them, falls apart on a held floor.
+// A column of diamonds, with contacts of corners and faces only, falls apart on a fixed floor.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ constexpr int kRows = 14;
 constexpr double kDensity = 2500;
 const double kHalf = kSide / std::sqrt(2.0);  // diagonal
 
-// Rows of three and of two squares of side 0.4 that stand on their corners, face on face.
+// Rows of three and of two squares of side 0.4 on their corners, face on face.
 Blocks column() {
   Blocks scene;
   scene.blocks = {rectangle({-12, -1}, {12, 0})};
@@ -58,10 +58,10 @@ double separation(const Corners& a, const Corners& b) {
 }
 
 struct Pile {
-  double deepest = 0;  ///< of two blocks in one another, by separating axes
+  double deepest = 0;  ///< of two overlapping blocks, by separating axes
   double rise = 0;     ///< of the energy over the least before
   double lowest = 0;   ///< corner
-  double reach = 0;    ///< of the farthest centres to both sides, in the mean
+  double reach = 0;    ///< of the farthest centres to both sides, on average
 };
 
 Corners corners_of(const Scene& scene, const State& state, ElementIndex e) {
@@ -117,9 +117,9 @@ Pile fallen(double dt, double time) {
   return pile;
 }
 
-// Faces meet at nodes of four blocks, of which two touch with their corners alone. Such pairs were once lost while the
-// glue of the start dissolved, and blocks slipped past each other. Square corners with arcs between lines that begin at
-// the rounding from them, a thousandth of half the side, overlap by up to √2 - 1 of it.
+// Faces meet at nodes of four blocks, of which two have contact with their corners alone. Such pairs must not get lost
+// while the glue of the initial state dissolves, or blocks slip past each other. Square corners with arcs between lines
+// that begin at the rounding from them, a thousandth of half the side, overlap by up to √2 - 1 of it.
 TEST(CornerPile, the_settled_start_leaves_no_block_in_another) {
   const Scene scene = column_scene(2e-3, 1);
   const StandardStepper stepper(scene);
@@ -127,13 +127,13 @@ TEST(CornerPile, the_settled_start_leaves_no_block_in_another) {
   EXPECT_LT(deepest_at(scene, stepper.state()), (std::sqrt(2.0) - 1) * 1e-3 * kSide / 2);
 }
 
-// Blocks once sank into each other by a third of their size and fell through the floor. Later a jump drove corners past
-// each other that did not lie over their edges before it, or pushed a block off one neighbour into another one: 9 mm at
-// 3.9 ms. A column that falls is chaotic, but of sixty runs, ten steps and six changes of round-off, none went 0.4 % of
-// a side deep.
+// Blocks must not penetrate. They once did by a third of their size, and fell through the floor. Later a jump drove
+// corners past each other that did not lie over their edges before it, or pushed a block off one neighbour into another
+// one: 9 mm at 3.9 ms. A falling column is chaotic, but of sixty runs, ten steps and six changes of round-off, none
+// went 0.4 % of a side deep.
 // Granular columns of this shape run out by about 1.9 a^(2/3) = 5 of their half-widths (Lube, Huppert, Sparks and
-// Freundt 2005: a = H/r0 = 5, axially symmetric and of many grains). How far the outermost blocks roll is chance too,
-// between 3.2 and 5.4, so that the test looks at the mean of six steps.
+// Freundt 2005: a = H/r0 = 5, axially symmetric and of many grains). The path of the outermost blocks is chance too,
+// between 3.2 and 5.4, so that the test takes the mean of six steps.
 TEST(CornerPile, diamonds_keep_their_contacts_and_come_to_rest_on_the_floor) {
   const double weight = 35 * kDensity * kSide * kSide * 9.81;
   const double height = (kRows + 1) * kHalf;

@@ -1,4 +1,4 @@
-// Contact of bodies on covers with blocks and with each other in profile `standard`, against theory.
+// Contact of NMM bodies with blocks and with each other in profile `standard`, compared with theory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ std::string name_of_enforcement(Enforcement enforcement) {
   return enforcement == Enforcement::penalty ? "springs" : "multipliers";
 }
 
-// Weighted by area, of the elements on covers.
+// Mean weighted by area, of the elements on covers.
 Point mean_place(const StandardStepper& stepper) {
   const State& state = stepper.state();
   Point sum;
@@ -61,7 +61,8 @@ Scene slope(CoverFunctions functions, int half_rows, Enforcement enforcement) {
                         functions);
 }
 
-// Benchmark dda-03: g/2 (sin α − cos α tan φ) t², no turning and no rise off the slope. The limit is that of the block.
+// Benchmark dda-03: g/2 (sin α − cos α tan φ) t², no rotation and no rise off the slope. The limit is that of the
+// block.
 TEST(CoverContact, a_block_on_covers_slides_as_coulomb_says) {
   constexpr std::array<std::pair<CoverFunctions, int>, 3> kMeshes{
       {{CoverFunctions::constant, 2}, {CoverFunctions::derived, 1}, {CoverFunctions::linear, 1}}};
@@ -158,7 +159,7 @@ Scene colliding_bars(int half_rows, double restitution, double dt) {
 struct Collision {
   double time = 0;       ///< in contact
   double exchanged = 0;  ///< speed of the first bar over that of the second before
-  double lost = 0;       ///< share of the energy
+  double lost = 0;       ///< fraction of the energy
 };
 
 Collision collision_of(const Scene& scene, double dt) {
@@ -186,8 +187,8 @@ Collision collision_of(const Scene& scene, double dt) {
   return found;
 }
 
-// Wave theory of two equal bars (Saint-Venant 1867): they part after 2 L/c with their speeds exchanged, and nothing is
-// lost. What a mesh loses is the motion of its layer at the faces.
+// Wave theory of two equal bars (Saint-Venant 1867): they part after 2 L/c with their speeds exchanged, without loss.
+// The loss of a mesh is the motion of its layer at the faces.
 TEST(CoverContact, bars_on_covers_exchange_their_speeds_in_the_time_of_the_wave) {
   constexpr double kStep = 5e-5;
   double lost = 1;
@@ -202,7 +203,7 @@ TEST(CoverContact, bars_on_covers_exchange_their_speeds_in_the_time_of_the_wave)
   }
 }
 
-// With a restitution of their own, too, faces that meet make no energy and keep momentum.
+// With a restitution of their own, too, faces that meet create no energy and keep momentum.
 TEST(CoverContact, bodies_on_covers_that_rebound_make_no_energy) {
   for (const double restitution : {0.0, 0.5, 1.0}) {
     const Ledger ledger = ledger_of(colliding_bars(2, restitution, 1e-4), 0.012);
@@ -216,7 +217,7 @@ TEST(CoverContact, bodies_on_covers_that_rebound_make_no_energy) {
   }
 }
 
-// A square that falls on a soft slab whose foot is held by the problem itself.
+// A square that falls on a soft slab whose foot is fixed by the problem itself.
 Scene square_over_slab(int half_rows) {
   Analysis analysis = plain_analysis(1e-3, 1);
   analysis.block_materials.push_back(analysis.block_materials[0]);
@@ -233,7 +234,8 @@ Scene square_over_slab(int half_rows) {
   return scene;
 }
 
-// The slab is struck, not shot off its support; energy only falls, every loss is booked, and a finer mesh loses less.
+// The slab stays on its support under the impact. Energy only falls, the energy balance has every loss, and a finer
+// mesh loses less.
 TEST(CoverContact, a_body_held_by_its_supports_takes_up_what_falls_on_it) {
   const double fallen = kDensity * kGravity * 0.05;
   double lost = fallen;

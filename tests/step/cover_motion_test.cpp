@@ -1,4 +1,4 @@
-// Bodies on covers that fly, spin, swing and bend far, against closed forms: benchmarks nmm-02 and nmm-06, the
+// NMM bodies that fly, spin, oscillate and bend far, compared with closed forms: benchmarks nmm-02 and nmm-06, the
 // elastica.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ StepRule weighted(double force_weight, double dt) {
   return step_rule(choices, dt);
 }
 
-/// A unit square of modulus 1e6 and density 1000 (waves 33 m/s) on a mesh turned by 10°.
+/// A unit square of modulus 1e6 and density 1000 (waves 33 m/s) on a mesh rotated by 10°.
 Continuum square(CoverFunctions functions, double h) {
   Continuum continuum;
   continuum.manifold = cut_body({rectangle_corners({0, 0}, {1, 1})}, MeshSetting{h});
@@ -71,7 +71,7 @@ TEST(CoverMotion, free_fall_is_exact) {
   }
 }
 
-/// Spins at 2 rad/time, sent off without strain: it swells and shrinks by ρ ω² / E = 0.4 %.
+/// Spins at 2 rad/time, without initial strain: it swells and shrinks by ρ ω² / E = 0.4 %.
 struct Spin {
   double energy = 0;    ///< largest relative change
   double momentum = 0;  ///< of both; the linear one over √(2 m T), T the kinetic energy
@@ -116,8 +116,8 @@ TEST(CoverMotion, every_kind_of_cover_functions_spins_without_loss) {
   }
 }
 
-// The vibration of the sudden start dies away (θ = 1) into steady spinning, whose energy the weight does not touch:
-// what is lost is no more than the elastic energy of the start's vibration, 0.1 % of all.
+// The vibration of the sudden start dies away (θ = 1) into steady spinning, whose energy the weight does not change.
+// The loss is no more than the elastic energy of the first vibration, 0.1 % of the whole.
 TEST(CoverMotion, a_weight_above_one_half_damps_strain_and_keeps_momenta) {
   const Spin worst = spin(CoverFunctions::derived, 1, 1000);
   EXPECT_LT(worst.momentum, 1e-10);
@@ -125,8 +125,8 @@ TEST(CoverMotion, a_weight_above_one_half_damps_strain_and_keeps_momenta) {
   EXPECT_LT(worst.energy, 1e-3);
 }
 
-// Stress damping acts on the strain's rate: a steady turn is free of it. Fixed matrices of the start would stop it
-// within a turn.
+// Stress damping acts on the strain rate: a steady rotation is free of it. Fixed matrices of the initial state would
+// stop it within a turn.
 TEST(CoverMotion, stiffness_damping_leaves_a_turning_body_alone) {
   const double dt = 0.01;
   const CoversAlone alone(square(CoverFunctions::derived, 0.6), 0.01);
@@ -145,8 +145,8 @@ TEST(CoverMotion, stiffness_damping_leaves_a_turning_body_alone) {
   EXPECT_NEAR(energy() / settled, 1, 1e-10);
 }
 
-// nmm-06: the beam of nmm-04 with E 1e9, ρ 2500 under a load put on at once. 1.0149 Hz is that of the plane body (2-D,
-// converged).
+// nmm-06: the beam of nmm-04 with E 1e9, ρ 2500 under a suddenly applied load. 1.0149 Hz is that of the plane body
+// (2-D, converged).
 TEST(CoverMotion, a_beam_swings_at_its_frequency_to_twice_the_static_deflection) {
   ContinuumBenchmark beam = clamped_cantilever(CoverFunctions::derived, 3);
   beam.continuum.materials[0] = elastic_material(1e9, 0.3);
@@ -186,20 +186,18 @@ TEST(CoverMotion, a_beam_swings_at_its_frequency_to_twice_the_static_deflection)
     }
     before = off;
   }
-  // Of Bernoulli's beam 97.07 % of the tip's deflection are of the first mode: twice that is sure, twice all of it the
-  // limit.
+  // In Bernoulli's beam 97.07 % of the tip's deflection are of the first mode: twice that is certain, twice all of it
+  // the limit.
   EXPECT_GT(highest, 2 * 0.97);
   EXPECT_LT(highest, 2.001);
   EXPECT_NEAR(peak, 2, 0.001) << "of the first";
-  // The trapezoidal rule swings at 2/dt atan(ω dt/2), 0.03 % slower here.
+  // The trapezoidal rule oscillates at 2/dt atan(ω dt/2), 0.03 % slower here.
   const double period = (last_crossing - first_crossing) / (crossings - 1);
   EXPECT_NEAR(1 / period, std::atan(mode.omega * dt / 2) / (std::numbers::pi * dt), 1e-4);
 }
 
-// Elastica of Bisshopp & Drucker 1945: a thin cantilever under a load P at its end that keeps its direction, P L² / EI
-// = 2 and 5. The deflections are theirs to the digits of Mattiasson 1981, checked by integration of EI κ' = -P cos ψ.
-// Every unknown sent its own way, so that all patterns swing, those that averaged gradients hardly see too: strains of
-// a thousandth, far below what the rock bears, in steps of a third of a wave's time over a side.
+// Every unknown has its own initial velocity, so that all patterns oscillate, also those that averaged gradients miss.
+// Strains are a thousandth, far below the strength of the rock. Steps are a third of a wave's time over a side.
 TEST(CoverMotion, rock_that_may_yield_swings_in_all_patterns_and_keeps_its_energy) {
   Continuum continuum = square(CoverFunctions::constant, 0.3);
   Strength strength;
@@ -227,6 +225,8 @@ TEST(CoverMotion, rock_that_may_yield_swings_in_all_patterns_and_keeps_its_energ
   for (const YieldState& point : motion.points) EXPECT_EQ(point.region, YieldRegion::elastic);
 }
 
+// Elastica of Bisshopp & Drucker 1945: a thin cantilever under a load P at its end that keeps its direction, P L² / EI
+// = 2 and 5. The deflections are theirs to the digits of Mattiasson 1981, checked by integration of EI κ' = -P cos ψ.
 TEST(CoverMotion, a_thin_cantilever_bends_as_the_elastica) {
   const double height = 0.01;
   Continuum continuum;

@@ -1,4 +1,4 @@
-// Damping of block materials: rigid motion decays under mass damping, a strain mode swings out under either.
+// Damping of block materials: rigid motion decays under mass damping, a strain mode decays under either.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ constexpr double kStress = 1e6;
 // Strain mode of a free square of side 1: M_εε = ρ S_xx = ρ/12.
 const double kFrequency = std::sqrt(12 * kModulus / 2500);
 
-/// Stress xx of a square that lets go of kStress, over kStress, after 1.3 periods.
+/// Stress xx of a released square, over its initial value kStress, after 1.3 periods.
 double stress_left(const Settings& choices, int steps_a_period) {
   const double period = 2 * std::numbers::pi / kFrequency;
   const double dt = period / steps_a_period;
@@ -61,7 +61,7 @@ double stress_left(const Settings& choices, int steps_a_period) {
   return stepper.state().elements[kBlock].stress.xx / kStress;
 }
 
-/// x(t)/x(0) of the oscillator with damping ratio ξ, let go at rest.
+/// x(t)/x(0) of the oscillator with damping ratio ξ, released from rest.
 double oscillator(double ratio, double periods) {
   const double turn = 2 * std::numbers::pi * periods;
   const double damped = std::sqrt(1 - ratio * ratio);
@@ -82,7 +82,7 @@ TEST(Damping, mass_damping_slows_rigid_motion_in_both_profiles) {
   }
 }
 
-// ξ = (a/ω + b ω)/2. The average acceleration stretches the period by (ω dt)²/12: at 200 steps a period and 8.2 rad a
+// ξ = (a/ω + b ω)/2. The average acceleration lengthens the period by (ω dt)²/12: at 200 steps per period and 8.2 rad a
 // phase error of 7e-4.
 TEST(Damping, a_strain_mode_swings_out_as_the_damped_oscillator) {
   const double ratio = 0.1;
@@ -122,7 +122,7 @@ TEST(Damping, materials_are_damped_apart) {
   }
 }
 
-// A step of 50/ω₁ cannot follow the strains of a square that is thrown on a rough floor: they would turn over in each.
+// A step of 50/ω₁ cannot follow the strains of a square that is thrown on a rough floor: they would reverse in each.
 TEST(Damping, a_block_that_has_stopped_keeps_no_velocity) {
   const double dt = 50 / kFrequency;
   Analysis analysis = plain_analysis(dt, 1);

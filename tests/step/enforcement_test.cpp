@@ -1,4 +1,4 @@
-// Rings of touching blocks are found, and decide between multipliers and springs where neither is asked for.
+// Rings of blocks in contact are found, and decide between multipliers and springs if the settings request neither.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/enforcement.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 using support::plain_analysis;
 using support::rectangle;
 
-/// A held floor, two storeys of blocks side by side on it, and a lone block above.
+/// A fixed floor, two storeys of blocks side by side on it, and a lone block above.
 Model wall(int columns, int storeys) {
   Blocks blocks;
   blocks.blocks = {rectangle({-1, -1}, {9, 0}), rectangle({0, 20}, {1, 21})};
@@ -35,7 +35,7 @@ TEST(Enforcement, a_stack_has_no_ring_and_two_columns_that_touch_have_one) {
   EXPECT_TRUE(has_ring(wall(2, 1), touching_pairs(wall(2, 1))));
 }
 
-// Two held floors side by side are one support: the block across them stands in no ring.
+// Two fixed floors side by side are one support: the block across them is in no ring.
 TEST(Enforcement, held_blocks_count_as_one) {
   Blocks blocks;
   blocks.blocks = {rectangle({0, -1}, {2, 0}), rectangle({2, -1}, {4, 0}), rectangle({1, 0}, {3, 1})};

@@ -26,7 +26,7 @@ Analysis heavy(double dt, int steps) {
   return analysis;
 }
 
-// A frame of 3 × 3 with a hole of 2 × 2 on a held floor, and a square metre in the hole, `above` its sill.
+// A frame of 3 × 3 with a hole of 2 × 2 on a fixed floor, and a square metre in the hole, `above` its sill.
 Blocks frame_and_block(double above) {
   Blocks scene;
   scene.blocks = {rectangle({-2, -1}, {5, 0}), rectangle({0, 0}, {3, 3}),
@@ -36,7 +36,7 @@ Blocks frame_and_block(double above) {
   return scene;
 }
 
-// Springs of 10 E bear both: (5 + 1) ρ g on the floor, ρ g on the sill.
+// Springs of 10 E carry both: (5 + 1) ρ g on the floor, ρ g on the sill.
 TEST(HollowBlock, bears_what_lies_in_its_hole) {
   const Analysis analysis = heavy(2e-3, 500);
   Settings settings = standard_settings(analysis);

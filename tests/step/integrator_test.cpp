@@ -1,5 +1,4 @@
-// Spectral radii of the integrators on one spring and mass, against closed forms (benchmark dda-12) and a matrix of its
-// own.
+// Spectral radii of the integrators on one spring and mass, compared with closed forms (benchmark dda-12) and a matrix.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/integrator.hpp"
 
@@ -51,7 +50,7 @@ Body oscillator(double omega_dt) {
   return body;
 }
 
-// What a step makes of (q, dt v, dt² a), column by column.
+// Effect of a step on (q, dt v, dt² a), column by column.
 Eigen::Matrix3d amplification(const StandardChoices& choices, double omega_dt) {
   const StepRule rule = step_rule(choices, kStep);
   const Body body = oscillator(omega_dt);
@@ -97,8 +96,8 @@ TEST(Integrator, shi_damps_an_oscillator_by_the_closed_form) {
   }
 }
 
-// (1 + Ω²) u1 = u0 − Ω² q0, q1 = q0 + (u0 + u1)/2 with u = dt v: the determinant is (1 + Ω²/2)/(1 + Ω²), the trace (1 +
-// ½)/(1 + Ω²) + ½, and the roots are a conjugate pair wherever they matter.
+// (1 + Ω²) u1 = u0 − Ω² q0, q1 = q0 + (u0 + u1)/2 with u = dt v. The determinant is (1 + Ω²/2)/(1 + Ω²), the trace
+// (1 + ½)/(1 + Ω²) + ½. The roots are a conjugate pair in the range of the test.
 TEST(Integrator, strains_that_follow_the_rate_are_damped_by_the_closed_form_and_never_turned_over_for_ever) {
   StandardChoices choices = weighted(0.5, 0.5);
   choices.strain_damping = StrainDamping::critical;
@@ -120,7 +119,7 @@ TEST(Integrator, newmark_damps_by_the_product_of_its_roots) {
     EXPECT_NEAR(spectral_radius(newmark(0.36, 0.7), w), std::sqrt(1 - 0.2 * w * w / (1 + 0.36 * w * w)), 1e-9) << w;
 }
 
-// At the limit all three roots meet at −ρ∞. An eigenvalue is known there to the cube root of round-off only; the sum
+// At the limit all three roots meet at −ρ∞. There an eigenvalue is known to the cube root of round-off only; the sum
 // and the product of the roots are known in full.
 TEST(Integrator, generalised_alpha_leaves_rho_infinity_of_high_frequencies) {
   for (double rho : {0.0, 0.3, 0.5, 0.8, 1.0}) {
@@ -140,7 +139,7 @@ TEST(Integrator, generalised_alpha_damps_as_the_equations_of_its_paper) {
   }
 }
 
-// Shi's step is Newmark's with β = 1/2 and γ = 1: the same sums but for round-off.
+// Shi's step is Newmark's with β = 1/2 and γ = 1: the same sums up to round-off.
 TEST(Integrator, shi_is_a_newmark_step) {
   for (double w : {0.01, 1.0, 100.0})
     EXPECT_LE((amplification(weighted(0.5, 1), w) - amplification(newmark(0.5, 1), w)).norm(), 1e-13 * w * w + 1e-14);

@@ -1,4 +1,4 @@
-// The ledger closes to round-off, and each of its terms has the sign and the amount that theory gives it.
+// The energy balance closes to round-off, and each of its terms has the sign and the amount of theory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/ledger.hpp"
 
@@ -24,7 +24,7 @@ using support::standard_settings;
 
 constexpr double kGravity = 9.81;
 constexpr double kMass = 2500;       // of a square metre of plain_analysis
-constexpr double kRoundOff = 1e-11;  // of the largest energy in play; measured 3e-13 at most
+constexpr double kRoundOff = 1e-11;  // of the largest energy in the run; measured 3e-13 at most
 
 constexpr std::array<BlockBasis, 2> kBases{BlockBasis::rigid, BlockBasis::affine};
 constexpr std::array<Enforcement, 2> kEnforcements{Enforcement::lagrange, Enforcement::penalty};
@@ -185,8 +185,8 @@ TEST(Ledger, an_impact_takes_what_restitution_leaves_out) {
   }
 }
 
-// The overlap is at most the way of one step; what lifts the block to where its rebound would have it is what fall and
-// rebound have too much.
+// The overlap is at most the displacement of one step. The energy that lifts the block to the height of its rebound is
+// the surplus of fall and rebound.
 TEST(Ledger, a_drop_loses_to_the_impact_and_projection_stays_within_one_step_of_fall) {
   for (double dt : {1e-3, 1e-4}) {
     for (double e : {0.0, 0.6, 1.0}) {
@@ -203,8 +203,8 @@ TEST(Ledger, a_drop_loses_to_the_impact_and_projection_stays_within_one_step_of_
   }
 }
 
-// σ²A/(2E) of uniaxial stress; with Shi's weight it goes to the algorithm, with damping to damping but for what strains
-// that follow the rate lose to the algorithm, else nowhere.
+// σ²A/(2E) of uniaxial stress. With Shi's weight it goes to the algorithm, else it stays. With damping it goes to
+// damping, except the part that strains following the rate lose to the algorithm.
 TEST(Ledger, the_strain_energy_of_a_released_block_goes_where_the_choices_send_it) {
   const auto end_of = [](const Scene& scene) {
     const Ledger ledger = ledger_of(scene, 0.02);
@@ -275,7 +275,7 @@ TEST(Ledger, a_bolt_that_breaks_takes_what_it_held) {
   const double weight = kMass * kGravity;
   for (double share : {1.5, 2.5}) {
     Blocks blocks = block_above_floor(0);
-    blocks.blocks[1] = rectangle({0, -8}, {1, -7});  // below the held block
+    blocks.blocks[1] = rectangle({0, -8}, {1, -7});  // below the fixed block
     blocks.bolts = {{{{0.5, -0.9}, {0.5, -7.5}}, 0, 1, kStiffness, share * weight, 0}};
     const Analysis analysis = plain_analysis(1e-4, 1);
     Settings settings = standard_settings(analysis);
@@ -294,7 +294,7 @@ TEST(Ledger, a_bolt_without_stiffness_pulls_with_its_pretension) {
   const double weight = kMass * kGravity;
   for (StartRule start : {StartRule::sudden, StartRule::compatible}) {
     Blocks blocks = block_above_floor(0);
-    blocks.blocks[1] = rectangle({0, -8}, {1, -7});  // below the held block
+    blocks.blocks[1] = rectangle({0, -8}, {1, -7});  // below the fixed block
     blocks.bolts = {{{{0.5, -0.9}, {0.5, -7.5}}, 0, 1, 0, 0, 1.5 * weight}};
     const Analysis analysis = plain_analysis(1e-3, 1);
     Settings settings = standard_settings(analysis);

@@ -1,5 +1,5 @@
-// Patches of linear and quadratic fields, rigid motion, rates of convergence, and what is refused, on meshes that no
-// side of the body follows.
+// Patches of linear and quadratic fields, rigid motion, rates of convergence, and refusals, on meshes that no side of
+// the body follows.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/bodies/linear_static.hpp"
 
@@ -28,7 +28,7 @@ ExactField polynomial_field(double quadratic) {
   return field;
 }
 
-/// The benchmark's plate (0.24 × 0.12, nmm-01), every side held by the exact field, which a body force keeps in
+/// The benchmark's plate (0.24 × 0.12, nmm-01), every side fixed by the exact field, which a body force keeps in
 /// equilibrium.
 Continuum patch(CoverFunctions functions, const MeshSetting& mesh, double quadratic, Plane plane = Plane::stress) {
   Continuum continuum;
@@ -119,7 +119,7 @@ TEST(LinearStatic, a_rigid_motion_makes_no_stress) {
   }
 }
 
-// Pulled at both ends by 1000 (ν 0.25), held only by lines of symmetry: sxx 1000, u = x/1000, v = -y/4000.
+// Pulled at both ends by 1000 (ν 0.25), fixed only by lines of symmetry: sxx 1000, u = x/1000, v = -y/4000.
 TEST(LinearStatic, tractions_and_lines_of_symmetry_give_a_uniaxial_bar) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
     Continuum continuum = patch(functions, sliver_mesh(1e-8), 0);
@@ -134,7 +134,7 @@ TEST(LinearStatic, tractions_and_lines_of_symmetry_give_a_uniaxial_bar) {
   }
 }
 
-// A corner held on both sides and cut small along one or both is where the stabilisation is weakest.
+// A corner fixed on both sides and cut small along one or both is where the stabilisation is weakest.
 TEST(LinearStatic, corners_cut_small_stay_definite) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
     for (const double share : {0.5, 1e-2, 1e-8}) {
@@ -180,7 +180,7 @@ TEST(LinearStatic, quadratic_cover_functions_bend_a_cantilever_exactly) {
 TEST(LinearStatic, derived_gradients_reach_the_benchmarks_with_few_unknowns) {
   const struct {
     ContinuumBenchmark benchmark;
-    double tolerance;  // of the reference: the issue's own
+    double tolerance;  // of the reference: that of the problem itself
   } cases[] = {{exact_cantilever(CoverFunctions::derived, 3), 1e-3},
                {clamped_cantilever(CoverFunctions::derived, 4.3), 1e-3},
                {supported_beam(CoverFunctions::derived, 0.25), 5e-3},

@@ -1,4 +1,4 @@
-// What materials choose for themselves reaches the steps: velocity carried over, restitution, enforcement.
+// Choices of materials reach the steps: velocity carried over, restitution, enforcement.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ Analysis two_joints(double dt) {
 
 }  // namespace
 
-// g t²/2 for the one, for the other n steps of g dt²/2 from rest.
+// g t²/2 for the first, for the second n steps of g dt²/2 from rest.
 TEST(MaterialChoices, a_material_that_carries_no_velocity_over_creeps_beside_one_that_falls) {
   const double dt = 0.01;
   Analysis analysis = plain_analysis(dt, 1);
@@ -74,7 +74,7 @@ TEST(MaterialChoices, each_joint_material_rebounds_by_its_own_restitution) {
   EXPECT_NEAR(stepper.state().elements[{3}].velocity[1], 0.3, 1e-9);
 }
 
-// A rigid block of weight W on two springs p sinks by W/2p; on multipliers it does not.
+// A rigid block of weight W on two springs p settles by W/2p; on multipliers it does not.
 TEST(MaterialChoices, joints_with_springs_give_and_joints_with_multipliers_do_not) {
   const Analysis analysis = two_joints(1e-3);
   Settings settings = support::standard_settings(analysis);

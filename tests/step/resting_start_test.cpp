@@ -1,5 +1,5 @@
-// The start at rest of scenes with bodies on covers: what something bears stays where statics puts it, the rest falls,
-// slides, swings or flies as it would have done.
+// The equilibrium start of scenes with NMM bodies: supported bodies stay at their static equilibrium; the others fall,
+// slide, oscillate or fly as they would without it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ Settings asked(const Analysis& analysis, StartRule start = StartRule::compatible
   return settings;
 }
 
-/// With bodies on covers held along a part of their boundary.
+/// With NMM bodies fixed along a part of their boundary.
 Scene held(Scene scene, const BoundaryPart& along) {
   Continuum continuum = *scene.model.continuum;
   continuum.prescribed = {{along, Held::both, [](Point, Point) { return Point{}; }}};
@@ -66,7 +66,7 @@ double farthest_way(const State& from, const State& to) {
   return most;
 }
 
-/// Weighted by area, of the elements of a body that lay above `y`.
+/// Mean weighted by area, of the elements of a body that lay above `y`.
 Point mean_place_above(const StandardStepper& stepper, double y) {
   Point sum;
   double area = 0;
@@ -79,7 +79,8 @@ Point mean_place_above(const StandardStepper& stepper, double y) {
   return (1 / area) * sum;
 }
 
-/// A cantilever of 10 × 1 m from the origin to the right, on covers, and blocks beside it, those in `meshed` on covers.
+/// A cantilever of 10 × 1 m from the origin to the right, on covers, and blocks beside it, those in `meshed` NMM
+/// bodies.
 Scene cantilever(const std::vector<BlockPolygon>& others, const std::vector<int>& meshed, Analysis analysis,
                  const Settings& settings, const std::vector<BlockPoint>& fixed = {}) {
   Blocks blocks;
@@ -103,10 +104,10 @@ double tip_of(const StandardStepper& stepper) {
 
 }  // namespace
 
-// A joint of 40 degrees with friction of 80. What presses and rubs on it bears the weight of what is above, and nothing
-// moves: started suddenly the upper body walks down by millimetres in this time. The search leaves gaps of 1e-9 m under
-// multipliers, for it judges forces alone; the first step closes them. Forces are solved to a hundredth of what the
-// energy is asked for.
+// A joint of 40 degrees with friction of 80. Normal forces and friction on it carry the weight above, and nothing
+// moves; after a sudden start the upper body creeps down by millimetres in this time. The search leaves gaps of 1e-9 m
+// under multipliers, because it checks forces alone; the first step closes them. Forces are solved to a hundredth of
+// the tolerance of the energy.
 class RestOnJoint : public testing::TestWithParam<Enforcement> {};
 
 TEST_P(RestOnJoint, bodies_on_covers_rest_on_a_joint_that_holds_them) {
@@ -137,7 +138,7 @@ TEST_P(RestOnJoint, bodies_on_covers_rest_on_a_joint_that_holds_them) {
 
 INSTANTIATE_TEST_SUITE_P(RestingStart, RestOnJoint, testing::Values(Enforcement::lagrange, Enforcement::penalty));
 
-// Of rock that may yield, whose steps have a tangent of their own, and does not.
+// Elastoplastic rock, whose steps have a tangent of their own, and elastic rock.
 TEST(RestingStart, rock_that_may_yield_rests) {
   Strength strength;
   strength.values = {.cohesion = 1e6, .friction_deg = 30, .dilation_deg = 5};
@@ -187,7 +188,7 @@ TEST(RestingStart, a_cantilever_stays_at_its_static_deflection) {
   EXPECT_NEAR(tip_of(stepper), tip, 1e-7 * bending);
 }
 
-// What falls, or flies at the beam, bears no load at the start and is free; the beam is at rest until it is hit.
+// Bodies that fall, or fly at the beam, carry no initial load and are free; the beam is at rest until it is hit.
 TEST(RestingStart, what_nothing_holds_falls_and_what_has_a_velocity_flies) {
   for (const double speed : {0.0, 3.0}) {
     Analysis analysis = plain_analysis(1e-3, 1);
@@ -226,7 +227,7 @@ TEST(RestingStart, a_block_rests_on_a_body_on_covers) {
   EXPECT_LT(farthest_way(start, stepper.state()), 1e-8);
 }
 
-// A square on one pin: its rest is beneath the pin, and it swings with m g x / (I + m r²).
+// A square on one pin: its equilibrium is beneath the pin, and it oscillates with m g x / (I + m r²).
 TEST(RestingStart, a_pendulum_swings_from_where_it_was_drawn) {
   const Analysis analysis = plain_analysis(1e-4, 1);
   StandardStepper stepper(
@@ -244,7 +245,7 @@ TEST(RestingStart, a_pendulum_swings_from_where_it_was_drawn) {
   EXPECT_NEAR(-turned / (acceleration * 0.01), 1, 0.02);
 }
 
-// σyy = −ρ g (H − y) of the file is in balance with the weight: nothing moves, and the stress stays.
+// σyy = −ρ g (H − y) of the file balances the weight: nothing moves, and the stress stays.
 TEST(RestingStart, stress_of_the_file_that_is_in_balance_is_kept) {
   Analysis analysis = plain_analysis(1e-3, 1);
   analysis.block_materials[0].initial_stress = {0, -kWeight * 2, 0};

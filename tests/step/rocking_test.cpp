@@ -1,4 +1,4 @@
-// A tilted block rocks from corner to corner on a held floor (benchmark dda-16).
+// A tilted block rocks from corner to corner on a fixed floor (benchmark dda-16).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using support::turned_rectangle;
 
 constexpr double kGravity = 9.81;
 constexpr std::size_t kPeaks = 4;
-constexpr double kClose = 0.005;  // asked for at 1 ms; 0.003 was measured at most
+constexpr double kClose = 0.005;  // required at 1 ms; 0.003 was measured at most
 
 struct Shape {
   double width = 0;
@@ -26,8 +26,8 @@ struct Shape {
   double tilt = 0;  ///< rad
 };
 
-// The heights of the first peaks after the start: θ'' = -3g/(4R) sin(α - θ) between impacts, tan α = b/h, and at each
-// the rate falls to 1 - 1.5 sin² α of what it was (Housner 1963). Steps of 10 μs by Störmer and Verlet.
+// The heights of the first peaks: θ'' = -3g/(4R) sin(α - θ) between impacts, tan α = b/h, and at each the rate falls to
+// 1 - 1.5 sin² α of its value (Housner 1963). Steps of 10 μs by Störmer and Verlet.
 std::vector<double> peaks_by_housner(const Shape& shape) {
   const double radius = std::hypot(shape.width, shape.height) / 2;
   const double alpha = std::atan2(shape.width, shape.height);
@@ -81,7 +81,7 @@ std::vector<double> peaks_of_run(const Shape& shape, BlockBasis basis, double dt
 
 }  // namespace
 
-// An impact lets the old corner go at its instant, not at the end of the step.
+// An impact releases the old corner at its instant, not at the end of the step.
 TEST(Rocking, peaks_fall_as_housner_says_at_any_step) {
   for (const Shape& shape : {Shape{0.5, 1.6, 0.15}, Shape{1, 2, 0.25}, Shape{0.6, 3, 0.12}}) {
     const std::vector<double> expected = peaks_by_housner(shape);

@@ -1,5 +1,4 @@
-// One body on covers that closes on itself: a fork whose tines meet, against beam theory and against its own mirror
-// image.
+// One NMM body that closes on itself: a fork whose tines meet, compared with beam theory and with its own mirror image.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -77,7 +76,7 @@ TEST(SelfContact, tines_that_do_not_meet_bend_as_beams) {
   const Tips tips = tips_of(fork(force_of(kHalf / 2), Enforcement::lagrange));
   // The stem gives way: 8 % more, and 1 % by shear.
   EXPECT_NEAR((kHalf - tips.upper) / (kHalf / 2), 1.09, 0.05);
-  EXPECT_NEAR(tips.upper, -tips.lower, 5e-3 * kHalf);  // the mesh is turned: it has no mirror image
+  EXPECT_NEAR(tips.upper, -tips.lower, 5e-3 * kHalf);  // the mesh is rotated: it has no mirror image
 }
 
 TEST(SelfContact, tines_that_meet_do_not_pass_through_each_other) {

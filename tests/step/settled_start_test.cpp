@@ -1,4 +1,4 @@
-// The settled start of jointed blocks: which of them bear load, and what is said of it.
+// The settled start of jointed blocks: the blocks that carry load, and the messages about it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/settled_start.hpp"
 
@@ -13,7 +13,7 @@ using support::plain_analysis;
 using support::rectangle;
 using support::standard_settings;
 
-// Four squares of a metre on a floor; `points` hold the floor.
+// Four squares of a metre on a floor; `points` fix the floor.
 StandardScene wall_on_floor(const std::vector<BlockPoint>& points) {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {4, 0}), rectangle({0, 0}, {1, 1}), rectangle({1, 0}, {2, 1}),
@@ -26,7 +26,7 @@ StandardScene wall_on_floor(const std::vector<BlockPoint>& points) {
   return standard_scene(with_bases(model_from_blocks(blocks, analysis), settings.basis), settings);
 }
 
-// Sum of the normal forces that the floor bears.
+// Sum of the normal forces on the floor.
 double on_floor(const StandardScene& scene, const Motion& motion) {
   double sum = 0;
   for (const auto& [touch, memory] : motion.closed.all())
@@ -36,7 +36,7 @@ double on_floor(const StandardScene& scene, const Motion& motion) {
 
 }  // namespace
 
-// Weight of four blocks of 2500 kg, under a floor that cannot move and one that is held at a point and can turn.
+// Weight of four blocks of 2500 kg, on a floor that cannot move and on one with one fixed point, which can rotate.
 TEST(SettledStart, a_block_held_at_a_point_bears_what_stands_on_it) {
   for (const std::vector<BlockPoint>& points : {std::vector<BlockPoint>{{{-1, -0.5}, 0, {}}, {{3, -0.5}, 0, {}}},
                                                 std::vector<BlockPoint>{{{1, -0.5}, 0, {}}}}) {
@@ -53,7 +53,7 @@ TEST(SettledStart, blocks_without_support_are_left_unloaded) {
   EXPECT_NEAR(on_floor(scene, made.motion), 0, 1e-6);
 }
 
-// A wall of bricks upon each other: the floor bears its weight, and the first steps find nothing to move.
+// A wall of bricks upon each other: the floor carries its weight, and nothing moves in the first steps.
 TEST(SettledStart, a_wall_stands_from_its_first_step_on) {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {12, 0})};

@@ -1,4 +1,4 @@
-// Blocks that spin are stretched by it.
+// Spinning stretches blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ using support::run_to;
 using support::standard_scene_of;
 using support::standard_settings;
 
-// A free bar 0.8 x 0.3 m that turns at 100 rad/s: the mean stresses in its own axes are ρ ω² L²/12 and ρ ω² h²/12
-// (closed form, from the first moment of the centrifugal force), whatever the start, and the spin goes on.
+// A free bar 0.8 x 0.3 m that rotates at 100 rad/s, from any start. The mean stresses in its own axes are ρ ω² L²/12
+// and ρ ω² h²/12, by the first moment of the centrifugal force. The spin continues.
 TEST(Spin, stretches_a_block_by_its_centrifugal_force) {
   for (const StartRule start : {StartRule::compatible, StartRule::sudden}) {
     Blocks blocks;

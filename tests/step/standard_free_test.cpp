@@ -1,4 +1,4 @@
-// Free motion under Dynamics::standard: fall, spin, and the stress that turns with the block.
+// Free motion under Dynamics::standard: fall, spin, and the stress that rotates with the block.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -61,13 +61,13 @@ TEST(StandardFree, spin_keeps_the_area_whatever_the_angle_of_a_step) {
   }
 }
 
-// A tensor in axes turned by the angle of the block: invariants stay, components follow R σ Rᵀ.
+// A tensor in axes rotated by the angle of the block: invariants stay, components follow R σ Rᵀ.
 TEST(StandardFree, stress_turns_with_the_block) {
   Analysis analysis = plain_analysis(0.01, 1);
   analysis.gravity = 0;
   analysis.block_materials[0].initial_velocity = {0, 0, 1};
   analysis.block_materials[0].initial_stress = {3e5, -1e5, 5e4};
-  const Scene scene = free_block(analysis, BlockBasis::rigid);  // strains locked: only the turn is seen
+  const Scene scene = free_block(analysis, BlockBasis::rigid);  // strains locked: only the rotation shows
   StandardStepper stepper(scene);
   run_to(stepper, 1);
   const Stress s = stepper.state().elements[kBlock].stress;
@@ -78,7 +78,7 @@ TEST(StandardFree, stress_turns_with_the_block) {
   EXPECT_NEAR(s.xx, c * c * 3e5 - 2 * c * n * 5e4 - n * n * 1e5, 1e-4);
 }
 
-// Work done by nothing: a free affine block set spinning keeps its momentum and angular rate.
+// No force does work: a free affine block set spinning keeps its momentum and angular rate.
 TEST(StandardFree, a_thrown_spinning_block_keeps_its_momentum) {
   Analysis analysis = plain_analysis(1e-3, 1);
   analysis.gravity = 0;
@@ -94,7 +94,8 @@ TEST(StandardFree, a_thrown_spinning_block_keeps_its_momentum) {
   EXPECT_NEAR(block.rotation, 3, 1e-10);
 }
 
-// A linear strain beyond −1 is no block: tension of twice the modulus, let go, draws the ends through one another.
+// A linear strain beyond −1 is no block: released from a tension of twice the modulus, its ends would pass through one
+// another.
 TEST(StandardFree, a_block_that_turns_inside_out_is_a_failure) {
   Analysis analysis = plain_analysis(1e-3, 1);
   analysis.gravity = 0;

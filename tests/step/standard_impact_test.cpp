@@ -26,7 +26,7 @@ using support::standard_settings;
 
 constexpr std::array<BlockBasis, 2> kBases{BlockBasis::rigid, BlockBasis::affine};
 
-// A square without weight, thrown flat at a held floor; rebound over approach speed.
+// A square without weight, thrown flat at a fixed floor; rebound over approach speed.
 double rebound(BlockBasis basis, Enforcement enforcement, double restitution, double dt, double gap) {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, gap}, {1, 1 + gap})};
@@ -45,8 +45,8 @@ double rebound(BlockBasis basis, Enforcement enforcement, double restitution, do
   return stepper.state().elements[ElementIndex{1}].velocity[1];
 }
 
-// Blocks side by side that overlap by a micrometre each, the first of them held: a wall behind the last one leaves them
-// no room. Beside them two blocks of their own that have room.
+// Blocks side by side that overlap by a micrometre each, the first of them fixed: a wall behind the last one leaves
+// them no room. Beside them two blocks of their own that have room.
 struct PressedRow {
   static constexpr double kOverlap = 1e-6;
 
@@ -84,7 +84,7 @@ struct PressedRow {
     return drawn.model.vertices[touch.vertex].element.value >= static_cast<int>(scene.bodies().size()) - 2;
   }
 
-  // Of the row, or of the two blocks apart.
+  // Displacement of the row, or of the two blocks apart.
   double deepest(const UnknownsTable& q, bool apart) const {
     const auto vertices = vertices_at(scene.model, scene.reference, q);
     double least = 0;
@@ -99,7 +99,8 @@ constexpr double kSeparated = 1e-10;
 
 }  // namespace
 
-// dda-11 by the impact law: e is reproduced wherever in the step the floor is met. Tc is that of two springs of 10 E.
+// dda-11 by the impact law: the rebound is e for an impact at any instant of the step. Tc is that of two springs of 10
+// E.
 TEST(StandardImpact, restitution_is_the_chosen_one_at_any_step_and_place_of_impact) {
   const double contact_time = std::numbers::pi * std::sqrt(2500 / (2 * 10 * 5e9));
   std::mt19937 random(1);
@@ -158,12 +159,12 @@ TEST(StandardImpact, two_bodies_keep_momentum_and_take_the_speeds_of_theory) {
   }
 }
 
-// A block strikes a row of blocks that touch, all of one mass. By Newton's law where they meet, and at once through
-// what touches, the struck ones leave together: v' = (1 + e) v/n, and the first one keeps v' - e v.
+// A block strikes a row of blocks in contact, all of one mass. By Newton's law where they meet, and at once through the
+// contacts, the struck ones leave together: v' = (1 + e) v/n, and the first one keeps v' - e v.
 TEST(StandardImpact, an_impact_goes_through_blocks_that_touch_at_once_at_any_step) {
   constexpr int kCount = 5;
   constexpr double kSpeed = 3;
-  constexpr double kGap = 1e-7;  // counts as touching
+  constexpr double kGap = 1e-7;  // counts as contact
   for (BlockBasis basis : kBases) {
     for (const double e : {0.0, 0.4, 1.0}) {
       for (const double dt : {8e-3, 4e-3, 2e-3, 1e-3, 2.5e-4}) {
@@ -195,7 +196,7 @@ TEST(StandardImpact, an_impact_goes_through_blocks_that_touch_at_once_at_any_ste
   }
 }
 
-// Oblique, with friction and spin: linear and angular momentum to round-off, no energy made.
+// Oblique, with friction and spin: linear and angular momentum to round-off, no energy created.
 TEST(StandardImpact, an_oblique_impact_keeps_momentum_and_makes_no_energy) {
   for (BlockBasis basis : kBases) {
     for (double dt : {1e-3, 1e-4}) {
@@ -274,7 +275,7 @@ TEST(StandardImpact, a_dropped_block_bounces_without_gaining_energy) {
 }
 
 // A block that swells against its floor: its corners approach, the block does not. Rigid velocity made of that would be
-// energy made of nothing, T⁺ > T.
+// created energy, T⁺ > T.
 TEST(StandardImpact, a_jump_makes_no_rigid_velocity_of_strain_rates) {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, 0}, {1, 1})};
@@ -323,13 +324,14 @@ TEST(StandardImpact, an_overlap_that_was_there_makes_no_velocity) {
       }
       EXPECT_LE(highest, start + 1e-12);
       EXPECT_GE(stepper.state().elements[ElementIndex{1}].centroid.y,
-                start - 2e-5);  // nor does it sink, but for springs
+                start - 2e-5);  // nor does it settle, except into springs
     }
   }
 }
 
-// The energy of a spring is given back whatever the step over its period: with p = 10 E a millisecond is eight of them.
-// The old law gave 1.94 times the approach speed, and 3.4 times the energy to a cradle of five.
+// The energy of a spring is given back for any step over its period: with p = 10 E a millisecond is eight of them. The
+// rebound must not exceed the approach speed, which another law did by 1.94 times, with 3.4 times the energy for a
+// cradle of five.
 TEST(StandardImpact, springs_that_stop_blocks_make_no_energy_at_any_step) {
   Blocks blocks;
   blocks.blocks = {rectangle({-5, -1}, {5, 0}), rectangle({-1, 1}, {0, 2})};
@@ -352,7 +354,7 @@ TEST(StandardImpact, springs_that_stop_blocks_make_no_energy_at_any_step) {
     }
 }
 
-// The change of a spring's energy over that of its gap was 0/0 where it begins to part from no force at all.
+// The change of a spring's energy over that of its gap is 0/0 if it begins to part from zero force.
 TEST(StandardImpact, springs_that_stop_blocks_let_go_of_one_that_rises_from_its_floor) {
   Blocks blocks;
   const double top = 0.1 + 0.2;
@@ -392,7 +394,7 @@ TEST(StandardImpact, springs_that_stop_a_row_of_blocks_keep_its_momentum) {
   }
 }
 
-// A file whose blocks are drawn a fifth of a metre into one another: no force bears that, and no answer comes of it.
+// A file whose blocks are drawn a fifth of a metre into one another: no force carries that, and there is no answer.
 TEST(StandardImpact, a_run_ends_where_blocks_lie_too_deep_in_one_another) {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, -0.2}, {1, 0.8})};
@@ -425,7 +427,7 @@ TEST(StandardImpact, overlaps_go_where_there_is_room) {
   }
 }
 
-// No push takes them away: half a million sweeps once sought it.
+// No push removes them: the search must end soon, not after half a million sweeps.
 TEST(StandardImpact, overlaps_that_lock_each_other_stay_and_hold_no_others_up) {
   for (const int count : {5, 40}) {
     const PressedRow row(count, true);
@@ -438,8 +440,8 @@ TEST(StandardImpact, overlaps_that_lock_each_other_stay_and_hold_no_others_up) {
   }
 }
 
-// Supports that move do work on what strikes them. An overlap was once left where the blocks gained energy in a jump,
-// and grew to a centimetre; and the ledger took the work of impulses for energy from nothing, 0.15 of the largest.
+// Supports that move do work on the blocks that strike them. An overlap in which blocks gain energy in a jump must not
+// stay and grow. The energy balance must not count the work of impulses as created energy.
 TEST(StandardImpact, columns_on_a_floor_that_shakes_keep_no_overlap_and_gain_what_it_gives) {
   constexpr double kStep = 2e-3, kAmplitude = 0.02, kFrequency = 6;  // hops: 28 m/s²
   Blocks blocks;

@@ -1,4 +1,5 @@
-// The integrators in whole runs: order of convergence, free fall, and the sliding block they must leave alone.
+// The integrators in whole runs: order of convergence, free fall, and a sliding block whose motion they must not
+// change.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ constexpr double kModulus = 5e9;
 constexpr double kDensity = 2500;
 constexpr double kStress = 1e6;
 
-// A free unit square under a stress of its own, ν = 0, let go: ρ/12 ε̈ + E ε = −σ.
+// A free unit square under a stress of its own, ν = 0, released: ρ/12 ε̈ + E ε = −σ.
 double strain_error(const Method& method, int steps) {
   const double omega = std::sqrt(12 * kModulus / kDensity);
   const double end = 2.1 / omega;
@@ -114,7 +115,7 @@ TEST(StandardIntegrator, a_sliding_block_follows_the_closed_form_under_each) {
   }
 }
 
-// dda-05: it stops after v0²/(2 a) and rests, whatever acceleration it carried while it slid.
+// dda-05: it stops after v0²/(2 a) and stays at rest, for any acceleration that it carried while it slid.
 TEST(StandardIntegrator, a_block_that_stops_stays_under_each) {
   for (const Method& method : kMethods) {
     Analysis analysis = plain_analysis(1e-2, 1);

@@ -1,4 +1,4 @@
-// What Dynamics::standard solves for: the unknowns of the blocks that move, and no others.
+// Unknowns of Dynamics::standard: those of the blocks that move, and no others.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/scene/standard_scene.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 using support::plain_analysis;
 using support::rectangle;
 
-// A held floor and three squares on it, without friction.
+// A fixed floor and three squares on it, without friction.
 Problem three_squares() {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {6, 0}), rectangle({0, 0}, {1, 1}), rectangle({2, 0}, {3, 1}),

@@ -1,4 +1,4 @@
-// A block on a slope under Coulomb friction, against the closed forms of benchmarks dda-03, dda-04 and dda-05.
+// A block on a slope under Coulomb friction, compared with the closed forms of benchmarks dda-03, dda-04 and dda-05.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -116,7 +116,7 @@ TEST(StandardSlide, a_sliding_block_follows_the_closed_form_for_every_choice_of_
   }
 }
 
-// The estimate is then the motion itself, and rows and matrix of the first round serve.
+// The estimate is then the motion itself, and rows and matrix of the first iteration stay.
 TEST(StandardSlide, a_block_that_goes_on_with_the_acceleration_it_has_takes_one_system_a_step) {
   for (const Choice& choice : kChoices) {
     StandardStepper stepper(slope_scene(30, 20, 1e-2, choice));
@@ -199,14 +199,14 @@ double flutter_error(double dt, StrainDamping damping) {
 
 }  // namespace
 
-// Steady sliding of an elastic block is unstable at high friction (eigenvalues: standard_body.cpp); the stiffness
-// damping of the strain modes, on by default, keeps it still at steps that resolve the flutter too.
+// Steady sliding of an elastic block is unstable at high friction (eigenvalues: standard_body.cpp). The stiffness
+// damping of the strain modes, on by default, prevents it at steps that resolve the flutter too.
 TEST(StandardSlide, strain_damping_keeps_a_block_from_fluttering_at_small_steps) {
   EXPECT_LE(std::abs(flutter_error(1e-4, StrainDamping::critical)), 1e-10);
   EXPECT_GE(std::abs(flutter_error(1e-4, StrainDamping::none)), 1e-6);
 }
 
-// Sudden gravity lets the contact ring, which friction turns into slip: 2e-3 m are physics, not solver.
+// Sudden gravity makes the contact oscillate, which friction turns into slip: 2e-3 m are physics, not solver.
 TEST(StandardSlide, a_suddenly_loaded_block_slides_within_two_millimetres) {
   for (const Choice& choice : kChoices) {
     for (double dt : {1e-3, 1e-2}) {
@@ -225,8 +225,8 @@ TEST(StandardSlide, a_suddenly_loaded_block_slides_within_two_millimetres) {
   }
 }
 
-// dda-05: s = v0²/(2 a), a = g (cos a tan phi - sin a). The step in which the block stops is resolved to about a step
-// of time: the distance error is at most a (dt)²/2, and the block rests afterwards.
+// dda-05: s = v0²/(2 a), a = g (cos a tan phi - sin a). The instant of the stop is known to about a step of time: the
+// distance error is at most a (dt)²/2, and the block stays at rest afterwards.
 TEST(StandardSlide, a_block_faster_than_friction_allows_stops_where_it_should_and_stays) {
   struct Case {
     double slope, friction, speed;

@@ -1,4 +1,4 @@
-// A stack of ten and toppling columns under Dynamics::standard, against statics and the rigid pivot.
+// A stack of ten and toppling columns under Dynamics::standard, compared with statics and the rigid pivot.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -35,8 +35,8 @@ Scene stack_of(int count, double dt, Enforcement enforcement, StartRule start) {
   return standard_scene_of(blocks, analysis, settings);
 }
 
-// Block i (from 1, of n) of a stack of unit squares, ν = 0: its own mean stress ρ g (n - i + 1/2) shortens it over half
-// its height, those below over their whole height; the two springs below each block carry all that stands on them.
+// Block i (from 1, of n) of a stack of unit squares, ν = 0. Its own mean stress ρ g (n - i + 1/2) shortens it over half
+// its height, those below over their whole height. The two springs below each block carry the weight of all above them.
 double settlement(int i, int n, double springs) {
   constexpr double kDensity = 2500;
   constexpr double kModulus = 5e9;
@@ -46,8 +46,8 @@ double settlement(int i, int n, double springs) {
   return sum;
 }
 
-// Rotation at `end` of a rigid column b x h about its toe on a slope: (b² + h²)/3 θ'' = g/2 √(b² + h²) sin θ, θ from
-// the vertical to the line from toe to centroid; fourth-order Runge-Kutta.
+// Rotation at `end` of a rigid column b x h about its toe on a slope: (b² + h²)/3 θ'' = g/2 √(b² + h²) sin θ. The angle
+// θ runs from the vertical to the line from toe to centroid. Fourth-order Runge-Kutta.
 double pivot_rotation(double b, double h, double slope, double end) {
   constexpr int kSteps = 20000;
   const double factor = 1.5 * kGravity / std::hypot(b, h);
@@ -119,7 +119,7 @@ TEST(StandardStack, a_suddenly_loaded_stack_settles_without_a_step_unsolved) {
   const ElementIndex top{5};
   const double dy = stepper.state().elements[top].centroid.y - stepper.unloaded().elements[top].centroid.y;
   EXPECT_NEAR(-dy / settlement(5, 5, 1 / (2 * 10 * 5e9)), 1,
-              0.02);  // still ringing a little: Shi's weights damp the slow mode weakly
+              0.02);  // still oscillating a little: Shi's weights damp the slow mode weakly
 }
 
 // The six columns below and above the limit b/h = tan(slope); verdicts at any step, pace of the fall by the rigid
@@ -150,8 +150,8 @@ TEST(StandardTopple, columns_fall_or_stand_as_the_limit_says_and_fall_at_the_pac
   }
 }
 
-// A box once fell through the foot of a hill whose other foot lay on the same line, and through a floor with a bump of
-// 5 mm.
+// A box must not fall through the foot of a hill whose other foot is on the same line, nor through a floor with a bump
+// of 5 mm.
 TEST(StandardStack, a_box_at_the_foot_of_a_hill_stays_there) {
   const BlockPolygon hill{
       0, {{{-1, -2}, 0}, {{10, -2}, 0}, {{10, 0}, 0}, {{3, 0}, 0}, {{2, 1}, 0}, {{1, 0}, 0}, {{-1, 0}, 0}}, {}};

@@ -1,4 +1,4 @@
-// Static equilibria: benchmark dda-30, blocks held by contact alone, and blocks that nothing holds.
+// Static equilibria: benchmark dda-30, blocks supported by contact alone, and blocks without support.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/rest/static_step.hpp"
 
@@ -54,7 +54,7 @@ Scene scene_of_stack(const Stack& stack, Enforcement enforcement) {
   return standard_scene_of(blocks, analysis, settings);
 }
 
-// One step; what was wrong, or nothing.
+// Makes one step; returns the error, or nothing.
 std::string step(StandardStepper& stepper) {
   const auto made = stepper.advance();
   const auto* failure = std::get_if<StepFailure>(&made);
@@ -136,7 +136,7 @@ TEST(StaticStep, a_free_block_is_named) {
             "step 1 (time 0): no equilibrium: block 1 accelerates (at 0.5, 10.5; area 1, 100 % of the mean)");
 }
 
-// A column falls over a toe that its weight passes outside of, and stands inside of it: b/h against tan(slope).
+// A column falls over a toe that its weight passes outside of, and is stable inside of it: b/h against tan(slope).
 TEST(StaticStep, a_column_beyond_its_limit_is_named_and_one_within_stands) {
   const double slope = radians(20);
   for (double ratio : {0.9, 1.1}) {
@@ -156,7 +156,7 @@ TEST(StaticStep, a_column_beyond_its_limit_is_named_and_one_within_stands) {
   }
 }
 
-// Elastic, sticking contact: the path of the load does not matter.
+// Elastic, sticking contact: the load path does not matter.
 TEST(StaticStep, loads_put_on_in_shares_end_at_the_same_equilibrium) {
   Scene once = scene_of_stack(kStacks[0], Enforcement::lagrange);
   Scene shares = once;
@@ -195,7 +195,7 @@ TEST(StaticStep, more_shares_than_steps_are_made_within_the_steps) {
   EXPECT_EQ(in_two_steps.ledger().step, 2);
 }
 
-// Steps after the loads stand cost nothing and change nothing.
+// Steps after the full load cost nothing and change nothing.
 TEST(StaticStep, an_equilibrium_stays_while_loads_do) {
   Scene scene = scene_of_stack(kStacks[2], Enforcement::penalty);
   scene.settings.step_count = 3;
@@ -209,7 +209,7 @@ TEST(StaticStep, an_equilibrium_stays_while_loads_do) {
   for (VertexIndex v : indices(first.vertices)) EXPECT_EQ(distance(first.vertices[v], stepper.state().vertices[v]), 0);
 }
 
-// The given motion itself. A block hung at one point above its centroid follows it upright, and with no weight as well.
+// The given motion itself. A block fixed at one point above its centroid follows it upright, also without weight.
 TEST(StaticStep, a_driven_point_is_followed_step_after_step) {
   for (double gravity : {kGravity, 0.0}) {
     Blocks blocks;
@@ -233,9 +233,9 @@ TEST(StaticStep, a_driven_point_is_followed_step_after_step) {
   }
 }
 
-// Elastica of Bisshopp & Drucker 1945 at P L² / EI = 5, digits of Mattiasson 1981: the tip comes further than half the
-// strip, its own size, and is still an equilibrium, because the body is held. Three rows
-// of elements, and a clamp of two points, are worth 1.5 %.
+// Elastica of Bisshopp & Drucker 1945 at P L² / EI = 5, digits of Mattiasson 1981. The tip moves further than half the
+// strip, its own size, and this is still an equilibrium, because the body is fixed. Three rows of elements, and a clamp
+// of two points, have an error of 1.5 %.
 TEST(StaticStep, a_held_strip_on_covers_bends_further_than_its_size) {
   const double height = 0.05;
   Analysis analysis = plain_analysis(1e-3, 1);
@@ -265,7 +265,7 @@ TEST(StaticStep, a_held_strip_on_covers_bends_further_than_its_size) {
   EXPECT_NEAR(tip.x, -0.38763, 0.015);
 }
 
-// The square of 1e155 overflows: against it all that is out of balance was nothing, and the blocks stood still.
+// The square of 1e155 overflows: beside it the residual must not count as zero, or the blocks would not move.
 TEST(StaticStep, loads_whose_squares_overflow_are_not_taken_for_balanced) {
   Blocks blocks;
   blocks.blocks = {rectangle({0, -1}, {10, 0}), rectangle({1, 0}, {2, 1})};

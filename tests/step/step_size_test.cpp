@@ -1,4 +1,4 @@
-// Step size rules, and what happens when a step cannot be made.
+// Step size rules, and the answer to a step that cannot be made.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/time/step_size.hpp"
 

@@ -15,7 +15,7 @@ class Threads : public ::testing::TestWithParam<const char*> {
  protected:
   ~Threads() override { context().use_threads(0); }
 
-  /// Vertices after some steps of a wall of 1,121 bricks that is loaded at once.
+  /// Vertices after some steps of a suddenly loaded wall of 1,121 bricks.
   static Table<VertexIndex, Point> after_steps(const std::string& profile, int threads) {
     context().use_threads(threads);
     Scene scene = bench::scene_for(bench::brick_wall(33), profile);
@@ -31,7 +31,7 @@ TEST_P(Threads, make_the_same_motion_to_the_last_bit) {
   for (const int threads : {2, 4}) EXPECT_TRUE(one == after_steps(GetParam(), threads)) << threads;
 }
 
-// Bricks so weak that they yield as soon as their weight is felt.
+// Bricks so weak that they yield under their first weight.
 TEST(ThreadsOfYieldingBlocks, make_the_same_motion_to_the_last_bit) {
   const auto after_steps = [](int threads) {
     context().use_threads(threads);

@@ -1,4 +1,4 @@
-// What a run of a batch came to: the last point of its history, or why there is none.
+// The result of a run of a batch: the last point of its history, or the reason why there is none.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_answers.hpp"
 

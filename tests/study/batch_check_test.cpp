@@ -1,4 +1,4 @@
-// A job looked at: counts and outcome in its row, faults told and not thrown, paths as the archive has them.
+// A checked job: counts and outcome in its row, faults reported and not thrown, paths as in the archive.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_check.hpp"
 
@@ -10,7 +10,7 @@
 namespace keyblock::study::batch_check_test {
 namespace {
 
-// A triangle held at a point, and one block material.
+// A triangle fixed at a point, and one block material.
 const std::string kLines = "0.001\n3 0\n0\n0\n1\n0\n0\n0\n0 0 2 0 1\n2 0 1 2 1\n1 2 0 0 1\n1 0.2 1 0.2\n";
 const std::string kControls = "1\n10\n1\n1\n0.01\n0.1\n2 20 1e6 0.2\n0 0 0\n0 0 0\n0 0 0\n30 0 0\n";
 

@@ -1,4 +1,4 @@
-// What files are by their content, which of them are looked at, and the counts by which they fit.
+// Kinds of files by their content, the files that are read, and the counts by which they fit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_files.hpp"
 

@@ -1,4 +1,4 @@
-// Lines of the journal come back as they were, and what is torn does not count.
+// Lines of the journal come back unchanged, and a torn line does not count.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_journal.hpp"
 

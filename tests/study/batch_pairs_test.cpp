@@ -1,4 +1,4 @@
-// Pairing by name, by number, by folder and by counts, and what is left alone.
+// Pairing by name, by number, by folder and by counts; files left alone.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_pairs.hpp"
 
@@ -28,7 +28,7 @@ bool never(const BatchFile&, const BatchFile&) {
   return false;
 }
 
-/// Each job as "geometry + analysis: reason".
+/// Returns each job as "geometry + analysis: reason".
 Strings jobs_of(const std::vector<BatchFile>& files, const FitsTogether& fits = never) {
   Strings texts;
   for (const BatchJob& job : pair_files(files, fits)) {

@@ -1,4 +1,4 @@
-// One word for each job: what ran is told from what was only read, and what differs from what agrees.
+// One word for each job: jobs that ran differ from jobs that were only read, and disagreement from agreement.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_verdict.hpp"
 
@@ -23,7 +23,7 @@ report::CatalogueRow ran(double one, double other, double dx_one, double dx_othe
 
 }  // namespace
 
-// Displacements of the samples cv07 and cv06, which a catalogue once called "ok".
+// Displacements of the samples cv07 and cv06, which must not be called "ok".
 TEST(BatchVerdict, answers_apart_by_a_factor_differ_and_it_is_said_by_how_much_and_where) {
   const auto verdict = verdict_of(ran(0.75, 18.8, 0, 0), BatchAim::run);
   EXPECT_EQ(verdict.word, "differs");
@@ -64,7 +64,7 @@ TEST(BatchVerdict, what_never_ran_is_not_said_to_have_run) {
   EXPECT_EQ(verdict_of(row, BatchAim::run).why, "standard: exit code 4");
 }
 
-// Statics of a mechanism has an answer, and it is none that a program failed to give.
+// Statics of a mechanism has no equilibrium, which is an answer and no failure of a program.
 TEST(BatchVerdict, a_mechanism_under_statics_has_no_equilibrium_and_did_not_fail) {
   report::CatalogueRow row = ran(2, 1.9, 0, 0);
   row.outcome = "failed";

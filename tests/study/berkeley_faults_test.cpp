@@ -1,5 +1,5 @@
-// What the Berkeley program makes of its files, by the sentences of legacy-formats 2.1, 2.3.1, 2.6, 4 and legacy-rules
-// 16.1.
+// Effect of faulty files on the Berkeley program, by the sentences of legacy-formats 2.1, 2.3.1, 2.6, 4 and
+// legacy-rules 16.1.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/berkeley_faults.hpp"
 
@@ -77,7 +77,7 @@ TEST(BerkeleyFaults, native_velocity_is_that_of_the_stress_gradient) {
   EXPECT_EQ(material.initial_velocity, (Velocity{4, 5, 6}));
 }
 
-// What is left of the number fails the reads behind it: steps and counts stay what they happened to be.
+// The rest of the number makes the following reads fail: steps and counts keep their random values.
 TEST(BerkeleyFaults, a_carry_over_with_a_point_is_refused) {
   for (const char* spelled : {"0.7", "1.0"})
     EXPECT_NE(error_in(native_analysis(spelled)).find("expected a velocity carry-over spelled 0 or 1"),

@@ -1,4 +1,4 @@
-// Factors of safety of blocks on a plane that a bolt holds, against limit equilibrium.
+// Factors of safety of bolted blocks on a plane, compared with limit equilibrium.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,10 +20,10 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kWeightPerArea = 2500 * 9.81;
-// Blocks strain and turn a little before they slip, which bolts feel: of 200 blocks the middle of no bracket was off by
-// more than 0.36 %.
+// Blocks strain and rotate a little before they slip, which changes the force of bolts: of 200 blocks the middle of no
+// bracket was off by more than 0.36 %.
 constexpr double kStrained = 0.004;
-constexpr double kStiffness = 2e7;  // N/m for each metre of thickness
+constexpr double kStiffness = 2e7;  // N/m per metre of thickness
 
 /// A block of `length` along the plane and `height` across it. Points are given along the plane, upward, and across it;
 /// its lower corner is the origin. The bolt pulls the block from `from` towards `to`.
@@ -45,14 +45,14 @@ struct Bolted {
            (weight() * std::sin(plane) - force.x);
   }
   /// Before the block slips, with cohesion and the pretension; or after it, at the strength of the bolt, which the slip
-  /// has stretched and turned. A joint that slips has lost its cohesion.
+  /// has stretched and rotated. A joint that slips has lost its cohesion.
   double factor() const {
     const Point bolt = to - from;
     const double stretched = keyblock::length(bolt) + (strength - pretension) / kStiffness;
     const Point at_strength{std::sqrt(stretched * stretched - bolt.y * bolt.y), bolt.y};
     return std::max(factor_under(pretension, bolt, cohesion), factor_under(strength, at_strength, 0));
   }
-  /// Of the pressure on the base at the limit, from its middle over half its length.
+  /// Pressure on the base at the limit, from its middle over half its length.
   double eccentricity() const {
     const Point centre{length / 2, height / 2}, middle{length / 2, 0};
     const Point pull = strength / keyblock::length(to - from) * (to - from);
@@ -88,7 +88,7 @@ Bolted drawn(Draw& draw, int kind) {
   return b;
 }
 
-/// Whether the block slides rather than turns, is held more the more the bolt pulls, and has a factor of interest.
+/// Returns true if the block slides without rotation, a stronger bolt raises its factor, and the factor is of interest.
 bool is_fit(const Bolted& b) {
   const bool helps = b.inward() * std::sin(b.plane) + b.along() * std::cos(b.plane) > 0.1;
   return helps && b.normal() > 0.2 * b.weight() && std::abs(b.eccentricity()) < 0.8 && b.factor() > 0.3 &&
@@ -128,7 +128,7 @@ FactorOfSafety factor_of(const std::string& text, double within) {
 
 }  // namespace
 
-// Bolts stretch by centimetres before they are at their strength: displacements grow long before equilibrium ends.
+// Bolts stretch by centimetres before they reach their strength: displacements grow long before equilibrium ends.
 TEST(BoltedBlocks, fall_where_limit_equilibrium_says) {
   Draw draw;
   int grew = 0;
@@ -145,11 +145,11 @@ TEST(BoltedBlocks, fall_where_limit_equilibrium_says) {
     EXPECT_LE(found.bracket.width(), 0.004 * exact * (1 + 1e-9));
     grew += found.grows_before_it_falls() ? 1 : 0;
   }
-  EXPECT_GT(grew, 5) << "of 20 whose serviceability is told too";
+  EXPECT_GT(grew, 5) << "of 20 whose serviceability is reported too";
 }
 
-// W cos 35 tan 40 / (W sin 35 − 40 kN) with W = 147.15 kN, whatever the pretension. Without the bolt it slides beyond
-// tan 40 / tan 35.
+// W cos 35 tan 40 / (W sin 35 − 40 kN) with W = 147.15 kN, for any pretension. Without the bolt it slides beyond tan 40
+// / tan 35.
 TEST(BoltedBlocks, both_factors_are_told) {
   for (const double pretension : {0.0, 20e3}) {
     const Bolted bolted{35 * kDegree, 40 * kDegree, 3, 2, 0, {1.5, 1}, {4.5, 1}, 40e3, pretension};

@@ -1,4 +1,4 @@
-// What holds and what does not: no value, not a number, another quantity, a run that ended early.
+// Agreement and its failures: no value, not a number, another quantity, a run that ended early.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/cases/compare.hpp"
 
@@ -29,7 +29,7 @@ ComparedCase compared(const std::string& rows) {
   return compare_case(free_fall("quantity,block,time,value,tolerance,tolerance_reason,source\n" + rows), "legacy");
 }
 
-/// Both profiles and all variants; `rows` end with whose value is judged.
+/// Both profiles and all variants; `rows` end with the run whose value is compared.
 CaseComparison judged(const std::string& rows, const std::string& case_file) {
   const CaseFolder folder = free_fall("quantity,block,time,value,tolerance,tolerance_reason,source,judged\n" + rows);
   support::write_text(folder.folder / "case.json", case_file);
@@ -97,7 +97,7 @@ TEST(Compare, values_are_picked_at_their_block_and_time) {
   EXPECT_EQ(fall.end.step, 400);
 }
 
-// A block of 4 m² and 2500 kg/m³ above ground that is held: p = m g t, T = m (g t)²/2 at 1 s.
+// A block of 4 m² and 2500 kg/m³ above fixed ground: p = m g t, T = m (g t)²/2 at 1 s.
 TEST(Compare, momentum_and_kinetic_energy_of_free_fall) {
   const CaseComparison fall = judged(
       "vy,2,1,-9.81,1e-9,r,s,standard\nmomentum_y,,1,-98100,1e-6,r,s,standard\n"

@@ -1,5 +1,5 @@
-// From every kind of file to every target: what is lost is what conversion_losses.txt says, and the rest comes back
-// equal.
+// Conversion from every kind of file to every target: losses are those of conversion_losses.txt, and the rest comes
+// back equal.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/convert.hpp"
 
@@ -71,7 +71,7 @@ Content read_back(const Conversion& conversion) {
 // The names of the columns of rows, so that an item of a loss can be found in a file.
 const Json kSchema = Json::parse(formats::case_schema());
 
-// Takes the item out of every place that its name means.
+// Removes the item from every place that its name means.
 void remove_item(Json& value, const Json& layout, const std::string& item) {
   if (item.empty()) {
     value = nullptr;
@@ -144,7 +144,7 @@ bool is_derivation(const Conversion& conversion) {
   return !conversion.losses.empty() && conversion.losses.front().sentence.find(" → ") == std::string::npos;
 }
 
-/// The content with the geometry that the conversion says it made of it.
+/// The content with the geometry that the conversion derived from it.
 Content with_derived_geometry(Content content, const Conversion& conversion) {
   if (!is_derivation(conversion)) return content;
   const bool is_lines = read_back(conversion).drawing.has_value();
@@ -220,7 +220,7 @@ TEST(Convert, everything_fits_the_case_file) {
   }
 }
 
-// One triangle with a bolt to itself, which moves by 0.5, and two measured points of which one has no row.
+// One triangle with a bolt to itself, which moves by 0.5, and two measured points, one of them without a row.
 TEST(Convert, replays_and_measured_points_fit_the_case_file) {
   const formats::Source replay{"f",
                                "1 1 1 7 1 0 1\n0 0 0  1 1 3\n"
@@ -335,8 +335,8 @@ TEST(Convert, lines_become_blocks_and_blocks_become_lines) {
   EXPECT_EQ(same.blocks->fixed_points.size(), 1U);
 }
 
-// One loading point with two curves: the second loads nothing, and no file beside that geometry has room for it.
-// As lines, each edge once: nothing but the kind of the geometry is lost.
+// One loading point with two curves: the second loads nothing, and no file beside that geometry has room for it. As
+// lines, each edge once: only the kind of the geometry is lost.
 TEST(Convert, blocks_become_the_lines_of_a_dxf_drawing) {
   Content content;
   content.blocks.emplace().blocks = {{0, {{{0, 0}, 0}, {{2, 0}, 0}, {{2, 2}, 2}, {{0, 2}, 0}}, {}},

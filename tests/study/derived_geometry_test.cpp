@@ -1,4 +1,4 @@
-// One kind of geometry made of another: what has no place in it is refused or named.
+// One kind of geometry made of another: parts without a place in it are refused or named.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/derived_geometry.hpp"
 
@@ -44,7 +44,7 @@ TEST(DerivedGeometry, gaps_within_blocks_stay_empty_as_lines) {
   EXPECT_EQ(cut_areas, areas);
 }
 
-// The lines say by themselves how near nodes may be: through a DXF file too.
+// The lines themselves hold the least distance of nodes: through a DXF file too.
 TEST(DerivedGeometry, blocks_thinner_than_the_edge_node_ratio_of_a_drawing_stay_apart_when_cut_again) {
   const auto box = [](double left, double right) {
     return BlockPolygon{0, {{{left, 0}, 0}, {{right, 0}, 0}, {{right, 2}, 0}, {{left, 2}, 0}}, {}};

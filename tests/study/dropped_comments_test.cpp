@@ -1,4 +1,4 @@
-// Comments are counted as each format has them, and named at the first.
+// Comments are counted by the rules of each format, and named at the first.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/dropped_comments.hpp"
 

@@ -1,4 +1,4 @@
-// A single element on paths of strain and stress against the benchmarks pla-02, pla-03 and pla-06.
+// A single element on paths of strain and stress compared with the benchmarks pla-02, pla-03 and pla-06.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/element/element_path.hpp"
 
@@ -46,8 +46,8 @@ TEST(ElementPath, cycles_with_free_sides_in_plane_strain) {
   }
 }
 
-// pla-12: loaded, unloaded to nothing, reloaded onto the plateau, unloaded from there, reloaded. Unloading has E2 down
-// to the stress at which cracks open, 5, then E1; the plateau leaves what it flowed, 1e-3, behind.
+// pla-12: loaded, unloaded to zero, reloaded onto the plateau, unloaded from there, reloaded. Unloading has E2 down to
+// the stress at which cracks open, 5, then E1; the plateau leaves its flow, 1e-3, behind.
 TEST(ElementPath, cracks_close_and_open_under_uniaxial_stress) {
   YieldLaw law = rock(30, 0, 80 * (1 - 0.5) / (2 * std::cos(std::numbers::pi / 6)));
   law.youngs_modulus = 30e3;
@@ -100,8 +100,8 @@ TEST(ElementPath, triaxial_strength) {
 }
 
 // Equal pressures on two sides leave two equal strains. With these constants an increment of axial strain alone only
-// just reaches the edge, k λ = λ + 2G (at 30 degrees and a ratio of 0.25): rounding chose a plane. κ of the strain
-// (1, ½, ½) less the elastic one, of flow without dilation.
+// just reaches the edge, k λ = λ + 2G (at 30 degrees and a ratio of 0.25): rounding would choose a plane. κ of the
+// strain (1, ½, ½) less the elastic one, of flow without dilation.
 TEST(ElementPath, equal_pressures_leave_equal_strains) {
   for (const int steps : {10, 30, 100, 1000}) {
     const ElementCurve curve = drive(rock(30, 0, 1), named_path(NamedPath::triaxial, {-0.02}, 5), steps, 1);
@@ -134,7 +134,8 @@ TEST(ElementPath, a_stress_that_no_strain_bears_ends_the_curve) {
   ElementPath path;
   path.legs.push_back({DrivenComponent{true, 0}, {true, -20}, {}, {true, 0}});
   const ElementCurve curve = drive(rock(30, 0, 2), path, 20, 1);
-  EXPECT_NE(curve.failure.find("leg 1, step 7 of 20"), std::string::npos) << curve.failure;  // 6.93 is borne, 7 not
+  EXPECT_NE(curve.failure.find("leg 1, step 7 of 20"), std::string::npos)
+      << curve.failure;  // 6.93 is carried, 7 is not
   EXPECT_NEAR(curve.points.back().stress(1), -6, 1e-9);
 }
 

@@ -29,7 +29,7 @@ TEST(Extrapolation, finds_order_and_limit_of_a_pure_power) {
     EXPECT_NEAR(*limit.order, p, 1e-6) << p;
     EXPECT_NEAR(limit.values[0], 3, 1e-9) << p;
     EXPECT_NEAR(limit.values[1], -4, 1e-9) << p;
-    // What the finest run is off by: h^p sqrt(1 + 4) over 5; more than second order is not trusted to be there.
+    // Error of the finest run: h^p sqrt(1 + 4) over 5. A rate above second order is not trusted.
     const double careful = p > 2 ? (std::exp2(p) - 1) / 3 : 1;
     EXPECT_NEAR(limit.uncertainty, careful * std::pow(0.05, p) * std::sqrt(5.0) / 5, 1e-8) << p;
   }
@@ -53,8 +53,7 @@ TEST(Extrapolation, brings_the_trapezoidal_rule_nearer_to_the_integral) {
   EXPECT_LT(std::abs(limit.values[0] - exact), 0.02 * std::abs(values[2][0] - exact));
 }
 
-// 1 - 0.6 h + h² at h = 1, 1/2, 1/4: differences shrink by 12, as those of order 3.6 would, which is none of the
-// method's.
+// 1 - 0.6 h + h² at h = 1, 1/2, 1/4: differences shrink by 12, as those of order 3.6 would, which the method has not.
 TEST(Extrapolation, takes_out_first_and_second_order_where_they_cancel) {
   const auto u = [](double h) { return std::vector<double>{1 - 0.6 * h + h * h}; };
   const Limit limit = limit_of({u(1), u(0.5), u(0.25)}, Refined::step);
@@ -63,8 +62,8 @@ TEST(Extrapolation, takes_out_first_and_second_order_where_they_cancel) {
   EXPECT_GE(limit.uncertainty, std::abs(u(0.25)[0] - 1) * (1 - 1e-12));
 }
 
-// A block that friction stops 1.5 m away, in steps of which the last is cut short somewhere: its error is h² times
-// something else in each run (displacements of this program; 1.5 is v²/(2 g tan φ)). Differences shrink by nine.
+// Friction stops a block 1.5 m away, v²/(2 g tan φ), in steps of which the last is cut short somewhere. Its error is h²
+// times another factor in each run (displacements of this program). Differences shrink by nine.
 TEST(Extrapolation, does_not_take_differences_that_shrink_by_chance_for_less_error) {
   const Limit limit = limit_of({{{1.50000164062}, {1.50000024609}, {1.50000009668}}}, Refined::step);
   EXPECT_GT(*limit.order, 3);

@@ -1,4 +1,4 @@
-// The search for a factor of safety: what it tries, what it calls standing, and what it says where it cannot tell.
+// The search for a factor of safety: the factors it tries, its verdict "stable", and its message without a verdict.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/strength/factor_of_safety.hpp"
 
@@ -72,7 +72,7 @@ TEST(FactorOfSafety, what_falls_shows_the_block_that_moves) {
   EXPECT_EQ(moved(1), 0);
 }
 
-// Above 1 the block falls as well with rigid blocks, which do not displace at all while they stand.
+// Above 1 the block falls as well with rigid blocks, which have no displacement while they are stable.
 TEST(FactorOfSafety, rigid_blocks_have_no_knee) {
   const FactorOfSafety found = factor_of_safety(block_on_plane({{"basis", "rigid"}}), {});
   ASSERT_EQ(found.end, SearchEnd::bracketed);
@@ -94,7 +94,7 @@ TEST(FactorOfSafety, a_stop_keeps_the_trials_made) {
   EXPECT_FALSE(found.is_safe());
 }
 
-// A coarse mesh, whose slope slides far before it finds no equilibrium (tests/run/yielding_rock_test.cpp).
+// A coarse mesh, whose slope slides far before equilibrium fails (tests/run/yielding_rock_test.cpp).
 TEST(FactorOfSafety, rock_is_judged_by_equilibrium_and_its_knee_is_told) {
   const FactorOfSafety found = factor_of_safety(slope(20), {});
   ASSERT_EQ(found.end, SearchEnd::bracketed);
@@ -109,7 +109,7 @@ TEST(FactorOfSafety, rock_is_judged_by_equilibrium_and_its_knee_is_told) {
   EXPECT_GT(most, 0);
 }
 
-// More than trials take whose contact forces settle, or where trials are seen to take longer; 0 is none.
+// More than trials with convergent contact forces take, or than trials seen to take longer; 0 is unlimited.
 TEST(FactorOfSafety, a_trial_has_a_limit_unless_none_is_asked_for) {
   EXPECT_EQ(trial_limit(std::nullopt, 0), 100000);
   EXPECT_EQ(trial_limit(std::nullopt, 50000), 500000);

@@ -1,4 +1,4 @@
-// Fits that have not the shape of what was measured are told, those of noise about the law are not.
+// Fits of another shape than the measured curve give a warning, fits with noise about the law do not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/fit/fit_doubts.hpp"
 
@@ -42,7 +42,7 @@ double peaked(double strain) {
 
 }  // namespace
 
-// Of a triangle the best plateau leaves 58 % of the variance: R² was 0.418.
+// The best plateau of a triangle leaves 58 % of the variance: R² was 0.418.
 TEST(FitDoubts, a_curve_with_a_peak_that_softens_is_told_at_its_peak) {
   const Warnings warnings = doubts_of(sampled(20, 1.9e-3, peaked));
   ASSERT_TRUE(has(warnings, "softening"));

@@ -1,4 +1,4 @@
-// Fits of measured curves: exact ones, with noise, the kinds of curve, tests under pressure, and what is refused.
+// Fits of measured curves: exact ones, with noise, the kinds of curve, tests under pressure, and refusals.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -84,7 +84,7 @@ TEST(Fit, what_a_curve_does_not_show_is_not_found) {
 }
 
 // Noise of 1 MPa, 400 curves: each interval of 95 % holds its value in about 95 of 100. Four standard deviations of
-// that share are 0.044.
+// that fraction are 0.044.
 TEST(Fit, intervals_hold_the_values_as_often_as_they_say) {
   constexpr int kCurves = 400;
   std::array<int, 4> held{};
@@ -112,7 +112,7 @@ TEST(Fit, tests_under_pressure_give_cohesion_and_friction) {
   EXPECT_NEAR(exact.cohesion.value, 2, 1e-10);
   tests.x.resize(2);
   tests.y.resize(2);
-  EXPECT_TRUE(std::isinf(fit_strength(tests).cohesion.high));  // no more measured than sought
+  EXPECT_TRUE(std::isinf(fit_strength(tests).cohesion.high));  // no more measured than fitted
   constexpr int kSeries = 400;
   std::array<int, 2> held{};
   std::mt19937_64 dice(11);

@@ -1,4 +1,4 @@
-// Losses name what differs, where a case file has it, how often, and what became of the first.
+// Losses name the difference, its place in a case file, its count, and the new value of the first.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/convert/losses.hpp"
 

@@ -1,4 +1,4 @@
-// The front of a made-up market, and what is chosen from it.
+// The Pareto front of invented runs, and the choice from it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/trade/price.hpp"
 
@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-// Front: 1 (1 s, 1e-1), 4 (2 s, 1e-3), 0 (5 s, 1e-4). 2 is dearer than 4 and worse, 3 as good as 0 and dearer, 5 failed
-// though cheap.
+// Front: 1 (1 s, 1e-1), 4 (2 s, 1e-3), 0 (5 s, 1e-4). 2 costs more than 4 and is worse, 3 is as good as 0 and costs
+// more, 5 failed though cheap.
 const std::vector<Price> kMarket{{5, 1e-4}, {1, 1e-1}, {3, 1e-2}, {8, 1e-4}, {2, 1e-3}, {0.1, kNone}};
 
 }  // namespace
@@ -50,7 +50,7 @@ TEST(Price, an_error_is_met_by_the_cheapest_within_it) {
   EXPECT_EQ(choice_for(kMarket, {{}, 1e-5}), std::nullopt);
 }
 
-// Equal runs but for the noise of timing: the luck of one is no reason to choose it.
+// Runs that differ only by the noise of timing: one lucky run is no reason to choose it.
 TEST(Price, of_runs_that_cost_the_same_but_for_noise_the_first_is_chosen) {
   const std::vector<Price> twins{{1.05, 1e-3}, {1, 1e-3}, {1.2, 1e-3}, {0.99, 2e-3}};
   EXPECT_EQ(choice_for(twins, {{}, 1e-2}), 0U);

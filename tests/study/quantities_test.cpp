@@ -1,4 +1,4 @@
-// The quantities of blocks, points and the scene, against two blocks worked out by hand.
+// The quantities of blocks, points and the scene, compared with two blocks worked out by hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/cases/quantities.hpp"
 

@@ -1,4 +1,4 @@
-// A trace is followed only if everything in it was compared and found near: nothing missing, no number that is none.
+// A trace agrees only if every value in it was compared and is near: nothing missing, no value that is not finite.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/cases/trace.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The free fall trace, with one of its tables changed line by line: `keep` says which lines stay.
+/// The free fall trace, with one of its tables changed line by line: `keep` chooses the lines that stay.
 TraceDifference follow_with(const std::string& table, const std::function<bool(const std::string&)>& keep) {
   const fs::path folder = fs::path(support::fresh_folder("trace")) / "freefall_dt5ms";
   fs::copy(KEYBLOCK_SOURCE_DIR "/legacy_cases/reference_traces/freefall_dt5ms", folder);

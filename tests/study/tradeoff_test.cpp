@@ -1,4 +1,4 @@
-// Errors against expected values and against the limit of refined runs; which runs are made.
+// Errors relative to expected values and to the limit of refined runs; the runs that are made.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/trade/tradeoff.hpp"
 
@@ -122,7 +122,7 @@ TEST(Tradeoff, a_plan_is_refined_by_its_step_its_tolerance_or_its_mesh) {
 }
 
 // The file: 1000 steps of 1 ms, values expected at quarters of a second.
-// The profile makes its steps of those that are set: draft halves their number, reference takes four times as many.
+// The profile derives its steps from the given ones: draft halves their number, reference takes four times as many.
 TEST(Tradeoff, a_profile_with_a_step_of_its_own_is_refined_by_so_many_parts_and_no_more) {
   const StudyCase slide = study_case({kCases + "sliding_block/a30_p20"});
   for (const std::string profile : {"draft", "reference"}) {

@@ -1,4 +1,4 @@
-// The errors that `tradeoff` tells, held against closed forms: never less than the true ones, and at most three times
+// The errors that `tradeoff` prints, compared with closed forms: never less than the true ones, and at most three times
 // as great.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ StudyCase case_of(const std::string& name, const std::string& text, const std::v
   return chosen;
 }
 
-// A block of 1 m² on a bolt, the other end of which a second block holds that is fixed or free.
+// A block of 1 m² on a bolt, whose other end a second block carries that is fixed or free.
 struct Oscillator {
   const char* name;
   bool is_anchored;
@@ -107,7 +107,7 @@ Truth stopping_slide() {
           3.0 * 3.0 / (2 * 10 * 0.3)};
 }
 
-// Under its own weight, without Poisson's ratio: the top sinks by γ L²/(2 E).
+// Under its own weight, without Poisson's ratio: the top settles by γ L²/(2 E).
 Truth column_on_covers() {
   constexpr const char* kCase = R"({"keyblock": 1,
  "blocks": {"blocks": [{"outer": [[0, 0, 1], [1, 0, 1], [1, 4, 1], [0, 4, 1]]}], "measured_points": [[0.5, 4, 1]]},
@@ -159,14 +159,15 @@ TEST(TradeoffTruth, an_error_asked_for_is_met_and_told_within_a_factor_of_three)
     }
 }
 
-// The runs of the design cost a millisecond or so: a budget buys digits, and none of them is said too many.
+// The runs of the design cost about a millisecond: a budget buys digits, and none of them is printed too many.
 TEST(TradeoffTruth, a_budget_is_used_and_the_error_told_within_a_factor_of_three) {
   for (const Truth& truth : truths()) {
     const Told answer = told(truth, {0.5, std::nullopt});
 #if !defined(__SANITIZE_ADDRESS__)               // under which the same seconds buy less
     EXPECT_LT(answer.said, 2e-4) << truth.name;  // 1e-3 by a quarter of the step, the finest planned
 #endif
-    EXPECT_LE(answer.truly, answer.said + kLeastError) << truth.name << ": errors nearer than that are not told apart";
+    EXPECT_LE(answer.truly, answer.said + kLeastError)
+        << truth.name << ": errors nearer than that are not distinguished";
     EXPECT_LE(answer.said, 3 * std::max(answer.truly, kLeastError)) << truth.name;
   }
 }

@@ -1,4 +1,4 @@
-// Everything a file's content holds but places, as text: two contents are equal where their texts are.
+// Writes the contents of a file as text, without their places. Two contents are equal if their texts are.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace keyblock::support {
 
-/// One line a record, reals to the last bit.
+/// Returns one line per record, with reals to the last bit.
 std::string content_text(const formats::Content& content);
 
 }  // namespace keyblock::support

@@ -1,4 +1,4 @@
-// One function a benchmark; see continuum_benchmarks.hpp.
+// Builds one benchmark per function; see continuum_benchmarks.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/continuum_benchmarks.hpp"
 
@@ -34,7 +34,7 @@ auto deflection_at(Point x) {
   };
 }
 
-/// From `from` to `to` (rad) about the origin, both ends included, 64 chords.
+/// Points from `from` to `to` (rad) about the origin, both ends included, 64 chords.
 std::vector<Point> arc(double radius, double from, double to) {
   constexpr int kChords = 64;
   std::vector<Point> points;
@@ -47,7 +47,7 @@ std::vector<Point> arc(double radius, double from, double to) {
   return points;
 }
 
-/// Kirsch's stresses in polar coordinates, turned: tension 1 along x at infinity, hole of radius 1.
+/// Kirsch's stresses in polar coordinates, rotated: tension 1 along x at infinity, hole of radius 1.
 Stress kirsch_stress(Point x) {
   const double q = 1 / dot(x, x);
   const double t = std::atan2(x.y, x.x);

@@ -1,4 +1,4 @@
-// Cutting, exact fields and norms; see continuum_scenes.hpp.
+// Cuts bodies and computes exact fields and norms; see continuum_scenes.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/continuum_scenes.hpp"
 

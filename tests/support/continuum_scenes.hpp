@@ -1,5 +1,4 @@
-// Bodies on meshes turned and shifted against them, and the errors of their solutions: for the tests and tables of
-// continua.
+// Builds bodies on rotated and shifted meshes, and measures the errors of their solutions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +11,7 @@
 
 namespace keyblock {
 
-/// Triangles of side `h` in rows turned by `angle` (rad), a node at `through`; equilateral where `side_over_row` is
+/// Triangles of side `h` in rows rotated by `angle` (rad), a node at `through`; equilateral where `side_over_row` is
 /// 2/√3.
 struct MeshSetting {
   double h = 1;
@@ -21,13 +20,13 @@ struct MeshSetting {
   double side_over_row = 1.1547005383792515;
 };
 
-/// One body of material 0 within closed chains (outer counter-clockwise, holes clockwise), cut from the mesh.
+/// Returns one body of material 0 within closed chains (outer counter-clockwise, holes clockwise), cut from the mesh.
 Manifold cut_body(const std::vector<std::vector<Point>>& loops, const MeshSetting& mesh);
 
-/// Corners of a rectangle, counter-clockwise from the lower left.
+/// Returns the corners of a rectangle, counter-clockwise from the lower left.
 std::vector<Point> rectangle_corners(Point low, Point high);
 
-/// The chain with its first point repeated at the end: all of the boundary.
+/// Returns the chain with its first point repeated at the end: all of the boundary.
 BoundaryPart closed(std::vector<Point> chain);
 
 BlockMaterial elastic_material(double youngs_modulus, double poissons_ratio);
@@ -38,12 +37,12 @@ struct ExactField {
   std::function<Eigen::Matrix2d(Point)> gradient;
 };
 
-/// A displacement to prescribe, whatever the boundary's direction.
+/// A displacement to prescribe, independent of the direction of the boundary.
 inline std::function<Point(Point, Point)> at_any_normal(std::function<Point(Point)> displacement) {
   return [displacement = std::move(displacement)](Point x, Point) { return displacement(x); };
 }
 
-/// Relative to the norms of the exact field.
+/// Errors relative to the norms of the exact field.
 struct FieldErrors {
   double l2 = 0;
   double energy = 0;
@@ -51,7 +50,7 @@ struct FieldErrors {
 };
 FieldErrors errors_of(const Continuum& continuum, const ContinuumSolution& solution, const ExactField& exact);
 
-/// At a point of body 0.
+/// Stress at a point of body 0.
 Point displacement_at(const Continuum& continuum, const ContinuumSolution& solution, Point x);
 Stress stress_at(const Continuum& continuum, const ContinuumSolution& solution, Point x);
 

@@ -1,4 +1,4 @@
-// The slowest vibration of a held body on covers: a coordinate that sees one frequency only.
+// Computes the slowest vibration of a fixed NMM body, as a coordinate with one frequency only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,7 +19,7 @@ struct CoverMode {
   double frequency() const { return omega / (2 * std::numbers::pi); }
 };
 
-/// Inverse iteration on K φ = ω² M φ at the start.
+/// Inverse iteration on K φ = ω² M φ in the initial state.
 inline CoverMode slowest_mode(const ElasticBodies& bodies) {
   SparseSystem stiffness = bodies.mass;
   stiffness.clear();

@@ -1,4 +1,4 @@
-// Scenes for Dynamics::standard in which some blocks hang on covers.
+// Builds scenes for Dynamics::standard with DDA blocks and NMM bodies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace keyblock::support {
 
-/// A mesh of the given half rows, turned by 10 degrees: nothing is aligned.
+/// Returns a mesh of the given half rows, rotated by 10 degrees, so that nothing is aligned.
 inline TriangleMesh turned_mesh(const BodyGraph& graph, int half_rows) {
   Box box;
   for (Point p : graph.nodes) box.add(p);
@@ -20,7 +20,7 @@ inline TriangleMesh turned_mesh(const BodyGraph& graph, int half_rows) {
   return regular_triangles(box, mesh);
 }
 
-/// Blocks with the numbers `meshed` (from 0) on covers.
+/// Returns a scene in which the blocks with the numbers `meshed` (from 0) are NMM bodies.
 inline Scene mixed_scene_of(const Blocks& blocks, const std::vector<int>& meshed, const Analysis& analysis,
                             const Settings& settings, int half_rows, CoverFunctions functions) {
   int number = 0;

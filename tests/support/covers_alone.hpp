@@ -1,4 +1,4 @@
-// Bodies on covers that nothing touches, moved by the step of the program and brought to rest by its statics.
+// Moves NMM bodies without contact by the step of the program, and finds their static equilibrium.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -27,7 +27,7 @@ inline Scene scene_of_covers(const Continuum& continuum) {
 
 class CoversAlone {
  public:
-  /// `stiffness_damping`: of all bodies, time.
+  /// `stiffness_damping`: that of all bodies [time].
   explicit CoversAlone(const Continuum& continuum, double stiffness_damping = 0) {
     Scene scene = scene_of_covers(continuum);
     if (stiffness_damping > 0) scene.settings.stiffness_damping = std::optional(stiffness_damping);
@@ -41,7 +41,7 @@ class CoversAlone {
   const CoverScene& covers() const { return covers_->bodies(); }
   CoverEquations& equations() const { return covers_->equations(); }
 
-  /// Undeformed, at rest.
+  /// Returns the undeformed state, at rest.
   CoverMotion rest() const {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(start_.q.shared.size());
     return {zero, zero, zero, start_.points.covers};
@@ -52,7 +52,7 @@ class CoversAlone {
     bool is_solved = false;
     int rounds = 0;  ///< of Newton's method
   };
-  /// From `from` under `load`, all forces on the unknowns besides those of rock, inertia and supports.
+  /// Makes a step from `from` under `load`: all forces on the unknowns except those of rock, inertia and supports.
   Step step(const CoverMotion& from, const Eigen::VectorXd& load, const StepRule& rule, double dt) const {
     Motion motion = start_;
     motion.q.shared = from.q;
@@ -71,7 +71,7 @@ class CoversAlone {
   const CoverGroup* covers_ = nullptr;
 };
 
-/// Where the loads of bodies on covers are in balance, as far as they have to go; none: no such state was found.
+/// Returns the equilibrium of NMM bodies under as much of their loads as needed; empty if none was found.
 inline std::optional<Eigen::VectorXd> at_rest_under_loads(const Continuum& continuum) {
   Scene scene = scene_of_covers(continuum);
   scene.settings.standard.motion = MotionRule::equilibrium;

@@ -1,4 +1,4 @@
-// Assembles stiffness and mass of the old step and solves densely: the scenes are small.
+// Assembles stiffness and mass of Shi's step and solves densely: the scenes are small.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/held_statics.hpp"
 

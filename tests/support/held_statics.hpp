@@ -1,5 +1,5 @@
-// What the held bodies of a scene would come to by linear elasticity alone, and how fast static steps of the old kind
-// go there.
+// Computes the equilibrium of the fixed bodies of a scene by linear elasticity, and the rate at which Shi's static
+// steps approach it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,18 +10,18 @@
 
 namespace keyblock::support {
 
-/// Linear about the start; bodies held in fewer than two points, and all contact, are left out.
+/// Linearised at the initial state. Bodies with fewer than two fixed points, and all contacts, are left out.
 struct HeldStatics {
   int bodies = 0;
   int held_bodies = 0;
   std::vector<bool> is_held;  ///< of each element
-  Increments increments;      ///< of the equilibrium; zero for elements that are not held
-  double omega = 0;           ///< smallest circular frequency of the held bodies
+  Increments increments;      ///< of the equilibrium; zero for elements that are not fixed
+  double omega = 0;           ///< smallest circular frequency of the fixed bodies
   double greatest_displacement = 0;
   double least_stress_yy = 0;
   double greatest_stress_yy = 0;
 
-  /// (1 + (ω dt)²/2)^-m: what m steps that start from rest leave of the lowest mode.
+  /// (1 + (ω dt)²/2)^-m: part of the lowest mode that is left after m steps, each begun at rest.
   double remaining_share(double dt, int steps) const;
 };
 

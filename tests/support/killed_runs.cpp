@@ -1,4 +1,4 @@
-// SIGKILL at a moment that the dice give; whether and how far a checkpoint was written is left to chance.
+// Sends SIGKILL at a random moment; the last checkpoint, if any, is left to chance.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/killed_runs.hpp"
 
@@ -21,7 +21,7 @@ namespace {
 // Between two checkpoints: a few steps of a small scene.
 const std::vector<std::string> kOften{"--checkpoint-every", "0.01"};
 
-// Where none of the moments asked for fell between the first checkpoint and the end: a busy machine.
+// If none of the moments fell between the first checkpoint and the end: a busy machine.
 constexpr int kMoreMoments = 20;
 
 // Each part of a run has another number of them.
@@ -66,7 +66,7 @@ KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, u
   const std::vector<std::string> command = joined(joined({"run"}, arguments), kOften);
   int expected = 0;
   double length = 1e9;
-  for (int i = 0; i < 3; ++i) {  // the quickest: a run that a busy machine delayed would put moments behind the end
+  for (int i = 0; i < 3; ++i) {  // the quickest: a delayed run would put moments behind the end
     const auto started = std::chrono::steady_clock::now();
     expected = run_keyblock(joined(command, {"-o", whole + "/out", "--force"})).exit_code;
     length = std::min(length, std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count());

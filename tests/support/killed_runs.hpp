@@ -1,4 +1,4 @@
-// Runs killed at random moments and resumed, held against the run that was left alone.
+// Kills runs at random moments, resumes them and compares them with an undisturbed run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,20 +8,19 @@
 
 namespace keyblock::support {
 
-/// Every file below a folder with its bytes; the timings of run.json are left out.
+/// Returns every file below a folder with its bytes, without the timings of run.json.
 std::map<std::string, std::string> contents(const std::string& folder);
 
 struct KilledRuns {
-  int killed = 0;        ///< runs that still ran at their moment
-  int resumed = 0;       ///< of those, the ones that had begun to write into their folder; the others were asked again
-  int killed_twice = 0;  ///< of those, how often the run was killed again and resumed again
-  std::string
-      differs;  ///< the first file that is another, or the message of a program that failed; empty if all is the same
+  int killed = 0;        ///< number of runs that were still running at their moment
+  int resumed = 0;       ///< number of these that had begun to write into their folder; the others were repeated
+  int killed_twice = 0;  ///< number of these that were killed again and resumed again
+  std::string differs;   ///< first file that differs, or the message of a program that failed; empty if all files agree
 };
 
-/// Runs of `keyblock run ARGUMENTS…`, at least `moments` and more until one was resumed, each killed at a random moment
-/// of its length, resumed, and compared to the whole run; every third is killed once more on the way, and each part is
-/// on another number of threads. The dice are those of `seed`.
+/// Runs `keyblock run ARGUMENTS…` at least `moments` times, and more often until one run was resumed. Each run is
+/// killed at a random moment of its length, resumed, and compared with the whole run. Every third run is killed once
+/// more on its way, and each part uses another number of threads. `seed` fixes the random numbers.
 KilledRuns killed_runs(const std::vector<std::string>& arguments, int moments, unsigned seed);
 
 }  // namespace keyblock::support

@@ -1,4 +1,4 @@
-// Runs of small scenes that keep their books.
+// Runs small scenes and returns their energy balance.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace keyblock::support {
 
-/// All rows of a run to `time`; a step that fails throws.
+/// Returns all rows of a run to `time`; a failed step throws.
 inline Ledger ledger_of(const Scene& scene, double time) {
   StandardStepper stepper(scene);
   Ledger ledger{stepper.ledger_scope(), {stepper.ledger()}};
@@ -26,7 +26,7 @@ inline Blocks column_on_slope(double slope, double height) {
   return scene;
 }
 
-/// A square metre above a held floor.
+/// A square metre above a fixed floor.
 inline Blocks block_above_floor(double gap) {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, gap}, {1, 1 + gap})};

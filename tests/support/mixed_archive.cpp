@@ -24,7 +24,7 @@ struct Sample {
   bool is_manifold = false;
 };
 
-// For two_triangles: one block and two joint materials, one loading point.
+// One block and two joint materials, one loading point, for two_triangles.
 const std::string kManifoldAnalysis =
     "0.7\n10\n1\n2\n0.01\n0.1\n500\n2 -3\n0.1\n0.5 -1\n10 0.2\n1 2 3\n4 5 6\n7 8 9\n30 1 2\n20 0 0\n1.5\n0 0 0\n";
 const std::string kMotion = "0.005 3\n.1\n-.2\n.3\n";

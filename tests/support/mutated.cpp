@@ -1,4 +1,4 @@
-// Random damage; the draws are those of mt19937 itself, so that they are the same everywhere.
+// Damages text at random; the numbers are those of mt19937 itself, so that they are the same everywhere.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/mutated.hpp"
 

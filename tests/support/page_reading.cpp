@@ -1,4 +1,4 @@
-// Unpacks the chunks of a page; written apart from the code that packs them.
+// Unpacks the chunks of a page; written independently of the code that packs them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/page_reading.hpp"
 

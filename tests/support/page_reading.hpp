@@ -26,10 +26,10 @@ class ReadPage {
 
   ReadShape shape(std::size_t epoch) const;
 
-  /// The number of a row in a frame; throws std::out_of_range if the frame has no such field.
+  /// Returns the number of a row in a frame; throws std::out_of_range if the frame has no such field.
   float value(const std::string& field, std::size_t part, std::size_t frame, std::size_t row) const;
 
-  /// Columns of a table in time at a frame, by name, row after row; whole numbers as reals.
+  /// Returns the columns of a table in time at a frame, by name, row after row; whole numbers as reals.
   std::map<std::string, std::vector<double>> rows(const std::string& what, std::size_t frame) const;
 
  private:

@@ -1,4 +1,4 @@
-// Fork, exec, wait with resource usage.
+// Starts programs by fork and exec, and waits with their resource usage.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/program.hpp"
 

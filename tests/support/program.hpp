@@ -17,25 +17,25 @@ struct ProgramRun {
   double peak_megabytes = 0;
 };
 
-/// `keyblock ARGUMENTS…`, in the current folder.
+/// Runs `keyblock ARGUMENTS…` in the current folder.
 ProgramRun run_keyblock(const std::vector<std::string>& arguments);
 
-/// The same, sent `signal` as soon as `file` exists.
+/// Does the same, and sends `signal` as soon as `file` exists.
 ProgramRun interrupt_keyblock(const std::vector<std::string>& arguments, const std::string& file, int signal = SIGINT);
 
-/// The same; `meanwhile` is called as soon as `file` exists.
+/// Does the same, and calls `meanwhile` as soon as `file` exists.
 ProgramRun run_keyblock(const std::vector<std::string>& arguments, const std::string& file,
                         const std::function<void()>& meanwhile);
 
-/// A script of the shell, in which $K is the program.
+/// Runs a script of the shell, in which $K is the program.
 ProgramRun run_script(const std::string& script);
 
-/// The same, killed (SIGKILL) after so many seconds, if it still runs.
+/// Does the same, and kills the script (SIGKILL) after so many seconds, if it still runs.
 ProgramRun kill_keyblock(const std::vector<std::string>& arguments, double seconds);
-/// The same, killed (SIGKILL) as soon as `file` has that many lines.
+/// Does the same, and kills the script (SIGKILL) as soon as `file` has that many lines.
 ProgramRun kill_keyblock(const std::vector<std::string>& arguments, const std::string& file, int lines);
 
-/// A fresh empty folder below the system's temporary one.
+/// Returns a fresh empty folder below the temporary folder of the system.
 std::string fresh_folder(const std::string& name);
 
 }  // namespace keyblock::support

@@ -1,4 +1,4 @@
-// Dice choose what changes; the rock of each stage is known without a run. See random_changes.hpp.
+// Draws the changes; the rock of each stage is known without a run. See random_changes.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_changes.hpp"
 
@@ -38,7 +38,7 @@ Segment line_through(const BlockPolygon& block, std::mt19937& dice) {
   return {middle_of(block) - reach, middle_of(block) + reach};
 }
 
-/// The largest is cut in two, or one goes, is of another material, or is bolted to another.
+/// The largest is cut in two, or one is removed, gets another material, or is bolted to another.
 Stage change_of_blocks(const Rock& rock, std::mt19937& dice) {
   const std::vector<BlockPolygon>& blocks = rock.blocks.blocks;
   const auto below = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(dice); };
@@ -75,7 +75,7 @@ Stage change_of_meshes(const Rock& rock, std::mt19937& dice) {
   return stage;
 }
 
-/// Bodies of one mesh are not cut by lines: a strip through the largest is dug out.
+/// Lines do not cut bodies of one mesh: a strip through the largest is excavated.
 Stage change_of_one_mesh(const Rock& rock, std::mt19937& dice) {
   const auto below = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(dice); };
   const std::vector<BlockPolygon>& blocks = rock.blocks.blocks;

@@ -1,4 +1,4 @@
-// Draws contents, and holds what came back against what was drawn.
+// Draws contents, and compares the returned ones with them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_contents.hpp"
 
@@ -507,7 +507,7 @@ OutputPlan outputs(Dice& dice) {
   return {some(dice, 4, history), static_cast<ContactTables>(dice.below(4)), 1 + dice.below(9)};
 }
 
-/// Whatever the program knows, what no old format holds included.
+/// All that the program knows, including items without a place in old formats.
 Content anything(Dice& dice) {
   constexpr std::array<Content (*)(Dice&), 3> kGeometries{native_drawing, blocks, cover};
   constexpr std::array<Content (*)(Dice&), 4> kAnalyses{berkeley_analysis, shi_analysis, manifold_analysis,

@@ -1,4 +1,4 @@
-// Contents drawn at random, one kind a format: whatever the format can hold may occur, sensible or not.
+// Draws random contents, one kind per format. They may hold all that the format can hold, sensible or not.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,17 +10,17 @@
 
 namespace keyblock::support {
 
-/// A format to write with, what it may hold, and what a reader must be told to read it.
+/// A format to write with, its possible contents, and the options that a reader needs.
 struct ContentKind {
   const formats::Format* format = nullptr;
   formats::Content (*draw)(Dice&) = nullptr;
   formats::ReadHint (*hint)(const formats::Content&) = nullptr;
 };
 
-/// Every format that is written.
+/// Returns every format that is written.
 std::vector<ContentKind> content_kinds();
 
-/// Writes, reads and writes again; empty where content and text came back the same, else what differs.
+/// Writes, reads and writes again. Returns the difference of contents or texts; empty if both agree.
 std::string round_trip_fault(const ContentKind& kind, const formats::Content& content);
 
 }  // namespace keyblock::support

@@ -1,4 +1,4 @@
-// Dice draw the cracks and the mesh; the program's own steppers do the rest. See random_cracks.hpp.
+// Draws cracks and mesh; the program's own steppers do the rest. See random_cracks.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_cracks.hpp"
 
@@ -205,7 +205,7 @@ CoverFunctions functions_by(Dice& dice) {
   return dice.happens(0.5) ? CoverFunctions::constant : CoverFunctions::linear;
 }
 
-/// In flight nothing holds or pulls it: it turns, and an initial stress lets it swing.
+/// In flight there are no supports and loads: it rotates, and an initial stress makes it oscillate.
 Problem flying(const Problem& at_rest) {
   Problem problem = at_rest;
   problem.analysis->velocity_carry_over = 1;

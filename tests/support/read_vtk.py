@@ -1,5 +1,5 @@
-# Reads the last instant of a run's fields.pvd with VTK's own readers. On standard output a line a quantity: its name and number.
-# Run: python3 read_vtk.py FOLDER. Exit code 3 where VTK is not installed.
+# Reads the last instant of a run's fields.pvd with VTK's own readers. Prints one line per quantity: its name and number.
+# Run: python3 read_vtk.py FOLDER. Exit code 3 if VTK is not installed.
 import sys
 import xml.etree.ElementTree as tree
 
@@ -26,7 +26,7 @@ print("blocks", blocks.GetNumberOfCells())
 print("contacts", contacts.GetNumberOfVerts())
 print("time", contacts.GetFieldData().GetArray("TimeValue").GetValue(0))
 
-# What contacts do to each block.
+# Forces of contacts on each block.
 data = contacts.GetPointData()
 force, block, other = (data.GetArray(name) for name in ("force", "block", "other"))
 on = {}
@@ -36,7 +36,7 @@ for i in range(contacts.GetNumberOfPoints()):
 for number, sum_y in sorted(on.items()):
     print(f"force_y_on_{number}", repr(sum_y))
 
-# Sums of all contacts, to hold against contacts.csv, and the force from its parts along normal and tangent.
+# Sums of all contacts, for comparison with contacts.csv, and the force from its parts along normal and tangent.
 points = range(contacts.GetNumberOfPoints())
 for name in ("normal_force", "shear_force", "gap", "slip", "joint", "state"):
     array = data.GetArray(name)
@@ -49,7 +49,7 @@ for i in points:
     misfit = max(misfit, abs(force.GetComponent(i, 0) - p * nx + s * ny), abs(force.GetComponent(i, 1) - p * ny - s * nx))
 print("force_misfit", repr(misfit))
 
-# Corners without their displacement are where they were drawn.
+# Corners without their displacement are those of the drawing.
 moved = blocks.GetPointData().GetArray("displacement")
 heights = [blocks.GetPoint(i)[1] - moved.GetComponent(i, 1) for i in range(blocks.GetNumberOfPoints())]
 print("lowest_drawn", repr(min(heights)))

@@ -1,4 +1,4 @@
-// The old manifold program's cover and analysis files, which may be read here but not shipped.
+// Reads the cover and analysis files of Shi's manifold program, which may be used here but not shipped.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -31,7 +31,7 @@ inline Problem sample_pair(const std::string& number) {
       .problem;
 }
 
-/// `cvNN` alone: material numbers as the file has them.
+/// Reads `cvNN` alone, with material numbers as in the file.
 inline Cover sample_cover(const std::string& number) {
   return std::get<Cover>(formats::load_case({(sample_covers() / ("cv" + number)).string()}).problem.geometry);
 }

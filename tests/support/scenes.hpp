@@ -1,4 +1,4 @@
-// Small scenes built by hand for tests: rectangles, one material, one joint.
+// Builds small scenes for tests: rectangles, one material, one joint.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -37,7 +37,7 @@ inline ShiScene legacy_scene(const Blocks& blocks, const Analysis& analysis) {
   return shi_scene({model_from_blocks(blocks, analysis), profile_settings("legacy", analysis)});
 }
 
-/// Advances once; a step that fails throws.
+/// Advances once; a failed step throws.
 inline StepReport step_once(const ShiScene& scene, Stepping& stepping) {
   return std::get<StepReport>(advance(scene, stepping));
 }

@@ -1,4 +1,4 @@
-// Small scenes of elements on covers for tests: a drawing cut by a mesh, stepped by the old rules.
+// Builds small scenes of elements on covers for tests: a drawing cut by a mesh, stepped by Shi's rules.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

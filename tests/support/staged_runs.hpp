@@ -1,4 +1,4 @@
-// Small scenes of several stages, and what a run of them tells.
+// Builds small scenes of several stages and records their runs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -53,7 +53,7 @@ inline Told told_of(const Problem& problem, const std::vector<Override>& overrid
   return told_of(prepare(problem, "standard", overrides).scene);
 }
 
-/// A base of 4 × 1 that is held, and blocks of 2 × 1 upon it.
+/// A fixed base of 4 × 1, with blocks of 2 × 1 on it.
 inline Problem column(int blocks, double dt = 1e-3) {
   Problem problem;
   Blocks all;
@@ -66,7 +66,7 @@ inline Problem column(int blocks, double dt = 1e-3) {
   return problem;
 }
 
-/// Two squares on covers, one on the other, the lower one held along its base.
+/// Two NMM squares, one on the other, the lower one fixed along its base.
 inline Problem squares_on_covers(CoverFunctions functions) {
   Problem problem;
   Blocks all;
@@ -82,7 +82,8 @@ inline Problem squares_on_covers(CoverFunctions functions) {
   return problem;
 }
 
-/// A wall of bricks in running bond on a held base, with an opening dug in two stages and a bolt put in between.
+/// A wall of bricks in running bond on a fixed base, with an opening excavated in two stages and a bolt placed in
+/// between.
 inline Problem wall_with_opening() {
   Problem problem = column(0);
   std::vector<BlockPolygon>& blocks = std::get<Blocks>(problem.geometry).blocks;
@@ -94,7 +95,7 @@ inline Problem wall_with_opening() {
       blocks.push_back(rectangle({left, 1.0 * row}, {left + 2, row + 1.0}));
     }
   problem.stages = {stage_of(30), stage_of(30, "heading"), stage_of(30, "bolt"), stage_of(30, "bench")};
-  // Through the middle of bricks: notched ones are left.
+  // Through the middle of bricks, so that notched ones are left.
   problem.stages[1].excavations = {{box({3.2, 1.4}, {4.9, 2.5}), 0, {}}};
   problem.stages[2].bolts = {{{{4, 2.8}, {4, 4.5}}, 1e7, 0, 1e4, 0, {}}};
   problem.stages[3].excavations = {{box({3.2, 0}, {4.9, 1.4}), 0, {}}};

@@ -1,4 +1,4 @@
-// Small scenes for Dynamics::standard: a floor held by two points, squares on it, and a run to a given time.
+// Builds small scenes for Dynamics::standard: a floor fixed by two points, squares on it, and a run to a given time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,14 +16,14 @@ inline double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
 }
 
-/// A rectangle in axes turned by `angle`, origin fixed.
+/// A rectangle in axes rotated by `angle`, origin fixed.
 inline BlockPolygon turned_rectangle(Point low, Point high, double angle) {
   BlockPolygon block = rectangle(low, high);
   for (BlockVertex& corner : block.outer) corner.position = turned(corner.position, angle);
   return block;
 }
 
-/// Block 1, held: 20 m long, its top through the origin, falling to the right at `slope`. Block 2: a square metre on
+/// Block 1, fixed: 20 m long, its top through the origin, falling to the right at `slope`. Block 2: a square metre on
 /// it.
 inline Blocks block_on_slope(double slope) {
   Blocks scene;
@@ -41,7 +41,7 @@ inline Scene standard_scene_of(const Blocks& blocks, const Analysis& analysis, c
   return {std::move(model), settings};
 }
 
-/// Steps until `time`; a step that fails throws.
+/// Makes steps until `time`; a failed step throws.
 inline void run_to(StandardStepper& stepper, double time) {
   const double half = stepper.scene().settings.time_step / 2;
   while (stepper.state().time < time - half) {
@@ -50,8 +50,8 @@ inline void run_to(StandardStepper& stepper, double time) {
   }
 }
 
-/// How far the centroid of element `e` has come since the first step began.
-template <class Start>  // a state, or the places before any load
+/// Returns the displacement of the centroid of element `e` since the first step began.
+template <class Start>  // a state, or the unloaded places
 Point travel(const StandardStepper& stepper, const Start& start, int e) {
   return stepper.state().elements[ElementIndex{e}].centroid - start.elements[ElementIndex{e}].centroid;
 }

@@ -1,4 +1,4 @@
-// Text files whole: read and written by tests.
+// Reads and writes whole text files for tests.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// The smallest cover worth a test: a unit square of two triangles that share a joint, as a file and as what it says.
+// Holds the smallest useful cover, a unit square of two triangles that share a joint, as a file and as its contents.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace keyblock::support {
 
-/// The square is cut along its diagonal (joint material 2, counted from 1), so each half hangs on its own three covers
-/// of the same two mathematical triangles. The upper half stands first among the slots, the lower first among the
-/// elements: no order of slots may be relied upon.
+/// A diagonal cuts the square (joint material 2, counted from 1), so that each half has its own three covers of the
+/// same two mathematical triangles. The upper half comes first among the slots, the lower half first among the
+/// elements: no reader may rely on an order of slots.
 inline Cover two_triangles() {
   Cover cover;
   cover.elements = {{{4, 3}, 0, {0, 2, 4}}, {{0, 3}, -1, {1, 5, 3}}};

@@ -1,4 +1,4 @@
-// Looks at every literal that may be a code, and at what encloses it.
+// Examines every literal that may be a code, and its enclosing brackets.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/warning_codes.hpp"
 
@@ -31,7 +31,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \n") + 1 - first);
 }
 
-/// The arguments between the bracket at `open` and the one that closes it; none if it lies too far away.
+/// Returns the arguments between the bracket at `open` and the one that closes it; empty if it is too far away.
 std::vector<std::string_view> arguments_at(std::string_view text, std::size_t open) {
   std::vector<std::string_view> found;
   const std::size_t end = std::min(text.size(), open + kLongest);
@@ -59,7 +59,7 @@ std::vector<std::string_view> arguments_at(std::string_view text, std::size_t op
   return {};
 }
 
-/// The bracket that encloses a place; none if it lies too far before it.
+/// Returns the bracket that encloses a place; empty if it is too far before it.
 std::optional<std::size_t> bracket_before(std::string_view text, std::size_t at) {
   int depth = 0;
   for (std::size_t i = at; i > 0 && at - i < kFarthest; --i) {

@@ -8,12 +8,11 @@
 namespace keyblock::support {
 
 /// Returns each code that the sources (src, formats) can give a `Warning`, with a file that does. A code is the first
-/// part of a braced list of name, place and sentence, or an argument of a function that makes warnings of it; both need
-/// an underscore in the code. Codes of other forms are not found: of one word, or put together of parts, but those of
-/// DDAML defaults are.
+/// part of a braced list of name, place and sentence, or an argument of a function that makes warnings. Both need an
+/// underscore in the code. Codes of one word, or put together of parts, are not found, except those of DDAML defaults.
 std::map<std::string, std::string> warning_codes();
 
-/// The text of all sources but the table of diagnostics.
+/// Returns the text of all sources except the table of diagnostics.
 std::string source_text();
 
 }  // namespace keyblock::support

@@ -1,4 +1,5 @@
-// The block factor against a dense solution, with fill, blocks of several sizes and values that are not symmetric.
+// The block factorisation compared with a dense solution, with fill, blocks of several sizes and values that are not
+// symmetric.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/block_factor.hpp"
 
@@ -96,8 +97,8 @@ TEST(BlockPattern, fills_no_more_than_it_must) {
   EXPECT_EQ(BlockPattern(20, chain).entry_count(), 20 + 17);
 }
 
-// Two blocks of unit inertia with a spring of 1e9 between them, pulled across it: what the spring does not hold moves
-// by 1. An inverse of the pivot itself would lose nine figures.
+// Two blocks of unit inertia with a spring of 1e9 between them, pulled across it: the direction without the spring
+// moves by 1. An inverse of the pivot itself would lose nine digits.
 TEST(BlockFactor, keeps_what_is_soft_beside_what_is_stiff) {
   constexpr double kStiffness = 1e9;
   Random random;
@@ -144,7 +145,7 @@ TEST(FactorStore, lends_the_room_of_the_last_factor_to_the_next_of_any_shape_and
   for (const MatrixShape shape : {MatrixShape::symmetric, MatrixShape::general, MatrixShape::symmetric})
     EXPECT_LT(error_of(six, shape), 1e-15);
   EXPECT_LT(error_of(wall(2, 2, {6}), MatrixShape::symmetric), 1e-15);
-  // Two at once: the one that comes back after another pattern was asked for is not lent again.
+  // Two at once: the one that comes back after a request for another pattern is not lent again.
   auto of_six = store.take(six.sizes, six.coupled, MatrixShape::symmetric);
   const Wall four = wall(4, 1, {6});
   auto of_four = store.take(four.sizes, four.coupled, MatrixShape::symmetric);

@@ -1,4 +1,4 @@
-// Iterations reach the solution of a factor, say so where they do not, and end for a matrix that has no factor.
+// Iterations reach the solution of a factorisation, report if they do not, and end for a matrix that has none.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/block_iterations.hpp"
 
@@ -125,7 +125,7 @@ TEST(BlockIterations, over_relaxation_reaches_the_solution_where_inertia_rules) 
   EXPECT_LT(residual(system, result.x), 2e-11);
 }
 
-// Two blocks pushed together by a spring that is no spring: −2 on the diagonal of what has 1.
+// Two blocks pushed together by an inadmissible spring: −2 on the diagonal of a matrix that has 1.
 TEST(BlockIterations, an_indefinite_matrix_is_no_success) {
   System system({2, 2});
   system.matrix.add(0, 0, Block::Identity(2, 2));
@@ -149,7 +149,7 @@ TEST(BlockIterations, nothing_is_solved_by_nothing) {
   }
 }
 
-// In single precision nothing can be gained there; what was found is no worse than the start.
+// Single precision cannot gain anything here; the result is no worse than the start.
 TEST(BlockIterations, a_matrix_beyond_single_precision_ends_soon_with_the_best_that_was_found) {
   for (const double stiffness : {1e6, 1e7, 1e9}) {
     const System system = wall(20, 20, stiffness);
@@ -178,13 +178,13 @@ TEST(Solver, chooses_iterations_by_inertia_and_number_and_keeps_to_the_factor_on
   ASSERT_TRUE(solver.solve(light, {1, none(light)}));
   EXPECT_FALSE(solver.gave_up_iterations);
   const System stiff = wall(20, 20, 1e7);
-  const auto solution = solver.solve(stiff, {1, none(stiff)});  // said to be easy
+  const auto solution = solver.solve(stiff, {1, none(stiff)});  // marked as easy
   ASSERT_TRUE(solution);
   EXPECT_LT(solution->residual, 1e-8);
   EXPECT_TRUE(solver.gave_up_iterations);
 }
 
-// The old programs took what their sweeps left for a solution.
+// Shi's programs accept the result of their sweeps as a solution; Keyblock must not.
 TEST(Solver, over_relaxation_that_does_not_end_is_no_solution) {
   Solver solver;
   solver.method = LinearMethod::over_relaxation;
@@ -195,8 +195,8 @@ TEST(Solver, over_relaxation_that_does_not_end_is_no_solution) {
   EXPECT_LT(solution->residual, 2e-11);
 }
 
-// Positive definite, but the incomplete factor of its ring of four blocks is not: 1 beside 0.7 three times and −0.7
-// once.
+// Positive definite, but the incomplete factorisation of its ring of four blocks is not: 1 beside 0.7 three times and
+// −0.7 once.
 TEST(BlockIterations, a_raised_diagonal_makes_a_factor_where_the_pattern_alone_does_not) {
   System system({2, 2, 2, 2});
   const Block one = Block::Identity(2, 2);

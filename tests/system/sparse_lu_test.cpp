@@ -1,4 +1,4 @@
-// Matrices that are not symmetric against dense algebra; the transposed is solved by the same factor.
+// Matrices that are not symmetric compared with dense algebra; the same factorisation solves the transposed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/sparse_lu.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// A band with entries off it, strong on the diagonal where `is_strong`, else with zeros there.
+/// A band with entries off it, strong on the diagonal if `is_strong`, else with zeros there.
 Sparse scattered(int size, unsigned seed, bool is_strong) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> value(-1, 1);
@@ -64,7 +64,7 @@ TEST(SparseLu, a_matrix_without_an_inverse_is_named) {
   EXPECT_THROW(factor.factorise(a), SingularMatrix);
 }
 
-// Whoever asks need not know which factor it is.
+// A caller need not know the kind of the factorisation.
 TEST(SparseLu, answers_as_the_factor_of_a_symmetric_matrix_does) {
   const Eigen::MatrixXd half(scattered(30, 9, true));
   const Sparse whole = Eigen::MatrixXd(half * half.transpose() + Eigen::MatrixXd::Identity(30, 30)).sparseView();

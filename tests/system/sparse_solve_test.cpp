@@ -1,4 +1,4 @@
-// Small systems of pairs against dense algebra; what is not positive definite is refused by name.
+// Small linear systems of pairs compared with dense algebra; a matrix that is not positive definite is refused by name.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/sparse_solve.hpp"
 
@@ -63,14 +63,14 @@ TEST(SparseSolve, what_is_not_positive_definite_is_refused) {
   EXPECT_THROW(solve(system_of(Eigen::Matrix4d::Zero()), Definiteness::definite), NotPositiveDefinite);
 }
 
-// CHOLMOD would take four at fronts of this size, however many a run is to have.
+// CHOLMOD would use four at fronts of this size, for any number of threads of the run.
 TEST(SparseSolve, a_run_of_one_thread_has_no_other_while_it_factorises) {
   const std::filesystem::path tasks = "/proc/self/task";
   if (!std::filesystem::exists(tasks)) GTEST_SKIP() << "threads are not listed here";
   const auto count = [&] {
     return std::distance(std::filesystem::directory_iterator(tasks), std::filesystem::directory_iterator());
   };
-  constexpr int kSide = 80;  // of a grid of springs, each node held a little
+  constexpr int kSide = 80;  // of a grid of springs, each node supported a little
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < kSide * kSide; ++i) {
     entries.emplace_back(i, i, 4.01);

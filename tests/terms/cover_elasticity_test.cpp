@@ -1,5 +1,5 @@
-// Energy, force and tangent of large displacements against each other by differences, against the linear stiffness, and
-// under rigid motion (benchmark nmm-02).
+// Energy, force and tangent of large displacements compared with each other by differences, with the linear stiffness,
+// and under rigid motion (benchmark nmm-02).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/cover_elasticity.hpp"
 
@@ -18,7 +18,7 @@
 namespace keyblock::cover_elasticity_test {
 namespace {
 
-/// The plate of nmm-01 with initial stress, on a mesh turned by 10°.
+/// The plate of nmm-01 with initial stress, on a mesh rotated by 10°.
 ElasticBodies plate(CoverFunctions functions, const Stress& initial = {}, const Stress& per_y = {},
                     ElasticLaw law = ElasticLaw::st_venant_kirchhoff) {
   Continuum continuum;
@@ -55,7 +55,7 @@ SparseSystem empty_like(const SparseSystem& system) {
   return copy;
 }
 
-/// Turned by 1 rad, moved, and deformed by some per cent.
+/// Rotated by 1 rad, moved, and deformed by some per cent.
 Eigen::VectorXd bent(const ElasticBodies& bodies, double seed) {
   return bodies.rigid.turned(1, {0.05, 0.1}, {0.3, -0.2}) + scattered(bodies.unknown_count(), 1e-3, seed);
 }
@@ -127,7 +127,7 @@ TEST(CoverElasticity, tangents_are_derivatives) {
   });
 }
 
-// What symmetry costs the tangent is of first order in the step: halved with it.
+// The error of the symmetric tangent is of first order in the step: halved with it.
 TEST(CoverElasticity, what_the_symmetric_tangent_leaves_out_falls_with_the_step) {
   const ElasticBodies bodies = plate(CoverFunctions::derived);
   const Eigen::VectorXd along = scattered(bodies.unknown_count(), 1e-3, 2);
@@ -178,7 +178,7 @@ TEST(CoverElasticity, a_rigid_motion_makes_no_stress_and_no_force) {
   }
 }
 
-// Stretched by a linear field, then turned by 1 rad: the Cauchy stress turns with the body.
+// Stretched by a linear field, then rotated by 1 rad: the Cauchy stress rotates with the body.
 TEST(CoverElasticity, a_uniform_stress_turns_with_the_body) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
     const ElasticBodies bodies = plate(functions, kInitial);

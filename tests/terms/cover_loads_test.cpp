@@ -1,4 +1,4 @@
-// Loads along chains: whatever part of an edge a chain covers bears its load, and no more does.
+// Loads along chains: exactly the covered part of an edge carries its load.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/cover_loads.hpp"
 
@@ -22,8 +22,8 @@ namespace {
 
 using Loop = std::vector<Point>;
 
-/// A body with a corner that turns inwards and a slanting edge, a hole, and a crack that ends inside: every edge is a
-/// loop's, with the body to its left; the crack is one with both of its faces.
+/// A body with a reflex corner, a slanting edge, a hole, and a crack that ends inside. Every edge belongs to a loop,
+/// with the body to its left; both faces of the crack form one loop.
 const std::vector<Loop> kLoops{{{0, 0}, {3, 0}, {3, 1.7}, {1.9, 2.3}, {1.1, 1.2}, {0, 1.4}},
                                {{0.6, 0.4}, {0.7, 0.9}, {1.3, 0.8}, {1.1, 0.3}},
                                {{1.6, 0.4}, {2.8, 1}, {1.6, 0.4}}};
@@ -87,13 +87,13 @@ Continuum continuum_on(const Body& body, CoverFunctions functions) {
   return continuum;
 }
 
-/// Cubic in places, and a pressure: what a quadrature of loads has to hit.
+/// Cubic in places, and a pressure: loads that a quadrature must integrate exactly.
 Point load_at(Point x, Point n) {
   const double a = x.x - 100, b = x.y;
   return Point{1 + a - b * b, 0.5 - 2 * a * b} - (2 + a) * n;
 }
 
-/// What a load along one straight piece sums up to, its normal to the right of its direction.
+/// Sum of a load along one straight piece, with its normal to the right of its direction.
 Resultant along_piece(Point from, Point to, Point normal) {
   Resultant sum;
   for (const GaussPoint& g : gauss_rule(4)) {
@@ -140,7 +140,7 @@ Chain random_chain(const std::vector<Loop>& loops, std::mt19937& random) {
   return chain;
 }
 
-/// What the assembled load does over rigid motions: of functions whose unknowns are displacements of nodes.
+/// Work of the assembled load on rigid motions: of functions whose unknowns are displacements of nodes.
 Resultant over_rigid_motions(const Continuum& continuum, const CoverBasis& basis, const Eigen::VectorXd& load) {
   Resultant sum;
   for (int f = 0; f < basis.function_count(); ++f) {
@@ -196,8 +196,8 @@ TEST(CoverLoads, a_piece_of_a_chain_that_leaves_the_boundary_bears_nothing) {
   EXPECT_NEAR(sum_of_loads(continuum, 1).force.x, 0.45 + 1.35, 1e-12);
 }
 
-// Held on parts of edges and drawn by the stress of the field on the others: wherever one gives way to the other, a
-// linear field stays exact.
+// Fixed on parts of edges and loaded by the stress of the field on the others: where one part ends and the next begins,
+// a linear field stays exact.
 TEST(CoverLoads, edges_held_in_part_and_loaded_in_part_leave_a_linear_field_exact) {
   const auto field = [](Point p) { return Point{1e-3 * (p.x + p.y / 2), 1e-3 * (p.y + p.x / 2)}; };
   std::mt19937 random(51);

@@ -1,4 +1,5 @@
-// Rock that may yield on covers: homogeneous strain, tangents against differences, rigid motion, what a cover gathers.
+// Elastoplastic rock on covers: homogeneous strain, tangents compared with differences, rigid motion, quantities
+// gathered by a cover.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/yield/cover_yield.hpp"
 
@@ -27,7 +28,7 @@ Strength friction(double cohesion, double friction_deg, double dilation_deg) {
   return s;
 }
 
-/// The plate of nmm-01 on a mesh turned by 10°, cut at random.
+/// The plate of nmm-01 on a mesh rotated by 10°, cut at random.
 struct Plate {
   Continuum continuum;
   CoverBasis basis;
@@ -67,7 +68,7 @@ struct Plate {
   }
 };
 
-/// Of rock without a strength whose cracks close at a thousandth.
+/// Rock without a strength whose cracks close at a thousandth.
 Continuum cracked(CoverFunctions functions, Plane plane, const Stress& initial) {
   Continuum continuum = Plate::made(functions, {}, plane, initial);
   continuum.materials[0].strength = nullptr;
@@ -75,7 +76,7 @@ Continuum cracked(CoverFunctions functions, Plane plane, const Stress& initial) 
   return continuum;
 }
 
-/// Of a free unit square, ascending, in rad / time; the first three are of rigid motion.
+/// Frequencies of a free unit square, ascending, in rad / time; the first three are of rigid motion.
 Eigen::VectorXd frequencies(CoverFunctions functions, double h, double angle_deg) {
   Continuum continuum;
   MeshSetting mesh{h};
@@ -149,9 +150,10 @@ TEST(CoverYield, homogeneous_strain_has_the_stress_of_one_point) {
   EXPECT_NEAR(answer.force.dot(plate.homogeneous(change)), work, 1e-11 * std::abs(work));
 }
 
-// Mohr's circle of the true stress times J = det F touches the line of the strength, (σ1 - σ3) + (σ1 + σ3) sin φ =
-// 2 c cos φ, that of the stress itself does not: yield is tested on the stress that goes with ½ ln C, Kirchhoff's where
-// stress and stretch have the same axes.
+// Mohr's circle of the true stress times J = det F touches the line of the strength:
+//     (σ1 - σ3) + (σ1 + σ3) sin φ = 2 c cos φ.
+// That of the stress itself does not. Yield is tested on the stress conjugate to ½ ln C, which is Kirchhoff's if stress
+// and stretch have the same axes.
 TEST(CoverYield, printed_stress_times_the_change_of_area_meets_the_strength) {
   const Plate plate(CoverFunctions::constant, friction(1000, 30, 30));
   Eigen::Matrix2d h;
@@ -210,7 +212,7 @@ TEST(CoverYield, a_body_that_turns_bears_nothing_and_turned_stress_turns_with_it
   EXPECT_NEAR(stress.zz, 0.25 * -800, 1e-9);
 }
 
-// Forces inside a body have no resultant, whatever its points do.
+// Forces inside a body have no resultant, for any motion of its points.
 TEST(CoverYield, forces_add_up_to_nothing) {
   const Plate plate(CoverFunctions::constant, friction(1000, 30, 0));
   const Eigen::Index count = 2 * plate.basis.function_count();
@@ -221,8 +223,8 @@ TEST(CoverYield, forces_add_up_to_nothing) {
   EXPECT_LT(sum.norm(), 1e-12 * force.norm());
 }
 
-// The work of a step is the change of what is stored, the plastic work and what the weights of the step lose: an
-// identity, in any step, whatever turns and flows (Simo & Tarnow 1992, Gonzalez 2000).
+// The work of a step is the change of stored energy, the plastic work and the loss of the weights of the step. This is
+// an identity, in any step, with any rotation and flow (Simo & Tarnow 1992, Gonzalez 2000).
 TEST(CoverYield, the_work_of_a_step_is_what_is_stored_and_what_flows) {
   for (const double dilation : {30.0, 0.0})
     for (const CoverFunctions functions : {CoverFunctions::constant, CoverFunctions::linear})
@@ -241,7 +243,7 @@ TEST(CoverYield, the_work_of_a_step_is_what_is_stored_and_what_flows) {
         const double stored = plate.yield.stored(d1, after) - plate.yield.stored(d0, before);
         const double plastic = plate.yield.plastic_work(d1, before, after);
         EXPECT_GT(plastic, 0);
-        // Of the mean of both stresses ½ (T0 - T1) · Δεᵖ is left, which is what the end and the mean differ by.
+        // The mean of both stresses leaves ½ (T0 - T1) · Δεᵖ, the difference between end and mean.
         const double end = plate.yield.force_of_step({d0, before, d1, 1}).dot(d1 - d0);
         const double start = plate.yield.force_of_step({d0, before, d1, 0}).dot(d1 - d0);
         EXPECT_NEAR(work, (start + end) / 2, 1e-12 * std::abs(work));
@@ -250,7 +252,7 @@ TEST(CoverYield, the_work_of_a_step_is_what_is_stored_and_what_flows) {
       }
 }
 
-// Cracks that close leave the energy of no quadratic form: without strength all work of a step is what is stored.
+// The energy of closing cracks is not a quadratic form: without strength all work of a step is stored.
 TEST(CoverYield, the_work_of_a_step_in_cracked_rock_is_what_is_stored) {
   for (const CoverFunctions functions : {CoverFunctions::constant, CoverFunctions::derived, CoverFunctions::linear})
     for (const Plane plane : {Plane::strain, Plane::stress}) {
@@ -270,7 +272,7 @@ TEST(CoverYield, the_work_of_a_step_in_cracked_rock_is_what_is_stored) {
       const double end = plate.yield.force_of_step({d0, start, d1, 1}).dot(d1 - d0);
       const double first = plate.yield.force_of_step({d0, start, d1, 0}).dot(d1 - d0);
       EXPECT_GT(std::abs(end - first), 0);
-      // At rest the force is the slope of what is stored.
+      // In equilibrium the force is the derivative of the stored energy.
       const Eigen::VectorXd way = scattered(count, 1e-9, 2.1);
       const double slope = plate.yield.stored(d1 + way, start) - plate.yield.stored(d1 - way, start);
       const double force = plate.yield.answer(d1, start).force.dot(2 * way);
@@ -322,7 +324,7 @@ TEST(CoverYield, the_tangent_of_a_step_is_the_symmetric_part_of_its_derivative) 
   EXPECT_NEAR(way.dot(system.times(way)), difference, 1e-3 * std::abs(difference));
 }
 
-// Of flow that is not normal: all of its entries, after steps of strain small and large.
+// Entries of the tangent of non-associated flow, after steps of small and large strain.
 TEST(CoverYield, a_law_without_symmetric_tangent_has_the_exact_tangent_of_a_step) {
   for (const double size : {2e-4, 2e-2}) {
     const Plate plate(CoverFunctions::constant, friction(1000, 30, 0), Plane::strain, {500, -300, 200});
@@ -366,7 +368,7 @@ TEST(CoverYield, forces_of_a_step_have_no_resultant_and_no_moment_about_the_mean
   EXPECT_LT(std::abs(moment), 1e-12 * force.norm());
 }
 
-// On the same mesh a memory comes back from points as it was where it is uniform, and its mean stays where it is not.
+// On the same mesh a uniform memory comes back from points unchanged; the mean of any other stays.
 TEST(CoverYield, memories_gathered_from_points_keep_their_mean) {
   const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));
   const YieldStates states =
@@ -403,7 +405,7 @@ TEST(CoverYield, memories_gathered_from_points_keep_the_region_that_all_have) {
   for (const YieldState& state : plate.yield.gathered(remembered)) EXPECT_EQ(state.region, YieldRegion::edge);
 }
 
-// A displacement that turns elements over leaves points what they remembered, and its answer is none.
+// A displacement that turns elements over leaves the memory of points unchanged, and has no answer.
 TEST(CoverYield, elements_turned_over_forget_nothing) {
   const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));
   YieldStates states = plate.yield.start();
@@ -424,7 +426,7 @@ TEST(CoverYield, rock_that_has_cracks_alone_has_no_plastic_totals) {
   EXPECT_EQ(totals.area, 0);
 }
 
-// κ of 1 in one point is its weight in the mean of an element. Points have the whole area between them.
+// κ of 1 in one point is its weight in the average over an element. Points have the whole area between them.
 TEST(CoverYield, an_element_yields_where_half_of_its_weight_does) {
   const Plate plate(CoverFunctions::constant, friction(1000, 30, 10));
   YieldStates states = plate.yield.start();
@@ -459,8 +461,8 @@ TEST(CoverYield, an_element_yields_where_half_of_its_weight_does) {
   EXPECT_EQ(totals.yielding, 0);
 }
 
-// A free unit square of E 1 and density 1: what its covers hold without effort is rigid, and what they hold with too
-// little is counted. The smooth vibrations come right as h².
+// A free unit square of E 1 and density 1. Motions of its covers without energy are rigid, and those with too little
+// energy are counted. The smooth vibrations converge as h².
 TEST(CoverYield, soft_patterns_cost_energy_and_are_three_in_four_of_the_slow_vibrations) {
   double coarse = 0;
   for (const double h : {0.125, 0.0884}) {  // √2 apart

@@ -1,4 +1,4 @@
-// Edges held on a mesh that they cut: by means over stretches, which an affine motion meets and which leave flow.
+// Edges fixed on a mesh that they cut: by means over stretches, which an affine motion meets and which permit flow.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms/held_edges.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWidth = 0.24, kHeight = 0.12;
 
-/// A plate whose upper edge is held in the direction y.
+/// A plate whose upper edge is fixed in the direction y.
 struct Plate {
   Continuum continuum;
   CoverBasis basis;
@@ -61,7 +61,7 @@ struct Plate {
     return d;
   }
 
-  /// Ways in which the edge cannot move.
+  /// Motions that the edge excludes.
   int constraints() const {
     const Eigen::MatrixXd whole = Eigen::MatrixXd(WholeSystem(system).matrix());
     const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(whole).eigenvalues();
@@ -84,7 +84,7 @@ TEST(HeldEdges, an_affine_motion_meets_what_a_cut_edge_is_held_to) {
   }
 }
 
-// An edge that is off by the same way everywhere is pulled evenly: as by one force in its middle.
+// An edge with the same error everywhere is pulled evenly: as by one force in its middle.
 TEST(HeldEdges, an_even_pull_has_its_moment_about_the_middle_of_the_edge) {
   for (const double angle : {0.0, 0.2, 0.6}) {
     const Plate plate(angle);
@@ -95,7 +95,7 @@ TEST(HeldEdges, an_even_pull_has_its_moment_about_the_middle_of_the_edge) {
   }
 }
 
-// Held point by point a cut edge takes as many ways as it has pieces and one more: all that their covers have.
+// Fixed point by point, a cut edge excludes as many motions as it has pieces and one more: all that their covers have.
 TEST(HeldEdges, a_cut_edge_is_held_in_fewer_ways_than_it_has_pieces) {
   for (const double angle : {0.2, 0.6}) {
     const Plate plate(angle);

@@ -1,5 +1,5 @@
-// Compares vertices, edges and faces of cutting with those of GEOS on random, two-joint-set and lattice
-// drawings, and says where the two differ.
+// Compares vertices, edges and faces of cutting with those of GEOS on random, two-joint-set and lattice drawings, and
+// reports each difference.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <geos_c.h>
@@ -36,8 +36,7 @@ GEOSGeometry* line_work(const Drawing& drawing) {
   return GEOSGeom_createCollection(GEOS_MULTILINESTRING, lines.data(), static_cast<unsigned>(lines.size()));
 }
 
-/// Vertices and edges on the rings of all polygons, each once. GEOS joins nothing: every node of the noded
-/// lines stays.
+/// Vertices and edges on the rings of all polygons, each once. GEOS joins nothing: every node of the noded lines stays.
 Counts counts_of_polygons(const GEOSGeometry* polygons) {
   using Vertex = std::pair<double, double>;
   std::vector<Vertex> vertices;
@@ -101,7 +100,7 @@ bool print_row(const std::string& name, const Counts& ours, const Counts& theirs
   return ours == theirs;
 }
 
-/// Says whether cutting stands the test.
+/// Returns true if cutting passes the test.
 bool compare(const Comparison& c) {
   const CutReport report = cut_blocks(c.drawing).report;
   const bool is_as_geos =

@@ -26,7 +26,7 @@ using namespace keyblock;
 
 constexpr double kLength = 10;
 constexpr double kDepth = 1;
-// Of the tip: what is left is the clamped edge, held by Nitsche's method here and node by node there.
+// Largest difference of the tip: the clamped edge, which Nitsche's method fixes here and nodes fix there.
 constexpr double kSame = 2e-3;
 
 struct Timing {
@@ -94,7 +94,7 @@ Answer by_covers(const Continuum& continuum) {
   return answer;
 }
 
-/// The shares of the load in the nodes of the loaded edge.
+/// The parts of the load in the nodes of the loaded edge.
 std::vector<double> node_loads(const Continuum& continuum) {
   std::vector<double> loads(continuum.manifold.covers.size(), 0);
   for (const ElementSide& side : sides_along(continuum.manifold, continuum.tractions[0].along)) {
@@ -108,7 +108,7 @@ std::vector<double> node_loads(const Continuum& continuum) {
   return loads;
 }
 
-// CalculiX makes solids of plane elements and keeps u and v equal through the thickness: where that is not small beside
+// CalculiX makes solids of plane elements and keeps u and v equal through the thickness. If that is not small beside
 // the depth, the change of thickness along the beam is sheared (2.3 % too stiff at a thickness of 1).
 constexpr double kThickness = 1e-3;
 

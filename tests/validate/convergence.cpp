@@ -1,4 +1,4 @@
-// One run after another, spread over threads by scene.
+// Runs one scene after another, spread over threads by scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/validate/convergence.hpp"
 
@@ -15,7 +15,8 @@ namespace keyblock {
 namespace {
 
 constexpr std::array<const char*, 2> kProfiles{"legacy", "standard"};
-// A step shorter than asked by less than this share is the asked one: the round-off of a division by a ratio of one.
+// A step shorter than requested by less than this fraction counts as the requested one: the round-off of a division by
+// a ratio of one.
 constexpr double kSameStep = 1e-9;
 
 void count_step(SceneRun& counts, const StepReport& step) {

@@ -1,4 +1,4 @@
-// Runs a scene under a profile and counts how its steps came about.
+// Runs a scene under a profile and counts how its steps were solved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,27 +11,27 @@
 
 namespace keyblock {
 
-/// How a run ended. `refused`: the scene asks for something the profile says it cannot do; `failed`: a step could not
-/// be made; `crashed`: an exception that is no answer to a user.
+/// How a run ended. `refused`: the profile does not support a feature of the scene; `failed`: a step could not be made;
+/// `crashed`: an exception that is no message for a user.
 enum class End { finished, refused, failed, crashed };
 
-/// What one run did.
+/// Results of one run.
 struct SceneRun {
   std::string scene;
   std::string profile;
   End end = End::finished;
-  std::string reason;  ///< why it was refused or failed
+  std::string reason;  ///< reason for a refusal or a failure
   int blocks = 0;
   double time_step = 0;
   int asked = 0;                  ///< steps
   int made = 0;                   ///< steps
-  int plain = 0;                  ///< made at the asked size, without a redone attempt or a fall-back
-  int with_fallback = 0;          ///< made at the asked size without a redone attempt, by the fall-back
-  int cut = 0;                    ///< redone, made in parts, or smaller than asked
+  int plain = 0;                  ///< made at the requested size, without a redone attempt or a fall-back
+  int with_fallback = 0;          ///< made at the requested size without a redone attempt, by the fall-back
+  int cut = 0;                    ///< redone, made in parts, or smaller than requested
   int cut_here = 0;               ///< of these, redone or made in parts at this very step
   int unsettled = 0;              ///< accepted with contacts that still opened or closed
-  int passes = 0;                 ///< solves of all steps
-  std::vector<double> residuals;  ///< one a step
+  int passes = 0;                 ///< linear solves of all steps
+  std::vector<double> residuals;  ///< one per step
   double seconds = 0;             ///< of processor time
   double energy_excess = 0;       ///< MotionWatch, as are the next five
   double energy_gain = 0;
@@ -45,13 +45,13 @@ struct SceneRun {
   int converged() const { return plain + with_fallback; }
 };
 
-/// Overrides that both profiles are run with: the step of the scene stays.
+/// Overrides for both profiles: they keep the time step of the scene.
 std::vector<Override> constant_step();
 
 SceneRun run_scene(const RandomScene& scene, const std::string& profile, const std::vector<Override>& overrides);
 
-/// Scenes of the seeds first … first + count - 1 under both profiles, legacy before standard, in the order of the seeds
-/// whatever the number of threads. `steps` of each; 0: as drawn.
+/// Runs scenes of the seeds first … first + count - 1 under both profiles, legacy before standard, in the order of the
+/// seeds for any number of threads. `steps` of each; 0: as drawn.
 std::vector<SceneRun> run_scenes(std::uint64_t first, int count, int threads, int steps = 0);
 
 }  // namespace keyblock

@@ -1,5 +1,5 @@
-// Prints how many steps of random stacks and slopes converge without cutting, under both profiles, and fails where
-// profile `standard` misses what is asked of it.
+// Prints the number of steps of random stacks and slopes that converge without cutting, under both profiles, and fails
+// if profile `standard` misses a requirement.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ int measure(const Options& options) {
 
 int main(int count, char** words) {
   keyblock::Options options;
-  CLI::App app{"share of steps that converge without cutting, on random stacks (even seeds) and slopes (odd seeds)"};
+  CLI::App app{"share of steps that converge without cutting: stacks have even seeds, slopes the others"};
   app.add_option("--first", options.first, "first seed")->capture_default_str();
   app.add_option("--count", options.count, "number of seeds")->capture_default_str();
   app.add_option("--steps", options.steps, "of each run; 0: as drawn")->capture_default_str();

@@ -1,5 +1,5 @@
-// Prints how much processor time cutting takes as the drawing grows, and the exponent of the growth over
-// lines plus crossings; then the same for meshes cut by a drawing.
+// Prints the processor time of cutting as the drawing grows, and the exponent of the growth over lines plus crossings;
+// then the same for meshes cut by a drawing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ void measure(const Series& series) {
   }
 }
 
-/// The unit square with two joint sets, on an equilateral mesh turned by a tenth.
+/// The unit square with two joint sets, on an equilateral mesh rotated by a tenth.
 void measure_covers() {
   fmt::print("meshes cut by two joint sets in the unit square, length 0.3\n{:>10} {:>10} {:>10} {:>10} {:>9}\n",
              "joints", "triangles", "elements", "covers", "seconds");

@@ -48,7 +48,7 @@ inline RationalPoint reduced(std::int64_t x, std::int64_t y, std::int64_t w) {
   return {x / divisor, y / divisor, w / divisor};
 }
 
-/// Where two lines meet: the crossing, or the ends of their overlap.
+/// Returns the places where two lines meet: the crossing, or the ends of their overlap.
 inline std::vector<RationalPoint> meetings(const WholeLine& a, const WholeLine& b) {
   std::vector<RationalPoint> candidates;
   const std::int64_t w = a.dx * b.dy - a.dy * b.dx;
@@ -67,7 +67,7 @@ struct ExactCounts {
   int edges = 0;
 };
 
-/// Over all pairs; nothing is pruned.
+/// Counts over all pairs; nothing is pruned.
 inline ExactCounts count_exactly(const Drawing& drawing) {
   std::vector<WholeLine> lines;
   for (const JointLine& line : drawing.joints) lines.push_back(whole(line.segment));

@@ -1,5 +1,5 @@
-// Prints the table of the extreme cases and fails where one misses its figure. Words: `brief` leaves out what takes
-// minutes; ext-01 … choose among the cases.
+// Prints the table of the extreme cases and fails if one misses its figure. Words: `brief` leaves out cases of minutes;
+// ext-01 … choose among the cases.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

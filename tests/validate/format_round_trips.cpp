@@ -1,4 +1,4 @@
-// Contents drawn at random, written, read and written again, for every format that is written; a table of failures.
+// Writes random contents, reads and writes them again, for every format that is written; prints a table of failures.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Reading and writing of a 100 MB cover file beside the way of the old programs: fscanf, number after number.
+// Reads and writes a 100 MB cover file, beside the method of Shi's programs: fscanf, number after number.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <unistd.h>
@@ -20,8 +20,8 @@ namespace {
 
 using namespace keyblock;
 
-/// A sheet of `count` triangles, two a cell, whose covers are the nodes of the cells. `digits` behind the point: 6 is
-/// what the old programs print, 17 what a double may take.
+/// A sheet of `count` triangles, two per cell, whose covers are the nodes of the cells. `digits` behind the point: 6 as
+/// Shi's programs print, 17 as a double may need.
 std::string cover_text(int count, int digits) {
   const int columns = 1000, rows = count / columns / 2;
   std::string text =
@@ -50,7 +50,7 @@ std::string cover_text(int count, int digits) {
   return text + "1 4\n1 1\n2 1\n3 1\n7 1\n1 1\n";
 }
 
-/// The numbers of a cover file into arrays, as the old programs read it; how many.
+/// Reads the numbers of a cover file into arrays, as Shi's programs do; returns their count.
 std::size_t read_by_fscanf(const std::string& path) {
   std::FILE* file = std::fopen(path.c_str(), "r");
   if (!file) throw std::runtime_error("cannot open " + path);
@@ -88,7 +88,7 @@ double seconds_of(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// What a piece of work takes: by the clock on the wall, and of all processors together, user and system.
+/// Cost of a piece of work: wall-clock time, and processor time of all threads, user and system.
 struct Seconds {
   double wall = 1e300;
   double processor = 1e300;

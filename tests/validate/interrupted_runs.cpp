@@ -1,6 +1,6 @@
-// Random moments of a case and profile: the run is killed there, resumed on other threads, and compared byte by byte to
-// the run that was not; a row in which no run was resumed fails too. Words on the command line: only the cases whose
-// names hold one.
+// Kills runs at random moments of a case and profile, resumes them on other threads, and compares them byte by byte
+// with the undisturbed run. A row in which no run was resumed fails too. Words on the command line: only the cases
+// whose names hold one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -31,12 +31,12 @@ Case body_on_covers(const std::string& name, const std::vector<std::string>& opt
   return {name, {std::string(KEYBLOCK_SOURCE_DIR) + "/legacy_cases/" + name}, options, 20, {"standard"}};
 }
 
-/// Dug in stages under contact.
+/// Excavated in stages under contact.
 Case excavation(const std::string& name, const std::string& file) {
   return {name, {std::string(KEYBLOCK_SOURCE_DIR) + "/" + file}, {}, 20, {"standard"}};
 }
 
-// Files without a licence, which lie beside the repository where they lie at all.
+// Files without a licence, which may lie beside the repository.
 Case shared_case(const std::string& name, const std::string& first, const std::string& second,
                  const std::vector<std::string>& options) {
   const auto folder = keyblock::shared_folder();

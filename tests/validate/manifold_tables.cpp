@@ -1,5 +1,5 @@
 // Prints the benchmarks of linear elasticity on covers for every kind of cover functions: rates, unknowns, errors, CPU
-// time; fails where a figure is missed. `--sweep POSITIONS` and `--series CURVES.svg` make one table alone.
+// time. Fails if a figure is missed. `--sweep POSITIONS` and `--series CURVES.svg` make one table alone.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -57,13 +57,13 @@ Row row_of(const Make& make, CoverFunctions functions, double mesh) {
   return row;
 }
 
-/// What the table asks of one kind of cover functions: meshes, the error to reach, and with how many unknowns at most.
-/// An earlier estimate asked fewer: nmm-04 830 quadratic; nmm-09 12,000 constant, 1,500 linear, 1,700 quadratic. Weaker
-/// stabilisation reaches that, but fails in corners that are cut small.
+/// Requirements of the table on one kind of cover functions: meshes, the error to reach, and the largest number of
+/// unknowns. An earlier estimate permitted fewer: nmm-04 830 quadratic; nmm-09 12,000 constant, 1,500 linear, 1,700
+/// quadratic. Weaker stabilisation reaches that, but fails in corners that are cut small.
 struct Asked {
   CoverFunctions functions;
   std::vector<double> meshes;
-  double error = 0;  ///< 0: nothing is asked
+  double error = 0;  ///< 0: no requirement
   int unknowns = 0;
 };
 
@@ -127,7 +127,7 @@ void draw_series(const std::string& file, const std::vector<report::Curve>& of_u
 }
 
 /// The clamped beam on the same meshes by every kind of functions: tip over the reference, unknowns, CPU time of all.
-/// Where a file is named the curves are drawn there.
+/// Draws the curves into the file, if one is named.
 void print_series(const std::string& file) {
   std::vector<report::Curve> of_unknowns;
   for (const CoverFunctions functions : kAllCoverFunctions)
@@ -182,9 +182,9 @@ struct Range {
 constexpr double kFlat = 0.2;
 constexpr double kListed = 0.225;  // measured: 0.201 and 0.219
 
-/// The upper and right edges sweep one row of the mesh; half of the positions reach down to 1e-8 of it. Judged is what
-/// scales the unknowns of a cover together; where a cover has but one function the diagonal does nearly the same. That
-/// alone is seen in a tenth of the positions.
+/// The upper and right edges sweep one row of the mesh; half of the positions reach down to 1e-8 of it. The scaling
+/// that couples the unknowns of a cover is checked; if a cover has one function, the diagonal is nearly the same. The
+/// diagonal alone is measured in a tenth of the positions.
 void print_sweep(int positions) {
   fmt::print(
       "\nedges swept through the mesh in {} positions: conjugate gradients to 1e-8, condition without the null space\n"
@@ -208,7 +208,7 @@ void print_sweep(int positions) {
                  condition.least, condition.most, 100 * condition.spread());
       std::fflush(stdout);
       if (!is_judged || (iterations.spread() <= kFlat && condition.spread() <= kFlat)) continue;
-      // Listed: derived and quadratic functions (cause not found). Missed when they get worse.
+      // Listed: derived and quadratic functions (cause not found). A miss only if they get worse.
       const bool is_listed = functions == CoverFunctions::derived || functions == CoverFunctions::quadratic;
       const bool is_as_listed = is_listed && iterations.spread() <= kFlat && condition.spread() <= kListed;
       if (!is_as_listed) ++missed;

@@ -3,9 +3,8 @@
 
 usage: many_runs.py PROGRAM [--count N] [--tasks N]
 
-The ways: one process; the script for Slurm, each task as Slurm starts it and all killed once (SIGKILL) and put into the
-queue again; the line for GNU parallel, and shards on Dask, where these are installed. Each table has to be that of the
-first way.
+The ways: one process; the script for Slurm; the line for GNU parallel, and shards on Dask, if these are installed.
+Tasks of Slurm are started as Slurm does, killed once (SIGKILL) and queued again. Each table has to equal the first.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse

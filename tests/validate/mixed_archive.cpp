@@ -1,5 +1,5 @@
-// A mixed archive checked, killed in the middle and resumed: the time on two cores, and whether both catalogues are the
-// same.
+// Checks a mixed archive, kills the batch in the middle and resumes it: prints the time on two cores, and if both
+// catalogues agree.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/mixed_archive.hpp"
 

@@ -28,7 +28,7 @@ bool is_convex(const Loop& loop) {
   return true;
 }
 
-// Sutherland & Hodgman 1974: what of `loop` lies to the left of start → end.
+// Sutherland & Hodgman 1974: part of `loop` to the left of start → end.
 Loop left_part(const Loop& loop, Point start, Point end) {
   const auto side = [&](Point p) { return cross(end - start, p - start); };
   Loop part;
@@ -55,7 +55,7 @@ bool are_near(const Loop& a, const Loop& b) {
   return !apart(&Point::x) && !apart(&Point::y);
 }
 
-// Of pairs of which one is convex: the others are two held blocks.
+// Pairs of which one is convex; in the other pairs both are fixed blocks.
 double shared_area(const Frame& frame) {
   double sum = 0;
   for (std::size_t i = 0; i < frame.elements.size(); ++i)
@@ -102,7 +102,7 @@ void MotionWatch::begin(const Frame& frame) {
     const Moments m = moments_of(element);
     const Element& modelled = model_.elements[ElementIndex{static_cast<int>(i)}];
     const double density =
-        modelled.basis->unknown_count() == 0 ? 0 : model_.material_of(modelled).density;  // held blocks do not count
+        modelled.basis->unknown_count() == 0 ? 0 : model_.material_of(modelled).density;  // fixed blocks do not count
     masses_.push_back({density * m.area, density * (m.xx + m.yy), element.centroid, m.area, strained_area(element)});
     total_mass_ += density * m.area;
     if (density == 0) continue;

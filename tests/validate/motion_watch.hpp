@@ -1,5 +1,5 @@
-// What no falling heap may do: gain more kinetic energy than its weight gave, rise, change area, or go through what it
-// rests on.
+// Watches falling heaps for impossible motion: kinetic energy beyond the work of weight, a rise, a change of area, or
+// blocks passing through their support.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,29 +11,30 @@
 
 namespace keyblock {
 
-/// Follows the frames of a run under gravity from rest, from outside: masses come from the areas of the first frame,
-/// kinetic energy from centroid velocities and rotation rates (the strain rates' share is left out: it is positive).
+/// Follows the frames of a run under gravity from rest, without access to the solver. Masses come from the areas of the
+/// first frame, kinetic energy from centroid velocities and rotation rates. Strain rates are left out: their part is
+/// positive.
 class MotionWatch {
  public:
   MotionWatch(const Model& model, const Settings& settings) : model_(model), settings_(settings) {}
 
   void see(const Frame& frame);
 
-  /// Greatest of kinetic energy minus released potential energy, over `energy_scale()`; ≤ round-off in sound runs.
+  /// Largest kinetic energy minus released potential energy, over `energy_scale()`; at most round-off in sound runs.
   double greatest_excess() const { return excess_; }
-  /// Greatest of kinetic, strain and potential energy together over their start, over `energy_scale()`.
+  /// Largest sum of kinetic, strain and potential energy over its initial value, over `energy_scale()`.
   double greatest_gain() const { return gain_; }
-  /// Greatest height of the common centre of mass over its first one, over the height of the scene.
+  /// Largest height of the common centre of mass over its first one, over the height of the scene.
   double greatest_rise() const { return rise_; }
-  /// Greatest relative change of the area of a block.
+  /// Largest relative change of the area of a block.
   double greatest_area_change() const { return area_change_; }
-  /// The same, less what the change of its stress makes of its area: none but by false strain. A small block that
-  /// carries its neighbours is strained by more than the weight of the whole slope would strain it.
+  /// The same, less the change of area by stress: nonzero only for false strain. A small block that carries its
+  /// neighbours is strained by more than the weight of the whole slope would strain it.
   double greatest_false_area_change() const { return false_area_change_; }
-  /// Greatest kinetic over released potential energy, where more than 1e-9 of the energy scale is released.
+  /// Largest kinetic over released potential energy, if more than 1e-9 of the energy scale is released.
   double greatest_ratio() const { return ratio_; }
-  /// Greatest area that blocks share, all pairs together, over the area of the moving blocks. Free fall through the
-  /// ground passes every other watch.
+  /// Largest area that blocks share, all pairs together, over the area of the moving blocks. Free fall through the
+  /// ground passes every other check.
   double greatest_overlap() const { return overlap_; }
   bool all_finite() const { return all_finite_; }
 
@@ -43,7 +44,7 @@ class MotionWatch {
     double inertia = 0;
     Point start;
     double area = 0;
-    double strained_area = 0;  ///< over the area without stress, by its stress
+    double strained_area = 0;  ///< area under its stress over the area without stress
   };
 
   void begin(const Frame& frame);

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rock that yields, figure by figure: limit loads, closures, factors of safety, rounds of Newton's method and the ledger, each with the series
-behind it and what was asked of it. A second basis or a second mesh stands beside every figure. Exit code 1 where one misses that is not listed
-here as known to miss.
+"""Tables of elastoplastic rock: limit loads, closures, factors of safety, Newton iterations and the energy balance, each with its series
+and its requirement. Every figure has a second basis or a second mesh beside it. The exit code is 1 if a figure misses that is not listed here as a
+known miss.
 
     plastic_tables.py PROGRAM                all of it
     plastic_tables.py PROGRAM --only cook    one table"""
@@ -24,7 +24,7 @@ PRANDTL = {0: 2 + math.pi, 10: 8.3449, 20: 14.8347, 30: 30.1396}
 
 
 class Run:
-    """One run of the program and what it left."""
+    """One run of the program and its outputs."""
 
     def __init__(self, program, text, folder, more=()):
         folder = pathlib.Path(tempfile.mkdtemp(dir=folder))
@@ -67,7 +67,7 @@ class Run:
         return [float(row[next(key for key in row if key.split(" [")[0] == name)]) for row in self.history]
 
     def slope(self, driven, reaction):
-        """Relative growth of the reaction over that of what drives it, in the last step."""
+        """Relative growth of the reaction over that of the driven displacement, in the last step."""
         d, r = self.column(driven), self.column(reaction)
         return (r[-1] - r[-2]) / r[-1] / ((d[-1] - d[-2]) / d[-1])
 
@@ -83,7 +83,7 @@ class Tables:
         return Run(self.program, text, self.folder, more)
 
     def judge(self, name, holds, known=""):
-        """`known`: why it is listed as missed."""
+        """`known`: reason of a known miss."""
         if holds:
             return "ok"
         if known:
@@ -131,7 +131,7 @@ class Tables:
             self.footing_row(phi, "unstructured", self.footing_text(phi, phi, graded(0.1, 0.3), steps))
             self.footing_row(phi, "unstructured, fine", self.footing_text(phi, phi, dict(kind, side=0.2, refined=about_edge_of_footing()), steps), asked)
             self.footing_row(phi, "same as 2, derived (locks)", self.footing_text(phi, phi, graded(0.1, 0.3), steps, "derived"))
-        # Of one side, and with rows halved about the edge of the footing and where the soil is sheared beside it.
+        # Meshes of one side, and with rows halved about the edge of the footing and in the sheared soil beside it.
         for phi, asked in ((0, 1), (10, 1), (20, 1), (30, 1.5)):
             steps = 24 if phi >= 20 else 16
             for name, mesh in (("structured", {"placement": "aligned"}), ("cut", {"angle": 10, "through_x": 0.0137, "through_y": 0.0071})):
@@ -159,7 +159,7 @@ class Tables:
         return case_text(arc(b, 0, 90, 48) + inner, covers, 210, 0.3, [(b, 0)], plane_strain=True, steps=(steps, 1), strength=strength)
 
     def cylinder(self):
-        print("Limit pressure of a thick cylinder (Hill 1950), asked: 0.3 %")
+        print("Limit pressure of a thick cylinder (Hill 1950), limit: 0.3 %")
         print("%-12s %-10s %6s %10s %8s  %s" % ("surface", "functions", "unkn.", "limit", "error %", ROUNDS))
         for surface, limit in (("von_mises", 0.192090581416), ("tresca", 0.166355323334)):
             for side, functions in ((18, None), (12, None), (9, None), (9, "derived")):
@@ -183,8 +183,8 @@ class Tables:
         return case_text(arc(far, 0, 90, 24) + inner, covers, 6777 * stiffer, 0.21, arc(1, 0, 90, 12), plane_strain=True, steps=(16, 1), strength=strength)
 
     def tunnel(self):
-        print("Round tunnel (Salençon 1969): closure at the side, above, and in the mean of 13 points, asked 2 % of psi = phi, 4 % of psi 0; radius of flow by the")
-        print("area that yielded, asked 2 %. The formula takes the stress across the plane as the middle one, as it is with -12 to -22 before the hole; not with -30")
+        print("Round tunnel (Salençon 1969): closure at the side, above, and on average over 13 points, limit 2 % for psi = phi, 4 % of psi 0; radius of flow by the")
+        print("area that yielded, limit 2 %. The formula takes the stress across the plane as the middle one, as it is with -12 to -22 before the hole; not with -30")
         print("%4s %-10s %6s %6s %8s %8s %8s %9s  %s" % ("psi", "functions", "across", "unkn.", "side %", "above %", "mean %", "radius %", ROUNDS))
         for psi, finer, functions, across, asked in ((30, False, None, -15, 2), (30, True, None, -15, 2), (30, False, "derived", -15, 2), (30, False, None, -20, 2),
                                                      (30, True, None, -30, None), (0, False, None, -15, 4), (0, False, "derived", -15, 4),
@@ -219,7 +219,7 @@ class Tables:
         return case_text([(0, 0), (48, 44), (48, 60), (0, 44)], covers, 70, 1 / 3, [(48, 60)], plane_strain=True, steps=(10, 0.15), strength=strength)
 
     def cook(self):
-        print("Cook's membrane with hardening (Simo & Rifai 1990), asked: 1 % of 0.393 and 0.541, from above and from below")
+        print("Cook's membrane with hardening (Simo & Rifai 1990), limit: 1 % of 0.393 and 0.541, from above and from below")
         print("%-10s %6s %9s %8s %9s %8s  %s" % ("functions", "unkn.", "F 1.2", "error %", "F 1.5", "error %", ROUNDS))
         for side, functions in ((4, None), (2.4, None), (1.4, None), (2.4, "derived"), (1.4, "derived")):
             run = self.run(self.cook_text(side, functions))
@@ -255,7 +255,7 @@ class Tables:
             holds = last <= max(10 * before ** 2, 1e-10)
             print("%-15s step %d: %s  %s" % (surface, step, " ".join("%.1e" % r for r in residuals), self.judge("Newton, " + surface, holds)), flush=True)
 
-    # One point, and the ledger.
+    # One point, and the energy balance.
 
     def cases(self):
         print("Cases of one point (pla-01 to pla-05), under confinement (pla-06), of cracks that close (pla-12): largest error over its tolerance")
@@ -270,7 +270,7 @@ class Tables:
                       worst["tolerance"] / greatest, self.judge(name, case["holds"])), flush=True)
 
     def triaxial(self):
-        print("Triaxial strength of one element (pla-06), asked: 1e-6 of N s3 + 2 c sqrt N")
+        print("Triaxial strength of one element (pla-06), limit: 1e-6 of N s3 + 2 c sqrt N")
         for phi, c, s3, s1 in ((30, 0, 100, 300.0), (30, 20, 100, 369.282032303), (35, 5, 50, 203.718437877), (45, 10, 5, 77.4264068712), (20, 10, 0, 28.5629601348)):
             folder = CASES / "biaxial_strength" / ("phi_%d_c_%d_s3_%d" % (phi, c, s3))
             command = [self.program, "element", str(folder / (folder.name + ".json")), "--path", "triaxial", "--confining", str(s3), "--to=-0.05", "--steps", "50", "--json"]

@@ -1,5 +1,5 @@
-// Prints how random changes of bodies in flight keep momentum and energy, a thousand of each kind; fails where a run
-// does not end, momentum is off by 1e-12 or energy by 1e-7. Runs are of a hundred changes, and of ten where covers have
+// Prints the errors of momentum and energy under random changes of bodies in flight, a thousand of each kind. Fails if
+// a run does not end, momentum is off by 1e-12 or energy by 1e-7. Runs have a hundred changes, and ten if covers have
 // gradients of their own: cut ever smaller, these lose their mass in round-off, and such scenes are refused.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_changes.hpp"

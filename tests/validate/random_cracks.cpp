@@ -1,8 +1,7 @@
-// A thousand scenes with random cracks: all are cut, solved at rest and carried in flight. Prints what is left of area,
-// balance and momentum; fails where a scene fails, area is off by 1e-12, the residual or momentum by 1e-10, or a domain
-// about a tip is refused and does not say why. `free`: the cracks cut off a piece that nothing holds, and statics say
-// so; `unfit`: linear covers are refused in flight, a piece being too thin for their mass. Angular momentum over steps
-// and energy are printed beside it.
+// Cuts, solves and moves a thousand scenes with random cracks. Prints the errors of area, balance and momentum. Fails
+// if a scene fails, area is off by 1e-12, the residual or momentum by 1e-10, or a domain about a tip is refused without
+// a reason. `free`: the cracks cut off an unsupported piece, and statics report it; `unfit`: linear covers are refused
+// in flight, a piece being too thin for their mass. Angular momentum over steps and energy are printed beside it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/random_cracks.hpp"
 

@@ -1,4 +1,4 @@
-// Drawings for checks at size: random lines, two joint sets, and lines between points of a lattice.
+// Draws lines for large checks: random lines, two joint sets, and lines between points of a lattice.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,7 +15,7 @@ inline void add_line(Drawing& drawing, Point start, Point end) {
   drawing.joints.push_back({{start, end}, 0, {"random", static_cast<int>(drawing.joints.size()) + 1, 0}});
 }
 
-/// Lines of the given length in all directions over the unit square.
+/// Draws lines of the given length in all directions over the unit square.
 inline Drawing random_lines(int count, double length, std::uint64_t seed) {
   Dice dice(seed);
   Drawing drawing;
@@ -27,7 +27,7 @@ inline Drawing random_lines(int count, double length, std::uint64_t seed) {
   return drawing;
 }
 
-/// Two sets of joints, at 20 and 105 degrees with a scatter of 3, over the unit square.
+/// Draws two sets of joints, at 20 and 105 degrees with a scatter of 3, over the unit square.
 inline Drawing two_joint_sets(int count, double length, std::uint64_t seed) {
   Dice dice(seed);
   Drawing drawing;
@@ -40,7 +40,7 @@ inline Drawing two_joint_sets(int count, double length, std::uint64_t seed) {
   return drawing;
 }
 
-/// Lines between near points of a lattice: coinciding ends, many lines through one point, overlaps and
+/// Draws lines between near points of a lattice: coinciding ends, many lines through one point, overlaps and
 /// repetitions.
 inline Drawing lattice_lines(int count, int size, int reach, std::uint64_t seed) {
   Dice dice(seed);

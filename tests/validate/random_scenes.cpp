@@ -23,7 +23,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kSteps = 40;
 constexpr std::array<double, 4> kTimeSteps{0.5e-3, 1e-3, 2e-3, 5e-3};
 
-// What both kinds share: a dynamic run as a native analysis file says it, with a step that stays.
+// Common to both kinds: a dynamic run as in a native analysis file, with a constant step.
 Analysis drawn_analysis(Dice& dice) {
   Analysis analysis;
   analysis.dialect = AnalysisDialect::berkeley;
@@ -103,8 +103,8 @@ class StackDrawing {
   }
 
  private:
-  // Every block leans against the line x = left or stands off it by a few hundredths of its width; so does its
-  // neighbour from the other side. Returns how far the tower reaches.
+  // Every block leans against the line x = left or is off it by a few hundredths of its width; so does its neighbour
+  // from the other side. Returns the extent of the tower.
   double tower(double left, int count) {
     const double width = dice_.between(0.5, 2);
     double right = left;
@@ -144,7 +144,8 @@ struct JointSet {
   int material = 0;
 };
 
-// Held rock and outline of a slope of height H: base below y = 0, back left of x = 0, face from (crest, H) to (toe, 0).
+// Fixed rock and outline of a slope of height H: base below y = 0, back left of x = 0, face from (crest, H) to (toe,
+// 0).
 class SlopeDrawing {
  public:
   explicit SlopeDrawing(std::uint64_t seed) : dice_(seed), analysis_(drawn_analysis(dice_)) {

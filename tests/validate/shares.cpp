@@ -1,4 +1,4 @@
-// Sums, worst values and their tables.
+// Computes sums, worst values and their tables.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/validate/shares.hpp"
 
@@ -13,12 +13,13 @@ namespace {
 
 constexpr double kShareAsked = 0.999;
 constexpr double kResidualAsked = 1e-6;  // of the largest load on a block
-// Contact forces are known to kResidualAsked: over a step's travel that is the energy they may be wrong by.
+// Contact forces are known to kResidualAsked: over the travel of a step that is their possible error of energy.
 constexpr double kEnergyAsked = 1e-6;
-// Asked is 1e-3 of the area as it is; that soft rock under its neighbours exceeds it is elasticity. What no stress
-// explains is held far below it.
+// The requirement is 1e-3 of the present area; soft rock that exceeds it under its neighbours is elastic. The part that
+// no stress explains must be far below it.
 constexpr double kFalseAreaAsked = 1e-6;
-// Springs of the modulus press the blocks of a slope together by a hundredth of this; a block that sinks in takes more.
+// Springs of the modulus press the blocks of a slope together by a hundredth of this; a block that penetrates takes
+// more.
 constexpr double kOverlapAsked = 1e-3;
 
 Share sum(const std::string& kind, const std::string& profile, const std::vector<const SceneRun*>& runs) {

@@ -1,4 +1,4 @@
-// What many runs come to: shares of converged steps, by kind of scene and profile.
+// Summarises many runs: shares of converged steps, by kind of scene and profile.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@ struct Share {
   int refused = 0;
   int failed = 0;
   int crashed = 0;
-  int silent = 0;  ///< did not finish and gave no reason
+  int silent = 0;  ///< ended early without a reason
   long asked = 0;  ///< steps of all scenes; those of a refused one count as not made
   long plain = 0;  ///< as SceneRun, as are the next three
   long with_fallback = 0;
@@ -26,7 +26,7 @@ struct Share {
   double passes = 0;  ///< a step, mean
   double median_residual = 0;
   double greatest_residual = 0;
-  double energy_gain = 0;  ///< greatest of all runs, as are the next four
+  double energy_gain = 0;  ///< largest of all runs, as are the next four
   double energy_excess = 0;
   double rise = 0;
   double area_change = 0;
@@ -40,23 +40,23 @@ struct Share {
   double by_newton() const { return asked == 0 ? 1 : static_cast<double>(plain) / static_cast<double>(asked); }
 };
 
-/// One for every kind ("stack", "slope", "all") and profile.
+/// Returns one row for every kind ("stack", "slope", "all") and profile.
 std::vector<Share> shares_of(const std::vector<SceneRun>& runs);
 
 /// Columns as in Share.
 std::string shares_csv(const std::vector<Share>& shares);
 
-/// The runs that did not finish: scene, profile, blocks, step, steps made, end, reason.
+/// Writes the runs that ended early: scene, profile, blocks, step, steps made, end, reason.
 std::string ended_csv(const std::vector<SceneRun>& runs);
 
-/// How many runs did not finish, by profile, end and reason; the reason without its step and what is named after a
-/// semicolon.
+/// Counts the runs that ended early, by profile, end and reason. Reasons are compared without their step and without
+/// the names behind a semicolon.
 std::string reasons_csv(const std::vector<SceneRun>& runs);
 
-/// One line a run: what shares_csv sums, by scene.
+/// Writes one line per run: the addends of shares_csv, by scene.
 std::string runs_csv(const std::vector<SceneRun>& runs);
 
-/// What is asked of profile `standard`, and what of it is not so: one sentence each.
+/// Returns one sentence for each requirement that profile `standard` misses.
 std::vector<std::string> misses_of_standard(const std::vector<Share>& shares);
 
 }  // namespace keyblock

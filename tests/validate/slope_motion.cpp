@@ -1,5 +1,6 @@
-// Prints what jointed slopes do in 0.4 s under profile `standard`, and fails where one gains energy, rises or swells.
-// The slopes of the Berkeley program's runs are taken from ../shared where that folder is; those drawn here need none.
+// Prints the motion of jointed slopes in 0.4 s under profile `standard`, and fails if one gains energy, rises or
+// swells. The slopes of the Berkeley program's runs come from ../shared, if that folder is there; those drawn here need
+// none.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@
 namespace keyblock {
 namespace {
 
-// Contact forces are solved to a millionth of the largest load: energy, over m g h, is known no better.
+// Contact forces are solved to a millionth of the largest load: the accuracy of energy over m g h.
 constexpr double kMostExcess = 1e-6;
 constexpr double kMostRise = 1e-6;
 constexpr double kMostAreaChange = 1e-3;

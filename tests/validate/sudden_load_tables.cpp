@@ -1,5 +1,5 @@
-// Prints benchmark nmm-06, a beam on covers under a load put on at once: frequency, curves of the tip for steps and
-// dampings, steps to equilibrium; fails where theory is missed. With the path of a file it draws the curves there.
+// Prints benchmark nmm-06, a beam on covers under a suddenly applied load: frequency, curves of the tip for steps and
+// dampings, steps to equilibrium. Fails if theory is missed. With the path of a file it draws the curves there.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ using report::Curve;
 
 int missed = 0;
 
-/// What is drawn.
+/// Curve to draw.
 struct Charts {
   std::vector<Curve> tips;
   std::vector<Curve> steps;   ///< both axes as powers of ten
@@ -164,8 +164,8 @@ void print_curves() {
   }
 }
 
-/// Steps until what is left of the first mode is 1/1000: with the velocity carried over (amplitude of the vibration),
-/// and set to 0 before each step; theory per step (1 + Ω²/2)^-½ and (1 + Ω²/2)^-1, Ω = ω dt, of the weights ½ and 1.
+/// Steps until the rest of the first mode is 1/1000: with the velocity carried over (amplitude of the vibration), and
+/// set to 0 before each step. Theory per step (1 + Ω²/2)^-½ and (1 + Ω²/2)^-1, Ω = ω dt, of the weights ½ and 1.
 void print_steps_to_equilibrium() {
   const Continuum continuum = beam(CoverFunctions::derived, 2);
   const Eigen::VectorXd still = still_of(continuum);
@@ -216,7 +216,8 @@ void print_steps_to_equilibrium() {
   charts.steps = {dynamic_theory, dynamic_curve, static_theory, static_curve};
 }
 
-/// The same with stiffness damping of a share ζ of the critical one, weights ½: theory e^(-ζ ω t), below the critical.
+/// The same with stiffness damping of a fraction ζ of the critical one, weights ½: theory e^(-ζ ω t), below the
+/// critical.
 void print_steps_of_damping() {
   const Continuum plain = beam(CoverFunctions::derived, 2);
   const Eigen::VectorXd still = still_of(plain);

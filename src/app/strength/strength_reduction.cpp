@@ -158,14 +158,14 @@ std::string sentence_of(const FactorOfSafety& found) {
 
 std::string table_of(const ReducedCase& chosen, const FactorOfSafety& found) {
   std::string table =
-      fmt::format("{}: strength of {} divided by F\n{:>10}  {:<14}{:>14}{:>8}  {}\n", chosen.name,
+      fmt::format("{}: strength of {} divided by F\n{:>10}  {:<14}{:>14}{:>12}  {}\n", chosen.name,
                   found.what == Reduced::both ? "joints and rock" : name_of(found.what), "F", "",
-                  with_declared("displacement", measures::kLength, chosen.input.problem.units), "rounds", "why");
+                  with_declared("displacement", measures::kLength, chosen.input.problem.units), "iterations", "why");
   std::vector<StrengthTrial> trials = found.trials;
   std::ranges::sort(trials, {}, &StrengthTrial::factor);
   for (const StrengthTrial& t : trials)
     table +=
-        fmt::format("{:>10.6g}  {:<14}{:>14.4g}{:>8}  {}\n", t.factor, kind_of(t), t.displacement, t.rounds, t.why);
+        fmt::format("{:>10.6g}  {:<14}{:>14.4g}{:>12}  {}\n", t.factor, kind_of(t), t.displacement, t.rounds, t.why);
   table += sentence_of(found) + "\n";
   for (const std::string& note : found.notes) table += fmt::format("note: {}\n", note);
   return table;
@@ -287,7 +287,7 @@ CLI::Validator count_of_systems() {
         !text.empty() && text.find_first_not_of("0123456789") == std::string::npos && text.size() < 16;
     if (is_count) return {};
     return fmt::format(
-        "expected a whole number of linear systems, 0 for no limit, found {}; the limit is not in seconds, "
+        "expected a whole number of linear solves, 0 for no limit, found {}; the limit is not in seconds, "
         "so that it does not depend on the machine",
         text);
   };

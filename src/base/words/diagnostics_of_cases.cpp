@@ -58,13 +58,10 @@ constexpr auto kCases = std::to_array<Diagnostic>({
     {"contact_felt", warning, "Contact is not ignored in this run",
      "The section `covers` sets contact to ignored. Only linear statics can ignore contact; these steps resolve it.",
      "Set `contact` to felt, or use linear statics (velocity_carry_over 0, no stages, all blocks on covers)."},
-    {"contact_without_effect", warning, "Touching bodies do not feel each other",
+    {"contact_without_effect", warning, "Bodies pass through each other",
      "Excavations of the section `covers` are solved by linear statics, which knows no contact. Bodies and the two "
      "sides of a joint pass through each other.",
      "Excavate by `stages`, which resolve contact, or set `contact` to ignored."},
-    {"crack_closure", warning, "Cracks of the rock close at an implausible strain",
-     "closure_strain of the material is above 0.1. Cracks of rock close at a strain of 0.01 or less.",
-     "Give the strain as a number, not in per cent."},
     {"damping_without_effect", note, "The damping of block materials has no effect",
      "The analysis file gives block materials a damping, which no profile reads.",
      "Nothing, if no damping is needed; else --set mass_damping.N or stiffness_damping.N for material N."},
@@ -72,7 +69,7 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "The dilation angle of a strength is above its friction angle. Plastic flow then creates energy.",
      "Give a dilation angle of at most the friction angle."},
     {"free_blocks", note, "Blocks move freely from the start",
-     "These blocks touch nothing and have no bolt. In a dynamic run they fall or fly.",
+     "These blocks have neither contact nor bolt. In a dynamic run they fall or fly.",
      "Nothing, if this is meant; else close the gaps of the drawing."},
     {"free_without_gravity", note, "No block is fixed, and there is no gravity",
      "The geometry has no fixed points, and the analysis gives neither gravity nor unit weights. Blocks move freely.",
@@ -90,6 +87,9 @@ constexpr auto kCases = std::to_array<Diagnostic>({
     {"horizontal_force_without_effect", warning, "Horizontal body forces have no effect on blocks",
      "The analysis gives a horizontal force per volume. It acts on elements of a cover file only.",
      "Use --set gravity.x=VALUE or --set body_acceleration.x=VALUE."},
+    {"implausible_closure_strain", warning, "Cracks of the rock close at an implausible strain",
+     "closure_strain of the material is above 0.1. Cracks of rock close at a strain of 0.01 or less.",
+     "Give the strain as a number, not in per cent."},
     {"implausible_density", warning, "A density is not plausible in the declared units",
      "Expected are 100 to 25000 kg/m³. A density that would be the unit weight of rock in kN/m³, 15 to 35, is named as "
      "such.",
@@ -130,7 +130,7 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "Nothing, if stress at these points does not matter; else spread the force as a traction."},
     {"mesh_error_not_reached", warning, "The mesh does not reach the requested error",
      "Refinement by error ended above the value of mesh.error, or no finer mesh confirmed the estimate. It ends "
-     "after 60 rounds, at most_unknowns, or if sides can be no shorter.",
+     "after 60 refinements, at most_unknowns, or if sides can be no shorter.",
      "Raise most_unknowns of the mesh, or request a greater error."},
     {"motion_applied", note, "The ground motion accelerates all blocks",
      "The table of motion is multiplied by gravity and accelerates all blocks. The Berkeley program reads such "

@@ -184,7 +184,7 @@ class PartReader {
     return found ? found->numbers() : std::vector<double>();
   }
 
-  /// Of every three numbers of a vector keeps two.
+  /// Keeps two of every three numbers of a vector.
   std::vector<double> vectors(std::string_view array, std::string_view section = {}) const {
     const std::vector<double> all = numbers(array, section);
     std::vector<double> kept;

@@ -298,7 +298,7 @@ TrialOutcome StrengthTrials::run(double factor, std::optional<long long> most_sy
     TrialOutcome given_up;
     given_up.told.factor = factor;
     given_up.told.systems = trial.systems();
-    given_up.told.why = fmt::format("given up after {} linear systems (--trial-limit)", trial.systems());
+    given_up.told.why = fmt::format("given up after {} linear solves (--trial-limit)", trial.systems());
     return given_up;
   }
 }

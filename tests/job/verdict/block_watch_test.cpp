@@ -1,4 +1,4 @@
-// Single blocks that sums over the scene hide: one that is flung, and one that hangs without tensile strength.
+// Single blocks that sums over the scene hide: one that is thrown, and one that hangs without tensile strength.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/verdict/block_watch.hpp"
 
@@ -11,7 +11,7 @@
 namespace keyblock::block_watch_test {
 namespace {
 
-/// A square of the given side on a held floor of 4 by 1, by default under the old rules.
+/// A square of the given side on a fixed floor of 4 by 1, by default under Shi's rules.
 support::ProgramRun run_of(double side, int steps, const std::string& more = "",
                            const std::vector<std::string>& options = {"--profile", "legacy"}) {
   const std::string folder = support::fresh_folder("block_watch");
@@ -29,7 +29,7 @@ support::ProgramRun run_of(double side, int steps, const std::string& more = "",
 
 }  // namespace
 
-// It weighs 2.5e-8 N and is flung at 0.5 m/s, which its floor's energy hides.
+// It weighs 2.5e-8 N and is thrown at 0.5 m/s, which its floor's energy hides.
 TEST(BlockWatch, a_tiny_block_that_is_flung_is_doubted) {
   const support::ProgramRun run = run_of(1e-6, 20);
   EXPECT_EQ(run.exit_code, 1) << run.messages;

@@ -10,7 +10,7 @@
 namespace keyblock::end_of_motion_test {
 namespace {
 
-/// A held floor and a square of 1 m, which lies `gap` above it, in metres and seconds.
+/// A fixed floor and a square of 1 m at `gap` above it, in metres and seconds.
 std::string block_over_floor(const std::string& gap, const std::string& steps, const std::string& more = "") {
   return R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"}, "blocks": {"blocks": [
     {"outer": [[-2, -1, 1], [3, -1, 1], [3, 0, 1], [-2, 0, 1]]},
@@ -73,7 +73,7 @@ TEST(EndOfMotion, a_block_that_falls_still_moves_at_the_speed_of_its_fall) {
   }
 }
 
-// The energy of a pebble is nothing beside that of the other block, which stands; it is seen all the same.
+// The energy of a pebble is small beside that of the other block, which is stable; the message reports it all the same.
 TEST(EndOfMotion, a_pebble_that_flies_beside_a_large_block_still_moves) {
   std::string text = block_over_floor("0", "50");
   const std::string end_of_blocks = R"(],
@@ -99,7 +99,7 @@ TEST(EndOfMotion, elements_of_bodies_are_called_elements) {
   EXPECT_TRUE(end.motion["fastest"].contains("element")) << end.motion;
 }
 
-// The first step fails: nothing has moved, and nothing is said of motion.
+// The first step fails: nothing has moved, and no message is about motion.
 TEST(EndOfMotion, a_run_without_a_step_says_nothing_of_motion) {
   const Ended falls = ended(block_over_floor("5", "1", R"(, "run": {"set": {"motion": "static"}})"));
   EXPECT_EQ(falls.run.exit_code, 4) << falls.run.messages;

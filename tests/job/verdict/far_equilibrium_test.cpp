@@ -1,4 +1,4 @@
-// Statics whose equilibrium lies far from the drawing: ten columns on a base at 28 degrees. They stand at friction
+// Statics whose equilibrium lies far from the drawing: ten columns on a base at 28 degrees. They are stable at friction
 // above 33.983 degrees by a limit analysis of rigid blocks (linear programme, no tension, Coulomb).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kLimit = 33.983;
 
-/// How the same columns are drawn and measured.
+/// Drawing and measurement of the columns.
 struct Drawn {
   double unit = 1;  ///< units of length in a metre
   double shift = 0;

@@ -1,4 +1,4 @@
-// Impacts that springs stop: the rebound that damping of strain leaves, and steps too long for the springs.
+// Impacts that springs stop: the rebound that strain damping leaves, and steps too long for the springs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/ahead/spring_impacts.hpp"
 
@@ -14,7 +14,7 @@
 namespace keyblock::spring_impacts_test {
 namespace {
 
-/// A square of 1 m and 1000 kg over a held floor; one spring has 10 E.
+/// A square of 1 m and 1000 kg over a fixed floor; one spring has 10 E.
 Warnings told(const std::vector<Override>& settings, double time_step) {
   const std::string file = support::fresh_folder("spring_impacts") + "/in.json";
   support::write_text(file, R"({"keyblock": 1, "blocks": {"blocks": [
@@ -38,8 +38,8 @@ TEST(SpringImpacts, a_stiff_undamped_block_rebounds_with_all_of_its_speed) {
   EXPECT_NEAR((SpringImpact{1000, 1e8, 1e12, 0}).rebound(), 1, 1e-2);
 }
 
-// A heavily damped corner is a rigid one: all of the speed again. In between the damper takes the more the nearer its
-// own rate is to that of the blow.
+// A heavily damped corner is a rigid one: all of the speed again. In between, the damper takes more the nearer its rate
+// is to that of the impact.
 TEST(SpringImpacts, damping_takes_the_most_where_it_is_critical) {
   const double omega = std::sqrt(1e10 / (1000.0 / 3));
   const double critical = (SpringImpact{1000, 1e12, 1e10, 2 / omega}).rebound();

@@ -1,4 +1,4 @@
-// Fields carried to bodies on other covers: polynomials of their order exactly, momentum of any.
+// Fields transferred to bodies on other covers: polynomials of their order exactly, momentum of any.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/groups/carry_covers.hpp"
 
@@ -20,12 +20,12 @@ namespace keyblock::carry_covers_test {
 namespace {
 
 constexpr double kDensity = 2500;
-// Of quadratic functions, which depend on each other, little mass holds those of the smallest elements.
+// Quadratic functions depend on each other, so that little mass fixes those of the smallest elements.
 constexpr double kOfVelocity = 1e-6;
 const std::vector<Point> kSquare = rectangle_corners({-1, -1}, {1, 1});
 const MeshSetting kCoarse{0.7, 0.3}, kFine{0.45, -0.2, {0.11, 0.05}};
 
-/// A square on covers of a mesh turned against it.
+/// A square on covers of a mesh rotated against it.
 struct Covers {
   Scene scene;
   CoverScene bodies;
@@ -78,7 +78,7 @@ Field polynomial(int order) {
   return {moved, gradient, velocity};
 }
 
-/// What no polynomial holds.
+/// The part that no polynomial holds.
 Field waves() {
   return {[](Point p) {
             return Point{0.05 * std::sin(3 * p.x + p.y), 0.04 * std::cos(4 * p.y)};
@@ -119,7 +119,7 @@ Point value_at(const Covers& covers, int e, Point at, const Eigen::VectorXd& unk
   return {u[0], u[1]};
 }
 
-/// The greatest difference from the field at the corners of all elements: of displacement and of velocity.
+/// The largest difference from the field at the corners of all elements: of displacement and of velocity.
 std::pair<double, double> errors(const Covers& covers, const CarriedCovers& carried, const Field& field) {
   double of_d = 0, of_v = 0;
   for (int e = 0; e < covers.count(); ++e)
@@ -168,7 +168,7 @@ TEST(CarryCovers, a_polynomial_of_the_order_of_the_covers_is_carried_exactly) {
   }
 }
 
-// Onto one mesh, from there to another and back: nothing is lost on the way.
+// Onto one mesh, from there to another and back, without loss.
 TEST(CarryCovers, a_polynomial_survives_the_way_from_mesh_to_mesh) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
     const Field field = polynomial(order_of(functions));
@@ -201,11 +201,11 @@ TEST(CarryCovers, momentum_and_angular_momentum_of_any_field_are_kept) {
     const Eigen::Vector3d was = momenta(fields), is = momenta(covers, carried);
     EXPECT_GT(was.norm(), 1000);
     EXPECT_LT((is - was).norm(), 1e-12 * was.norm()) << name_of(functions);
-    EXPECT_GT(errors(covers, carried, waves()).second, 1e-3) << "this field is none of theirs";
+    EXPECT_GT(errors(covers, carried, waves()).second, 1e-3) << "this field is not in their span";
   }
 }
 
-// Elements about the centre are new and know nothing of what was there; the rest keeps its unknowns.
+// Elements about the centre are new and have no memory; the rest keeps its unknowns.
 TEST(CarryCovers, what_is_kept_stays_to_the_bit_and_what_is_new_is_filled_in) {
   const Covers covers(MeshSetting{0.15, 0.3}, CoverFunctions::constant);
   const Manifold& manifold = covers.manifold();

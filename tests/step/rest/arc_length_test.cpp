@@ -36,7 +36,7 @@ Continuum pressed_bar(double load) {
   return bar;
 }
 
-/// The share of the load that the bar carries at the stretch λ. With Green's strain (λ² - 1)/2 the nominal stress is
+/// The fraction of the load that the bar carries at the stretch λ. With Green's strain (λ² - 1)/2 the nominal stress is
 /// E λ (λ² - 1)/2, greatest at λ = 1/√3. The shallow truss of von Mises has the same curve over its height.
 double share_at(double stretch) {
   return kModulus * stretch * (1 - stretch * stretch) / (2 * kLoad);
@@ -91,7 +91,7 @@ TEST(ArcLength, a_pressed_bar_is_followed_beyond_its_limit_load) {
   }
 }
 
-// Way and share are changes since the point before.
+// Displacement and load fraction are changes since the point before.
 TEST(ArcLength, each_point_says_how_it_came_from_the_one_before) {
   LoadedBodies bodies(pressed_bar(kLoad));
   PathPoint before = start_of(bodies);
@@ -125,7 +125,7 @@ TEST(ArcLength, a_path_that_is_turned_round_leads_back) {
   EXPECT_GT(before, 1 / std::sqrt(3));
 }
 
-// Elastic answer: u = -(load/E) y at the nodes of all covers. Held edges give way by a ten-thousandth of that.
+// Elastic answer: u = -(load/E) y at the nodes of all covers. Fixed edges give way by a ten-thousandth of that.
 TEST(ArcLength, the_length_of_the_loads_is_that_of_the_elastic_answer) {
   LoadedBodies bodies(pressed_bar(kLoad));
   const PathPoint start = start_of(bodies);
@@ -136,7 +136,7 @@ TEST(ArcLength, the_length_of_the_loads_is_that_of_the_elastic_answer) {
   EXPECT_NEAR(ArcLength(bodies).length_of_loads(start), std::sqrt(squares), 1e-3 * std::sqrt(squares));
 }
 
-// The curve goes on to λ < 0, where the bar is turned inside out: that is no equilibrium.
+// The curve continues to λ < 0, where the bar is turned inside out: that is no equilibrium.
 TEST(ArcLength, a_bar_is_not_pressed_through_itself) {
   LoadedBodies bodies(pressed_bar(kLoad));
   const PathPoint at = path_of(bodies, start_of(bodies), 0.1, 0.3).back();

@@ -24,7 +24,7 @@ using support::standard_settings;
 constexpr double kRounding = 1e-12;
 constexpr ElementIndex kFirst{0}, kSecond{1}, kThird{2};
 
-/// Rigid blocks, block i of material i, as they are drawn, with all touches that are closed.
+/// Rigid blocks, block i of material i, as drawn, with all closed contacts.
 struct Struck {
   Scene drawn;
   StandardScene scene;
@@ -62,7 +62,7 @@ struct Struck {
 
   void move(ElementIndex e, double x, double y, double turn = 0) { motion.v[e] << x, y, turn; }
 
-  /// All touches meet, `since` before the end of the step, in which they `gained` as much speed.
+  /// All contacts begin `since` before the end of the step, in which they `gained` as much speed.
   Jump jump(double since = 0, double gained = 0) const {
     Impacts impacts;
     for (const Touch& touch : touches) impacts.meetings.push_back({touch, since, gained});
@@ -99,7 +99,7 @@ Blocks side_by_side(int count) {
   return blocks;
 }
 
-/// A held floor, its top at y = 0, under a square of 1 m that stands on it.
+/// A fixed floor, its top at y = 0, under a square of 1 m.
 Blocks on_floor() {
   Blocks blocks;
   blocks.blocks = {rectangle({-2, -1}, {3, 0}), rectangle({0, 0}, {1, 1})};
@@ -107,7 +107,7 @@ Blocks on_floor() {
   return blocks;
 }
 
-/// The same square turned about its lowest corner, which touches the floor at the origin.
+/// The same square rotated about its lowest corner, which is in contact with the floor at the origin.
 Blocks on_its_corner(double angle) {
   Blocks blocks = on_floor();
   blocks.blocks[1] = support::turned_rectangle({0, 0}, {1, 1}, angle);
@@ -115,7 +115,7 @@ Blocks on_its_corner(double angle) {
 }
 
 /// Returns the velocity of a rigid body after one of its points met the fixed plane y = 0: restitution e of the normal
-/// velocity; friction sticks if the cone has room, else it is on the cone, against the slip. `arm` leads from the
+/// velocity. Friction sticks if the cone has room, else it is on the cone, against the slip. `arm` leads from the
 /// centroid to the point.
 Eigen::Vector3d struck_by_plane(double mass, double inertia, Point arm, const Eigen::Vector3d& v, double e, double mu) {
   Eigen::Matrix<double, 2, 3> g;
@@ -148,7 +148,7 @@ TEST(Impact, blocks_that_meet_centrally_part_by_restitution) {
       const double m1 = struck.mass(kFirst), m2 = struck.mass(kSecond), all = m1 + m2;
       EXPECT_NEAR(m1, 1000, 1e-9);
       const double mean = (2 * m1 - m2) / all;
-      // Impulses are solved to a share of the largest momentum.
+      // Impulses are solved to a fraction of the largest momentum.
       expect_velocity(jump.v[kFirst], mean - 3 * e * m2 / all, 0.5, 0, kRounding * heavier);
       expect_velocity(jump.v[kSecond], mean + 3 * e * m1 / all, 0.5, 0);
       const double lost = (1 - e * e) * m1 * m2 / all * 9 / 2;
@@ -171,7 +171,7 @@ TEST(Impact, blocks_that_part_are_left_alone) {
   EXPECT_EQ(jump.lost, 0);
 }
 
-// Two corners meet at once; how they share the blow is decided by the law that both rebound.
+// Two corners meet at once; the law that both rebound decides how they share the impact.
 TEST(Impact, a_block_that_falls_flat_does_not_turn) {
   for (const double e : {0.0, 0.5, 1.0}) {
     Struck struck(on_floor(), {2500, 2500}, e, 30);
@@ -181,7 +181,7 @@ TEST(Impact, a_block_that_falls_flat_does_not_turn) {
   }
 }
 
-// A wide block and touches at three places of one line, which could share the blow in any way.
+// A wide block with contacts at three places of one line, which could share the impact in any way.
 TEST(Impact, a_block_that_falls_on_three_supports_does_not_turn) {
   Blocks blocks;
   blocks.blocks = {rectangle({0, -1}, {1, 0}), rectangle({2, -1}, {3, 0}), rectangle({4, -1}, {5, 0}),
@@ -196,7 +196,7 @@ TEST(Impact, a_block_that_falls_on_three_supports_does_not_turn) {
   EXPECT_NEAR(jump.lost, (1 - 0.16) * struck.mass(ElementIndex{3}) * 2, 1e-8);
 }
 
-// From a blow that sticks to one that slides either way, with and without spin.
+// From an impact that sticks to one that slides either way, with and without spin.
 TEST(Impact, an_oblique_blow_obeys_newton_and_coulomb) {
   int sticking = 0, sliding = 0;
   for (const double angle : {0.2, 0.7, 1.2}) {
@@ -254,7 +254,7 @@ TEST(Impact, a_blow_within_the_step_keeps_momentum_and_angular_momentum) {
   }
 }
 
-// A block falls on the floor with speed w and goes on falling for a time t in the step that finds it: thrown up at e w
+// A block falls on the floor with speed w and goes on falling for a time t in the step that finds it. Thrown up at e w
 // then, it would be at e w t - g t²/2 with e w - g t.
 TEST(Impact, speed_gained_since_the_meeting_is_not_thrown_back) {
   const double speed = 3, time = 0.01, gravity = 9.81, e = 0.6;
@@ -266,7 +266,7 @@ TEST(Impact, speed_gained_since_the_meeting_is_not_thrown_back) {
   EXPECT_NEAR(jump.q[kSecond][1], e * speed * time - gravity * time * time / 2, kRounding);
 }
 
-// Pulled through a bond: a wide block is driven away from a small one that is bonded to its back. They go on as one.
+// Pulled through a bond: a wide block is driven away from a small one that is bonded to its back. They move on as one.
 TEST(Impact, bonded_blocks_go_on_together) {
   Blocks blocks;
   blocks.blocks = {rectangle({1, 0}, {2, 3}), rectangle({0, 1}, {1, 2}), rectangle({0, 0}, {1, 0.9}),
@@ -292,7 +292,7 @@ TEST(Impact, bonded_blocks_go_on_together) {
   }
 }
 
-// What lies against a struck block goes with it, but without restitution of its own.
+// A block in contact with a struck block moves with it, but without restitution of its own.
 TEST(Impact, a_blow_goes_through_what_touches) {
   const double e = 0.5;
   Struck struck(side_by_side(3), {1000, 1000, 1000}, e);
@@ -312,8 +312,8 @@ TEST(Impact, a_blow_goes_through_what_touches) {
   expect_velocity(jump.v[kThird], together, 0, 0);
 }
 
-// The floor rises at 2 m/s, held there by its points: the block leaves it at e times the speed of approach, and what
-// the floor gives is the work of the blow on its way.
+// The floor rises at 2 m/s, driven by its points. The block leaves it at e times the speed of approach, and the floor
+// gives the work of the impact on its way.
 TEST(Impact, a_driven_floor_keeps_its_velocity_and_gives_energy) {
   const TimeCurve rises{{0, 10}, {{0, 0}, {0, 20}}, {}};
   const double e = 0.5;
@@ -350,7 +350,8 @@ TEST(Impact, a_driven_point_takes_the_velocity_of_its_motion) {
   EXPECT_NEAR(pushed.given, struck.energy(pushed.v) - struck.energy(struck.motion.v), 1e-9);
 }
 
-// Both corners stand on the floor: the normal velocity goes, the other is kept, loses friction times it, or goes too.
+// Both corners are on the floor: the normal velocity vanishes; the other is kept, loses friction times it, or vanishes
+// too.
 TEST(Impact, closed_contacts_lose_their_normal_velocity) {
   Struck struck(on_floor(), {2500, 2500}, 0, 30);
   struck.move(kSecond, 2, -0.5);
@@ -366,13 +367,13 @@ TEST(Impact, closed_contacts_lose_their_normal_velocity) {
   // Friction of the push alone, towards the start of the edge of the floor or its end: the edge runs to the left.
   expect_velocity(after({.friction = 0.1}), 2 - 0.1 * 0.5, 0, 0, kClose);
   expect_velocity(after({.friction = -0.1}), 2 + 0.1 * 0.5, 0, 0, kClose);
-  // Each touch had 5 times the mass as a normal impulse; with the push all of them have 10.5 times.
+  // Each contact had 5 times the mass as a normal impulse; with the push all of them have 10.5 times.
   const Eigen::Vector2d had(5 * 2500, 0);
   expect_velocity(after({.coulomb = 0.1, .force = had}), 2 - 0.1 * 10.5, 0, 0, kClose);
   expect_velocity(after({.coulomb = 0.2, .force = had}), 0, 0, 0, kClose);
 }
 
-// As far as they overlap, the lighter one farther: their mass centre stays.
+// In proportion to their overlap, the lighter one farther: their mass centre stays.
 TEST(Impact, blocks_that_overlap_are_moved_apart_by_mass) {
   const double overlap = 1e-4;
   Blocks blocks;
@@ -391,12 +392,12 @@ TEST(Impact, blocks_that_overlap_are_moved_apart_by_mass) {
   for (Touch& touch : touches) touch.rest_gap = -0.4 * overlap;
   const Separated rested = apart(touches, {});
   expect_velocity(rested.q[kFirst], -0.75 * 0.6 * overlap, 0, 0);
-  const Separated others = apart({}, touches);  // which may stay as they were
+  const Separated others = apart({}, touches);  // which may stay unchanged
   expect_velocity(others.q[kFirst], 0, 0, 0, 0);
   EXPECT_EQ(others.solves, 0);
 }
 
-// Held by two points that its motion wants elsewhere: the block is there, turned as they are.
+// Fixed by two points that its motion wants elsewhere: the block is there, rotated as they are.
 TEST(Impact, driven_points_are_put_where_their_motion_wants_them) {
   const double angle = 0.02;
   std::vector<TimeCurve> motions;

@@ -22,7 +22,7 @@ using support::rectangle;
 
 constexpr double kStep = 1e-3, kGravity = 9.81, kMass = 2500, kWeight = kMass * kGravity;
 constexpr double kForce = 1e-8 * kWeight;  // to which forces are compared
-constexpr double kWay = 1e-12;             // and ways, m
+constexpr double kWay = 1e-12;             // and displacements [m]
 constexpr ElementIndex kBlock{1};
 
 /// A scene whose block 1 is a free, rigid square metre; contacts without springs.
@@ -57,7 +57,7 @@ struct Step {
     return smooth_solve(scene, start, loads(), touches, {1e-10 * kWeight, 1e-6 * kWeight}, 0, kStep, rule, before);
   }
 
-  /// Of the block: normal and tangential forces of the touches with this element, summed.
+  /// Normal and tangential forces of the contacts of the block with this element, summed.
   Eigen::Vector2d forces_with(ElementIndex other, const SmoothMotion& made) const {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < touches.size(); ++i) {
@@ -139,8 +139,8 @@ TEST(SmoothSolve, friction_slows_a_block_that_slides_on_a_level_floor) {
   }
 }
 
-// A square in a right-angled groove, its lower edge at φ to the horizontal: without friction each face bears the
-// component of the weight across it, however its corners share it.
+// A square in a right-angled groove, its lower edge at φ to the horizontal. Without friction each face carries the
+// component of the weight across it, in any distribution over its corners.
 TEST(SmoothSolve, both_faces_of_a_wedge_bear_their_component_of_the_weight) {
   for (const double turn : {0.2, 0.6, 1.2}) {
     Blocks blocks;
@@ -160,7 +160,7 @@ TEST(SmoothSolve, both_faces_of_a_wedge_bear_their_component_of_the_weight) {
   }
 }
 
-// The law is one of the gap at the end: what would fall 4.9 µm from 3 µm ends on the floor, what is 6 µm above it
+// The law is one of the gap at the end: a block that would fall 4.9 µm from 3 µm ends on the floor, one 6 µm above it
 // falls freely.
 TEST(SmoothSolve, a_gap_closes_at_the_end_of_the_step_and_no_farther) {
   const double fall = kGravity * kStep * kStep / 2;
@@ -185,15 +185,15 @@ TEST(SmoothSolve, a_floor_that_accelerates_presses_by_as_much_more) {
     EXPECT_NEAR(step.forces_with(kBlock, made)[0], kMass * (kGravity + up), 1e-6 * kWeight) << up;
     expect_near(made.q[kBlock], {0, up * kStep * kStep / 2, 0}, kWay);
     expect_near(made.v[kBlock], {0, up * kStep, 0}, 1e-9);
-    // The points bear the floor, of five square metres, and the block, and accelerate both.
+    // The points carry the floor, of five square metres, and the block, and accelerate both.
     const Eigen::VectorXd& points = made.constraints.point_forces;
     EXPECT_NEAR(points[1] + points[3], 6 * kMass * (kGravity + up), 1e-6 * kWeight) << up;
     EXPECT_NEAR(points[0] + points[2], 0, 1e-6 * kWeight) << up;
   }
 }
 
-// A square that turns about a point that is held has no other velocity than that turn. Rows at the middle of the step
-// keep its energy to third order in the angle of the step; rows at either end would change it to second order.
+// A square that rotates about a fixed point has only the velocity of that rotation. Rows at the middle of the step keep
+// its energy to third order in the angle of the step; rows at either end would change it to second order.
 TEST(SmoothSolve, a_block_that_turns_about_a_held_point_keeps_its_energy) {
   const auto gained = [](double angle) {
     Blocks blocks = on_floor(0);

@@ -1,3 +1,3 @@
-// An include that runs up, for the test of the test: never compiled.
+// Includes a file of a higher layer, for the test of the layers test. Never compiled.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command.hpp"
