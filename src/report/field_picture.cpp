@@ -242,10 +242,10 @@ void draw_contours(SvgPage& page, const FieldPanel& panel, const FieldPicture& p
     page.polyline({panel.map(line[0]), panel.map(line[1])}, {.stroke = kContourColour, .stroke_width = kContourWidth});
 }
 
-/// Draws crosses over a pale mesh. Returns the name of the panel.
+/// Draws crosses over a pale mesh, or below the edges of blocks. Returns the name of the panel.
 std::string draw_stress_crosses(SvgPage& page, const FieldPanel& panel, const FieldPicture& picture,
                                 const FieldFrame& field) {
-  draw_mesh(page, panel.map, picture.end, panel.place, false, kPaleMeshColour);
+  if (!panel.has_edges) draw_mesh(page, panel.map, picture.end, panel.place, false, kPaleMeshColour);
   const double most = picture.scale ? picture.scale->most_stress : 0;
   const CrossScale scale = draw_crosses(page, panel.map, field, panel.place, most);
   if (panel.has_edges) draw_mesh(page, panel.map, picture.end, panel.place, false);
