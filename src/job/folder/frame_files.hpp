@@ -69,7 +69,7 @@ class FrameFiles {
   std::filesystem::path folder_;
   std::vector<File> files_;
   std::vector<BlockMaterial> materials_;
-  formats::VtkCoding coding_ = formats::VtkCoding::raw;
+  formats::VtkCoding coding_ = formats::VtkCoding::automatic;
   std::size_t flushed_ = 0;
 };
 
