@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "report/drawing/colours.hpp"
 #include "report/drawing/scene.hpp"
@@ -246,8 +247,8 @@ std::vector<std::size_t> left_out_of(const Frame& start, const Frame& end, const
   return far_small_blocks(bounds(start, {}), blocks);
 }
 
-std::string run_picture(const RunPicture& whole) {
-  RunPicture picture = framed(whole);
+std::string run_picture(RunPicture whole) {
+  RunPicture picture = framed(std::move(whole));
   const bool chart = std::ranges::any_of(picture.curves, [](const Curve& curve) { return curve.x.size() > 1; });
   if (!chart) picture.numbers.clear();
   const Box box = bounds(picture.start, picture.end);

@@ -38,6 +38,12 @@ TEST(FieldPicture, it_names_elements_scale_and_stress) {
   EXPECT_TRUE(contains(svg, ">0.167<"));  // of the upper corners and the middle: no tension beyond it is on the bar
 }
 
+TEST(FieldPicture, without_a_start_it_shows_the_mesh_of_the_end) {
+  const FieldFrame field = sheared();
+  EXPECT_EQ(field_picture({"t", {}, field, {}, FieldShown::yy}),
+            field_picture({"t", field, field, {}, FieldShown::yy}));
+}
+
 // All compressive, but of a wide range: white is no stress, blue the greatest pressure, and nothing on the bar is red.
 // Far from 0 the colours are of what is between, pale to strong.
 TEST(FieldPicture, a_stress_of_one_sign_has_one_side_of_the_colours) {
