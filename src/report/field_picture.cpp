@@ -237,9 +237,9 @@ ColourScale colours_of(const FieldPicture& picture, const std::vector<Patch>& pa
 void draw_contours(SvgPage& page, const FieldPanel& panel, const FieldPicture& picture, const FieldFrame& field,
                    const ColourScale& scale) {
   const auto value = [&](const FieldCorner& corner) { return value_of(corner, picture.shown); };
-  for (const std::vector<Point>& line :
+  for (const ContourLine& line :
        contours_of(field, value, panel.place, make_axis(scale.low, scale.high, kContours).ticks))
-    page.polyline({panel.map(line[0]), panel.map(line[1])}, {.stroke = kContourColour, .stroke_width = kContourWidth});
+    page.line(panel.map(line[0]), panel.map(line[1]), {.stroke = kContourColour, .stroke_width = kContourWidth});
 }
 
 /// Draws crosses over a pale mesh, or below the edges of blocks. Returns the name of the panel.

@@ -256,8 +256,7 @@ TEST(FieldPatches, contours_run_through_triangles_of_linear_values) {
   const auto lines = contours_of(field, yy, as_drawn, {-2.0});
   ASSERT_EQ(lines.size(), 3U);
   Box box;
-  for (const std::vector<Point>& line : lines) {
-    ASSERT_EQ(line.size(), 2U);
+  for (const ContourLine& line : lines) {
     for (const Point end : line) {
       box.include(end);
       EXPECT_NEAR(end.y, 0.4, 1e-12);  // -4 + 5 y = -2
