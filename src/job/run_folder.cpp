@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.hpp"
 #include "formats/dxf/dxf_writer.hpp"
@@ -206,9 +207,9 @@ void RunFolder::describe(Archive& archive) {
   archive.group("histories", [&] { histories_.describe(archive); });
 }
 
-void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts) {
+void RunFolder::add(const Frame& frame, FieldFrame field, const ContactFrames& contacts) {
   const ContactFrames shown = frame_tables_.shown(contacts);
-  frame_files_.write(frame, field, shown, units_);
+  frame_files_.write(frame, std::move(field), shown, units_);
   frame_tables_.append(frame, shown, contacts);
   if (const auto now = std::chrono::steady_clock::now(); now - listed_ > kListEvery) {
     files_.write(kFrameList, frame_files_.list());

@@ -234,7 +234,8 @@ FieldFrame field_of(const Model& model, const Stepper& stepper) {
       }
     }
   }
-  if (model.continuum) field.cracks = with_faces(model.continuum->cracks, field.elements);
+  if (model.continuum && !model.continuum->cracks.empty())
+    field.cracks = with_faces(model.continuum->cracks, field.elements);
   return field;
 }
 
