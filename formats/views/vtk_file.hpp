@@ -3,8 +3,8 @@
 //
 // raw: the numbers of all arrays follow the XML in <AppendedData encoding="raw">, each array after its number of bytes
 // (UInt64, little endian). zlib: the same, in blocks packed by zlib (vtkZLibDataCompressor). text: numbers as text in
-// the XML, with the fewest digits that give the same number back. automatic: raw if there are few points; else blocks of
-// zlib, of which only those of integers and vectors are packed. That takes half the time of packing all.
+// the XML, with the fewest digits that give the same number back. automatic: raw if points are few; else blocks of
+// zlib, of which only those of integers and vectors other than places are packed.
 #pragma once
 
 #include <cstddef>
@@ -25,6 +25,12 @@ enum class VtkCoding { automatic, raw, zlib, text };
 std::vector<std::string> vtk_coding_names();
 /// Throws std::invalid_argument for another word.
 VtkCoding vtk_coding_of(std::string_view name);
+
+/// How zlib packs an array.
+struct VtkPacking {
+  int level;
+  int strategy;
+};
 
 /// VTK file under construction; arrays are added in the order in which viewers list them.
 class VtkFile {
@@ -50,7 +56,7 @@ class VtkFile {
  private:
   template <class T>
   void add_values(std::string_view name, std::span<const T> values, int width);
-  void append(std::span<const std::uint8_t> bytes, int width, bool are_reals);
+  void append(std::span<const std::uint8_t> bytes, const VtkPacking& packing);
 
   std::string grid_;
   VtkCoding coding_;
