@@ -60,19 +60,42 @@ constexpr VtkPacking kPacked{Z_BEST_SPEED, Z_DEFAULT_STRATEGY};
 constexpr VtkPacking kRuns{Z_BEST_SPEED, Z_RLE};
 constexpr VtkPacking kStored{Z_NO_COMPRESSION, Z_DEFAULT_STRATEGY};
 
-/// Packs blocks of one array one by one.
-class Packer {
+/// Returns bytes as zlib stores them if it packs nothing: one block, and their checksum.
+std::string stored(std::span<const std::uint8_t> bytes) {
+  static_assert(kPackedAtOnce <= 0xFFFF);
+  const auto size = static_cast<std::uint16_t>(bytes.size());
+  const auto sum = static_cast<std::uint32_t>(adler32(adler32(0, nullptr, 0), bytes.data(), size));
+  const auto byte = [](std::uint32_t number, int shift) { return static_cast<char>(number >> shift & 0xFF); };
+  const std::uint32_t rest = ~std::uint32_t{size};
+  std::string text{'\x78', '\x01', '\x01', byte(size, 0), byte(size, 8), byte(rest, 0), byte(rest, 8)};
+  text.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  for (const int shift : {24, 16, 8, 0}) text += byte(sum, shift);
+  return text;
+}
+
+// Packing places takes a third of the time of all vectors and gains least.
+VtkPacking packing_of(VtkCoding coding, std::string_view name, int width, bool are_reals) {
+  if (coding == VtkCoding::zlib || !are_reals) return kPacked;
+  return width == 3 && name != kPlaces ? kRuns : kStored;
+}
+
+}  // namespace
+
+/// Packs blocks one by one. It is made once per file: its tables take longer to clear than a small array to pack.
+class VtkFile::Packer {
  public:
-  explicit Packer(const VtkPacking& packing) {
+  Packer() {
     constexpr int kWindow = 15, kMemory = 8;  // the defaults
-    if (deflateInit2(&stream_, packing.level, Z_DEFLATED, kWindow, kMemory, packing.strategy) != Z_OK) give_up();
+    if (deflateInit2(&stream_, kPacked.level, Z_DEFLATED, kWindow, kMemory, kPacked.strategy) != Z_OK) give_up();
   }
   Packer(const Packer&) = delete;
   Packer& operator=(const Packer&) = delete;
   ~Packer() { deflateEnd(&stream_); }
 
-  std::string packed(std::span<const std::uint8_t> bytes) {
+  std::string packed(std::span<const std::uint8_t> bytes, const VtkPacking& packing) {
+    if (packing.level == Z_NO_COMPRESSION) return stored(bytes);
     std::string packed(deflateBound(&stream_, bytes.size()), '\0');
+    if (deflateParams(&stream_, packing.level, packing.strategy) != Z_OK) give_up();
     stream_.next_in = const_cast<Bytef*>(bytes.data());
     stream_.avail_in = static_cast<uInt>(bytes.size());
     stream_.next_out = reinterpret_cast<Bytef*>(packed.data());
@@ -89,11 +112,7 @@ class Packer {
   z_stream stream_{};
 };
 
-// Packing places takes a third of the time of all vectors and gains least.
-VtkPacking packing_of(VtkCoding coding, std::string_view name, int width, bool are_reals) {
-  if (coding == VtkCoding::zlib || !are_reals) return kPacked;
-  return width == 3 && name != kPlaces ? kRuns : kStored;
-}
+namespace {
 
 VtkCoding coding_of(VtkCoding chosen, std::size_t points) {
   return chosen == VtkCoding::automatic && points < kManyPoints ? VtkCoding::raw : chosen;
@@ -198,7 +217,11 @@ VtkFile::VtkFile(std::string_view grid, double time, std::string_view counts, st
           "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
           "</FieldData>\n<Piece {}>\n",
           grid, is_packed(coding_) ? fmt::format(" compressor=\"{}\"", kPacker) : std::string(), grid,
-          format_real(time), counts)) {}
+          format_real(time), counts)) {
+  if (is_packed(coding_)) packer_ = std::make_unique<Packer>();
+}
+
+VtkFile::~VtkFile() = default;
 
 void VtkFile::begin(std::string_view section) {
   section_ = section;
@@ -232,10 +255,9 @@ void VtkFile::append(std::span<const std::uint8_t> bytes, const VtkPacking& pack
     appended_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return;
   }
-  Packer packer(packing);
   std::vector<std::string> blocks;
   for (std::size_t at = 0; at < bytes.size(); at += kPackedAtOnce)
-    blocks.push_back(packer.packed(bytes.subspan(at, std::min(kPackedAtOnce, bytes.size() - at))));
+    blocks.push_back(packer_->packed(bytes.subspan(at, std::min(kPackedAtOnce, bytes.size() - at)), packing));
   append_word(appended_, blocks.size());
   append_word(appended_, kPackedAtOnce);
   append_word(appended_, bytes.size() % kPackedAtOnce);

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,6 +52,10 @@ class VtkFile {
   /// Adds the section Points, from places in the plane.
   void add_points(std::span<const Point> places);
 
+  VtkFile(const VtkFile&) = delete;
+  VtkFile& operator=(const VtkFile&) = delete;
+  ~VtkFile();
+
   std::string text() &&;
 
  private:
@@ -58,11 +63,14 @@ class VtkFile {
   void add_values(std::string_view name, std::span<const T> values, int width);
   void append(std::span<const std::uint8_t> bytes, const VtkPacking& packing);
 
+  class Packer;
+
   std::string grid_;
   VtkCoding coding_;
   std::string xml_;
   std::string section_;
   std::string appended_;
+  std::unique_ptr<Packer> packer_;  ///< if blocks are packed
 };
 
 /// XML of a VTK file, and the bytes after it. `vtk_parts_of` throws InputError if those do not begin as required.

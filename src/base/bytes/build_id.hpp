@@ -6,8 +6,8 @@
 
 namespace keyblock {
 
-/// Returns the hash of all sources and of the flags of the compiler, lower-case hexadecimal. The program and the library
-/// of one build have the same; two builds that could compute otherwise differ in it. cmake/build_id.cmake makes it.
+/// Returns the hash of all sources and of the flags of the compiler, lower-case hexadecimal. The program and the
+/// library of one build have the same; two builds that could compute otherwise differ. cmake/build_id.cmake makes it.
 std::string build_id();
 
 }  // namespace keyblock

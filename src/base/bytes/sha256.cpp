@@ -1,4 +1,4 @@
-// Makes text of OpenSSL's digest. The algorithm is looked up once: small frames are cheaper to digest than to look it up.
+// Makes text of OpenSSL's digest. The algorithm is looked up once: that takes longer than to digest a small frame.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/bytes/sha256.hpp"
 
