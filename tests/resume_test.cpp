@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "base/bytes/build_id.hpp"
 #include "tests/support/killed_runs.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
@@ -97,12 +98,10 @@ TEST(Resume, another_build_of_the_program_is_refused_and_nothing_is_lost) {
   const StoppedRun stopped("other_build");
   const auto before = support::contents(stopped.out);
   const std::string other = stopped.folder + "/keyblock";
-  // The note in which the linker left the hash of the build: sizes of name and hash, its type, its name.
-  const std::string note("\x04\0\0\0\x14\0\0\0\x03\0\0\0GNU\0", 16);
   std::string program = support::read_text(KEYBLOCK_PROGRAM);
-  const std::size_t at = program.find(note);
+  const std::size_t at = program.find(build_id());
   ASSERT_NE(at, std::string::npos);
-  program[at + note.size()] ^= 1;
+  program[at] = program[at] == '0' ? '1' : '0';
   support::write_text(other, program);
   fs::permissions(other, fs::perms::owner_all);
   const std::string messages = stopped.folder + "/messages";

@@ -313,7 +313,7 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"outputs", "histories and contacts that a run writes"},
     {"histories",
      "quantities recorded in histories.csv; each entry has one of point, block, contact, joint, line and bolt. Without "
-     "entries, the table has the measured points, or the bodies that move most"},
+     "entries and measured points, the table has the bodies that move most"},
     {"histories.name", "name in the table; if absent, it is made from the entry"},
     {"histories.point", "point of a body before any load"},
     {"histories.block", "number of a block, or of an element of an NMM body"},

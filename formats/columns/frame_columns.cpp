@@ -110,7 +110,7 @@ FramePart corners_of(const Frame& frame, const FieldFrame& field) {
     for (const std::vector<FieldCorner>& loop : element.loops) corners.insert(corners.end(), loop.begin(), loop.end());
   const ColumnFiller within(part, corners);
   within.xy("displacement", [](const FieldCorner& c) { return c.displacement; });
-  if (field.is_of_blocks) return part;
+  if (field.is_of_blocks || field.is_uniform) return part;
   within.tensor("stress", [](const FieldCorner& c) { return components(c.stress); });
   if (field.plastic) add_plastic(within);
   return part;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <initializer_list>
+#include <string_view>
 
 #include "base/printable.hpp"
 #include "formats/tables/run_tables.hpp"
@@ -13,8 +14,17 @@
 namespace keyblock::formats {
 namespace {
 
+constexpr std::size_t kRow = 200;  // characters, of a long row
+
 std::string opening(int step, double time) {
   return fmt::format("{},{}", step, format_real(time));
+}
+
+void append_integers(std::string& text, std::initializer_list<int> values) {
+  for (const int value : values) {
+    text += ',';
+    append_integer(text, value);
+  }
 }
 
 void append(std::string& text, std::initializer_list<double> values) {
@@ -33,9 +43,12 @@ std::string contacts_csv_header(const Units& units) {
 std::string contacts_csv_rows(int step, double time, const ContactFrames& contacts) {
   const std::string first = opening(step, time);
   std::string text;
+  text.reserve(kRow * contacts.size());
   for (const ContactFrame& c : contacts) {
-    text += fmt::format("{},{},{},{},{},{}", first, c.element + 1, c.other + 1, c.joint_material + 1, c.joint_line + 1,
-                        word_for(c.condition));
+    text += first;
+    append_integers(text, {c.element + 1, c.other + 1, c.joint_material + 1, c.joint_line + 1});
+    text += ',';
+    text += word_for(c.condition);
     const Point force = c.force();
     append(text, {c.position.x, c.position.y, c.normal.x, c.normal.y, c.gap, c.slip, c.normal_force, c.shear_force,
                   force.x, force.y});
@@ -52,8 +65,9 @@ std::string joints_csv_rows(int step, double time, const ContactFrames& contacts
   const std::string first = opening(step, time);
   std::string text;
   for (const JointSum& sum : joint_sums(contacts)) {
-    text += fmt::format("{},{},{},{},{},{},{}", first, sum.element + 1, sum.other + 1, sum.joint_material + 1,
-                        sum.contacts, sum.closed, sum.sliding);
+    text += first;
+    append_integers(text, {sum.element + 1, sum.other + 1, sum.joint_material + 1});
+    append_integers(text, {sum.contacts, sum.closed, sum.sliding});
     append(text, {sum.normal_force, sum.shear_force, sum.force.x, sum.force.y});
     text += '\n';
   }
@@ -68,8 +82,8 @@ std::string joint_lines_csv_rows(int step, double time, const ContactFrames& con
   const std::string first = opening(step, time);
   std::string text;
   for (const JointLineSum& sum : joint_line_sums(contacts)) {
-    text += fmt::format("{},{},{},{},{},{}", first, sum.joint_line + 1, sum.joint_material + 1, sum.contacts,
-                        sum.closed, sum.sliding);
+    text += first;
+    append_integers(text, {sum.joint_line + 1, sum.joint_material + 1, sum.contacts, sum.closed, sum.sliding});
     append(text, {sum.normal_force, sum.shear_force, sum.greatest_gap, sum.greatest_slip});
     text += '\n';
   }

@@ -107,7 +107,8 @@ std::string vtu(const FrameColumns& frame, const Units& units, VtkCoding coding)
   const std::vector<Point> places = places_of(corners);
   const Polygons polygons = polygons_of(frame, places);
   VtkFile file("UnstructuredGrid", frame.time,
-               fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", polygons.corners.size(), blocks.rows), coding);
+               fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", polygons.corners.size(), blocks.rows),
+               polygons.corners.size(), coding);
   std::vector<Point> walked;
   walked.reserve(polygons.corners.size());
   for (const std::size_t corner : polygons.corners) walked.push_back(places[corner]);

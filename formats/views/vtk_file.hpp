@@ -3,10 +3,13 @@
 //
 // raw: the numbers of all arrays follow the XML in <AppendedData encoding="raw">, each array after its number of bytes
 // (UInt64, little endian). zlib: the same, in blocks packed by zlib (vtkZLibDataCompressor). text: numbers as text in
-// the XML, with the fewest digits that give the same number back.
+// the XML, with the fewest digits that give the same number back. automatic: raw if points are few; else blocks of
+// zlib, of which only those of integers and vectors other than places are packed.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,18 +20,24 @@
 
 namespace keyblock::formats {
 
-enum class VtkCoding { raw, zlib, text };
+enum class VtkCoding { automatic, raw, zlib, text };
 
-/// Returns "raw", "zlib", "text".
+/// Returns "automatic", "raw", "zlib", "text".
 std::vector<std::string> vtk_coding_names();
 /// Throws std::invalid_argument for another word.
 VtkCoding vtk_coding_of(std::string_view name);
 
+/// How zlib packs an array.
+struct VtkPacking {
+  int level;
+  int strategy;
+};
+
 /// VTK file under construction; arrays are added in the order in which viewers list them.
 class VtkFile {
  public:
-  /// `grid`: "UnstructuredGrid" or "PolyData"; `counts`: the attributes of its piece.
-  VtkFile(std::string_view grid, double time, std::string_view counts, VtkCoding coding);
+  /// `grid`: "UnstructuredGrid" or "PolyData"; `counts`: the attributes of its piece, which has `points`.
+  VtkFile(std::string_view grid, double time, std::string_view counts, std::size_t points, VtkCoding coding);
 
   /// Begins an element that holds arrays: "PointData".
   void begin(std::string_view section);
@@ -43,18 +52,25 @@ class VtkFile {
   /// Adds the section Points, from places in the plane.
   void add_points(std::span<const Point> places);
 
+  VtkFile(const VtkFile&) = delete;
+  VtkFile& operator=(const VtkFile&) = delete;
+  ~VtkFile();
+
   std::string text() &&;
 
  private:
   template <class T>
   void add_values(std::string_view name, std::span<const T> values, int width);
-  void append(std::span<const std::uint8_t> bytes);
+  void append(std::span<const std::uint8_t> bytes, const VtkPacking& packing);
+
+  class Packer;
 
   std::string grid_;
   VtkCoding coding_;
   std::string xml_;
   std::string section_;
   std::string appended_;
+  std::unique_ptr<Packer> packer_;  ///< if blocks are packed
 };
 
 /// XML of a VTK file, and the bytes after it. `vtk_parts_of` throws InputError if those do not begin as required.

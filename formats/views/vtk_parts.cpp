@@ -21,9 +21,12 @@ struct Cells {
   std::size_t count;
 };
 
+std::size_t points_of(const Cells& cells) {
+  return cells.count * static_cast<std::size_t>(cells.size);
+}
+
 std::string counts_of(const Cells& cells) {
-  return fmt::format("NumberOfPoints=\"{}\" NumberOf{}=\"{}\"", cells.count * static_cast<std::size_t>(cells.size),
-                     cells.word, cells.count);
+  return fmt::format("NumberOfPoints=\"{}\" NumberOf{}=\"{}\"", points_of(cells), cells.word, cells.count);
 }
 
 std::vector<Point> places_of(const FrameColumn& column) {
@@ -48,7 +51,7 @@ void add_cells(VtkFile& file, const Cells& cells, const FrameColumn& column) {
 std::string lines_vtp(const FrameColumns& frame, const FramePart& part, const RunTable& table, const Units& units,
                       VtkCoding coding) {
   const Cells cells{"Lines", 2, part.rows};
-  VtkFile file("PolyData", frame.time, counts_of(cells), coding);
+  VtkFile file("PolyData", frame.time, counts_of(cells), points_of(cells), coding);
   if (part.find("displacement")) {
     file.begin("PointData");
     add_arrays(file, part, table, units, ArraysOf::ends);
@@ -66,7 +69,7 @@ std::string lines_vtp(const FrameColumns& frame, const FramePart& part, const Ru
 std::string contacts_vtp(const FrameColumns& frame, const Units& units, VtkCoding coding) {
   const FramePart& part = frame.part("contacts");
   const Cells cells{"Verts", 1, part.rows};
-  VtkFile file("PolyData", frame.time, counts_of(cells), coding);
+  VtkFile file("PolyData", frame.time, counts_of(cells), points_of(cells), coding);
   file.begin("PointData");
   add_arrays(file, part, kContactArrays, units, ArraysOf::rows);
   file.end();

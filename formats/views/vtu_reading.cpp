@@ -146,6 +146,7 @@ class VtuReader {
       first = last;
     }
     frame.has_corner_stress = has_stress_;
+    frame.field.is_uniform = !has_stress_;
   }
 
   Corners chain(const VtkArray& order, int first, int last) const {

@@ -281,7 +281,7 @@ struct Recording {
   double checkpoint_every = 30;             ///< seconds; 0: none but at the start and if the run is stopped
   std::vector<std::string> histories = {};  ///< as `keyblock run --history`: "crest=point:16.8,12.8"
   std::string contacts = {};                ///< as `--contacts`: "none", "all", …; empty: as the case says
-  std::string frames = "raw";               ///< coding: "raw", "zlib" or "text"
+  std::string frames = "automatic";         ///< coding: "automatic", "raw", "zlib" or "text"
   std::function<void(const Step&)> on_step = {};
 };
 
@@ -290,8 +290,8 @@ struct Recording {
 /// written. A run that is stopped can be resumed.
 KEYBLOCK_API Outcome record(const Case& of, const std::string& folder, const Recording& how = {},
                             const Choices& choices = {}, const Context& context = Context());
-/// Continues the run that `record` of the same build began in `folder`. The program resumes its own runs alone. Throws
-/// InputError, SettingError if there is nothing to resume.
+/// Continues the run that `record`, or `keyblock run`, of the same build began in `folder`. Throws InputError,
+/// SettingError if there is nothing to resume.
 KEYBLOCK_API Outcome resume(const std::string& folder, const std::function<void(const Step&)>& on_step = {},
                             const Context& context = Context());
 

@@ -85,7 +85,7 @@ def _results(folder: StrPath, outcome: _keyblock.Outcome) -> Results:
 
 def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
            every: int = 0, history: Iterable[str] = (), force: bool = False, pictures: bool = True, contacts: str = "",
-           frames: str = "raw", checkpoint_every: float = 30, on_step: Callable[[_keyblock.Step], Any] | None = None,
+           frames: str = "automatic", checkpoint_every: float = 30, on_step: Callable[[_keyblock.Step], Any] | None = None,
            context: _keyblock.Context | None = None) -> Results:
     """Runs a case to its end, with all files in a folder that `keyblock run` leaves there; returns its Results.
 

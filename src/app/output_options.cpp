@@ -34,9 +34,10 @@ std::array<CLI::Option*, 6> add_output_options(CLI::App& options, OutputOptions&
           ->check(one_word_of(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
   CLI::Option* frames =
       options
-          .add_option("--frames", chosen.frames,
-                      "coding of frames (.vtu, .vtp): raw (bytes), zlib (smaller, slower to write) or text (default: "
-                      "raw)")
+          .add_option(
+              "--frames", chosen.frames,
+              "coding of frames (.vtu, .vtp): raw (bytes), zlib (packed, slower to write), text, or automatic (raw; "
+              "large frames partly packed; the default)")
           ->check(one_word_of(formats::vtk_coding_names()));
   CLI::Option* pictures =
       options.add_flag("!--no-pictures", chosen.has_pictures, "draw no pictures; `keyblock plot` draws them later");

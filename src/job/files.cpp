@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <memory>
 #include <string_view>
 #include <system_error>
 
@@ -67,6 +68,14 @@ fs::path place_of(const fs::path& file) {
   throw OutputError(fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(why)));
 }
 
+void write_all(int descriptor, std::string_view text, const fs::path& file) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0 && errno != EINTR) give_up(file, errno);
+    if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
 /// New file next to `file`, with a unique name. It is removed unless it takes the name of `file`.
 class Draft {
  public:
@@ -85,13 +94,7 @@ class Draft {
     if (!is_in_place_) unlink(name_.c_str());
   }
 
-  void write(std::string_view text) {
-    while (!text.empty()) {
-      const ssize_t written = ::write(descriptor_, text.data(), text.size());
-      if (written < 0 && errno != EINTR) give_up(file_, errno);
-      if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
-    }
-  }
+  void write(std::string_view text) { write_all(descriptor_, text, file_); }
 
   void flush() {
     if (fsync(descriptor_) != 0) give_up(file_, errno);
@@ -170,6 +173,16 @@ void write_file(const fs::path& file, const std::string& text, Overwrite overwri
     draft.put_in_place();
   else
     draft.put_where_none_is();
+}
+
+void append_to_file(const fs::path& file, std::string_view text) {
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor < 0) give_up(file, errno);
+  const auto close_it = [](const int* opened) { close(*opened); };
+  std::unique_ptr<const int, decltype(close_it)> closes(&descriptor, close_it);
+  write_all(descriptor, text, file);
+  closes.release();
+  if (close(descriptor) != 0) give_up(file, errno);
 }
 
 void flush_to_disk(const fs::path& file_or_folder) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace keyblock {
@@ -41,6 +42,9 @@ void write_durably(const std::filesystem::path& file, const std::string& bytes, 
 /// replaced, not followed. Throws OutputError on failure, or if the folder is gone. Throws UsageError if a file of that
 /// name exists by then and may not be overwritten. A replaced file keeps its permissions.
 void write_file(const std::filesystem::path& file, const std::string& text, Overwrite overwrite = Overwrite::yes);
+
+/// Adds `text` to the end of a file. Throws OutputError.
+void append_to_file(const std::filesystem::path& file, std::string_view text);
 
 /// Writes a file that the user named. If it is a symbolic link, the file that it points to is written and the link
 /// stays. Throws like `write_file`.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.hpp"
 #include "formats/dxf/dxf_writer.hpp"
@@ -93,7 +94,7 @@ void write_pictures(OutputFiles& files, const RunResults& results, const Frame& 
   if (results.ledger.rows.size() > 1)
     files.write("energy.svg", report::energy_picture(results.title + ", energy", results.ledger, units));
   files.write("field.svg", report::field_picture({at_end,
-                                                  field,
+                                                  {},
                                                   field,
                                                   end.measured_points,
                                                   results.shown.empty() ? report::most_varied(field)
@@ -206,9 +207,9 @@ void RunFolder::describe(Archive& archive) {
   archive.group("histories", [&] { histories_.describe(archive); });
 }
 
-void RunFolder::add(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts) {
+void RunFolder::add(const Frame& frame, FieldFrame field, const ContactFrames& contacts) {
   const ContactFrames shown = frame_tables_.shown(contacts);
-  frame_files_.write(frame, field, shown, units_);
+  frame_files_.write(frame, std::move(field), shown, units_);
   frame_tables_.append(frame, shown, contacts);
   if (const auto now = std::chrono::steady_clock::now(); now - listed_ > kListEvery) {
     files_.write(kFrameList, frame_files_.list());
@@ -260,7 +261,7 @@ std::vector<int> RunFolder::finish(const RunResults& results) {
   const std::vector<std::size_t> left_out = report::left_out_of(frames_.front(), frames_.back(), results.marked);
   const std::vector<int> hidden = numbers_of(frames_.back(), left_out);
   write_tables(results.tables, hidden);
-  if (!results.follows_by_choice)
+  if (!results.follows_by_choice && !history.of_measured_points)  // measured points have tables of their own
     files_.write(formats::kHistoriesTable.file,
                  histories_header(units_) + most_moved_rows({history, frames_.front(), results.field, hidden}, units_));
   if (results.has_pictures) write_pictures(files_, results, frames_.front(), frames_.back(), left_out, units_);

@@ -93,7 +93,7 @@ class RunFolder {
   /// Writes a frame at once: its .vtu, with `field` if that has elements, and .vtp files of contacts and bolts if there
   /// are any. Appends their rows to contacts.csv, joints.csv, joint_lines.csv and bolts.csv. Writes fields.pvd at
   /// intervals.
-  void add(const Frame& frame, const FieldFrame& field = {}, const ContactFrames& contacts = {});
+  void add(const Frame& frame, FieldFrame field = {}, const ContactFrames& contacts = {});
 
   /// Selects the output of contacts, before the first frame.
   void choose_contacts(ContactOutput output) { frame_tables_.choose(std::move(output)); }

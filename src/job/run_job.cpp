@@ -186,7 +186,7 @@ Observer RunJob::observer(const std::function<void(const StepReport&)>& on_step)
             if (!history_.rows.empty()) write_tables(stepper.ledger_scope());
             write_checkpoint(stepper);
           },
-          [&](const FieldFrame& field) { field_ = field; },
+          [&](FieldFrame field) { field_ = std::move(field); },
           [&](const ContactFrames& contacts) {
             contacts_ = contacts;
             const Model& model = stepping_ != nullptr ? stepping_->model() : prepared_.scene.model;

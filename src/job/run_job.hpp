@@ -26,7 +26,7 @@ struct RunJobOptions {
   OutputPlan outputs = {};      ///< points of histories are measured points of the scene
   std::string shown = {};       ///< in field.svg, as in RunResults
   formats::MaterialNames names = {};
-  formats::VtkCoding frames = formats::VtkCoding::raw;
+  formats::VtkCoding frames = formats::VtkCoding::automatic;
   bool has_pictures = true;
   bool has_page = false;  ///< write page.html at the end
 };

@@ -52,9 +52,11 @@ std::string step_table_csv(const std::vector<StepReport>& rows, const Units& uni
   std::string text = fmt::format("{}\n", fmt::join(step_columns(rows, units), ","));
   const std::vector<Column> columns = columns_of(rows);
   for (const StepReport& row : rows) {
-    std::vector<std::string> cells;
-    for (const Column& column : columns) cells.push_back(formats::format_real(column.value(row)));
-    text += fmt::format("{}\n", fmt::join(cells, ","));
+    for (const Column& column : columns) {
+      formats::append_real(text, column.value(row));
+      text += ',';
+    }
+    text.back() = '\n';
   }
   return text;
 }

@@ -237,15 +237,15 @@ ColourScale colours_of(const FieldPicture& picture, const std::vector<Patch>& pa
 void draw_contours(SvgPage& page, const FieldPanel& panel, const FieldPicture& picture, const FieldFrame& field,
                    const ColourScale& scale) {
   const auto value = [&](const FieldCorner& corner) { return value_of(corner, picture.shown); };
-  for (const std::vector<Point>& line :
+  for (const ContourLine& line :
        contours_of(field, value, panel.place, make_axis(scale.low, scale.high, kContours).ticks))
-    page.polyline({panel.map(line[0]), panel.map(line[1])}, {.stroke = kContourColour, .stroke_width = kContourWidth});
+    page.line(panel.map(line[0]), panel.map(line[1]), {.stroke = kContourColour, .stroke_width = kContourWidth});
 }
 
-/// Draws crosses over a pale mesh. Returns the name of the panel.
+/// Draws crosses over a pale mesh, or below the edges of blocks. Returns the name of the panel.
 std::string draw_stress_crosses(SvgPage& page, const FieldPanel& panel, const FieldPicture& picture,
                                 const FieldFrame& field) {
-  draw_mesh(page, panel.map, picture.end, panel.place, false, kPaleMeshColour);
+  if (!panel.has_edges) draw_mesh(page, panel.map, picture.end, panel.place, false, kPaleMeshColour);
   const double most = picture.scale ? picture.scale->most_stress : 0;
   const CrossScale scale = draw_crosses(page, panel.map, field, panel.place, most);
   if (panel.has_edges) draw_mesh(page, panel.map, picture.end, panel.place, false);
@@ -323,6 +323,7 @@ FieldScale common_scale(const FieldFrame& start, FieldShown shown, bool is_of_mo
 std::string field_picture(const FieldPicture& whole) {
   std::optional<FieldPicture> own;
   const FieldPicture& picture = whole.left_out.empty() ? whole : own.emplace(framed(whole));
+  const FieldFrame& start = picture.start.elements.empty() ? whole.end : picture.start;
   const Held held = held_of(picture);
   const std::size_t left_out = picture.left_out.size();
   const double factor =
@@ -332,7 +333,7 @@ std::string field_picture(const FieldPicture& whole) {
     return corner.position + factor * corner.displacement;
   };
   const bool is_true = picture.is_of_motion && factor == 1;
-  Box box = picture.scale ? picture.scale->box : bounds(picture.start, as_drawn);
+  Box box = picture.scale ? picture.scale->box : bounds(start, as_drawn);
   visit_corners(picture.end, [&](const FieldCorner& corner) { box.include(deformed(corner)); });
   const Panels panels = place_panels(box);
   SvgPage page(kPageWidth, panels.bottom + 40);
@@ -342,8 +343,8 @@ std::string field_picture(const FieldPicture& whole) {
   const auto caption = [&](std::size_t k, const std::string& words) {
     page.text(panels.corners[k] - Point{0, 8}, words, {.size = 13});
   };
-  draw_mesh(page, map(0), picture.start, as_drawn, true);
-  caption(0, elements_in_words(picture.start) + number_elements(page, map(0), picture.start, whole.numbers, as_drawn));
+  draw_mesh(page, map(0), start, as_drawn, true);
+  caption(0, elements_in_words(start) + number_elements(page, map(0), start, whole.numbers, as_drawn));
   draw_mesh(page, map(1), picture.end, deformed, true);
   number_elements(page, map(1), picture.end, picture.numbers, deformed);
   caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));

@@ -36,7 +36,7 @@ struct FieldScale {
 
 struct FieldPicture {
   std::string title;
-  FieldFrame start;  ///< the mesh before any excavation
+  FieldFrame start;  ///< the mesh before any excavation; without elements: that of the end
   FieldFrame end;
   std::vector<PointFrame> measured;  ///< at the end
   FieldShown shown = FieldShown::xx;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "report/drawing/colours.hpp"
 #include "report/drawing/scene.hpp"
@@ -65,18 +66,25 @@ bool moved_visibly(const PageMap& map, const ElementFrame& start, const ElementF
   return false;
 }
 
-/// Numbers of blocks with a fixed point at the end. Bodies of many elements are shown by their supports alone.
-std::set<int> held_blocks(const Frame& end) {
-  std::set<int> held;
-  if (!end.outlines.empty()) return held;
-  for (const PointFrame& point : end.fixed_points) held.insert(point.element);
-  return held;
-}
+/// Blocks with a fixed point at the end, by their numbers. Bodies of many elements are shown by their supports alone.
+class HeldBlocks {
+ public:
+  explicit HeldBlocks(const Frame& end) {
+    if (!end.outlines.empty()) return;
+    for (const PointFrame& point : end.fixed_points) numbers_.push_back(point.element);
+    std::ranges::sort(numbers_);
+  }
+  bool empty() const { return numbers_.empty(); }
+  bool contains(int number) const { return std::ranges::binary_search(numbers_, number); }
+
+ private:
+  std::vector<int> numbers_;
+};
 
 /// Elements inside a body are drawn by thin lines, its outline by a strong one.
 void draw_end(SvgPage& page, const PageMap& map, const Frame& end, double width) {
   const bool has_outlines = !end.outlines.empty();
-  const std::set<int> held = held_blocks(end);
+  const HeldBlocks held(end);
   for (std::size_t i = 0; i < end.elements.size(); ++i) {
     const ElementFrame& element = end.elements[i];
     page.polygon(map(element.loops),
@@ -195,7 +203,7 @@ void draw_numbers(SvgPage& page, const PageMap& map, const RunPicture& picture) 
 }
 
 /// Returns the colour of the first free element.
-std::string_view colour_of_end(const Frame& end, const std::set<int>& held) {
+std::string_view colour_of_end(const Frame& end, const HeldBlocks& held) {
   for (std::size_t i = 0; i < end.elements.size(); ++i)
     if (!held.contains(number_of(end, i))) return area_colour(end.elements[i].material);
   return end.elements.empty() ? area_colour(0) : kHeldColour;
@@ -203,7 +211,7 @@ std::string_view colour_of_end(const Frame& end, const std::set<int>& held) {
 
 std::vector<LegendEntry> make_legend(const RunPicture& picture) {
   using Sign = LegendEntry::Sign;
-  const std::set<int> held = held_blocks(picture.end);
+  const HeldBlocks held(picture.end);
   std::vector<LegendEntry> legend{{.sign = Sign::dashed_line,
                                    .colour = kStartColour,
                                    .words = time_words("start", picture.start.time, picture.time_unit)},
@@ -246,8 +254,8 @@ std::vector<std::size_t> left_out_of(const Frame& start, const Frame& end, const
   return far_small_blocks(bounds(start, {}), blocks);
 }
 
-std::string run_picture(const RunPicture& whole) {
-  RunPicture picture = framed(whole);
+std::string run_picture(RunPicture whole) {
+  RunPicture picture = framed(std::move(whole));
   const bool chart = std::ranges::any_of(picture.curves, [](const Curve& curve) { return curve.x.size() > 1; });
   if (!chart) picture.numbers.clear();
   const Box box = bounds(picture.start, picture.end);

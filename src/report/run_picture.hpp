@@ -44,6 +44,6 @@ struct RunPicture {
 std::vector<std::size_t> left_out_of(const Frame& start, const Frame& end, const std::vector<int>& marked);
 
 /// Returns an SVG document. The chart is below a wide scene and beside a tall one.
-std::string run_picture(const RunPicture& picture);
+std::string run_picture(RunPicture picture);
 
 }  // namespace keyblock::report

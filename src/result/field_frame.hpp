@@ -45,8 +45,9 @@ struct FieldFrame {
   double time = 0;
   std::vector<FieldElement> elements;
   std::optional<PlasticTotals> plastic = {};  ///< empty if no rock may yield
-  bool is_of_blocks = false;                  ///< all corners of an element have its stress
+  bool is_of_blocks = false;                  ///< each element is a body, with one stress
   std::vector<CrackFrame> cracks = {};        ///< by number
+  bool is_uniform = false;                    ///< all corners of an element have its stress
 };
 
 /// Returns the number of bodies; it equals the number of elements if each is a block.

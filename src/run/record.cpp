@@ -195,10 +195,23 @@ std::vector<TipState> tips_of(const Stepper& stepper, TipsOf which) {
   return tips;
 }
 
+namespace {
+
+// Returns true if stress does not vary within any element, now or later in the run.
+bool is_uniform(const Model& model) {
+  if (!model.continuum) return model.nodes.empty();
+  const Continuum& bodies = *model.continuum;
+  const auto varies = [](const BlockMaterial& rock) { return rock.is_nonlinear() || rock.stress_gradient != Stress{}; };
+  return bodies.functions == CoverFunctions::constant && !bodies.initial_stress && bodies.manifold.tips.empty() &&
+         bodies.cracks.empty() && std::ranges::none_of(bodies.materials, varies);
+}
+
+}  // namespace
+
 FieldFrame field_of(const Model& model, const Stepper& stepper) {
   const State& state = stepper.state();
   const StartPlaces& start = stepper.unloaded();
-  FieldFrame field{state.step, state.time, {}, stepper.plastic_totals(), model.nodes.empty()};
+  FieldFrame field{state.step, state.time, {}, stepper.plastic_totals(), model.nodes.empty(), {}, is_uniform(model)};
   const auto corner = [&](ElementIndex e, Point at, Point now) {
     return FieldCorner{at, now - at, stress_beside_tip(stepper, e, at, start.elements[e].centroid),
                        field.plastic ? stepper.plastic_at(e, at) : std::nullopt};
@@ -214,10 +227,15 @@ FieldFrame field_of(const Model& model, const Stepper& stepper) {
     VertexIndex v = element.first_vertex;
     for (const int size : element.loop_sizes) {
       auto& loop = out.loops.emplace_back();
-      for (int i = 0; i < size; ++i, ++v.value) loop.push_back(corner(e, start.vertices[v], state.vertices[v]));
+      loop.reserve(static_cast<std::size_t>(size));
+      for (int i = 0; i < size; ++i, ++v.value) {
+        const Point at = start.vertices[v], now = state.vertices[v];
+        loop.push_back(field.is_uniform ? FieldCorner{at, now - at, out.middle.stress} : corner(e, at, now));
+      }
     }
   }
-  if (model.continuum) field.cracks = with_faces(model.continuum->cracks, field.elements);
+  if (model.continuum && !model.continuum->cracks.empty())
+    field.cracks = with_faces(model.continuum->cracks, field.elements);
   return field;
 }
 

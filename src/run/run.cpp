@@ -3,6 +3,7 @@
 #include "run/run.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/context.hpp"
 #include "run/record.hpp"
@@ -86,7 +87,7 @@ RunOutcome StepLoop::end() {
   outcome_.forces = stepper_.forces();
   outcome_.scenes = stepper_.scenes();
   outcome_.cracks = stepper_.crack_notes();
-  return outcome_;
+  return std::move(outcome_);
 }
 
 void StepLoop::show() {

@@ -30,7 +30,7 @@ struct Observer {
   /// Before every step, and when the run is stopped. The data reported so far and this stepper suffice to continue.
   std::function<void(Stepper&)> between_steps = {};
   /// Before each frame: field values within the elements at the same instant.
-  std::function<void(const FieldFrame&)> on_field = {};
+  std::function<void(FieldFrame)> on_field = {};
   std::function<void(const ContactFrames&)> on_contacts = {};  ///< before each frame
   std::function<void(const Stepper&)> on_state = {};           ///< at the start and after every step
 };

@@ -1,4 +1,4 @@
-// The hash of this build.
+// The hash of the sources of this build.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/bytes/build_id.hpp"
 

@@ -15,7 +15,7 @@
 namespace keyblock::formats::vtk_file_test {
 namespace {
 
-constexpr VtkCoding kCodings[] = {VtkCoding::raw, VtkCoding::zlib, VtkCoding::text};
+constexpr VtkCoding kCodings[] = {VtkCoding::automatic, VtkCoding::raw, VtkCoding::zlib, VtkCoding::text};
 
 /// Squares here and there, more than zlib packs at once, with stresses and displacements of many digits.
 Frame squares(int count, FieldFrame& field) {
@@ -78,7 +78,16 @@ TEST(VtkFile, raw_bytes_are_fewer_than_text_and_packed_ones_fewer_still) {
   const std::size_t raw = vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::raw).size();
   EXPECT_LT(raw, 3000 * 340U) << "bytes of a block";
   EXPECT_LT(raw, vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::text).size());
-  EXPECT_LT(vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::zlib).size(), raw);
+  const std::size_t automatic = vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::automatic).size();
+  EXPECT_LT(vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::zlib).size(), automatic);
+  EXPECT_LT(automatic, raw * 9 / 10);
+}
+
+TEST(VtkFile, small_frames_are_bytes_unless_chosen_otherwise) {
+  FieldFrame field;
+  const Frame frame = squares(100, field);
+  EXPECT_EQ(vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::automatic),
+            vtu(with_derived(columns_of(frame, {}, field)), {}, VtkCoding::raw));
 }
 
 TEST(VtkFile, a_file_cut_short_anywhere_is_an_error_at_its_place) {

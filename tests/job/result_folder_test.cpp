@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/error.hpp"
@@ -60,6 +61,20 @@ TEST(ResultFolder, resuming_leaves_what_no_run_wrote) {
   EXPECT_EQ(run.exit_code, 0) << run.messages;
   for (const std::string& name : notes) EXPECT_EQ(read_text(out + name), kNotARuns) << name;
   EXPECT_TRUE(fs::exists(out + "/frames/00000080.vtu.d"));
+}
+
+TEST(ResultFolder, a_run_leaves_at_most_a_dozen_files_beside_its_frames) {
+  const std::string out = fresh_folder("dozen") + "/out", chosen = out + "_of_histories";
+  const std::string slide = KEYBLOCK_SOURCE_DIR "/legacy_cases/sliding_block/a30_p20";
+  const auto files_in = [](const std::string& folder) {
+    return std::ranges::count_if(fs::directory_iterator(folder),
+                                 [](const auto& entry) { return entry.is_regular_file(); });
+  };
+  ASSERT_EQ(run_keyblock({"run", slide, "-o", out}).exit_code, 0);
+  EXPECT_LE(files_in(out), 12);
+  EXPECT_FALSE(fs::exists(out + "/histories.csv")) << "the measured point has tables of its own";
+  ASSERT_EQ(run_keyblock({"run", slide, "-o", chosen, "--history", "block:2"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(chosen + "/histories.csv"));
 }
 
 TEST(ResultFolder, force_overwrites_results_and_leaves_the_rest) {

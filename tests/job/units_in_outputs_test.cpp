@@ -497,7 +497,7 @@ void expect_same_results(const std::string& name, const std::string& scene, cons
 TEST(UnitsInOutputs, of_blocks_in_motion) {
   expect_same_results(
       "blocks", kSliding,
-      {"history.csv", "points.csv", "histories.csv", "contacts.csv", "joints.csv", "bolts.csv", "step_table.csv",
+      {"history.csv", "points.csv", "contacts.csv", "joints.csv", "bolts.csv", "step_table.csv",
        "ledger.csv", "steps.csv", "blocks.csv", "run.json", "picture.svg", "energy.svg", "field.svg"},
       {});
 }
@@ -511,7 +511,7 @@ TEST(UnitsInOutputs, of_a_crack_that_grows) {
 TEST(UnitsInOutputs, of_rock_that_yields) {
   expect_same_results(
       "pillar", kPillar,
-      {"history.csv", "points.csv", "histories.csv", "rounds.csv", "reactions.svg", "plastic.svg", "run.json"}, {});
+      {"history.csv", "points.csv", "rounds.csv", "reactions.svg", "plastic.svg", "run.json"}, {});
 }
 
 }  // namespace keyblock::units_in_outputs_test

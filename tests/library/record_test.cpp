@@ -84,3 +84,18 @@ TEST(Record, a_run_stopped_by_its_context_is_resumed_to_the_same_bytes) {
   fs::remove_all(whole);
   fs::remove_all(parted);
 }
+
+// Both have one build id.
+TEST(Record, what_the_library_began_the_program_resumes) {
+  const fs::path whole = empty_folder("whole_of_both"), parted = empty_folder("parted_of_both");
+  kb::record(slide(), whole.string());
+  const kb::Context context;
+  const auto stop = [&](const kb::Step& step) {
+    if (step.number == 9) context.stop();
+  };
+  EXPECT_EQ(kb::record(slide(), parted.string(), {.on_step = stop}, {}, context).end, kb::End::stopped);
+  EXPECT_EQ(std::system((std::string(KEYBLOCK_PROGRAM) + " run --quiet --resume " + parted.string()).c_str()), 0);
+  expect_same_results(whole, parted);
+  fs::remove_all(whole);
+  fs::remove_all(parted);
+}

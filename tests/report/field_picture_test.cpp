@@ -38,6 +38,12 @@ TEST(FieldPicture, it_names_elements_scale_and_stress) {
   EXPECT_TRUE(contains(svg, ">0.167<"));  // of the upper corners and the middle: no larger tension is on the bar
 }
 
+TEST(FieldPicture, without_a_start_it_shows_the_mesh_of_the_end) {
+  const FieldFrame field = sheared();
+  EXPECT_EQ(field_picture({"t", {}, field, {}, FieldShown::yy}),
+            field_picture({"t", field, field, {}, FieldShown::yy}));
+}
+
 // All compressive, but of a wide range: white is zero stress, blue the largest pressure, and nothing on the bar is red.
 // Far from 0 the colours are of the range itself, pale to strong.
 TEST(FieldPicture, a_stress_of_one_sign_has_one_side_of_the_colours) {
@@ -250,8 +256,7 @@ TEST(FieldPatches, contours_run_through_triangles_of_linear_values) {
   const auto lines = contours_of(field, yy, as_drawn, {-2.0});
   ASSERT_EQ(lines.size(), 3U);
   Box box;
-  for (const std::vector<Point>& line : lines) {
-    ASSERT_EQ(line.size(), 2U);
+  for (const ContourLine& line : lines) {
     for (const Point end : line) {
       box.include(end);
       EXPECT_NEAR(end.y, 0.4, 1e-12);  // -4 + 5 y = -2

@@ -147,7 +147,7 @@ ExitCode plot(const PlotOptions& options) {
   if (options.step && !options.has_own_scale) scale = scale_of_all(frames, heading, quantity);
   write_picture(file,
                 report::field_picture({title_at(heading.title, field.time, heading.units),
-                                       field,
+                                       {},
                                        field,
                                        {},
                                        quantity,

@@ -1,4 +1,4 @@
-// Identifies the build of the program.
+// Identifies the build of the program and the library.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,9 +6,8 @@
 
 namespace keyblock {
 
-/// The hash that the linker made of the program or library that holds this code, lower-case hexadecimal
-/// (NT_GNU_BUILD_ID of the ELF format). Two builds that could compute otherwise differ in it. Throws std::logic_error
-/// if the linker left none.
+/// Returns the hash of all sources and of the flags of the compiler, lower-case hexadecimal. The program and the
+/// library of one build have the same; two builds that could compute otherwise differ. cmake/build_id.cmake makes it.
 std::string build_id();
 
 }  // namespace keyblock

@@ -36,7 +36,7 @@ class FrameFiles {
   std::set<std::filesystem::path> paths() const;
 
   /// Writes the bodies, with `field` if that has elements, and files of contacts, bolts and cracks if there are any.
-  void write(const Frame& frame, const FieldFrame& field, const ContactFrames& contacts, const Units& units);
+  void write(const Frame& frame, FieldFrame field, const ContactFrames& contacts, const Units& units);
   /// Sets the materials of the bodies, which elastic strain needs. Call it before the first frame.
   void choose(std::vector<BlockMaterial> materials, formats::VtkCoding coding) {
     materials_ = std::move(materials);
@@ -69,7 +69,7 @@ class FrameFiles {
   std::filesystem::path folder_;
   std::vector<File> files_;
   std::vector<BlockMaterial> materials_;
-  formats::VtkCoding coding_ = formats::VtkCoding::raw;
+  formats::VtkCoding coding_ = formats::VtkCoding::automatic;
   std::size_t flushed_ = 0;
 };
 

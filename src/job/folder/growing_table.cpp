@@ -1,11 +1,9 @@
-// Appends through a stream that is closed each time, so that readers see all rows so far.
+// Opens and closes the file for each lot of rows, so that readers see all rows so far.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/folder/growing_table.hpp"
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -26,11 +24,7 @@ void GrowingTable::append(const std::string& rows) {
     write_file(file_, header_ + rows);
     return count(header_ + rows);
   }
-  std::ofstream stream(file_, std::ios::app | std::ios::binary);
-  stream << rows;
-  stream.close();
-  if (!stream)
-    throw OutputError(fmt::format("cannot write to {}: {}", file_.string(), std::generic_category().message(errno)));
+  append_to_file(file_, rows);
   count(rows);
 }
 

@@ -40,15 +40,25 @@ bool is_one_piece(const FieldElement& element) {
   return element.loops.size() > 1 || is_uniform(element);
 }
 
-/// Returns the line of value `level` over a triangle, from edge to edge; empty if there is none.
-std::vector<Point> contour_in(const std::array<std::pair<Point, double>, 3>& corners, double level) {
-  std::vector<Point> ends;
+using Triangle = std::array<std::pair<Point, double>, 3>;
+
+/// Returns the line of value `level` over a triangle, from edge to edge. One corner lies below the level, one does not.
+ContourLine contour_in(const Triangle& corners, double level) {
+  ContourLine ends;
+  std::size_t found = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& [a, low] = corners[i];
     const auto& [b, high] = corners[(i + 1) % 3];
-    if ((low < level) != (high < level)) ends.push_back(a + (level - low) / (high - low) * (b - a));
+    if (found < 2 && (low < level) != (high < level)) ends[found++] = a + (level - low) / (high - low) * (b - a);
   }
   return ends;
+}
+
+/// Adds the lines of ascending `levels` over a triangle.
+void add_contours(std::vector<ContourLine>& lines, const Triangle& corners, const std::vector<double>& levels) {
+  const auto [least, most] = std::minmax({corners[0].second, corners[1].second, corners[2].second});
+  for (auto level = std::ranges::upper_bound(levels, least); level != levels.end() && *level <= most; ++level)
+    lines.push_back(contour_in(corners, *level));
 }
 
 /// The first of `values` in the order of `less` by which their areas sum to `share`.
@@ -117,9 +127,9 @@ std::vector<Patch> patches_of(const FieldFrame& field, const CornerValue& value,
   return patches;
 }
 
-std::vector<std::vector<Point>> contours_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place,
-                                            const std::vector<double>& levels) {
-  std::vector<std::vector<Point>> lines;
+std::vector<ContourLine> contours_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place,
+                                     const std::vector<double>& levels) {
+  std::vector<ContourLine> lines;
   std::vector<std::pair<Point, double>> corners;
   for (const FieldElement& element : field.elements) {
     if (is_one_piece(element)) continue;
@@ -127,11 +137,8 @@ std::vector<std::vector<Point>> contours_of(const FieldFrame& field, const Corne
     corners.clear();
     std::ranges::transform(element.loops.front(), std::back_inserter(corners), with_value);
     const auto middle = with_value(element.middle);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const std::array triangle{middle, corners[i], corners[(i + 1) % corners.size()]};
-      for (const double level : levels)
-        if (std::vector<Point> line = contour_in(triangle, level); line.size() == 2) lines.push_back(std::move(line));
-    }
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      add_contours(lines, {middle, corners[i], corners[(i + 1) % corners.size()]}, levels);
   }
   return lines;
 }

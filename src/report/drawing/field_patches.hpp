@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -47,10 +48,13 @@ struct Patch {
 
 std::vector<Patch> patches_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place);
 
+/// Straight piece of a line of equal value.
+using ContourLine = std::array<Point, 2>;
+
 /// Lines of equal value over the triangles of `patches_of`, in which it is linear; none in elements that are one piece.
 /// They end at elements' edges where neighbours disagree.
-std::vector<std::vector<Point>> contours_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place,
-                                            const std::vector<double>& levels);
+std::vector<ContourLine> contours_of(const FieldFrame& field, const CornerValue& value, const CornerPlace& place,
+                                     const std::vector<double>& levels);
 
 /// Colours of the values from `low` to `high`.
 struct ColourScale {

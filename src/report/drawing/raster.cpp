@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "report/drawing/svg.hpp"
 
@@ -24,16 +25,24 @@ std::uint32_t with_opacity(std::uint32_t colour, double opacity) {
   return (colour & 0xFFFFFF) | static_cast<std::uint32_t>(std::lround(255 * std::clamp(opacity, 0.0, 1.0))) << 24;
 }
 
-std::uint32_t over(std::uint32_t below, std::uint32_t above) {
-  const std::uint32_t a = above >> 24, rest = (below >> 24) * (255 - a) / 255;
-  const std::uint32_t opacity = a + rest;
-  if (opacity == 0) return 0;
-  std::uint32_t mixed = opacity << 24;
+/// Returns the mean of two colours with the weights `a` and `rest`, whose sum is `opacity`.
+template <class Opacity>
+std::uint32_t mixed(std::uint32_t below, std::uint32_t above, std::uint32_t a, std::uint32_t rest, Opacity opacity) {
+  std::uint32_t mixed = static_cast<std::uint32_t>(opacity) << 24;
   for (const int shift : {16, 8, 0}) {
     const std::uint32_t sum = ((above >> shift) & 0xFF) * a + ((below >> shift) & 0xFF) * rest;
     mixed |= (sum + opacity / 2) / opacity << shift;
   }
   return mixed;
+}
+
+// Most pixels are opaque. Division by a constant is much faster.
+std::uint32_t over(std::uint32_t below, std::uint32_t above) {
+  using Opaque = std::integral_constant<std::uint32_t, 255>;
+  const std::uint32_t a = above >> 24, rest = (below >> 24) * (255 - a) / 255;
+  const std::uint32_t opacity = a + rest;
+  if (opacity == Opaque::value) return mixed(below, above, a, rest, Opaque());
+  return opacity == 0 ? 0 : mixed(below, above, a, rest, opacity);
 }
 
 /// Opacity of the edges of a shape; see `Raster::draw`.
@@ -67,6 +76,11 @@ void Raster::draw(const std::vector<std::vector<Point>>& loops, bool is_closed, 
   for (const std::vector<Point>& loop : loops) edges(loop, is_closed, ink, colour);
 }
 
+void Raster::draw_line(std::span<const Point> points, const Ink& ink) {
+  const std::uint32_t colour = with_opacity(ink.stroke, std::min(1.0, kPixelsPerUnit * ink.width));
+  if (ink.stroke != 0 && colour >> 24 != 0) edges(points, false, ink, colour);
+}
+
 void Raster::fill(const std::vector<std::vector<Point>>& loops, std::uint32_t colour) {
   crossings_.clear();
   for (const std::vector<Point>& loop : loops)
@@ -88,7 +102,7 @@ void Raster::fill(const std::vector<std::vector<Point>>& loops, std::uint32_t co
   }
 }
 
-void Raster::edges(const std::vector<Point>& loop, bool is_closed, const Ink& ink, std::uint32_t colour) {
+void Raster::edges(std::span<const Point> loop, bool is_closed, const Ink& ink, std::uint32_t colour) {
   double along = 0;
   for (std::size_t i = 0; i + (is_closed ? 0 : 1) < loop.size(); ++i) {
     const Point to = loop[i + 1 == loop.size() ? 0 : i + 1];

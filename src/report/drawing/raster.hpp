@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/point.hpp"
@@ -39,6 +40,9 @@ class Raster {
   /// left out too.
   void draw(const std::vector<std::vector<Point>>& loops, bool is_closed, const Ink& ink);
 
+  /// Draws an open line with corners on the page, in the same way.
+  void draw_line(std::span<const Point> points, const Ink& ink);
+
   /// Returns the drawn pixels, cut to their bounds.
   PlacedImage image() const;
 
@@ -49,7 +53,7 @@ class Raster {
   };
 
   void fill(const std::vector<std::vector<Point>>& loops, std::uint32_t colour);
-  void edges(const std::vector<Point>& loop, bool is_closed, const Ink& ink, std::uint32_t colour);
+  void edges(std::span<const Point> loop, bool is_closed, const Ink& ink, std::uint32_t colour);
   void dashes(Point from, Point to, const Ink& ink, std::uint32_t colour, double& along);
   void piece(Point from, Point to, const Ink& ink, std::uint32_t colour);
   void thin_line(Point from, Point to, std::uint32_t colour);

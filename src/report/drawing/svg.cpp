@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -92,7 +93,7 @@ std::string image_element(const PlacedImage& placed) {
 
 void SvgPage::polygon(const std::vector<std::vector<Point>>& loops, const Style& style) {
   if (!std::ranges::all_of(loops, are_finite) || std::ranges::all_of(loops, &std::vector<Point>::empty)) return;
-  if (is_raster()) return layer_->raster->draw(loops, true, ink_of(style));
+  if (is_raster()) return layer_->raster->draw(loops, true, ink(style));
   std::string element = "<path d=\"";
   for (const std::vector<Point>& loop : loops)
     if (!loop.empty()) element.append("M").append(coordinates(loop)).append("Z");
@@ -101,17 +102,21 @@ void SvgPage::polygon(const std::vector<std::vector<Point>>& loops, const Style&
 
 void SvgPage::polyline(const std::vector<Point>& points, const Style& style) {
   if (points.size() < 2 || !are_finite(points)) return;
-  if (is_raster()) return layer_->raster->draw({points}, false, ink_of(style));
+  if (is_raster()) return layer_->raster->draw_line(points, ink(style));
   add(fmt::format("<polyline points=\"{}\"", coordinates(points)), style, {{points}, false});
 }
 
 void SvgPage::line(Point from, Point to, const Style& style) {
+  if (is_raster() && is_finite(from) && is_finite(to)) {
+    const std::array ends{from, to};
+    return layer_->raster->draw_line(ends, ink(style));
+  }
   polyline({from, to}, style);
 }
 
 void SvgPage::circle(Point center, double radius, const Style& style) {
   if (!is_finite(center)) return;
-  if (is_raster()) return layer_->raster->draw({corners_of(center, radius)}, true, ink_of(style));
+  if (is_raster()) return layer_->raster->draw({corners_of(center, radius)}, true, ink(style));
   add(fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"", page_number(center.x), page_number(center.y),
                   page_number(radius)),
       style, {{corners_of(center, radius)}, true});
@@ -151,6 +156,15 @@ void SvgPage::add(std::string_view element, const Style& style, Outline&& outlin
   layer_->raster.emplace(width_, height_);
   for (const auto& [kept, ink] : layer_->kept) layer_->raster->draw(kept.loops, kept.is_closed, ink);
   layer_->kept = {};
+}
+
+// Many shapes in turn have one style.
+const Ink& SvgPage::ink(const Style& style) {
+  LastInk& last = last_ink_;
+  if (style.fill != last.fill || style.stroke != last.stroke || style.dash != last.dash ||
+      style.stroke_width != last.ink.width)
+    last = {std::string(style.fill), std::string(style.stroke), std::string(style.dash), ink_of(style)};
+  return last.ink;
 }
 
 void SvgPage::begin_layer() {

@@ -82,8 +82,15 @@ class SvgPage {
     std::optional<Raster> raster;
   };
 
+  /// Style of the last shape in a raster.
+  struct LastInk {
+    std::string fill = "none", stroke = "none", dash = {};
+    Ink ink = {};
+  };
+
   bool is_raster() const { return layer_ && layer_->raster; }
   void add(std::string_view element, const Style& style, Outline&& outline);
+  const Ink& ink(const Style& style);
   void begin_layer();
   void end_layer();
 
@@ -91,6 +98,7 @@ class SvgPage {
   double height_;
   ShapeText body_;
   std::optional<Layer> layer_;
+  LastInk last_ink_;
   int depth_ = 0;
 };
 
