@@ -77,7 +77,8 @@ struct RunRecord {
   std::vector<int> held = {};      ///< numbers, from 0, of blocks with a fixed point at the end
   formats::MaterialNames names = {};
   std::vector<SupportRecord> supports = {};
-  std::vector<std::string> outputs;  ///< file names in the run's folder
+  std::vector<std::string> outputs;                                 ///< file names in the run's folder
+  std::vector<std::pair<std::string, std::string>> checksums = {};  ///< SHA-256 of outputs and frames, by name
 };
 
 /// Option of `run`, and its effect with the verb first: "shows the motion".

@@ -42,6 +42,8 @@ class FrameFiles {
     materials_ = std::move(materials);
     coding_ = coding;
   }
+  /// Returns names and checksums of the files.
+  std::vector<std::pair<std::string, std::string>> checksums() const;
   /// Returns the list of the files for viewers.
   std::string list() const;
   /// Throws OutputError if one of them is gone.
