@@ -18,7 +18,7 @@ fail() {
 # A clean clone, pip without network, and a run far from the sources.
 check_wheel() {
   local python=/usr/bin/python3
-  if ! $python -c "import pip, wheel, setuptools, venv, numpy" 2>/dev/null || ! [ -d /usr/include/pybind11 ]; then
+  if ! $python -c "import setuptools, pip, wheel, venv, numpy" 2>/dev/null || ! [ -d /usr/include/pybind11 ]; then
     echo "wheel: skipped: Debian: python3-pip python3-wheel python3-setuptools python3-venv python3-numpy python3-dev pybind11-dev"
     return
   fi
