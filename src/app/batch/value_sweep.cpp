@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <mutex>
@@ -55,14 +56,16 @@ struct ReadySweep {
   Json inputs = Json::array();    ///< files read, with checksums
 };
 
-/// Refuses a distribution of real numbers for a setting that takes whole ones alone.
-void require_no_fractions(const study::VariedKey& key) {
-  for (const SettingText& setting : list(Settings{}))
-    if (key.distribution && setting.name == key.key && setting.expected.starts_with("a whole number"))
-      throw UsageError(
-          fmt::format("--over: setting {}: expected whole numbers, such as {}=100,110,120, found a "
-                      "distribution",
-                      key.key, key.key));
+/// Refuses fractions, such as those of a distribution, for settings that take whole numbers alone.
+void require_whole_numbers(const std::vector<SweepRow>& rows) {
+  for (const SettingText& setting : list(Settings{})) {
+    if (!setting.expected.starts_with("a whole number") || !rows.front().contains(setting.name)) continue;
+    for (const SweepRow& row : rows)
+      if (const Json& value = row.at(setting.name); value.is_number_float() && std::fmod(value.get<double>(), 1) != 0)
+        throw UsageError(
+            fmt::format("setting {}: expected {}, found {}; a list has whole numbers, a distribution has not",
+                        setting.name, setting.expected, value.dump()));
+  }
 }
 
 std::vector<SweepRow> rows_asked(const ValueSweepOptions& options) {
@@ -71,10 +74,7 @@ std::vector<SweepRow> rows_asked(const ValueSweepOptions& options) {
     return study::rows_of_file(options.design_file, formats::load(options.design_file).text);
   }
   std::vector<study::VariedKey> keys;
-  for (const std::string& over : options.over) {
-    keys.push_back(study::varied_key_of(over));
-    require_no_fractions(keys.back());
-  }
+  for (const std::string& over : options.over) keys.push_back(study::varied_key_of(over));
   const study::Design design = options.random > 0  ? study::Design::random
                                : options.is_zipped ? study::Design::zipped
                                                    : study::Design::grid;
@@ -134,6 +134,7 @@ ReadySweep ready(const ValueSweepOptions& options) {
   sweep.case_text = formats::case_file_text(open.input.files);
   sweep.units = open.input.problem.units;
   require_keys(sweep.rows.front(), sweep.case_text, sweep.plan.joints);
+  require_whole_numbers(sweep.rows);
   for (const std::string& file : open.files) require_not_below(file, options.folder);
   for (const SweepRow& row : sweep.rows) sweep.jobs.push_back(study::job_name(row));
   sweep.task = task_of(options, open, sweep.plan.joints);
