@@ -12,7 +12,6 @@
 #include "formats/text/csv.hpp"
 #include "formats/text/tips_csv.hpp"
 #include "job/curves/most_moved.hpp"
-#include "job/folder/made_by.hpp"
 #include "job/run_heading.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
@@ -282,13 +281,6 @@ void RunFolder::write_traces(const RunResults& results) {
   if (std::ranges::any_of(results.steps, [](const StepReport& step) { return !step.residuals.empty(); }))
     files_.write(formats::kTraceOfRounds.file, formats::rounds_csv(results.steps));
   files_.write(formats::kTraceOfBlocks.file, formats::blocks_csv(frames_, units_));
-}
-
-std::vector<std::pair<std::string, std::string>> RunFolder::checksums() const {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const std::string& name : files_.names()) all.emplace_back(name, checksum_of(folder_ / name));
-  for (auto& file : frame_files_.checksums()) all.push_back(std::move(file));
-  return all;
 }
 
 void RunFolder::write_record(const std::string& json, const std::function<std::string()>& page) {

@@ -243,6 +243,26 @@ TEST(ValueSweep, scripts_name_the_shards) {
   EXPECT_TRUE(contains(run_keyblock(command + Words{"--parallel", "3"}).output, "seq 3 | parallel --retries 3 "));
 }
 
+// A task that was stopped before its limit is running; one that scancel ended is completing.
+TEST(ValueSweep, a_cancelled_task_of_slurm_stays_away) {
+  const std::string folder = fresh_folder("value_sweep_cancelled");
+  std::string script =
+      run_keyblock({"sweep", slope_in(folder), "--over", "steps=10,20", "-o", folder + "/out", "--slurm", "2"}).output;
+  const std::size_t end = script.find(" &\n"), begin = script.rfind('\n', end) + 1;
+  ASSERT_NE(end, std::string::npos);
+  script.replace(begin, end - begin, "bash -c 'exit 130'");
+  write_text(folder + "/job.sh", script);
+  write_text(folder + "/scontrol",
+             "#!/bin/sh\necho \"$*\" >>" + folder + "/calls\necho \"JobId=7 JobState=$STATE Reason=None\"\n");
+  fs::permissions(folder + "/scontrol", fs::perms::owner_all);
+  const std::string task =
+      " SLURM_JOB_ID=7 SLURM_ARRAY_JOB_ID=6 SLURM_ARRAY_TASK_ID=1 PATH=" + folder + ":$PATH bash " + folder + "/job.sh";
+  EXPECT_EQ(support::run_script("STATE=COMPLETING" + task).exit_code, 130);
+  EXPECT_EQ(read_text(folder + "/calls"), "--oneliner show job 7\n");
+  EXPECT_EQ(support::run_script("STATE=RUNNING" + task).exit_code, 130);
+  EXPECT_TRUE(read_text(folder + "/calls").ends_with("show job 7\nrequeue 6_1\n"));
+}
+
 TEST(ValueSweep, run_at_gives_what_the_changed_file_gives) {
   const std::string folder = fresh_folder("value_sweep_at");
   const std::string file = slope_in(folder);

@@ -59,7 +59,7 @@ TEST(SweepDesign, lists_and_ranges_are_read_with_their_units) {
     EXPECT_THROW(varied_key_of(wrong), std::invalid_argument) << wrong;
 }
 
-// Mean of a normal distribution above t deviations: t + 1/t - 2/t^3 + 10/t^5, the series of the inverse of Mills' ratio.
+// Mean of a normal distribution above t deviations: t + 1/t - 2/t^3 + 10/t^5, the series of the inverse Mills ratio.
 TEST(SweepDesign, a_normal_distribution_cut_far_from_its_mean_has_the_mean_of_its_tail) {
   for (const double t : {8.0, 10.0, 20.0, 50.0, 1e4}) {
     const double expected = t + 1 / t - 2 / std::pow(t, 3) + 10 / std::pow(t, 5);

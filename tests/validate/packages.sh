@@ -67,8 +67,8 @@ dpkg -L keyblock | grep -q "bash-completion/completions/keyblock"
 dpkg -L keyblock | grep -q "/cmake/keyblock/keyblockConfig.cmake"
 python3 -c "import keyblock as kb
 assert kb.Run(\"block.json\").go_on().end == \"finished\"
-table = kb.sweep(\"block.json\", {\"steps\": [10, 20]}, out=[\"steps\"])
-assert list(table[\"steps\"]) == [10, 20], table
+table = kb.sweep(\"block.json\", {\"steps\": [10, 20]}, out=[\"displacement\"])
+assert list(table[\"verdict\"]) == [\"finished\"] * 2, table
 print(\"python3-keyblock\", kb.__version__, kb.program())"'
 
 check_deb() {

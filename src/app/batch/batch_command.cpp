@@ -85,7 +85,7 @@ study::Journal journal_in(const BatchPlan& plan, const Shard& shard) {
   if (lies_in(plan.root, plan.folder))
     throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", plan.root.string()));
   const fs::path file = plan.folder / shard.journal_name();
-  if (!fs::exists(plan.folder) || fs::is_empty(plan.folder)) return {};
+  if (is_free(plan.folder)) return {};
   study::Journal journal;
   if (fs::exists(file)) journal = study::read_journal(formats::load(file.string()).text);
   if (journal.task.empty() && shard.is_whole())
@@ -237,6 +237,7 @@ ExitCode run_batch(const BatchOptions& given) {
   const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options));
   if (options.is_merged) return finish(options, plan, archive, merged_journal(plan, archive));
   if (!archive.passed_over.empty()) spdlog::warn("skipped: {}", study::sentence_of(archive.passed_over));
+  journal_in(plan, options.shard);  // refuses a foreign folder before anything is written
   const ShardLock lock(plan.folder, options.shard);
   study::Journal journal = begun_journal(options, plan);
   do_jobs(options, plan, archive, journal);

@@ -31,6 +31,13 @@ bool lock(int descriptor, const Shard& shard) {
 
 }  // namespace
 
+bool is_free(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder)) return true;
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().filename() != kLockFile) return false;
+  return true;
+}
+
 ShardLock::ShardLock(const std::filesystem::path& folder, const Shard& shard) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);

@@ -10,6 +10,9 @@ namespace keyblock {
 
 inline constexpr const char* kLockFile = ".lock";
 
+/// Returns true if the folder does not exist, or has nothing but a lock file.
+bool is_free(const std::filesystem::path& folder);
+
 /// Lock of one shard, or of all if the shard is the whole. The kernel releases it when the process ends, even if it is
 /// killed. An empty file stays in the folder.
 class ShardLock {

@@ -147,10 +147,8 @@ ReadySweep ready(const ValueSweepOptions& options) {
 
 /// Refuses a folder that holds something else. A shard may come first.
 void require_sweep_folder(const fs::path& folder, const Shard& shard) {
-  if (!shard.is_whole() || !fs::exists(folder) || !journals_in(folder).empty()) return;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.path().filename() != kLockFile)
-      throw UsageError(fmt::format("{} holds something that is no sweep; give another folder", folder.string()));
+  if (shard.is_whole() && journals_in(folder).empty() && !is_free(folder))
+    throw UsageError(fmt::format("{} holds something that is no sweep; give another folder", folder.string()));
 }
 
 /// Returns the results in all journals of the folder. Throws UsageError if one belongs to another sweep.

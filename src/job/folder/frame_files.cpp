@@ -91,8 +91,7 @@ std::set<fs::path> FrameFiles::paths() const {
   return paths;
 }
 
-std::vector<std::pair<std::string, std::string>> FrameFiles::checksums() const {
-  std::vector<std::pair<std::string, std::string>> all;
+Checksums FrameFiles::checksums(Checksums all) const {
   for (const File& file : files_) all.emplace_back(file.name, file.sha256);
   return all;
 }

@@ -166,8 +166,8 @@ double standard_normal(double p) {
   return x;
 }
 
-/// Returns the logarithm of `below_normal`, also where that is too small for a number: by the asymptotic series of Mills'
-/// ratio, whose error is below 2e-10 there.
+/// Returns the logarithm of `below_normal`, also where that is too small for a number. There it is the asymptotic
+/// series of Mills ratio, whose error is below 2e-10.
 double log_below_normal(double x) {
   constexpr double kSeriesFrom = -30;
   if (x > kSeriesFrom) return std::log(below_normal(x));
