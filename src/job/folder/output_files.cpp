@@ -83,7 +83,8 @@ void OutputFiles::remove_earlier() {
 
 Checksums OutputFiles::checksums() const {
   Checksums all;
-  for (const std::string& name : names_) all.emplace_back(name, checksum_of(folder_ / name));
+  for (const std::string& name : names_)
+    if (name != kPageFile) all.emplace_back(name, checksum_of(folder_ / name));
   return all;
 }
 

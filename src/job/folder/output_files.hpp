@@ -46,7 +46,8 @@ class OutputFiles {
 
   bool is_own(std::string_view file) const { return own_.contains(std::string(file)); }
 
-  /// Returns the checksums of the named files, in the order of writing. Throws OutputError if one is gone.
+  /// Returns the checksums of the named files, in the order of writing. The page, which follows the record, has none.
+  /// Throws OutputError if a file is gone.
   Checksums checksums() const;
 
   /// Returns the names in the order of writing.
