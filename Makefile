@@ -74,6 +74,8 @@ fronts: packages ## cases | 20 min | measures error against computing time in fi
 comma = ,
 front = build/keyblock tradeoff $(2) --picture $(FRONTS)/$(1).svg --force >$(FRONTS)/$(1).txt
 
+# Many runs use Slurm, GNU parallel and Dask if they are installed (Debian: slurmctld slurmd slurm-client munge, parallel,
+# python3-distributed); they are not installed here, because Debian starts their services at once.
 validate: build ## cases | long | longer checks: slow cases too, cutting against GEOS, random and extreme scenes
 	@$(call install_missing,libgeos-dev valgrind calculix-ccx)
 	build/keyblock compare --all legacy_cases

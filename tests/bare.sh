@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs commands in a minimal Debian, on a clone of this checkout: nothing else of this machine is there.
 # usage: tests/bare.sh COMMAND...    each COMMAND is a line for sh, run in the clone, one after the other
+# variable: KEYBLOCK_BARE_FILES   files, separated by blanks, that lie in the folder `files` beside the clone
 # exit code: 0 all succeeded; 1 one failed; 77 no such system can be made here (the last line says why)
 # The system is made once, in build-bare/base, by debootstrap from the mirror of this machine; each run begins with a
 # copy of it, build-bare/root. All mounts belong to a namespace of their own, which ends with the script.
@@ -69,6 +70,8 @@ make_root() {
   local certificates=/etc/ssl/certs/ca-certificates.crt  # of an https mirror
   [ ! -e "$root$certificates" ] || cat $certificates >"$root$certificates"
   git clone --quiet --no-hardlinks "$checkout" "$root$home/main" || exit 1
+  mkdir -p "$root$home/files"
+  for file in ${KEYBLOCK_BARE_FILES:-}; do cp "$file" "$root$home/files/" || exit 1; done
   for folder in proc dev sys; do
     mount --rbind "/$folder" "$root/$folder" || cannot "/$folder cannot be mounted"
   done

@@ -12,10 +12,6 @@ folder = "legacy_cases/sliding_block/a30_p20/"
 old = kb.read(*sys.argv[1:] or [folder + "a30_p20.geo", folder + "a30_p20.ana"])
 print(*old.warnings, sep="\n")
 run = kb.Run(old, profile="legacy")
-frames = [run.frame()]
-for step in run:                                     # Ctrl-C takes effect inside steps too
-    if step.number % 50 == 0:
-        frames.append(run.frame())
-f = frames[-1]
-kb.plot(f, colour=f.stress[:, 1], label="vertical stress").figure.savefig("old_file.svg")
+frames = [run.frame()] + [run.frame() for step in run if step.number % 50 == 0]  # Ctrl-C takes effect inside steps
+kb.plot(frames[-1], colour=frames[-1].stress[:, 1], label="vertical stress").figure.savefig("old_file.svg")
 print(run.outcome.end, *run.outcome.sentences, sep="\n")

@@ -347,6 +347,10 @@ KEYBLOCK_API std::string random_rows(const std::vector<std::string>& keys, std::
 KEYBLOCK_API std::string version();
 /// Hash of this build of the library; builds that may compute otherwise differ in it.
 KEYBLOCK_API std::string build();
+/// Commit of the sources of this build, with a + if files differed from it: "0123abc+"; "unknown" without a history.
+KEYBLOCK_API std::string commit();
+/// "g++ 12.2.0".
+KEYBLOCK_API std::string compiler();
 
 }  // namespace v1
 }  // namespace keyblock::api

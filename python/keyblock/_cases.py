@@ -5,9 +5,11 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import atexit
+import ctypes
 import json
 import math
 import os
+import signal
 import sys
 import threading
 import time
@@ -19,6 +21,17 @@ from . import _keyblock
 
 StrPath = Union[str, "os.PathLike[str]"]
 _threads = 0  # of a context that does not say; children of a pool set 1
+
+
+_libc = ctypes.CDLL(None)  # loaded before any fork
+
+
+def end_with_parent() -> None:
+    """In a new child: the system kills it if its parent dies."""
+    try:
+        _libc.prctl(1, signal.SIGKILL)
+    except AttributeError:
+        pass
 
 
 def checked(name: str, value: Any, is_whole: bool = False) -> Any:

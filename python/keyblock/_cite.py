@@ -4,19 +4,38 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
+import shlex
+from typing import Any
+
 from . import _keyblock
 
 
-def cite() -> str:
-    """Returns BibTeX entries of Keyblock, with version and build, and of the works on its methods.
+def cite(results: Any = None) -> str:
+    """Returns BibTeX entries of Keyblock, with version, commit, compiler and build, and of the works on its methods.
 
-    The build is a hash of the library; results of the same build are the same.
+    The build is a hash of the library; results of the same build are the same. results: a Results, whose command and
+    checksums of files are added as lines that begin with %.
     """
+    return _entries() + ("" if results is None else _origin(results.run))
+
+
+def _origin(run: Any) -> str:
+    """Lines on the origin of a run, from run.json."""
+    made = run.get("made_by", {})
+    lines = [f"keyblock {run.get('version', '')}, commit {made.get('commit', 'unknown')}, {made.get('compiler', '')}",
+             f"build {made.get('build', '')}", f"command {shlex.join(made.get('command', []))}",
+             f"folder {made.get('folder', '')}", f"seed {made.get('seed')}"]
+    lines += [f"input {i['sha256']} {i['file']}" for i in run.get("inputs", [])]
+    lines += [f"output {checksum} {name}" for name, checksum in run.get("output_sha256", {}).items()]
+    return "".join(f"% {line}\n" for line in lines)
+
+
+def _entries() -> str:
     return f"""@software{{keyblock,
   title = {{Keyblock: discontinuous deformation analysis and the numerical manifold method in two dimensions}},
   author = {{{{The Keyblock maintainers}}}},
   version = {{{_keyblock.version()}}},
-  note = {{build {_keyblock.build()}}}
+  note = {{commit {_keyblock.commit()}, {_keyblock.compiler()}, build {_keyblock.build()}}}
 }}
 @phdthesis{{shi1988,
   title = {{Discontinuous deformation analysis: a new numerical model for the statics and dynamics of block systems}},

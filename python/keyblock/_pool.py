@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
-import ctypes
 import os
 import pickle
 import resource
@@ -133,7 +132,7 @@ class Pool:
     def _work(self, pipe: int, function: Callable[[Any], Any], item: Any) -> NoReturn:
         """The child: never returns."""
         try:
-            _end_with_parent()
+            _cases.end_with_parent()
             signal.signal(signal.SIGINT, signal.SIG_DFL)
             _cases._threads = 1
             if self.memory_limit:
@@ -187,11 +186,3 @@ class Pool:
         except Exception:
             return Failed("error", 0, "the job left no result")
         return value if kind == "result" else Failed("error", 0, value)
-
-
-def _end_with_parent() -> None:
-    """The child is killed if its parent dies."""
-    try:
-        ctypes.CDLL(None).prctl(1, signal.SIGKILL)
-    except (AttributeError, OSError):
-        pass

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, Iterable
 
 from . import _keyblock
-from ._cases import Case, StrPath
+from ._cases import Case, StrPath, end_with_parent
 
 
 class ProgramError(_keyblock.Error):
@@ -39,8 +39,9 @@ def program() -> str:
 
 
 def _run(arguments: Iterable[Any], accepted: tuple[int, ...] = (0,)) -> str:
-    """Output of the program. Ctrl-C stops it within a second; it keeps its checkpoint."""
-    child = subprocess.Popen([program(), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    """Output of the program. Ctrl-C stops it within a second; it keeps its checkpoint. It ends if this process is killed."""
+    child = subprocess.Popen([program(), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                             preexec_fn=end_with_parent)
     try:
         out, errors = child.communicate()
     except BaseException:

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
+import threading
 import time
 from typing import Any, Callable, Iterable, Mapping
 
@@ -22,7 +23,7 @@ class Run:
 
     Iteration makes the steps: `for step in run`. Ctrl-C stops the computation within about a second and raises
     KeyboardInterrupt; a factorisation that runs may end behind it. A stopped run does not go on. Several runs in several
-    threads are independent. Raises InputError, SettingError, Stopped.
+    threads are independent; one thread at a time may step a run. Raises InputError, SettingError, Stopped.
     """
 
     def __init__(self, case: Case | Plan | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
@@ -39,6 +40,7 @@ class Run:
         else:
             self.plan = Plan(case, profile, settings, self.context, history)
         self._run = _keyblock.Run(self.plan._plan, self.context)
+        self._stepper = threading.RLock()
 
     def _table_of(self, load: Callable[[float], tuple[float, float]], case: Any, profile: str | None,
                   settings: Any) -> dict[str, str]:
@@ -64,19 +66,32 @@ class Run:
 
     def advance(self) -> bool:
         """Makes one step. Returns False if the run is at its end, stopped or failed; `outcome` gives the reason."""
-        return self._run.advance()
+        self._begin_to_step()
+        try:
+            return self._run.advance()
+        finally:
+            self._stepper.release()
+
+    def _begin_to_step(self) -> None:
+        """Refuses a second thread that steps the run."""
+        if not self._stepper.acquire(blocking=False):
+            raise _keyblock.Error("another thread steps this run; one thread at a time may step a run")
 
     def go_on(self, until: Callable[[Run], Any] | None = None) -> _keyblock.Outcome:
         """Makes steps to the end, or until `until(run)` is true after a step; the run may then go on.
 
         Returns the outcome, whose `end` is "running" before the end.
         """
-        if until is None:
-            return self._run.finish()
-        for _ in self:
-            if until(self):
-                break
-        return self.outcome
+        self._begin_to_step()
+        try:
+            if until is None:
+                return self._run.finish()
+            for _ in self:
+                if until(self):
+                    break
+            return self.outcome
+        finally:
+            self._stepper.release()
 
     def stop(self) -> None:
         """Stops the run, also from another thread. It does not go on."""

@@ -30,11 +30,14 @@ class Table(list):  # type: ignore[type-arg]
 
     A row without a value of a column has nan in the array, and an empty cell in the file.
     `seconds`: wall time of each row; the rows have none, so that a sweep gives the same table on every machine.
+    `units`: dict of the columns that have a unit, if outputs were given by name and the case declares its units.
     """
 
-    def __init__(self, rows: Iterable[Mapping[str, Any]] = (), seconds: Iterable[float] = ()) -> None:
+    def __init__(self, rows: Iterable[Mapping[str, Any]] = (), seconds: Iterable[float] = (),
+                 units: Mapping[str, str] | None = None) -> None:
         super().__init__(rows)
         self.seconds = list(seconds)
+        self.units = dict(units or {})
 
     def __getitem__(self, key: Any) -> Any:
         if not isinstance(key, str):
@@ -53,9 +56,11 @@ class Table(list):  # type: ignore[type-arg]
         return [[text(row[c]) if c in row else "" for c in columns] for row in rows]
 
     def pandas(self) -> Any:
-        """Returns the table as a pandas data frame."""
+        """Returns the table as a pandas data frame, with units in `attrs["units"]`."""
         import pandas
-        return pandas.DataFrame(list(self), columns=self.columns)
+        frame = pandas.DataFrame(list(self), columns=self.columns)
+        frame.attrs["units"] = self.units
+        return frame
 
     def write(self, path: StrPath) -> None:
         """Writes the table as CSV, with the bytes of table.csv of `keyblock sweep`; an existing file is replaced."""
@@ -270,7 +275,7 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
           out: str | Iterable[str] | Callable[[Run], Any] = ("displacement",), jobs: int = 2,
           time_limit: float | None = None, memory_limit: int | None = None, profile: str | None = None,
           settings: Mapping[str, Any] | None = None, folder: StrPath | None = None, shard: str | None = None,
-          history: Iterable[str] = (), client: Any = None) -> Table:
+          history: Iterable[str] = (), client: Any = None, joints: Mapping[str, Any] | StrPath | None = None) -> Table:
     """Runs a case under many values and returns a Table, one row per run in the order of `over`.
 
     case: a Case, a path, or a function that takes values by name and returns a Case, such as one that draws joints from a
@@ -278,7 +283,8 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     is a pointer into the case file, as `Case.with_value` has it; another key is a setting, or an argument of the function.
     The dicts of a list may have different keys; columns are those of all. verdict, doubt, seconds and job are no keys.
     out: names as those of `keyblock sweep --out` (displacement, fos, point1.dx, crest.vx, ledger.kinetic, …), or a function
-    of the finished Run that returns a number or a dict.
+    of the finished Run that returns a number or a dict. joints: statistics of joints, drawn anew for each row; a dict as
+    docs/slope.json, or the path of one. A key that begins with joints:/ is a pointer into them: "joints:/seed".
 
     Each run is a child process with one thread. One that crashes, is killed, or exceeds its time or memory is one row with
     its verdict: signal, time_limit, memory_limit or error; the doubt gives the reason. Names of a case without functions
@@ -295,6 +301,8 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     pool = Pool(jobs, time_limit, memory_limit)  # checks them
     rows = grid(over) if isinstance(over, Mapping) else [_plain_dict(r) for r in over]
     keys = list(_union(rows))
+    if not keys:
+        raise ValueError(f"over: expected at least one row with a key, found {over!r}")
     _check_names(keys, ())
     is_even = all(len(row) == len(keys) for row in rows)  # the program needs the same keys in all rows
     if not callable(out):
@@ -302,10 +310,15 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
         _check_names(keys, out)
         history = list(history)
         _check_outputs(out, [h.partition("=")[0] for h in history])
-    if isinstance(case, Case) and not callable(out) and (is_even or not _is_plain(out)):
+    if isinstance(case, Case) and not callable(out) and (is_even or joints is not None or not _is_plain(out)):
         if not is_even:
-            raise ValueError(f"over: expected the same keys in all rows for outputs other than {_plain_names()}")
-        return _by_program(case, rows, out, pool.jobs, time_limit, memory_limit, profile, settings, folder, shard, history, client)
+            raise ValueError(f"over: expected the same keys in all rows for joints and for outputs other than {_plain_names()}")
+        if time_limit is not None and time_limit < 1:
+            raise ValueError(f"time_limit: expected at least 1 s for outputs by name, found {time_limit}")
+        return _by_program(case, rows, out, pool.jobs, time_limit, memory_limit, profile, settings, folder, shard, history,
+                           client, joints)
+    if joints is not None:
+        raise ValueError("joints: expected a case and outputs by name, found a function")
     if not callable(out) and not _is_plain(out):
         raise ValueError(f"out: expected some of {_plain_names()}, found {', '.join(out)}")
     return _by_functions(case, rows, out, pool, profile, settings, folder, shard, client)
@@ -321,38 +334,51 @@ def _plain_names() -> str:
 
 def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jobs: int, time_limit: float | None,
                 memory_limit: int | None, profile: str | None, settings: Any, folder: StrPath | None, shard: str | None,
-                history: Iterable[str], client: Any) -> Table:
+                history: Iterable[str], client: Any, joints: Mapping[str, Any] | StrPath | None) -> Table:
+    texts = {"design.json": json.dumps(rows)}
+    if isinstance(joints, Mapping):
+        texts["joints.json"] = json.dumps(joints)
+    statistics = _OWN + "joints.json" if isinstance(joints, Mapping) else None if joints is None else os.path.abspath(joints)
+    pairs = [f"{name}={value}" for name, value in setting_pairs(settings)]
+    values = [f"{pointer}={json.dumps(value)}" for pointer, value in case._values]
     with tempfile.TemporaryDirectory(prefix="keyblock_") as own:
         to = os.path.abspath(folder or os.path.join(own, "sweep"))
-        design = os.path.join(own, "design.json")
-        with open(design, "w", encoding="utf-8") as file:
-            json.dump(rows, file)
-        pairs = [f"{name}={value}" for name, value in setting_pairs(settings)]
-        values = [f"{pointer}={json.dumps(value)}" for pointer, value in case._values]
-        seconds = None if time_limit is None else max(1, round(time_limit))
         command = ["sweep", *case._read, *_program._options(
-            design=design, out=",".join(out), profile=profile, set=pairs, at=values, history=list(history),
-            time_limit=seconds, memory_limit=memory_limit, **case._drawing), "-o", to, "--resume", "--json"]
+            design=_OWN + "design.json", out=",".join(out), profile=profile, set=pairs, at=values, history=list(history),
+            time_limit=None if time_limit is None else math.ceil(time_limit), memory_limit=memory_limit,
+            joints=statistics, **case._drawing), "-o", to, "--resume", "--json"]
         if client is not None:
-            _on_workers(client, command, len(rows), own)
-        text = _program._run([*command, *_program._options(jobs=jobs, shard=shard, merge=client is not None)], (0, 1))
+            _on_workers(client, texts, command, len(rows))
+        text = _with_files(texts, [*command, *_program._options(jobs=jobs, shard=shard, merge=client is not None)])
     found = json.loads(text)
     return Table([{k: float("nan") if v is None else v for k, v in row.items()} for row in found["rows"]],
-                 found["seconds"])
+                 found["seconds"], found["units"])
 
 
-def _on_workers(client: Any, command: list[str], rows: int, own: str) -> None:
+_OWN = "/keyblock-files-of-this-call/"  # stands for a folder that each process makes
+
+
+def _with_files(texts: Mapping[str, str], command: Iterable[str]) -> str:
+    """Output of the program, whose command may name files with these texts."""
+    with tempfile.TemporaryDirectory(prefix="keyblock_") as own:
+        for name, text in texts.items():
+            with open(os.path.join(own, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        return _program._run([word.replace(_OWN, own + os.sep) for word in map(str, command)], (0, 1))
+
+
+def _on_workers(client: Any, texts: Mapping[str, str], command: list[str], rows: int) -> None:
     """Runs the shards of a sweep as tasks of Dask; each starts the program."""
     threads = sum(client.nthreads().values()) or 1
     count = max(1, min(rows, 4 * threads))
-    tasks = [client.submit(_shard, _program.program(), [*command, "--jobs", "1", "--shard", f"{k}/{count}"], pure=False)
+    tasks = [client.submit(_shard, _program.program(), texts, [*command, "--jobs", "1", "--shard", f"{k}/{count}"], pure=False)
              for k in range(1, count + 1)]
     client.gather(tasks)
 
 
-def _shard(program: str, command: list[str]) -> None:
+def _shard(program: str, texts: Mapping[str, str], command: list[str]) -> None:
     os.environ["KEYBLOCK_PROGRAM"] = program
-    _program._run(command, (0, 1))
+    _with_files(texts, command)
 
 
 def _by_functions(case: Any, rows: list[dict[str, Any]], out: Any, pool: Pool, profile: str | None, settings: Any,

@@ -528,6 +528,8 @@ PYBIND11_MODULE(_keyblock, m) {
   m.def("random_rows", &kb::random_rows, py::arg("keys"), py::arg("count"), py::arg("seed"));
   m.def("version", &kb::version);
   m.def("build", &kb::build);
+  m.def("commit", &kb::commit);
+  m.def("compiler", &kb::compiler);
   m.def(
       "left_behind", [] { return left_behind.load(); }, "Number of computations that an interrupt left running.");
 }

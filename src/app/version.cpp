@@ -1,5 +1,4 @@
-// `keyblock version`: prints version and commit. Only this file knows the commit, so that no other is rebuilt for a new
-// one.
+// `keyblock version`: prints version, commit and compiler.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/version.hpp"
 
@@ -9,26 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.hpp"
+#include "base/bytes/source_facts.hpp"
 
 namespace keyblock {
-namespace {
-
-std::string compiler_words() {
-#if defined(__clang__)
-  return fmt::format("clang++ {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
-#elif defined(__GNUC__)
-  return fmt::format("g++ {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
-#else
-  return "unknown compiler";
-#endif
-}
-
-}  // namespace
-
 std::string version_words() {
-  const std::string commit = KEYBLOCK_COMMIT;
-  return fmt::format("keyblock {}{}, {}", KEYBLOCK_VERSION, commit.empty() ? "" : ", commit " + commit,
-                     compiler_words());
+  return fmt::format("keyblock {}, commit {}, {}", KEYBLOCK_VERSION, source_commit(), compiler_words());
 }
 
 Action configure_version(CLI::App& options) {
@@ -36,7 +20,7 @@ Action configure_version(CLI::App& options) {
   options.add_flag("--json", *as_json, "print as JSON");
   return [as_json] {
     const nlohmann::ordered_json json = {
-        {"version", KEYBLOCK_VERSION}, {"commit", KEYBLOCK_COMMIT}, {"compiler", compiler_words()}};
+        {"version", KEYBLOCK_VERSION}, {"commit", source_commit()}, {"compiler", compiler_words()}};
     fmt::print("{}\n", *as_json ? json.dump() : version_words());
     return ExitCode::ok;
   };

@@ -7,7 +7,7 @@
 namespace keyblock {
 
 /// Returns "keyblock 0.2.0, commit 0123abc, g++ 12.2.0". The commit is that of the build, with a + if files differed
-/// from it; it is left out if the sources had no history.
+/// from it; "unknown" if the sources had no history.
 std::string version_words();
 
 }  // namespace keyblock

@@ -126,6 +126,8 @@ class RunFolder {
 
   /// Returns the names of the written files, in order.
   const std::vector<std::string>& outputs() const { return files_.names(); }
+  /// Returns names and checksums of the written files, then of those of frames.
+  Checksums checksums() const { return frame_files_.checksums(files_.checksums()); }
 
  private:
   void write_traces(const RunResults& results);

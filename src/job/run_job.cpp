@@ -287,6 +287,7 @@ std::string RunJob::finish(const std::string& title, double seconds) {
                                      options_.has_page,
                                      options_.shown});
   record_.outputs = folder_.outputs();
+  record_.checksums = folder_.checksums();
   const std::string json =
       run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   std::function<std::string()> page;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "formats/tables/run_tables.hpp"
+#include "job/folder/made_by.hpp"
 #include "job/ledger_report.hpp"
 #include "job/run_measures.hpp"
 #include "job/step_tables.hpp"
@@ -290,6 +291,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
   Json json = {
       {"program", "keyblock"},
       {"version", KEYBLOCK_VERSION},
+      {"made_by", made_by_json()},
       {"profile", record.profile},
       {"profile_because", record.profile_because},
       {"outcome", outcome_json(record, prepared)},
@@ -303,7 +305,9 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
       {"recorded_every", record.record_every},
       {"seconds", {{"read", record.timings.read}, {"prepare", record.timings.prepare}, {"run", record.timings.run}}},
       {"outputs", record.outputs},
+      {"output_sha256", Json::object()},
       {"steps", steps_json(record.steps, record.units)}};
+  for (const auto& [name, checksum] : record.checksums) json["output_sha256"][name] = checksum;
   if (!record.values.empty()) json["values"] = values_json(record.values);
   json["is_static"] = record.is_static;
   json["is_of_motion"] = !prepared.scene.is_untouched;

@@ -10,6 +10,7 @@
 #include "api/case_values.hpp"
 #include "base/counted.hpp"
 #include "formats/case.hpp"
+#include "job/folder/made_by.hpp"
 #include "job/verdict/end_of_motion.hpp"
 #include "result/extremes.hpp"
 #include "result/reaction_curve.hpp"
@@ -78,6 +79,7 @@ struct RunRecord {
   formats::MaterialNames names = {};
   std::vector<SupportRecord> supports = {};
   std::vector<std::string> outputs;  ///< file names in the run's folder
+  Checksums checksums = {};          ///< of outputs and frames
 };
 
 /// Option of `run`, and its effect with the verb first: "shows the motion".

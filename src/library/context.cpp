@@ -1,6 +1,7 @@
 // Implements the public Context by that of the program.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/bytes/build_id.hpp"
+#include "base/bytes/source_facts.hpp"
 #include "library/parts.hpp"
 
 namespace keyblock::api {
@@ -31,6 +32,14 @@ std::string version() {
 
 std::string build() {
   return guarded([] { return build_id(); });
+}
+
+std::string commit() {
+  return source_commit();
+}
+
+std::string compiler() {
+  return compiler_words();
 }
 
 }  // namespace v1

@@ -13,7 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 6> kLeftOut{"seconds", "outputs", "steps", "inputs", "unit_of", "supports"};
+constexpr std::array<std::string_view, 8> kLeftOut{"seconds", "made_by", "outputs", "output_sha256",
+                                                   "steps",   "inputs",  "unit_of", "supports"};
 
 class Differences {
  public:

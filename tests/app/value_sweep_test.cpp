@@ -1,12 +1,15 @@
 // `sweep --over`, its shards, and `run --at` from the command line.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/bytes/sha256.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
@@ -149,6 +152,78 @@ TEST(ValueSweep, random_joints_are_drawn_anew_for_each_row) {
   EXPECT_FALSE(contains(run.output, ",error,")) << run.output;
 }
 
+TEST(ValueSweep, columns_have_units_and_words) {
+  const std::string folder = fresh_folder("value_sweep_columns");
+  const std::string file = slope_in(folder);
+  ASSERT_EQ(run_keyblock(sweep_of(file, folder + "/out")).exit_code, 0);
+  EXPECT_EQ(read_text(folder + "/out/columns.csv"),
+            "column,unit,meaning\n"
+            "/analysis/joint_materials/0/friction_angle_deg,deg,friction angle of joint material 1\n"
+            "time_step,s,step size\n"
+            "verdict,,end of the run\n"
+            "doubt,,reason for the verdict\n"
+            "displacement,m,largest displacement\n"
+            "point1.dx,m,measured point 1: displacement x\n"
+            "ledger.friction,N·m/m,energy balance: friction\n"
+            "/counts/blocks,,\"blocks, counts\"\n"
+            "job,,folder of the run in jobs\n");
+  const std::string picture = read_text(folder + "/out/sweep.svg");
+  EXPECT_TRUE(contains(picture, "friction angle of joint material 1 [deg]"));
+  EXPECT_TRUE(contains(picture, "step size [ms]"));  // the unit of the values
+  EXPECT_FALSE(contains(picture, "/analysis"));
+  const auto record = nlohmann::json::parse(read_text(folder + "/out/sweep.json"));
+  EXPECT_EQ(record["made_by"]["command"][1], "sweep");
+  EXPECT_EQ(record["inputs"][0]["file"], file);
+  EXPECT_EQ(record["output_sha256"]["table.csv"], sha256(read_text(folder + "/out/table.csv")));
+}
+
+TEST(ValueSweep, a_table_of_more_runs_stays) {
+  const std::string folder = fresh_folder("value_sweep_larger");
+  const std::string file = slope_in(folder);
+  const auto command = [&](const char* steps) {
+    return Words{"sweep", file, "--over", std::string("steps=") + steps, "-o", folder + "/out"};
+  };
+  ASSERT_EQ(run_keyblock(command("2,3,4")).exit_code, 0);
+  const std::string table = read_text(folder + "/out/table.csv");
+  for (const char* option : {"--resume", "--merge"}) {
+    const ProgramRun smaller = run_keyblock(command("2,3") + Words{option});
+    EXPECT_EQ(smaller.exit_code, 2);
+    EXPECT_TRUE(contains(smaller.messages, "has 1 run that this sweep lacks; --force replaces it")) << smaller.messages;
+    EXPECT_EQ(read_text(folder + "/out/table.csv"), table);
+  }
+  EXPECT_EQ(run_keyblock(command("2,3") + Words{"--merge", "--force"}).exit_code, 0);
+  EXPECT_EQ(std::ranges::count(read_text(folder + "/out/table.csv"), '\n'), 3);
+  EXPECT_EQ(run_keyblock(command("2,3,4,5") + Words{"--resume"}).exit_code, 0);
+  EXPECT_EQ(std::ranges::count(read_text(folder + "/out/table.csv"), '\n'), 5);
+}
+
+TEST(ValueSweep, whole_numbers_do_not_come_from_distributions) {
+  const std::string folder = fresh_folder("value_sweep_whole");
+  const ProgramRun run = run_keyblock(
+      {"sweep", slope_in(folder), "--over", "steps=normal(100,10)", "--random", "4", "-o", folder + "/out"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(contains(run.messages, "setting steps: expected a whole number of at least 1, found ")) << run.messages;
+  EXPECT_FALSE(fs::exists(folder + "/out"));
+}
+
+TEST(ValueSweep, a_shard_belongs_to_one_process_at_a_time) {
+  const std::string folder = fresh_folder("value_sweep_lock");
+  const std::string file = slope_in(folder);
+  fs::create_directory(folder + "/out");
+  const Words command{"sweep", file, "--over", "steps=2,3", "-o", folder + "/out"};
+  const int lock = open((folder + "/out/.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  struct flock byte_1 = {};
+  byte_1.l_type = F_WRLCK;
+  byte_1.l_start = byte_1.l_len = 1;
+  ASSERT_EQ(fcntl(lock, F_OFD_SETLK, &byte_1), 0);
+  const ProgramRun same = run_keyblock(command + Words{"--shard", "1/2"});
+  EXPECT_EQ(same.exit_code, 2);
+  EXPECT_TRUE(contains(same.messages, "another process does shard 1 of")) << same.messages;
+  EXPECT_EQ(run_keyblock(command + Words{"--shard", "2/2"}).exit_code, 0);
+  close(lock);
+  EXPECT_EQ(run_keyblock(command + Words{"--shard", "1/2"}).exit_code, 0);
+}
+
 TEST(ValueSweep, scripts_name_the_shards) {
   const std::string folder = fresh_folder("value_sweep_scripts");
   const std::string file = slope_in(folder);
@@ -165,7 +240,27 @@ TEST(ValueSweep, scripts_name_the_shards) {
     EXPECT_EQ(support::run_script("SLURM_ARRAY_TASK_ID=" + std::string(task) + " bash " + folder + "/job.sh").exit_code,
               0);
   EXPECT_EQ(run_keyblock(command + Words{"--merge"}).exit_code, 0);
-  EXPECT_TRUE(contains(run_keyblock(command + Words{"--parallel", "3"}).output, "seq 3 | parallel "));
+  EXPECT_TRUE(contains(run_keyblock(command + Words{"--parallel", "3"}).output, "seq 3 | parallel --retries 3 "));
+}
+
+// A task that was stopped before its limit is running; one that scancel ended is completing.
+TEST(ValueSweep, a_cancelled_task_of_slurm_stays_away) {
+  const std::string folder = fresh_folder("value_sweep_cancelled");
+  std::string script =
+      run_keyblock({"sweep", slope_in(folder), "--over", "steps=10,20", "-o", folder + "/out", "--slurm", "2"}).output;
+  const std::size_t end = script.find(" &\n"), begin = script.rfind('\n', end) + 1;
+  ASSERT_NE(end, std::string::npos);
+  script.replace(begin, end - begin, "bash -c 'exit 130'");
+  write_text(folder + "/job.sh", script);
+  write_text(folder + "/scontrol",
+             "#!/bin/sh\necho \"$*\" >>" + folder + "/calls\necho \"JobId=7 JobState=$STATE Reason=None\"\n");
+  fs::permissions(folder + "/scontrol", fs::perms::owner_all);
+  const std::string task =
+      " SLURM_JOB_ID=7 SLURM_ARRAY_JOB_ID=6 SLURM_ARRAY_TASK_ID=1 PATH=" + folder + ":$PATH bash " + folder + "/job.sh";
+  EXPECT_EQ(support::run_script("STATE=COMPLETING" + task).exit_code, 130);
+  EXPECT_EQ(read_text(folder + "/calls"), "--oneliner show job 7\n");
+  EXPECT_EQ(support::run_script("STATE=RUNNING" + task).exit_code, 130);
+  EXPECT_TRUE(read_text(folder + "/calls").ends_with("show job 7\nrequeue 6_1\n"));
 }
 
 TEST(ValueSweep, run_at_gives_what_the_changed_file_gives) {

@@ -2,6 +2,7 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import hashlib
 import math
 import subprocess
 import sys
@@ -41,6 +42,18 @@ class Program(Folder):
         self.assertEqual(names, {str(p.relative_to("second")) for p in Path("second").rglob("*") if p.is_file()})
         for name in names - {"run.json"}:  # which holds times
             self.assertEqual((Path("first") / name).read_bytes(), (Path("second") / name).read_bytes(), name)
+        other = kb.Results("second").run
+        for record in (results.run, other):
+            made = record.pop("made_by")
+            self.assertEqual((made["commit"], made["compiler"]), (kb._keyblock.commit(), kb._keyblock.compiler()))
+            self.assertRegex(made["build"], "^[0-9a-f]{40}$")
+            self.assertIsNone(made["seed"])
+            for name, checksum in record["output_sha256"].items():
+                self.assertEqual(hashlib.sha256((Path("first") / name).read_bytes()).hexdigest(), checksum, name)
+            self.assertLess({"history.csv", "fields.pvd", "frames/00000100.vtu"}, set(record["output_sha256"]))
+            del record["seconds"]
+        self.assertEqual(made["command"][1:3], ["run", "block.json"])
+        self.assertEqual(results.run, other)
         self.assertIn("histories", results.tables())
         with self.assertRaises(kb.SettingError):
             kb.record("block.json", "first")
@@ -124,6 +137,15 @@ class Program(Folder):
         texts = [kb.joints(str(ROOT / "docs/slope.json"), f"{i}.geo", seed=seed).read_text() for i, seed in enumerate((1, 1, 2))]
         self.assertEqual(texts[0], texts[1])
         self.assertNotEqual(texts[0], texts[2])
+
+    def test_a_citation_names_the_build_and_the_origin_of_results(self):
+        kb.new("block", "block.json")
+        cited = kb.cite(kb.record("block.json", "out", settings={"steps": 2}))
+        self.assertIn(f"commit {kb._keyblock.commit()}, {kb._keyblock.compiler()}, build {kb._keyblock.build()}", kb.cite())
+        self.assertTrue(cited.startswith(kb.cite()))
+        checksum = hashlib.sha256(Path("block.json").read_bytes()).hexdigest()
+        self.assertRegex(cited, f"% input {checksum} .*block.json\n")
+        self.assertRegex(cited, "% output [0-9a-f]{64} history.csv\n")
 
     def test_other_commands_answer(self):
         report = kb.compare(CASES / "sliding_block" / "a30_p20")

@@ -122,6 +122,19 @@ class Runs(Folder):
             thread.join()
         self.assertEqual([found[n] == alone for n in (1, 2, 3)], [True] * 3)
 
+    def test_a_second_thread_may_not_step_the_run(self):
+        run = kb.Run(endless())
+        thread = threading.Thread(target=run.go_on)
+        thread.start()
+        while not run.last.number:
+            time.sleep(0.01)
+        for step in (run.advance, run.go_on, lambda: next(run), lambda: run.go_on(lambda r: True)):
+            with self.assertRaisesRegex(kb.Error, "another thread steps this run"):
+                step()
+        run.stop()
+        thread.join()
+        self.assertFalse(run.advance())
+
     def test_stop_of_one_run_leaves_the_other(self):
         plan = kb.Plan(slide())
         first, second = kb.Run(plan), kb.Run(plan)

@@ -19,7 +19,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
 import keyblock as kb  # noqa: E402
-from support import FRICTION, ROOT, Folder, endless, press_ctrl_c, slide  # noqa: E402
+from support import FRICTION, ROOT, SI, Folder, endless, press_ctrl_c, slide  # noqa: E402
 
 
 def way(friction):
@@ -290,6 +290,33 @@ class Sweeps(Folder):
                 kb.sweep(slide(), over, out=out, client=client).write("dask.csv")
                 kb.sweep(slide(), over, out=out).write("here.csv")
                 self.assertEqual((self.folder / "dask.csv").read_text(), (self.folder / "here.csv").read_text())
+
+    def test_joints_are_drawn_for_each_row(self):
+        spec = {"slope": {"height": 6, "angle": 60, "toe": 3, "crest": 6, "base": 2}, "fixed": [[-3, -1.9, 12, -1.9]],
+                "sets": [{"dip": dip, "spacing": 2, "trace": 100, "scatter": 0.2, "joint": 1} for dip in (35, 118)]}
+        case = kb.read(self.write("face.json", {"keyblock": 2, "units": SI, "analysis": {
+            "step_count": 2, "time_step": "1 ms", "block_materials": [{"like": "limestone"}],
+            "joint_materials": [{"friction_angle_deg": 40}]}}))
+        over = {"joints:/seed": [1, 2], "joints:/sets/0/dip": [30, 35]}
+        table = kb.sweep(case, over, out="blocks", joints=spec, folder="dict")
+        same = kb.sweep(case, over, out="blocks", joints=self.write("joints.json", spec), folder="path")
+        self.assertEqual(list(table), list(same))
+        self.assertGreater(len(set(table["blocks"])), 1)
+        self.assertEqual(table.units["joints:/sets/0/dip"], "deg")
+        with self.assertRaisesRegex(ValueError, "joints: expected a case and outputs by name"):
+            kb.sweep(case, over, out=lambda run: 1, joints=spec)
+
+    def test_units_of_columns_are_those_of_the_case(self):
+        table = kb.sweep(slide().with_value("/units", SI), {FRICTION: [10, 20]}, out=["displacement", "fos"], settings={"steps": 2})
+        self.assertEqual(table.units, {FRICTION: "deg", "displacement": "m"})
+        self.assertEqual(table.pandas().attrs["units"], table.units)
+
+    def test_a_sweep_without_keys_is_refused(self):
+        for over in ({}, [], [{}], {FRICTION: []}):
+            with self.assertRaisesRegex(ValueError, "over: expected at least one row with a key"):
+                kb.sweep(slide(), over)
+        with self.assertRaisesRegex(ValueError, "time_limit: expected at least 1 s"):
+            kb.sweep(slide(), {FRICTION: [10]}, time_limit=0.5)
 
     def test_random_rows_are_stratified_and_depend_on_the_seed_alone(self):
         over = {"a": kb.uniform(2, 4), "b": kb.normal(30, 2), "c": kb.lognormal(5, 1), "d": kb.choice("x", "y"),

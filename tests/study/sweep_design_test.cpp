@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/sweep/sweep_design.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,8 +54,22 @@ TEST(SweepDesign, lists_and_ranges_are_read_with_their_units) {
   EXPECT_EQ(values_of("/a=0,50 kN"), R"(["0 kN","50 kN"])");
   EXPECT_EQ(values_of("/a=1 MPa,50 kPa"), R"(["1 MPa","50 kPa"])");
   EXPECT_EQ(values_of("/a=true,[1,2],sand"), R"([true,[1,2],"sand"])");
-  for (const char* wrong : {"", "/a", "/a=", "=1", "/a=1,,2", "/a=normal(1)", "/a=uniform(2,1)", "/a=normal(1,0)"})
+  for (const char* wrong : {"", "/a", "/a=", "=1", "/a=1,,2", "/a=normal(1)", "/a=uniform(2,1)", "/a=normal(1,0)",
+                            "/a=1:2:0", "/a=1:2:-1", "/a=0:1:1e-9"})
     EXPECT_THROW(varied_key_of(wrong), std::invalid_argument) << wrong;
+}
+
+// Mean of a normal distribution above t deviations: t + 1/t - 2/t^3 + 10/t^5, the series of the inverse Mills ratio.
+TEST(SweepDesign, a_normal_distribution_cut_far_from_its_mean_has_the_mean_of_its_tail) {
+  for (const double t : {8.0, 10.0, 20.0, 50.0, 1e4}) {
+    const double expected = t + 1 / t - 2 / std::pow(t, 3) + 10 / std::pow(t, 5);
+    const std::vector<double> above = sample(fmt::format("normal(0,1,{},{})", t, 2 * t), 1000);
+    const std::vector<double> below = sample(fmt::format("normal(0,1,{},{})", -2 * t, -t), 1000);
+    EXPECT_NEAR((mean(above) - t) * t, (expected - t) * t, 0.01) << t;
+    EXPECT_NEAR((mean(below) + t) * t, (t - expected) * t, 0.01) << t;
+    EXPECT_GE(std::ranges::min(above), t);
+    EXPECT_EQ(std::set<double>(above.begin(), above.end()).size(), above.size()) << t;
+  }
 }
 
 TEST(SweepDesign, grids_and_zipped_lists_have_rows_in_order) {

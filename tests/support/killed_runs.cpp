@@ -54,7 +54,7 @@ std::map<std::string, std::string> contents(const std::string& folder) {
     if (entry.is_regular_file()) all[fs::relative(entry.path(), folder).string()] = read_text(entry.path());
   if (const auto record = all.find("run.json"); record != all.end()) {
     auto json = nlohmann::ordered_json::parse(record->second);
-    json.erase("seconds");
+    for (const char* key : {"seconds", "made_by"}) json.erase(key);
     record->second = json.dump();
   }
   return all;

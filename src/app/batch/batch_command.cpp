@@ -14,6 +14,7 @@
 #include "app/batch/engine_scripts.hpp"
 #include "app/batch/journal_file.hpp"
 #include "app/batch/shard.hpp"
+#include "app/batch/shard_lock.hpp"
 #include "app/command.hpp"
 #include "app/option_checks.hpp"
 #include "app/stop_request.hpp"
@@ -84,7 +85,7 @@ study::Journal journal_in(const BatchPlan& plan, const Shard& shard) {
   if (lies_in(plan.root, plan.folder))
     throw UsageError(fmt::format("{} lies in the folder for the results; give another folder", plan.root.string()));
   const fs::path file = plan.folder / shard.journal_name();
-  if (!fs::exists(plan.folder) || fs::is_empty(plan.folder)) return {};
+  if (is_free(plan.folder)) return {};
   study::Journal journal;
   if (fs::exists(file)) journal = study::read_journal(formats::load(file.string()).text);
   if (journal.task.empty() && shard.is_whole())
@@ -236,12 +237,14 @@ ExitCode run_batch(const BatchOptions& given) {
   const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options));
   if (options.is_merged) return finish(options, plan, archive, merged_journal(plan, archive));
   if (!archive.passed_over.empty()) spdlog::warn("skipped: {}", study::sentence_of(archive.passed_over));
+  journal_in(plan, options.shard);  // refuses a foreign folder before anything is written
+  const ShardLock lock(plan.folder, options.shard);
   study::Journal journal = begun_journal(options, plan);
   do_jobs(options, plan, archive, journal);
   std::error_code is_no_matter;
   if (options.shard.is_whole()) fs::remove_all(plan.checks_folder(), is_no_matter);
   // A stop requested during the last job leaves no job undone.
-  if (context().is_stopped() && !is_done(archive, journal, options.shard)) {
+  if (!is_done(archive, journal, options.shard)) {
     spdlog::warn("stopped by request; the same command with --resume continues");
     return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
   }

@@ -63,7 +63,7 @@ struct JobStopped {};
 ChildEnd run_logged(const BatchPlan& plan, const fs::path& folder, const std::string& name,
                     const std::vector<std::string>& arguments) {
   const ChildEnd end = run_logged(arguments, plan.limits, folder, name, plan.stop ? &*plan.stop : nullptr);
-  if (end.was_stopped && (end.signal != 0 || end.exit_code == int(ExitCode::stopped))) throw JobStopped();
+  if (has_been_stopped(end)) throw JobStopped();
   return end;
 }
 

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+
+#include "base/bytes/source_facts.hpp"
 
 namespace keyblock {
 namespace {
@@ -48,7 +48,10 @@ while kill -0 "$child" 2> /dev/null; do
 done
 case $code in
   0 | 1) exit 0 ;;  # a job that failed is a row of the table
-  5 | 130 | 143) scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID" ;;  # goes on from its checkpoints
+  5 | 130 | 143)    # goes on from its checkpoints, unless the task was cancelled or is back in the queue already
+    scontrol --oneliner show job "$SLURM_JOB_ID" | grep -q ' JobState=RUNNING ' &&
+      scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID"
+    ;;
 esac
 exit "$code"
 )";
@@ -56,11 +59,7 @@ exit "$code"
 }  // namespace
 
 std::vector<std::string> own_command() {
-  std::ifstream file("/proc/self/cmdline", std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  std::vector<std::string> words;
-  for (std::size_t begin = 0; begin < text.size(); begin = text.find('\0', begin) + 1)
-    words.emplace_back(text.c_str() + begin);
+  std::vector<std::string> words = words_of_command();
   if (!words.empty() && words.front().find('/') != std::string::npos)
     words.front() = std::filesystem::absolute(words.front()).lexically_normal().string();
   for (auto word = words.begin(); word != words.end();) {
@@ -79,9 +78,10 @@ std::string slurm_script(const std::vector<std::string>& command, int shards) {
   return fmt::format(kSlurm, joined_words(command), shards);
 }
 
+// A shard that was killed comes again, and does its missing jobs.
 std::string parallel_line(const std::vector<std::string>& command, int shards) {
   const std::string words = joined_words(command);
-  return fmt::format("seq {1} | parallel {2} ; {0} --merge\n", words, shards,
+  return fmt::format("seq {1} | parallel --retries 3 {2} ; {0} --merge\n", words, shards,
                      quoted(fmt::format("{} --jobs 1 --resume --shard {{}}/{}", words, shards)));
 }
 

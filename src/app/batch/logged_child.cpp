@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <sstream>
 
+#include "app/exit_code.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 
@@ -22,6 +24,12 @@ constexpr int kNoRoomForLibraries = 127;  // exit code of the loader
 ChildEnd run_logged(const std::vector<std::string>& arguments, const ChildLimits& limits, const fs::path& folder,
                     const std::string& name, const Context* stop) {
   return run_child(arguments, limits, folder / (name + ".out"), folder / (name + ".log"), stop);
+}
+
+bool has_been_stopped(const ChildEnd& end) {
+  if (end.ran_out_of_time) return false;
+  const bool by_request = end.signal == SIGTERM || end.signal == SIGINT || end.exit_code == int(ExitCode::stopped);
+  return by_request || (end.was_stopped && end.signal != 0);
 }
 
 std::string error_in(const fs::path& log) {

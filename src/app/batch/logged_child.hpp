@@ -14,6 +14,10 @@ namespace keyblock {
 ChildEnd run_logged(const std::vector<std::string>& arguments, const ChildLimits& limits,
                     const std::filesystem::path& folder, const std::string& name, const Context* stop = nullptr);
 
+/// Returns true if the process ended because it was requested to: by this process, or by a signal that the whole job
+/// got, such as that of Slurm. It has then no result.
+bool has_been_stopped(const ChildEnd& end);
+
 /// Returns the last line of the log with an error; empty without one.
 std::string error_in(const std::filesystem::path& log);
 

@@ -71,7 +71,7 @@ class SweepJob {
   bool is_stopped_ = false;
 };
 
-std::string text_of(const Json& value) {
+std::string text_of_value(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
@@ -95,7 +95,7 @@ std::vector<std::string> SweepJob::command(const std::string& verb) const {
     // JSON keeps a text such as "12" apart from a number.
     const bool is_plain = !value.is_string() || !Json::accept(value.get<std::string>());
     add(key.starts_with('/') ? "--at" : "--set",
-        fmt::format("{}={}", key, key.starts_with('/') && !is_plain ? value.dump() : text_of(value)));
+        fmt::format("{}={}", key, key.starts_with('/') && !is_plain ? value.dump() : text_of_value(value)));
   }
   if (verb != "sif") words.insert(words.end(), {"--threads", "1"});
   return words;
@@ -103,7 +103,7 @@ std::vector<std::string> SweepJob::command(const std::string& verb) const {
 
 ChildEnd SweepJob::start(const std::string& name, const std::vector<std::string>& arguments) {
   const ChildEnd end = run_logged(arguments, plan_.limits, folder_, name, &stop_);
-  is_stopped_ = end.was_stopped && (end.signal != 0 || end.exit_code == int(ExitCode::stopped));
+  is_stopped_ = has_been_stopped(end);
   return end;
 }
 
@@ -173,10 +173,14 @@ bool SweepJob::run() {
   if (result_.verdict == "failed") result_.doubt = outcome.value("reason", "");
   if (result_.verdict == "finished" && !doubts.empty()) {
     result_.verdict = "doubtful";
-    result_.doubt = text_of(doubts.front());
+    result_.doubt = text_of_value(doubts.front());
   }
-  for (const SweepOutput& output : plan_.outputs)
-    if (output.source == SweepSource::run) result_.out[output.name] = study::value_of_run(output, run_folder());
+  for (const SweepOutput& output : plan_.outputs) {
+    if (output.source != SweepSource::run) continue;
+    const study::SweptValue found = study::value_of_run(output, run_folder());
+    result_.out[output.name] = found.value;
+    if (!found.unit.empty()) result_.units[output.name] = found.unit;
+  }
   std::error_code ignored;  // frames of a thousand runs would fill the disk
   fs::remove_all(run_folder() / kFrameFolder, ignored);
   fs::remove(run_folder() / "fields.pvd", ignored);

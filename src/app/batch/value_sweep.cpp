@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -15,7 +16,9 @@
 #include "app/batch/engine_scripts.hpp"
 #include "app/batch/journal_file.hpp"
 #include "app/batch/shard.hpp"
+#include "app/batch/shard_lock.hpp"
 #include "app/batch/sweep_jobs.hpp"
+#include "app/batch/sweep_results.hpp"
 #include "app/input/value_sweep_options.hpp"
 #include "app/stop_request.hpp"
 #include "base/bytes/sha256.hpp"
@@ -27,7 +30,7 @@
 #include "formats/registry.hpp"
 #include "formats/strict_json.hpp"
 #include "job/files.hpp"
-#include "report/values_picture.hpp"
+#include "job/folder/made_by.hpp"
 #include "run/cover_settings.hpp"
 #include "settings/settings_table.hpp"
 #include "study/sweep/varied_key.hpp"
@@ -48,7 +51,22 @@ struct ReadySweep {
   std::vector<SweepRow> rows;
   std::vector<std::string> jobs;  ///< of each row
   std::string task;               ///< all that determines a result apart from the row
+  std::string case_text;          ///< the case file in strict JSON
+  Units units;                    ///< declared by the case
+  Json inputs = Json::array();    ///< files read, with checksums
 };
+
+/// Refuses fractions, such as those of a distribution, for settings that take whole numbers alone.
+void require_whole_numbers(const std::vector<SweepRow>& rows) {
+  for (const SettingText& setting : list(Settings{})) {
+    if (!setting.expected.starts_with("a whole number") || !rows.front().contains(setting.name)) continue;
+    for (const SweepRow& row : rows)
+      if (const Json& value = row.at(setting.name); value.is_number_float() && std::fmod(value.get<double>(), 1) != 0)
+        throw UsageError(
+            fmt::format("setting {}: expected {}, found {}; a list has whole numbers, a distribution has not",
+                        setting.name, setting.expected, value.dump()));
+  }
+}
 
 std::vector<SweepRow> rows_asked(const ValueSweepOptions& options) {
   if (!options.design_file.empty()) {
@@ -108,26 +126,36 @@ ReadySweep ready(const ValueSweepOptions& options) {
                     options.folder},
                    rows_asked(options),
                    {},
+                   {},
+                   {},
                    {}};
   if (!options.joints.empty()) sweep.plan.joints = formats::strict_json(formats::load(options.joints));
   const OpenCase open = opened(case_of(options.given));
-  require_keys(sweep.rows.front(), formats::case_file_text(open.input.files), sweep.plan.joints);
+  sweep.case_text = formats::case_file_text(open.input.files);
+  sweep.units = open.input.problem.units;
+  require_keys(sweep.rows.front(), sweep.case_text, sweep.plan.joints);
+  require_whole_numbers(sweep.rows);
   for (const std::string& file : open.files) require_not_below(file, options.folder);
   for (const SweepRow& row : sweep.rows) sweep.jobs.push_back(study::job_name(row));
   sweep.task = task_of(options, open, sweep.plan.joints);
+  for (const formats::FileReading& file : open.read_files())
+    sweep.inputs.push_back({{"file", file.path}, {"sha256", sha256(file.source.text)}});
+  for (const std::string& file : {options.given.settings_file, open.file.path, options.joints, options.design_file})
+    if (!file.empty() && fs::exists(file)) sweep.inputs.push_back({{"file", file}, {"sha256", checksum_of(file)}});
   return sweep;
 }
 
-/// Returns the results in all journals of the folder. Throws UsageError if one belongs to another sweep, or if the
-/// folder holds something else.
-std::map<std::string, SweepResult> known_results(const ReadySweep& sweep, const Shard& shard) {
+/// Refuses a folder that holds something else. A shard may come first.
+void require_sweep_folder(const fs::path& folder, const Shard& shard) {
+  if (shard.is_whole() && journals_in(folder).empty() && !is_free(folder))
+    throw UsageError(fmt::format("{} holds something that is no sweep; give another folder", folder.string()));
+}
+
+/// Returns the results in all journals of the folder. Throws UsageError if one belongs to another sweep.
+std::map<std::string, SweepResult> known_results(const ReadySweep& sweep) {
   std::map<std::string, SweepResult> known;
   const fs::path& folder = sweep.plan.folder;
-  const std::vector<fs::path> journals = journals_in(folder);
-  std::error_code error;
-  if (shard.is_whole() && journals.empty() && fs::exists(folder) && !fs::is_empty(folder, error))
-    throw UsageError(fmt::format("{} holds something that is no sweep; give another folder", folder.string()));
-  for (const fs::path& file : journals) {
+  for (const fs::path& file : journals_in(folder)) {
     const SweepJournal journal = study::read_sweep_journal(formats::load(file.string()).text);
     if (journal.task != sweep.task)
       throw UsageError(
@@ -175,58 +203,6 @@ void do_jobs(const ValueSweepOptions& options, const ReadySweep& sweep, const Sh
   });
 }
 
-std::vector<report::ValuesColumn> columns_of(const SweepTable& table, const std::vector<std::string>& names,
-                                             bool are_outputs) {
-  std::vector<report::ValuesColumn> columns;
-  for (const std::string& name : names) {
-    report::ValuesColumn& column = columns.emplace_back(report::ValuesColumn{name, {}, {}});
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
-      const Json& from = are_outputs ? table.results[i].out : table.rows[i];
-      const Json value = from.contains(name) ? from.at(name) : Json();
-      column.numbers.push_back(value.is_number() ? value.get<double>() : std::nan(""));
-      column.words.push_back(value.is_string() ? value.get<std::string>() : value.dump());
-    }
-  }
-  return columns;
-}
-
-std::string picture_of(const std::string& title, const SweepTable& table) {
-  std::vector<std::string> keys;
-  for (const auto& [key, value] : table.rows.front().items()) keys.push_back(key);
-  std::vector<std::string> verdicts;
-  for (const SweepResult& result : table.results) verdicts.push_back(result.verdict);
-  return report::values_picture(
-      {title, columns_of(table, keys, false), columns_of(table, table.outputs, true), verdicts});
-}
-
-void write_results(const ValueSweepOptions& options, const ReadySweep& sweep, const SweepTable& table) {
-  const fs::path& folder = sweep.plan.folder;
-  write_file(folder / "table.csv", study::table_csv(table));
-  write_file(folder / "times.csv", study::times_csv(table));
-  const std::string title = fs::path(options.given.paths.front()).filename().string();
-  if (const std::string picture = picture_of(title, table); !picture.empty()) write_file(folder / "sweep.svg", picture);
-}
-
-ExitCode print_results(const ValueSweepOptions& options, const SweepTable& table) {
-  std::fputs((options.as_json ? study::table_json(table) : study::table_csv(table)).c_str(), stdout);
-  std::map<std::string, std::size_t> verdicts;
-  for (const SweepResult& result : table.results) ++verdicts[result.verdict];
-  std::string words;
-  for (const auto& [verdict, count] : verdicts) words += fmt::format(", {} {}", count, verdict);
-  spdlog::info("{}{}; table in {}/table.csv", counted(table.rows.size(), "run"), words, options.folder);
-  const bool all_finished = verdicts.size() == 1 && verdicts.contains("finished");
-  return all_finished ? ExitCode::ok : ExitCode::check_failed;
-}
-
-/// Removes the results of an earlier sweep, and nothing else.
-void remove_results(const fs::path& folder) {
-  std::error_code ignored;
-  if (journals_in(folder).empty()) return;
-  for (const fs::path& journal : journals_in(folder)) fs::remove(journal, ignored);
-  fs::remove_all(folder / "jobs", ignored);
-  for (const char* name : {"table.csv", "times.csv", "sweep.svg"}) fs::remove(folder / name, ignored);
-}
-
 /// Returns the rows of a shard.
 SweepTable of_shard(const SweepTable& table, const Shard& shard) {
   SweepTable part{table.outputs, {}, {}};
@@ -263,12 +239,25 @@ ExitCode finish(const ValueSweepOptions& options, const ReadySweep& sweep, const
     throw UsageError(fmt::format("{}: {} of {} runs are missing; their shards have not ended", options.folder, missing,
                                  sweep.rows.size()));
   if (!shard.is_whole()) {
-    if (options.as_json) std::fputs(study::table_json(of_shard(table, shard)).c_str(), stdout);
+    if (options.as_json) {
+      const SweepTable part = of_shard(table, shard);
+      const bool is_empty = part.rows.empty();
+      std::fputs((is_empty ? study::table_json(part, Json::object())
+                           : sweep_json(part, sweep_columns(part, sweep.case_text, sweep.units)))
+                     .c_str(),
+                 stdout);
+    }
     spdlog::info("shard {} of {} is done; --merge writes the table when all are", shard.k, shard.n);
     return ExitCode::ok;
   }
-  write_results(options, sweep, table);
-  return print_results(options, table);
+  const std::vector<SweepColumn> columns = sweep_columns(table, sweep.case_text, sweep.units);
+  const Json seed = options.random > 0 ? Json(options.seed) : Json();
+  const Json origin = {{"program", "keyblock"},
+                       {"version", KEYBLOCK_VERSION},
+                       {"made_by", made_by_json(seed)},
+                       {"inputs", sweep.inputs}};
+  write_sweep({options.folder, fs::path(options.given.paths.front()).filename().string(), origin}, table, columns);
+  return print_sweep(options, table, columns);
 }
 
 }  // namespace
@@ -284,11 +273,15 @@ ExitCode sweep_values(const ValueSweepOptions& options) {
                                        : parallel_line(own_command(), options.parallel));
     return ExitCode::ok;
   }
-  if (options.force) remove_results(options.folder);
+  require_sweep_folder(options.folder, shard);
   listen_for_stops();
-  std::map<std::string, SweepResult> known = known_results(sweep, shard);
-  const bool is_begun = fs::exists(sweep.plan.folder / shard.journal_name());
-  if (is_begun && !options.is_resumed && !options.is_merged)
+  std::optional<ShardLock> lock;
+  if (!options.is_merged) lock.emplace(options.folder, shard);
+  const bool goes_on = options.is_resumed || options.is_merged;
+  if (options.force && !goes_on) remove_sweep(options.folder);
+  if (!options.force && shard.is_whole()) require_no_larger_table(options.folder, sweep.jobs);
+  std::map<std::string, SweepResult> known = known_results(sweep);
+  if (fs::exists(sweep.plan.folder / shard.journal_name()) && !goes_on)
     throw UsageError(
         fmt::format("{} holds a sweep; --resume goes on with it, --force begins it again", options.folder));
   if (!options.is_merged) do_jobs(options, sweep, shard, known);

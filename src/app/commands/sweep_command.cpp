@@ -198,7 +198,9 @@ void add_value_options(CLI::App& options, ValueSweepOptions& chosen) {
 
 /// Adds the options by which jobs are done: those of `batch` too.
 void add_job_options(CLI::App& options, ValueSweepOptions& chosen) {
-  options.add_option("-o,--output", chosen.folder, "folder for table.csv, times.csv, sweep.svg, journals and jobs")
+  options
+      .add_option("-o,--output", chosen.folder,
+                  "folder for table.csv, columns.csv, times.csv, sweep.svg, sweep.json, journals and jobs")
       ->type_name("FOLDER");
   options.add_option("--jobs", chosen.jobs, "jobs at a time (default: number of cores)")->check(CLI::Range(1, 1024));
   options.add_option("--time-limit", chosen.cpu_seconds, "processor time per process, seconds (default: no limit)")

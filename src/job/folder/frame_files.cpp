@@ -93,6 +93,11 @@ std::set<fs::path> FrameFiles::paths() const {
   return paths;
 }
 
+Checksums FrameFiles::checksums(Checksums all) const {
+  for (const File& file : files_) all.emplace_back(file.name, file.sha256);
+  return all;
+}
+
 std::string FrameFiles::list() const {
   std::vector<formats::PvdEntry> files;
   for (const File& file : files_) files.push_back({file.time, part_number(file.name), file.name});

@@ -12,6 +12,7 @@
 
 #include "base/archive.hpp"
 #include "formats/views/vtk_file.hpp"
+#include "job/folder/made_by.hpp"
 #include "problem/run_choices.hpp"
 #include "result/contact_frame.hpp"
 #include "result/field_frame.hpp"
@@ -42,6 +43,8 @@ class FrameFiles {
     materials_ = std::move(materials);
     coding_ = coding;
   }
+  /// Returns the checksums given, then those of the files.
+  Checksums checksums(Checksums all) const;
   /// Returns the list of the files for viewers.
   std::string list() const;
   /// Throws OutputError if one of them is gone.

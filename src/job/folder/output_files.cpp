@@ -81,6 +81,13 @@ void OutputFiles::remove_earlier() {
   FrameFiles::remove_others(folder_, {});
 }
 
+Checksums OutputFiles::checksums() const {
+  Checksums all;
+  for (const std::string& name : names_)
+    if (name != kPageFile) all.emplace_back(name, checksum_of(folder_ / name));
+  return all;
+}
+
 void OutputFiles::remove_growing() {
   std::error_code error;
   for (const std::string& name : growing_files()) fs::remove(folder_ / name, error);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "job/files.hpp"
+#include "job/folder/made_by.hpp"
 
 namespace keyblock {
 
@@ -44,6 +45,10 @@ class OutputFiles {
   void forget_names() { names_.clear(); }
 
   bool is_own(std::string_view file) const { return own_.contains(std::string(file)); }
+
+  /// Returns the checksums of the named files, in the order of writing. The page, which follows the record, has none.
+  /// Throws OutputError if a file is gone.
+  Checksums checksums() const;
 
   /// Returns the names in the order of writing.
   const std::vector<std::string>& names() const { return names_; }

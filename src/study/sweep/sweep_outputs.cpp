@@ -89,22 +89,29 @@ std::string names_in(const std::vector<std::string>& header) {
   return names;
 }
 
+/// Returns the unit in the brackets of a heading: "m" of "dx [m]".
+std::string unit_in(const std::string& heading) {
+  const std::size_t bracket = heading.find(" [");
+  return bracket == std::string::npos ? std::string() : heading.substr(bracket + 2, heading.size() - bracket - 3);
+}
+
 /// Returns the cell of the last row that `is_wanted` takes.
 template <class Wanted>
-Json last_cell(const formats::CsvTable& table, const SweepOutput& output, const std::string& heading,
-               Wanted is_wanted) {
+SweptValue last_cell(const formats::CsvTable& table, const SweepOutput& output, const std::string& heading,
+                     Wanted is_wanted) {
   const auto column = std::ranges::find_if(
       table.header, [&](const std::string& h) { return h == heading || h.starts_with(heading + " ["); });
   if (column == table.header.end())
     refuse(output.name,
            fmt::format("a column of {}: {}", fs::path(table.name).filename().string(), names_in(table.header)));
   for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row)
-    if (is_wanted(*row)) return number_in(row->cells[static_cast<std::size_t>(column - table.header.begin())]);
+    if (is_wanted(*row))
+      return {number_in(row->cells[static_cast<std::size_t>(column - table.header.begin())]), unit_in(*column)};
   return {};
 }
 
-Json of_history(const formats::CsvTable& table, const SweepOutput& output, const std::string& owner,
-                const std::string& quantity) {
+SweptValue of_history(const formats::CsvTable& table, const SweepOutput& output, const std::string& owner,
+                      const std::string& quantity) {
   const std::string_view* whole = found_in(kShort, quantity);
   const std::string wanted(whole != nullptr ? *whole : quantity);
   const std::size_t name = formats::csv_column(table, "name");
@@ -112,7 +119,8 @@ Json of_history(const formats::CsvTable& table, const SweepOutput& output, const
   const auto is_wanted = [&](const formats::CsvRow& row) {
     return row.cells[name] == owner && row.cells[what] == wanted;
   };
-  if (std::ranges::any_of(table.rows, is_wanted)) return last_cell(table, output, "value", is_wanted);
+  if (const auto row = std::ranges::find_if(table.rows, is_wanted); row != table.rows.end())
+    return {last_cell(table, output, "value", is_wanted).value, row->cells[formats::csv_column(table, "unit")]};
   std::vector<std::string> known;
   for (const formats::CsvRow& row : table.rows) {
     std::string one = fmt::format("{}.{}", row.cells[name], row.cells[what]);
@@ -122,7 +130,7 @@ Json of_history(const formats::CsvTable& table, const SweepOutput& output, const
   refuse(output.name, "a quantity of a history: " + names_in(known));
 }
 
-Json of_table(const SweepOutput& output, const fs::path& folder) {
+SweptValue of_table(const SweepOutput& output, const fs::path& folder) {
   const auto [owner, quantity] = at_dot(output.name);
   const bool is_table = std::ranges::find(kTables, owner) != kTables.end();
   const std::size_t point = number_of(owner, "point");
@@ -137,6 +145,20 @@ Json of_table(const SweepOutput& output, const fs::path& folder) {
   const auto is_wanted = [&](const formats::CsvRow& row) { return row.cells[number] == wanted; };
   if (std::ranges::none_of(table.rows, is_wanted)) refuse(output.name, "the number of a measured point");
   return last_cell(table, output, quantity, is_wanted);
+}
+
+/// Returns the unit of a value of run.json, which lists units by paths such as supports[].x.
+std::string unit_of_record(const Json& record, const std::string& pointer) {
+  std::string path;
+  for (std::size_t begin = 1; begin <= pointer.size();) {
+    const std::size_t end = std::min(pointer.find('/', begin), pointer.size());
+    const std::string step = pointer.substr(begin, end - begin);
+    const bool is_index = !step.empty() && step.find_first_not_of("0123456789") == std::string::npos;
+    path += is_index ? "[]" : path.empty() ? step : "." + step;
+    begin = end + 1;
+  }
+  const Json units = record.value("unit_of", Json::object());
+  return units.contains(path) ? units.at(path).get<std::string>() : std::string();
 }
 
 }  // namespace
@@ -155,13 +177,14 @@ std::vector<SweepOutput> sweep_outputs_of(const std::string& list) {
   return outputs;
 }
 
-Json value_of_run(const SweepOutput& output, const fs::path& folder) {
+SweptValue value_of_run(const SweepOutput& output, const fs::path& folder) {
   const Json record = Json::parse(formats::load((folder / "run.json").string()).text);
   if (record.at("outcome").at("steps") == 0) return {};
   const std::string_view* place = found_in(kOfRecord, output.name);
   if (place == nullptr && !output.name.starts_with('/')) return of_table(output, folder);
+  const std::string pointer = place != nullptr ? std::string(*place) : output.name;
   try {
-    return record.at(Json::json_pointer(place != nullptr ? std::string(*place) : output.name));
+    return {record.at(Json::json_pointer(pointer)), unit_of_record(record, pointer)};
   } catch (const Json::exception&) {
     refuse(output.name, "a pointer to a value of run.json");
   }

@@ -29,9 +29,15 @@ struct SweepOutput {
 /// Parses a list of outputs, separated by commas. Throws std::invalid_argument for a name of none of these forms.
 std::vector<SweepOutput> sweep_outputs_of(const std::string& list);
 
-/// Returns the value of an output of a run from its folder: a number or a text; null if a result without steps lacks
-/// it. Throws std::invalid_argument if the run has results, and this is not one of them.
-nlohmann::ordered_json value_of_run(const SweepOutput& output, const std::filesystem::path& folder);
+/// Value of an output: a number or a text.
+struct SweptValue {
+  nlohmann::ordered_json value = {};
+  std::string unit = {};  ///< as in the table or the record that has the value; empty: none
+};
+
+/// Returns the value of an output of a run from its folder; null if a result without steps lacks it. Throws
+/// std::invalid_argument if the run has results, and this is not one of them.
+SweptValue value_of_run(const SweepOutput& output, const std::filesystem::path& folder);
 
 /// Returns the largest stable factor in fos.json; null if there is none.
 nlohmann::ordered_json value_of_fos(const std::string& fos_json);

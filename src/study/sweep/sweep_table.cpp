@@ -18,7 +18,8 @@ std::string line_of(const Json& json) {
 }
 
 SweepResult result_of(const Json& json) {
-  return {json.at("job"), json.at("verdict"), json.at("doubt"), json.at("out"), json.at("seconds")};
+  return {json.at("job"), json.at("verdict"), json.at("doubt"),
+          json.at("out"), json.at("seconds"), json.value("units", Json::object())};
 }
 
 std::string cell_of(const Json& value) {
@@ -61,6 +62,7 @@ std::string sweep_journal_line(const SweepResult& result) {
                   {"verdict", result.verdict},
                   {"doubt", result.doubt},
                   {"out", result.out},
+                  {"units", result.units},
                   {"seconds", result.seconds}});
 }
 
@@ -95,7 +97,7 @@ std::string times_csv(const SweepTable& table) {
   return text;
 }
 
-std::string table_json(const SweepTable& table) {
+std::string table_json(const SweepTable& table, const Json& units) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const SweepResult& result = table.results[i];
@@ -108,7 +110,9 @@ std::string table_json(const SweepTable& table) {
   }
   Json seconds = Json::array();
   for (const SweepResult& result : table.results) seconds.push_back(result.seconds);
-  return Json{{"rows", rows}, {"seconds", seconds}}.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return Json{{"rows", rows}, {"seconds", seconds}, {"units", units}}.dump(1, ' ', false,
+                                                                           Json::error_handler_t::replace) +
+         "\n";
 }
 
 }  // namespace keyblock::study

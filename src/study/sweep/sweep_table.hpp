@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A journal has one JSON object per line: first {"sweep": 1, "task": "…"}, then {"job", "verdict", "doubt", "out",
-// "seconds"} per job. A last line cut short by a sudden end is ignored.
+// "units", "seconds"} per job. A last line cut short by a sudden end is ignored.
 #pragma once
 
 #include <map>
@@ -20,9 +20,10 @@ namespace keyblock::study {
 struct SweepResult {
   std::string job;
   std::string verdict = "finished";
-  std::string doubt;                                              ///< reason for the verdict
-  nlohmann::ordered_json out = nlohmann::ordered_json::object();  ///< by name
-  double seconds = 0;                                             ///< of wall time
+  std::string doubt;                                                ///< reason for the verdict
+  nlohmann::ordered_json out = nlohmann::ordered_json::object();    ///< by name
+  double seconds = 0;                                               ///< of wall time
+  nlohmann::ordered_json units = nlohmann::ordered_json::object();  ///< of outputs that have one, by name
 };
 
 struct SweepJournal {
@@ -48,7 +49,7 @@ struct SweepTable {
 std::string table_csv(const SweepTable& table);
 /// Returns times.csv: job, seconds.
 std::string times_csv(const SweepTable& table);
-/// Returns both as JSON.
-std::string table_json(const SweepTable& table);
+/// Returns both as JSON, with the units of columns that have one: an object of names and units.
+std::string table_json(const SweepTable& table, const nlohmann::ordered_json& units);
 
 }  // namespace keyblock::study

@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -17,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostOfRange = 100'000;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::string trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(' ');
@@ -86,7 +88,8 @@ std::vector<Json> list_of(const std::vector<std::string>& words) {
   return values;
 }
 
-/// Returns the values of FIRST:LAST:STEP; nothing if the text is not of this form.
+/// Returns the values of FIRST:LAST:STEP; nothing if the text is not of this form. Throws std::invalid_argument for a
+/// step that leads nowhere, and for too many values.
 std::optional<std::vector<Json>> range_of(const std::string& text) {
   const std::vector<std::string> parts = split(text, ':');
   if (parts.size() != 3) return std::nullopt;
@@ -98,7 +101,10 @@ std::optional<std::vector<Json>> range_of(const std::string& text) {
   }
   const double first = amounts[0].number, last = amounts[1].number, step = amounts[2].number;
   const double count = std::floor((last - first) / step + 1e-9);  // round-off of decimal steps
-  if (!(count >= 0) || count >= kMostOfRange) return std::nullopt;
+  if (!(count >= 0) || count >= kMostOfRange)
+    throw std::invalid_argument(fmt::format(
+        "expected FIRST:LAST:STEP with a step that leads from FIRST to LAST in at most {} values, found \"{}\"",
+        kMostOfRange, text));
   std::vector<Json> values;
   for (std::size_t i = 0; i <= static_cast<std::size_t>(count); ++i) {
     const double value = first + static_cast<double>(i) * step;
@@ -160,17 +166,47 @@ double standard_normal(double p) {
   return x;
 }
 
+/// Returns the logarithm of `below_normal`, also where that is too small for a number. There it is the asymptotic
+/// series of Mills ratio, whose error is below 2e-10.
+double log_below_normal(double x) {
+  constexpr double kSeriesFrom = -30;
+  if (x > kSeriesFrom) return std::log(below_normal(x));
+  const double r = 1 / (x * x);
+  return -x * x / 2 - std::log(-x * std::sqrt(2 * std::numbers::pi)) + std::log1p(r * (-1 + r * (3 - 15 * r)));
+}
+
+/// Returns the quantile of the standard normal distribution between two bounds below the mean. Logarithms keep the
+/// digits of probabilities that a number cannot hold.
+double quantile_in_tail(double low, double high, double p) {
+  const double last = log_below_normal(high);
+  const double first = low > -1e150 ? std::exp(log_below_normal(low) - last) : 0;
+  const double wanted = last + std::log(first + (1 - first) * p);
+  double below = std::max(low, high - 1e10), above = high;
+  for (int i = 0; i < 200 && below < above; ++i) {
+    const double middle = (below + above) / 2;
+    if (middle <= below || middle >= above) break;
+    (log_below_normal(middle) > wanted ? above : below) = middle;
+  }
+  return (below + above) / 2;
+}
+
+/// Returns the quantile of the standard normal distribution between two bounds.
+double between(double low, double high, double p) {
+  constexpr double kTail = 4;  // deviations, from which a difference of probabilities loses digits
+  if (high < -kTail) return quantile_in_tail(low, high, p);
+  if (low > kTail) return -quantile_in_tail(-high, -low, 1 - p);
+  const double first = below_normal(low), last = below_normal(high);
+  return standard_normal(std::clamp(first + (last - first) * p, 1e-300, 1 - 1e-16));
+}
+
 }  // namespace
 
 double Distribution::quantile(double p) const {
   const std::vector<double>& n = numbers;
   switch (law) {
     case Law::normal: {
-      const bool is_cut = n.size() == 4;
-      const double first = is_cut ? below_normal((n[2] - n[0]) / n[1]) : 0;
-      const double last = is_cut ? below_normal((n[3] - n[0]) / n[1]) : 1;
-      const double value = n[0] + n[1] * standard_normal(std::clamp(first + (last - first) * p, 1e-300, 1 - 1e-16));
-      return is_cut ? std::clamp(value, n[2], n[3]) : value;
+      if (n.size() == 2) return n[0] + n[1] * between(-kInfinity, kInfinity, p);
+      return std::clamp(n[0] + n[1] * between((n[2] - n[0]) / n[1], (n[3] - n[0]) / n[1], p), n[2], n[3]);
     }
     case Law::lognormal: {
       const double variance = std::log1p((n[1] / n[0]) * (n[1] / n[0]));

@@ -1,0 +1,36 @@
+// Only this file knows the commit, so that no other is rebuilt for a new one.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/bytes/source_facts.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace keyblock {
+
+std::string source_commit() {
+  const std::string commit = KEYBLOCK_COMMIT;
+  return commit.empty() ? "unknown" : commit;
+}
+
+std::string compiler_words() {
+#if defined(__clang__)
+  return fmt::format("clang++ {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
+#elif defined(__GNUC__)
+  return fmt::format("g++ {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
+#else
+  return "unknown compiler";
+#endif
+}
+
+std::vector<std::string> words_of_command() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin < text.size(); begin = text.find('\0', begin) + 1)
+    words.emplace_back(text.c_str() + begin);
+  return words;
+}
+
+}  // namespace keyblock

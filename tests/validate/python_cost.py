@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""Measures runs from Python: processor time beside the command, memory of 1,000 runs, and Ctrl-C in a large solve.
+
+usage: python_cost.py PROGRAM    with the package keyblock on PYTHONPATH
+
+Fails if a recorded run takes over 2 % more processor time than `keyblock run`, if 900 runs leave over 4 MiB, or if
+KeyboardInterrupt comes over 1 s after the signal while 1e6 unknowns are cut, factored or solved.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import gc
+import json
+import os
+import resource
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+MOST_SHARE = 0.02
+MOST_KIB = 4096
+MOST_SECONDS = 1.0
+RUNS = 1000
+ROUNDS = 5
+SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)  # of the time of a phase
+STEPS = "6000"
+
+RECORD = f"""import sys, keyblock as kb
+kb.record("slope.json", sys.argv[1], settings={{"steps": {STEPS}}}, context=kb.Context(1))"""
+
+
+def instructions(command):
+    """Instructions of a command in user mode; processor time [s] without perf."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    counted = subprocess.run(["perf", "stat", "-x", ",", "-e", "instructions:u", *command], text=True, check=True,
+                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE).stderr.split("\n")
+    seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    count = next((line.split(",")[0] for line in counted if "instructions" in line), "")
+    return float(count) if count.isdigit() else seconds
+
+
+def cost(program):
+    """Returns the number of faults. The command and Python alternate; loading the package is counted apart."""
+    subprocess.run([program, "new", "slope"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    alone, python, loading = [], [], []
+    for i in range(ROUNDS):
+        alone.append(instructions([program, "run", "slope.json", "--set", f"steps={STEPS}", "--threads", "1", "-o", f"command{i}"]))
+        python.append(instructions([sys.executable, "-c", RECORD, f"python{i}"]))
+        loading.append(instructions([sys.executable, "-c", "import keyblock"]))
+    command, package, load = map(statistics.median, (alone, python, loading))
+    share = (package - load) / command - 1
+    print(f"a recorded run: command {command:.4g}, Python {package:.4g}, of these {load:.3g} to load the package: "
+          f"{share:+.2%} without loading, at most {MOST_SHARE:.0%}")
+    return share > MOST_SHARE
+
+
+def resident_kib():
+    return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") // 1024
+
+
+def memory(kb):
+    """Returns the number of faults."""
+    plan = kb.Plan(kb.read(kb.new("block", "block.json")))
+    sizes = []
+    for i in range(RUNS):
+        run = kb.Run(plan, threads=1)
+        run.go_on()
+        run.frame().displacement
+        if (i + 1) % (RUNS // 10) == 0:
+            gc.collect()
+            sizes.append(resident_kib())
+    growth = sizes[-1] - sizes[0]
+    print(f"{RUNS} runs: {sizes[0]} KiB after {RUNS // 10}, {sizes[-1]} after all: {growth:+d} KiB, at most {MOST_KIB}")
+    return growth > MOST_KIB
+
+
+def large_beam(side):
+    """A clamped NMM beam under its weight: one linear solve."""
+    block = {"material": 1, "outer": [[0, 0, 1], [10, 0, 1], [10, 1, 1], [0, 1, 1]]}
+    return {"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"},
+            "blocks": {"blocks": [block], "measured_points": [[10, 0.5, 1]]},
+            "covers": {"functions": "constant", "mesh": {"side": side}, "displacements": [{"along": [[0, 1], [0, 0]]}]},
+            "analysis": {"velocity_carry_over": 0, "step_count": 1, "time_step": 1,
+                         "block_materials": [{"like": "sandstone"}], "joint_materials": [{"friction_angle_deg": 30}]}}
+
+
+def seconds_to_interrupt(context, later, work):
+    """Sends SIGINT some seconds into the work. Returns the time until KeyboardInterrupt; nothing if the work ended first."""
+    timer = threading.Timer(later, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    began = time.monotonic()
+    try:
+        work(context)
+    except KeyboardInterrupt:
+        return time.monotonic() - began - later
+    finally:
+        timer.cancel()
+    return None
+
+
+def interrupts(kb):
+    """Returns the number of faults. The run assembles, orders, factors and solves; its length decides the moments."""
+    Path("beam.json").write_text(json.dumps(large_beam("4.25 mm")), encoding="utf-8")
+    case = kb.read("beam.json")
+    began = time.monotonic()
+    plan = kb.Plan(case)
+    cut = time.monotonic() - began
+    kb.Run(plan, threads=1).go_on()
+    run = time.monotonic() - began - cut
+    print(f"{plan.unknowns} unknowns: cut in {cut:.1f} s, run in {run:.1f} s")
+    faults = 0
+    for name, length, work in (("cutting", cut, lambda c: kb.Plan(case, context=c)),
+                               ("the run", run, lambda c: kb.Run(plan, context=c).go_on())):
+        for share in SHARES:
+            seconds = seconds_to_interrupt(kb.Context(1), share * length, work)
+            print(f"Ctrl-C at {share:.0%} of {name}: " + ("it ended first" if seconds is None else f"heard after {seconds:.2f} s"))
+            faults += seconds is not None and seconds > MOST_SECONDS
+            while kb._keyblock.left_behind():
+                time.sleep(0.1)
+    return faults
+
+
+def main():
+    try:
+        import keyblock as kb
+    except ImportError:
+        print("skipped: the package keyblock is not on PYTHONPATH")
+        return 0
+    program = os.path.abspath(sys.argv[1])
+    os.environ["KEYBLOCK_PROGRAM"] = program
+    with tempfile.TemporaryDirectory(prefix="keyblock_cost_") as folder:
+        os.chdir(folder)
+        faults = cost(program) + memory(kb) + interrupts(kb)
+        os.chdir("/")
+    return min(faults, 1)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
