@@ -10,6 +10,9 @@
 #include <regex>
 #include <utility>
 
+#include "base/printable.hpp"
+#include "serve/window_words.hpp"
+
 namespace keyblock::serve {
 namespace {
 
@@ -117,7 +120,7 @@ Json Jobs::json_of(const Job& job) const {
       std::chrono::duration<double>((job.state == State::runs ? Clock::now() : job.finished) - job.begun).count();
   if (job.state == State::runs) return json;
   json["exit_code"] = job.exit_code;
-  json["messages"] = messages;
+  json["messages"] = window_words(valid_utf8(messages));
   json["output"] = tail_of(job.output, kMostOutput);
   return json;
 }

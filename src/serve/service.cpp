@@ -135,7 +135,7 @@ std::vector<std::string> Service::case_arguments(const Json& body) const {
 Json Service::check(const Json& body) const {
   std::vector<std::string> words{"check"};
   for (const std::string& word : case_arguments(body)) words.push_back(word);
-  words.insert(words.end(), {"--json", "--trial", body.value("trial", Json()) == true ? "2" : "0"});
+  words.insert(words.end(), {"--json", "--trial", flag(body, "trial") ? "2" : "0"});
   const Answer answer = program_(words);
   Json report = Json::parse(answer.output, nullptr, false);
   if (!report.is_object()) report = Json::object();
@@ -149,11 +149,11 @@ Json Service::check(const Json& body) const {
 Json Service::save(const Json& body) const {
   const fs::path file = folder_.whole(text(body, "path"));
   const std::string bytes = text(body, "text");
-  const bool overwrites = body.value("overwrite", Json()) == true;
+  const bool overwrites = flag(body, "overwrite");
+  const std::string known = body.contains("sha256") ? text(body, "sha256") : std::string();
   std::error_code error;
   if (fs::exists(file, error) && !fs::is_regular_file(file, error)) throw BadRequest("this is no file");
-  if (overwrites && body.contains("sha256") && fs::exists(file, error) &&
-      sha256(bytes_of(file, kMostText)) != text(body, "sha256"))
+  if (overwrites && !known.empty() && fs::exists(file, error) && sha256(bytes_of(file, kMostText)) != known)
     throw UsageError("the file has changed since it was read");
   write_file(file, bytes, overwrite_if(overwrites));
   return {{"path", folder_.name(file)}, {"sha256", sha256(bytes)}};
@@ -178,7 +178,7 @@ Json Service::run(const Json& body) {
   std::vector<std::string> words{"run"};
   for (const std::string& word : case_arguments(body)) words.push_back(word);
   words.insert(words.end(), {"-o", as_argument(result)});
-  for (const std::string& history : texts(body, "histories")) words.push_back("--history=" + history);
+  for (const std::string& history : histories_in(body)) words.push_back("--history=" + history);
   if (body.contains("record_every"))
     words.insert(words.end(), {"--record-every", fmt::format("{}", whole_number(body, "record_every"))});
   return started({"run", texts(body, "paths").front(), result, std::move(words)});
@@ -198,6 +198,7 @@ Json Service::fos(const Json& body) {
   std::vector<std::string> words{"fos"};
   for (const std::string& word : case_arguments(body)) words.push_back(word);
   words.insert(words.end(), {"-o", as_argument(result), "--json"});
+  require_one_of(body, "reduce", {"joints", "rock", "both"});
   if (body.contains("reduce")) words.push_back("--reduce=" + text(body, "reduce"));
   return started({"fos", texts(body, "paths").front(), result, std::move(words)});
 }
@@ -209,7 +210,10 @@ Json Service::convert(const Json& body) const {
   std::vector<std::string> words{"convert"};
   for (const std::string& path : texts(body, "paths")) words.push_back(file_argument(folder_, path));
   words.insert(words.end(), {"-o", as_argument(folder_.name(target))});
-  if (body.contains("to")) words.push_back("--to=" + text(body, "to"));
+  if (body.contains("to")) {
+    if (!is_plain_word(text(body, "to"))) throw BadRequest("expected the name of a format in \"to\"");
+    words.push_back("--to=" + text(body, "to"));
+  }
   const Answer answer = program_(words);
   return {{"path", folder_.name(target)},
           {"exit_code", answer.exit_code},
