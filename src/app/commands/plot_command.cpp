@@ -16,8 +16,8 @@
 
 #include "app/command.hpp"
 #include "app/handout/recorded_curves.hpp"
+#include "app/helpers/picture_file.hpp"
 #include "app/option_checks.hpp"
-#include "app/picture_file.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "formats/views/vtu_reading.hpp"
@@ -42,6 +42,7 @@ struct PlotOptions {
   bool as_json = false;
   bool has_own_scale = false;
   std::vector<std::string> curves;
+  bool has_curves = false;  ///< the option was given, with or without names
   std::string against = "time";
   std::optional<double> width;
 };
@@ -129,7 +130,11 @@ ExitCode plot_curves(const PlotOptions& options) {
 
 ExitCode plot(const PlotOptions& options) {
   require_picture_name("-o", options.file);
-  if (!options.curves.empty()) return plot_curves(options);
+  if (options.has_curves) {
+    if (options.curves.empty() || std::ranges::count(options.curves, "") > 0)
+      throw UsageError("--curve: expected names of curves, with a comma between two, found an empty name");
+    return plot_curves(options);
+  }
   const std::map<int, fs::path> frames = frames_in(options.folder);
   if (frames.empty())
     throw InputError({options.folder},
@@ -184,12 +189,15 @@ Action configure_plot(CLI::App& options) {
                   "picture to write: .svg, .pdf or .png (default: RUN/field_FIELD_end.svg, or the step instead of "
                   "end)")
       ->type_name("FILE");
-  options
-      .add_option("--curve", chosen->curves,
-                  "curves instead of the field: columns of history.csv and ledger.csv (dx1, kinetic), or a name and a "
-                  "quantity of histories.csv (crest.displacement_x)")
-      ->type_name("NAME")
-      ->delimiter(',');
+  CLI::Option* curve =
+      options
+          .add_option(
+              "--curve", chosen->curves,
+              "curves instead of the field: columns of history.csv and ledger.csv (dx1, kinetic), or a name and a "
+              "quantity of histories.csv (crest.displacement_x)")
+          ->type_name("NAME")
+          ->delimiter(',');
+  curve->each([chosen](const std::string&) { chosen->has_curves = true; });
   options.add_option("--against", chosen->against, "what the curves are drawn over (default: time)")->type_name("NAME");
   options
       .add_option("--width", chosen->width,
