@@ -14,16 +14,29 @@
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "job/files.hpp"
+#include "run/follow/stop_criterion.hpp"
 #include "serve/pictures.hpp"
 #include "serve/replies.hpp"
 #include "serve/request_words.hpp"
 #include "serve/start_page.hpp"
+#include "serve/study/study_requests.hpp"
 
 namespace keyblock::serve {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+/// Returns the criterion at which a run stops, if it has the form of one.
+std::string criterion_in(const Json& body) {
+  const std::string words = text(body, "stop_when");
+  try {
+    stop_criterion_of(words, {"m", "kg", "s"});  // any units: the program knows those of the case
+  } catch (const std::invalid_argument& error) {
+    throw BadRequest(fmt::format("criterion to stop at: {}", error.what()));
+  }
+  return words;
+}
 
 }  // namespace
 
@@ -32,7 +45,8 @@ Service::Service(const ServedFolder& folder, const Drafts& drafts, Jobs& jobs)
       drafts_(drafts),
       jobs_(jobs),
       program_(folder.root(), drafts),
-      results_(folder, drafts, program_) {}
+      copies_(folder, drafts),
+      results_(folder, drafts, program_, copies_) {}
 
 Reply Service::answer(const Request& request) {
   try {
@@ -76,6 +90,9 @@ Reply Service::post(const std::string& path, const Json& body) {
   if (path == "/api/run") return json_reply(run(body));
   if (path == "/api/resume") return json_reply(resume(body));
   if (path == "/api/fos") return json_reply(fos(body));
+  if (path == "/api/sweep") return json_reply(sweep(body));
+  if (path == "/api/element") return json_reply(element_test(folder_, drafts_, program_, body));
+  if (path == "/api/fit") return json_reply(fitted_curve(folder_, drafts_, program_, body));
   if (path == "/api/convert") return json_reply(convert(body));
   if (path == "/api/stop") return json_reply(stop(body));
   return refusal(404, "there is no such address");
@@ -181,7 +198,26 @@ Json Service::run(const Json& body) {
   for (const std::string& history : histories_in(body)) words.push_back("--history=" + history);
   if (body.contains("record_every"))
     words.insert(words.end(), {"--record-every", fmt::format("{}", whole_number(body, "record_every"))});
-  return started({"run", texts(body, "paths").front(), result, std::move(words)});
+  if (body.contains("stop_when")) words.push_back("--stop-when=" + criterion_in(body));
+  const bool has_both = flag(body, "both");
+  if (has_both && (body.contains("profile") || body.contains("stop_when")))
+    throw BadRequest("runs by both profiles have neither \"profile\" nor \"stop_when\"");
+  if (has_both) words.emplace_back("--both");
+  keep_inputs(body);
+  return started({has_both ? "both" : "run", texts(body, "paths").front(), result, std::move(words)});
+}
+
+void Service::keep_inputs(const Json& body) const {
+  for (const std::string& path : texts(body, "paths")) copies_.keep(folder_.whole(path));
+}
+
+Json Service::sweep(const Json& body) {
+  const std::string result = new_result(body);
+  std::vector<std::string> words{"sweep"};
+  for (const std::string& word : case_arguments(body)) words.push_back(word);
+  for (const std::string& word : sweep_arguments(body)) words.push_back(word);
+  words.insert(words.end(), {"-o", as_argument(result)});
+  return started({"sweep", texts(body, "paths").front(), result, std::move(words)});
 }
 
 Json Service::resume(const Json& body) {
