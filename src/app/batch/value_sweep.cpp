@@ -16,6 +16,7 @@
 #include "app/batch/journal_file.hpp"
 #include "app/batch/shard.hpp"
 #include "app/batch/sweep_jobs.hpp"
+#include "app/batch/sweep_labels.hpp"
 #include "app/input/value_sweep_options.hpp"
 #include "app/stop_request.hpp"
 #include "base/bytes/sha256.hpp"
@@ -47,6 +48,7 @@ struct ReadySweep {
   SweepPlan plan;
   std::vector<SweepRow> rows;
   std::vector<std::string> jobs;  ///< of each row
+  Units units;                    ///< of the case
   std::string task;               ///< all that determines a result apart from the row
 };
 
@@ -108,9 +110,11 @@ ReadySweep ready(const ValueSweepOptions& options) {
                     options.folder},
                    rows_asked(options),
                    {},
+                   {},
                    {}};
   if (!options.joints.empty()) sweep.plan.joints = formats::strict_json(formats::load(options.joints));
   const OpenCase open = opened(case_of(options.given));
+  sweep.units = open.input.problem.units;
   require_keys(sweep.rows.front(), formats::case_file_text(open.input.files), sweep.plan.joints);
   for (const std::string& file : open.files) require_not_below(file, options.folder);
   for (const SweepRow& row : sweep.rows) sweep.jobs.push_back(study::job_name(row));
@@ -190,13 +194,16 @@ std::vector<report::ValuesColumn> columns_of(const SweepTable& table, const std:
   return columns;
 }
 
-std::string picture_of(const std::string& title, const SweepTable& table) {
+std::string picture_of(const std::string& title, const SweepTable& table, const Units& units) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : table.rows.front().items()) keys.push_back(key);
   std::vector<std::string> verdicts;
   for (const SweepResult& result : table.results) verdicts.push_back(result.verdict);
-  return report::values_picture(
-      {title, columns_of(table, keys, false), columns_of(table, table.outputs, true), verdicts});
+  report::ValuesPicture picture{title, columns_of(table, keys, false), columns_of(table, table.outputs, true),
+                                verdicts};
+  for (report::ValuesColumn& key : picture.keys) key.name = label_of_key(key.name, units);
+  for (report::ValuesColumn& output : picture.outputs) output.name = label_of_output(output.name, units);
+  return report::values_picture(picture);
 }
 
 void write_results(const ValueSweepOptions& options, const ReadySweep& sweep, const SweepTable& table) {
@@ -204,7 +211,8 @@ void write_results(const ValueSweepOptions& options, const ReadySweep& sweep, co
   write_file(folder / "table.csv", study::table_csv(table));
   write_file(folder / "times.csv", study::times_csv(table));
   const std::string title = fs::path(options.given.paths.front()).filename().string();
-  if (const std::string picture = picture_of(title, table); !picture.empty()) write_file(folder / "sweep.svg", picture);
+  if (const std::string picture = picture_of(title, table, sweep.units); !picture.empty())
+    write_file(folder / "sweep.svg", picture);
 }
 
 ExitCode print_results(const ValueSweepOptions& options, const SweepTable& table) {

@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -18,11 +20,13 @@
 #include "app/handout/recorded_curves.hpp"
 #include "app/helpers/picture_file.hpp"
 #include "app/option_checks.hpp"
+#include "base/bytes/file_bytes.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "formats/views/vtu_reading.hpp"
 #include "job/files.hpp"
 #include "job/folder/frame_files.hpp"
+#include "job/folder/output_files.hpp"
 #include "job/run_heading.hpp"
 #include "report/field_picture.hpp"
 
@@ -109,15 +113,39 @@ std::string default_name(const PlotOptions& options) {
       .string();
 }
 
+/// Returns the width of the page in its units: letters of 11 units are 6.9 points high in print.
+double units_wide(const std::optional<double>& millimetres) {
+  constexpr double kUnitsAMillimetre = 4.5;
+  constexpr double kNarrowest = 300, kWidest = 900;
+  return std::clamp(millimetres.value_or(kWidest) * kUnitsAMillimetre, kNarrowest, kWidest);
+}
+
+/// Returns the time of a frame as its title shows it. Pictures of steps have the decimals that tell all frames of the
+/// run apart, so that the letters of a film do not jump.
+std::string time_in_title(const PlotOptions& options, double time, const Units& units) {
+  constexpr int kMostDecimals = 9;
+  std::vector<double> times;
+  static const std::regex kTime("timestep=\"([^\"]+)\"");
+  const fs::path list = fs::path(options.folder) / kFrameList;
+  const std::string text = fs::is_regular_file(list) ? file_bytes(list.string()) : std::string();
+  for (std::sregex_iterator at(text.begin(), text.end(), kTime), end; at != end; ++at)
+    times.push_back(std::strtod((*at)[1].str().c_str(), nullptr));
+  double least = 0;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (const double gap = times[i] - times[i - 1]; gap > 0) least = least > 0 ? std::min(least, gap) : gap;
+  const std::string unit = units.time.empty() ? std::string() : " " + units.time;
+  if (!options.step || !(least > 0)) return fmt::format("{:g}{}", time, unit);
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(least))), 0, kMostDecimals);
+  return fmt::format("{:.{}f}{}", time, decimals, unit);
+}
+
 ExitCode plot_curves(const PlotOptions& options) {
   const std::string file =
       options.file.empty() ? (fs::path(options.folder) / fmt::format("curve_{}.svg", options.curves.front())).string()
                            : options.file;
   require_writable({file}, kept_files(options.folder), overwrite_if(options.force));
   const RunHeading heading = heading_of(options.folder);
-  constexpr double kUnitsAMillimetre = 4.5;  // letters of 12 units are then 7.6 points high
-  constexpr double kNarrowest = 300, kWidest = 900;
-  const double wide = std::clamp(options.width.value_or(kWidest) * kUnitsAMillimetre, kNarrowest, kWidest);
+  const double wide = units_wide(options.width);
   write_picture(file,
                 recorded_picture(options.folder, {options.curves, options.against}, heading.title, heading.units, wide),
                 overwrite_if(options.force), options.width);
@@ -151,17 +179,19 @@ ExitCode plot(const PlotOptions& options) {
   std::optional<report::FieldScale> scale;
   if (options.step && !options.has_own_scale) scale = scale_of_all(frames, heading, quantity);
   write_picture(file,
-                report::field_picture({title_at(heading.title, field.time, heading.units),
-                                       field,
-                                       field,
-                                       {},
-                                       quantity,
-                                       heading.is_of_motion,
-                                       heading.units,
-                                       places_of(heading.left_out, frame),
-                                       options.numbers ? numbers_of(frame) : std::vector<int>(),
-                                       places_of(heading.held, frame),
-                                       scale}),
+                report::field_picture(
+                    {fmt::format("{}, time {}", heading.title, time_in_title(options, field.time, heading.units)),
+                     field,
+                     field,
+                     {},
+                     quantity,
+                     heading.is_of_motion,
+                     heading.units,
+                     places_of(heading.left_out, frame),
+                     options.numbers ? numbers_of(frame) : std::vector<int>(),
+                     places_of(heading.held, frame),
+                     scale,
+                     units_wide(options.width)}),
                 overwrite_if(options.force), options.width);
   if (options.as_json)
     fmt::print("{}\n", Json({{"file", file}, {"frame", shown.string()}, {"field", word}, {"time", field.time}})
