@@ -116,7 +116,8 @@ TEST(ReportCommand, frames_that_are_damaged_or_gone_are_reported_with_exit_code_
   ProgramRun made = run_keyblock({"report", out, "-o", folder + "/cut.html"});
   EXPECT_EQ(made.exit_code, 1) << made.messages;
   EXPECT_TRUE(contains(made.messages, "cannot be read; the first: ")) << made.messages;
-  EXPECT_TRUE(contains(read_text(folder + "/cut.html"), "class=\"verdict bad\">The results in this folder are damaged: "));
+  EXPECT_TRUE(
+      contains(read_text(folder + "/cut.html"), "class=\"verdict bad\">The results in this folder are damaged: "));
   EXPECT_EQ(run_keyblock({"report", folder, "-o", folder + "/archive.html"}).exit_code, 1);
   fs::remove(frame);
   made = run_keyblock({"report", out, "-o", folder + "/gone.html"});
