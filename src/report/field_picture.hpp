@@ -63,11 +63,11 @@ inline constexpr double kLeastForThree = 700;
 /// Returns the component of the stress that varies most.
 FieldShown most_varied(const FieldFrame& field);
 
-/// Returns an SVG document: the mesh and the deformed mesh side by side with the field below them; for bodies about as
-/// high as wide one above the other beside the field, for tall ones all three side by side. A page narrower than
-/// `kLeastForThree` shows the field alone. The deformed mesh is scaled to be seen; the factor is named. Colours are of mean corner values
-/// over triangles from each element's middle, with lines of equal value if elements of a mesh have other values at each
-/// corner. Fixed blocks without computed stress are grey.
+/// Returns an SVG document with three panels: the mesh, the deformed mesh, and the field. The field lies below the
+/// meshes; beside them if the body is about as high as wide; all three stand side by side if it is tall. A page
+/// narrower than `kLeastForThree` shows the field alone. The deformed mesh is scaled to be seen; the factor is named.
+/// Colours are of mean corner values over triangles from each element's middle, with lines of equal value if elements
+/// of a mesh have other values at each corner. Fixed blocks without computed stress are grey.
 std::string field_picture(const FieldPicture& picture);
 
 /// Returns the mesh alone, elements over their bodies' colours, for `keyblock cut`.

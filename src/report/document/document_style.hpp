@@ -54,8 +54,10 @@ figcaption { color: var(--faint); font-size: .9em }
 /// Fields that sift the cards, by words and by verdict.
 inline constexpr std::string_view kCardFilter = R"(<div class="filter">
 <label>Words <input id="words" type="search"></label>
-<label>Verdict <select id="verdict"><option value="">all</option><option value="good">trusted and at rest</option>
-<option value="doubtful">still moving, or not at the end</option><option value="bad">not trusted</option></select></label>
+<label>Verdict <select id="verdict"><option value="">all</option>
+<option value="good">trusted and at rest</option>
+<option value="doubtful">still moving, or not at the end</option>
+<option value="bad">not trusted</option></select></label>
 <output id="count" aria-live="polite"></output></div>
 )";
 
