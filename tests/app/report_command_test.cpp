@@ -93,7 +93,7 @@ TEST(ReportCommand, a_folder_of_runs_becomes_a_table_with_a_section_for_each) {
   EXPECT_TRUE(contains(page, "<td>a/out</td>"));
   EXPECT_TRUE(contains(page, "<h2>b</h2>"));
   EXPECT_TRUE(contains(page, "<li class=\"card doubtful\"><a href=\"#a/out\">"));
-  EXPECT_TRUE(contains(page, "<span>standard: 906 mm after 100 steps</span>"));
+  EXPECT_TRUE(contains(page, "<span>standard: 0.906 m after 100 steps</span>"));
 }
 
 TEST(ReportCommand, answers_of_both_profiles_share_a_card) {

@@ -46,7 +46,6 @@ struct PlotOptions {
   bool as_json = false;
   bool has_own_scale = false;
   std::vector<std::string> curves;
-  bool has_curves = false;  ///< the option was given, with or without names
   std::string against = "time";
   std::optional<double> width;
 };
@@ -139,7 +138,22 @@ std::string time_in_title(const PlotOptions& options, double time, const Units& 
   return fmt::format("{:.{}f}{}", time, decimals, unit);
 }
 
-ExitCode plot_curves(const PlotOptions& options) {
+/// Returns the names in the words of the command line, which commas separate.
+std::vector<std::string> curve_names(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const std::string& word : words)
+    for (std::size_t at = 0; at <= word.size();) {
+      const std::size_t comma = std::min(word.find(',', at), word.size());
+      names.push_back(word.substr(at, comma - at));
+      at = comma + 1;
+    }
+  if (std::ranges::find(names, "") != names.end())
+    throw UsageError("--curve: expected names of curves, with a comma between two, found an empty name");
+  return names;
+}
+
+ExitCode plot_curves(PlotOptions options) {
+  options.curves = curve_names(options.curves);
   const std::string file =
       options.file.empty() ? (fs::path(options.folder) / fmt::format("curve_{}.svg", options.curves.front())).string()
                            : options.file;
@@ -158,11 +172,7 @@ ExitCode plot_curves(const PlotOptions& options) {
 
 ExitCode plot(const PlotOptions& options) {
   require_picture_name("-o", options.file);
-  if (options.has_curves) {
-    if (options.curves.empty() || std::ranges::count(options.curves, "") > 0)
-      throw UsageError("--curve: expected names of curves, with a comma between two, found an empty name");
-    return plot_curves(options);
-  }
+  if (!options.curves.empty()) return plot_curves(options);
   const std::map<int, fs::path> frames = frames_in(options.folder);
   if (frames.empty())
     throw InputError({options.folder},
@@ -219,15 +229,11 @@ Action configure_plot(CLI::App& options) {
                   "picture to write: .svg, .pdf or .png (default: RUN/field_FIELD_end.svg, or the step instead of "
                   "end)")
       ->type_name("FILE");
-  CLI::Option* curve =
-      options
-          .add_option(
-              "--curve", chosen->curves,
-              "curves instead of the field: columns of history.csv and ledger.csv (dx1, kinetic), or a name and a "
-              "quantity of histories.csv (crest.displacement_x)")
-          ->type_name("NAME")
-          ->delimiter(',');
-  curve->each([chosen](const std::string&) { chosen->has_curves = true; });
+  options
+      .add_option("--curve", chosen->curves,
+                  "curves instead of the field: columns of history.csv and ledger.csv (dx1, kinetic), or a name and a "
+                  "quantity of histories.csv (crest.displacement_x)")
+      ->type_name("NAME");
   options.add_option("--against", chosen->against, "what the curves are drawn over (default: time)")->type_name("NAME");
   options
       .add_option("--width", chosen->width,

@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using report::Verdict;
 
-constexpr std::size_t kMostWithPictures = 60;  // results; more would make a page of some hundred megabytes
+constexpr std::size_t kLargestSmall = 300'000;  // bytes of a picture that a card shows whole
+constexpr std::size_t kMostWithPictures = 60;   // results; more would make a page of some hundred megabytes
 
 std::vector<fs::path> results_below(const fs::path& folder) {
   constexpr int kDeepest = 4;
@@ -52,6 +53,7 @@ struct Result {
   std::string thumbnail = {};
   std::string program = {};
   std::string fault = {};
+  bool is_of_strength = false;
 };
 
 std::string_view word_of(Verdict verdict) {
@@ -70,8 +72,9 @@ Result run_result(const fs::path& folder, const std::string& name) {
   result.answer = fmt::format("{} after {} steps", moved.empty() ? "no displacement" : moved, steps);
   result.row = {name, result.profile, std::string(word_of(result.verdict)), steps, moved};
   result.paragraphs = {judgement.words};
-  for (const Json& line : record.list("outcome.motion.sentences"))
-    result.paragraphs.push_back(sentence(plain_text(line)));
+  const Json& motion = record.list("outcome.motion.sentences");
+  for (std::size_t i = 1; i < motion.size(); ++i)  // the verdict has the first
+    result.paragraphs.push_back(sentence(plain_text(motion[i])));
   if (frames.last) result.thumbnail = report::frame_thumbnail(*frames.last);
   result.program = program_of(record);
   result.fault = frames.fault;
@@ -87,6 +90,9 @@ Result strength_result(const fs::path& folder, const std::string& name) {
   result.row = {name, result.profile, result.answer, "", ""};
   result.paragraphs = {result.words};
   result.program = record.program();
+  result.is_of_strength = true;
+  for (report::DocumentPicture& picture : strength_pictures(folder, 1))
+    if (picture.svg.size() < kLargestSmall) result.thumbnail = std::move(picture.svg);
   return result;
 }
 
@@ -124,7 +130,8 @@ report::DocumentSection section_of(const std::string& name, const std::vector<Re
     for (const std::string& words : result.paragraphs)
       section.paragraphs.push_back(results.size() > 1 ? fmt::format("{}: {}", result.profile, words) : words);
     if (!has_pictures) continue;
-    for (report::DocumentPicture& picture : run_pictures(folder / result.name, 1)) {
+    const fs::path own = folder / result.name;
+    for (report::DocumentPicture& picture : result.is_of_strength ? strength_pictures(own, 1) : run_pictures(own, 1)) {
       if (results.size() > 1) picture.caption = fmt::format("{}, profile {}", picture.caption, result.profile);
       section.pictures.push_back(std::move(picture));
     }

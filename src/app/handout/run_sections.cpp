@@ -24,6 +24,12 @@ void put(Rows& rows, const std::string& name, const std::string& value) {
   if (!value.empty()) rows.push_back({name, value});
 }
 
+// Replaces the underscores of a key by spaces.
+std::string spaced(std::string key) {
+  std::ranges::replace(key, '_', ' ');
+  return key;
+}
+
 constexpr std::string_view kQuirk = "quirk.";
 
 // Returns the names of the rules of Shi's programs that are on.
@@ -71,9 +77,7 @@ DocumentSection model_section(const RunRecordFile& record) {
   for (const char* name :
        {"blocks", "elements", "covers", "unknowns", "fixed_points", "loading_points", "measured_points"})
     if (const Json& count = record.at(fmt::format("counts.{}", name)); count.is_number() && count != 0)
-      rows.push_back({std::string(name).replace(std::min(std::string(name).size(), std::string(name).find('_')),
-                                                std::string(name).find('_') == std::string::npos ? 0 : 1, " "),
-                      plain_text(count)});
+      rows.push_back({spaced(name), plain_text(count)});
   put(rows, "units", units_in_words(record.units()));
   put(rows, "steps", plain_text(record.at("outcome.steps")));
   put(rows, "time reached", record.quantity("outcome.time", measures::kTime));
@@ -95,7 +99,7 @@ DocumentSection assumption_section(const RunRecordFile& record) {
     section.paragraphs.push_back("Initial state: " + sentence(made));
   Rows rows;
   for (const Json& term : record.list("requirements.terms"))
-    put(rows, plain_text(member(term, "term")), plain_text(member(term, "reason")));
+    put(rows, spaced(plain_text(member(term, "term"))), plain_text(member(term, "reason")));
   if (!rows.empty()) section.tables.push_back({{"effect that is computed", "why"}, rows});
   return section;
 }
@@ -121,7 +125,7 @@ DocumentSection energy_section(const RunRecordFile& record) {
     for (const auto& [name, value] : end.items()) {
       const std::string unit = record.unit_of("ledger.end." + name);
       if (value.is_number() && value != 0 && name.find("impulse") == std::string::npos)
-        rows.push_back({name, fmt::format("{:.4g}", value.get<double>()), unit});
+        rows.push_back({spaced(name), fmt::format("{:.4g}", value.get<double>()), unit});
     }
   return {"Energies and momentum at the end", {}, {}, {{{"quantity", "value", "unit"}, rows}}};
 }

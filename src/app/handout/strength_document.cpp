@@ -139,6 +139,13 @@ std::string StrengthRecord::program() const {
   return fmt::format("Keyblock {}", plain_text(member(json_, "version")));
 }
 
+std::vector<report::DocumentPicture> strength_pictures(const fs::path& folder, std::size_t most) {
+  return pictures_in(
+      folder,
+      {{"picture.svg", "Model at both ends of the bracket"}, {"fos.svg", "Largest displacement over the factor"}},
+      most);
+}
+
 Handout strength_document(const fs::path& folder, const std::string& project) {
   const StrengthRecord record(folder);
   report::Document document{plain_text(member(record.json(), "case")) + ", factor of safety",
@@ -147,13 +154,7 @@ Handout strength_document(const fs::path& folder, const std::string& project) {
                             record.words(),
                             {}};
   document.facts = facts_of(project, record.program(), folder / kStrengthRecord);
-  add_if_filled(document.sections, {"Pictures",
-                                    {},
-                                    pictures_in(folder,
-                                                {{"picture.svg", "Model at both ends of the bracket"},
-                                                 {"fos.svg", "Largest displacement over the factor"}},
-                                                2),
-                                    {}});
+  add_if_filled(document.sections, {"Pictures", {}, strength_pictures(folder), {}});
   add_if_filled(document.sections, result_of(record));
   add_if_filled(document.sections, trials_of(record, folder));
   add_if_filled(document.sections, notes_of(record));

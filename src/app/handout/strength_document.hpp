@@ -28,6 +28,9 @@ class StrengthRecord {
   nlohmann::ordered_json json_;
 };
 
+/// Returns the pictures of the search that exist.
+std::vector<report::DocumentPicture> strength_pictures(const std::filesystem::path& folder, std::size_t most = 2);
+
 /// Returns the report: factor, bracket, pictures of its ends, trials, notes, warnings. A factor below 1 is bad.
 Handout strength_document(const std::filesystem::path& folder, const std::string& project);
 

@@ -23,7 +23,7 @@ nav a { margin-right: 1rem; white-space: nowrap }
 .scroll { overflow-x: auto; margin: .6rem 0 }
 table { border-collapse: collapse; width: 100%; font-size: .92em }
 th, td { text-align: left; padding: .25rem .6rem .25rem 0; border-bottom: 1px solid var(--line);
-  vertical-align: top; overflow-wrap: anywhere }
+  vertical-align: top; overflow-wrap: break-word }
 th { font-weight: 600; background: var(--head); overflow-wrap: normal }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
 .facts { display: flex; flex-wrap: wrap; gap: .3rem 2rem; margin: 0 0 1rem }
@@ -47,7 +47,8 @@ figure img { width: 100%; background: #fff; border: 1px solid var(--line) }
 figcaption { color: var(--faint); font-size: .9em }
 @media print {
   @page { size: A4; margin: 16mm } body { font-size: 10pt; padding: 0; max-width: none } nav, .filter { display: none }
-  .card { break-inside: avoid }
+  figure img { width: auto; max-width: 100%; max-height: 190mm }
+  .card { break-inside: avoid } td { overflow-wrap: anywhere }
   tr { break-inside: avoid } :root { --text: #000; --faint: #444; --line: #bbb; --back: #fff; --head: #f3f3f3 } }
 )";
 

@@ -18,6 +18,7 @@
 #include <boost/beast/http.hpp>
 #include <csignal>
 #include <exception>
+#include <limits>
 #include <list>
 #include <optional>
 #include <string>
@@ -111,7 +112,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void read() {
     parser_.emplace();
     parser_->header_limit(kMostHeader);
-    parser_->body_limit(boost::none);  // a stranger learns nothing about the limit
+    parser_->body_limit(std::numeric_limits<std::uint64_t>::max());  // a stranger learns nothing about the limit
     stream_.expires_after(is_let_in_ ? shared_.limits.patience : shared_.limits.first_patience);
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = shared_from_this()](beast::error_code error, std::size_t) {
