@@ -3,7 +3,7 @@
 
 usage: docs/make_pictures.py PROGRAM
 
-Writes docs/sliding_block.svg, docs/slope.svg and docs/tunnel.svg, each at most 40 kB.
+Writes docs/pictures/block.svg, slope.svg and tunnel.svg, each at most 40 kB.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import subprocess
@@ -19,12 +19,15 @@ WIDTH = "84"  # mm: large letters, as a third of the page needs them
 
 # Name of the picture, commands; {} is a fresh folder.
 PICTURES = [
-    ("sliding_block", ["run legacy_cases/sliding_block/a30_p20 --profile standard -o {}/out",
-                       f"plot {{}}/out --curve dx1,dy1 --width {WIDTH} -o {{}}/sliding_block.svg"]),
-    ("slope", ["joints docs/slope.json -o {}/slope.geo",
-               "run {}/slope.geo docs/slope.ana --profile standard -o {}/out",
+    ("block", ["new block -o {}/block.json",
+               "run {}/block.json -o {}/out",
+               f"plot {{}}/out --field displacement --width {WIDTH} -o {{}}/block.svg"]),
+    ("slope", ["new slope -o {}/slope.json",
+               "run {}/slope.json --at /analysis/joint_materials/*/friction_angle_deg=5 "
+               "--at /analysis/joint_materials/1/cohesion=0 --set steps=2400 -o {}/out",
                f"plot {{}}/out --field displacement --width {WIDTH} -o {{}}/slope.svg"]),
-    ("tunnel", ["run docs/tunnel.json -o {}/out",
+    ("tunnel", ["new tunnel -o {}/tunnel.json",
+                "run {}/tunnel.json -o {}/out",
                 f"plot {{}}/out --field s3 --width {WIDTH} -o {{}}/tunnel.svg"]),
 ]
 
@@ -34,12 +37,12 @@ def main():
     for name, commands in PICTURES:
         with tempfile.TemporaryDirectory() as folder:
             for command in commands:
-                done = subprocess.run([program, *command.format(folder, folder).split()], cwd=ROOT, capture_output=True,
+                done = subprocess.run([program, *command.replace("{}", folder).split()], cwd=ROOT, capture_output=True,
                                       text=True, check=False)
                 if done.returncode != 0:
                     sys.exit(f"{command}: exit code {done.returncode}\n{done.stderr}")
             text = picture_size.smaller((Path(folder) / f"{name}.svg").read_text(encoding="utf-8"), LARGEST)
-        file = ROOT / "docs" / f"{name}.svg"
+        file = ROOT / "docs/pictures" / f"{name}.svg"
         file.write_text(text, encoding="utf-8")
         print(f"{file.relative_to(ROOT)}: {len(text.encode())} bytes")
 
