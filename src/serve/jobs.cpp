@@ -74,6 +74,7 @@ int Jobs::add(Order order) {
     if (old == jobs_.end()) return 0;
     jobs_.erase(old);
   }
+  replace_earlier(order);
   Job& job = jobs_.emplace_back();
   job.id = ++last_id_;
   job.order = std::move(order);
@@ -81,6 +82,16 @@ int Jobs::add(Order order) {
   job.messages = drafts_.file(".err");
   wakes_.notify_all();
   return job.id;
+}
+
+void Jobs::replace_earlier(Order& order) {
+  if (order.kind != "resume") return;
+  const auto earlier = std::ranges::find_if(jobs_, [&](const Job& job) {
+    return job.order.result == order.result && (job.state == State::ended || job.state == State::stopped);
+  });
+  if (earlier == jobs_.end()) return;
+  order.title = earlier->order.title;
+  jobs_.erase(earlier);
 }
 
 bool Jobs::stop(int id) {

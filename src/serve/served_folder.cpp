@@ -40,7 +40,8 @@ bool is_sweep(const fs::path& folder) {
 
 bool is_result(const fs::path& folder) {
   std::error_code error;
-  return fs::is_directory(folder / "frames", error) || fs::exists(folder / "fos.json", error) || is_sweep(folder);
+  return fs::is_directory(folder / "frames", error) || fs::exists(folder / "fos.json", error) ||
+         fs::exists(folder / "checkpoint.h5", error) || is_sweep(folder);
 }
 
 /// Returns "run", "fos" or "sweep".

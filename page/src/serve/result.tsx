@@ -257,6 +257,7 @@ function frame_at(page: Page, time: number): number {
 
 /** Words for the path of an entry: "setting steps", "greatest displacement", "joint materials 2 friction angle deg". */
 function label_of(path: string): string {
+  if (/ line \d+$/.test(path)) return path;
   return path
     .replace(/^(outcome|extremes|counts|analysis)\./, '')
     .replace(/^settings\./, 'setting ')

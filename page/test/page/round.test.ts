@@ -36,6 +36,8 @@ describe.skipIf(!has_browser || !program)('round of an old file', () => {
   /** Changes the text of the analysis file and saves it. */
   async function change(from: string | RegExp, to: string): Promise<void> {
     const text = page.locator('textarea');
+    await page.getByLabel('File', { exact: true }).selectOption('a30_p20.ana');
+    await expect.poll(() => text.inputValue()).toContain('<Friction>');
     const before = await text.inputValue();
     await text.fill(before.replace(from, to));
     await page.getByRole('button', { name: 'Save', exact: true }).click();
@@ -82,8 +84,8 @@ describe.skipIf(!has_browser || !program)('round of an old file', () => {
     await job('second').getByRole('link', { name: 'Open' }).click();
     await page.frameLocator('iframe').getByRole('slider', { name: 'Frame' }).waitFor();
     await page.getByLabel('Compare with').selectOption('first');
-    await page.getByRole('row', { name: 'a30_p20.ana line 27' }).waitFor({ timeout: 60_000 });
-    expect(await page.getByRole('row', { name: 'a30_p20.ana line 27' }).textContent()).toContain('25');
+    await page.getByRole('row', { name: 'a30_p20.ana line 28' }).waitFor({ timeout: 60_000 });
+    expect(await page.getByRole('row', { name: 'a30_p20.ana line 28' }).textContent()).toContain('25');
     expect(await page.locator('.compare table').last().textContent()).toContain('greatest displacement');
     await shot(page, 'round_compare');
     await page.context().close();
@@ -111,14 +113,18 @@ describe.skipIf(!has_browser || !program)('round of an old file', () => {
   });
 
   test('a run is paused, goes on, and stops at a criterion', async () => {
+    await change('<Friction> 25 <', '<Friction> 45 <'); // the block stays, so that the run may be long
     await page.getByRole('button', { name: 'Add a setting' }).click();
     await page.getByLabel('Setting', { exact: true }).fill('steps');
-    await page.getByLabel('Value of steps').fill('400000');
+    await page.getByLabel('Value of steps').fill('4000000');
     await run('long');
+    await job('long').getByText('step ').waitFor({ timeout: 60_000 });
     await job('long').getByRole('button', { name: 'Pause' }).click();
     await job('long').getByText('paused').waitFor({ timeout: 60_000 });
     await job('long').getByRole('button', { name: 'Go on' }).click();
     await job('long').getByRole('button', { name: 'Pause' }).click({ timeout: 60_000 });
+    await job('long').getByText('paused').waitFor({ timeout: 60_000 });
+    await change('<Friction> 45 <', '<Friction> 25 <');
     await page.getByLabel('Value of steps').fill('1000');
     await page.getByText('Record and stop').click();
     await page.getByLabel('Histories').fill('block=block:2');
