@@ -243,19 +243,20 @@ export function JobItem({ job }: { job: api.Job }) {
   const share = job.steps ? (job.step ?? 0) / job.steps : 0;
   const failed = job.state === 'ended' && job.exit_code !== 0;
   const entry = state.listing.value?.results.find(own => own.path === job.result);
-  const words = job.is_stopping
-    ? 'stopping'
-    : job.state === 'waits'
-      ? 'waits'
-      : job.state === 'runs'
-        ? `${job.steps ? `step ${job.step} of ${job.steps}` : 'starting'}${job.left ? `, ${job.left} left` : ''}`
-        : job.state === 'stopped'
-          ? entry?.has_checkpoint
-            ? `paused${job.step ? ` at step ${job.step}` : ''}`
-            : 'stopped'
-          : failed
-            ? `ended with code ${job.exit_code}`
-            : criterion_of(job) || `finished in ${duration(job.seconds ?? 0)}`;
+  const words =
+    is_open && job.is_stopping
+      ? 'stopping'
+      : job.state === 'waits'
+        ? 'waits'
+        : job.state === 'runs'
+          ? `${job.steps ? `step ${job.step} of ${job.steps}` : 'starting'}${job.left ? `, ${job.left} left` : ''}`
+          : job.state === 'stopped'
+            ? entry?.has_checkpoint
+              ? `paused${job.step ? ` at step ${job.step}` : ''}`
+              : 'stopped'
+            : failed
+              ? `ended with code ${job.exit_code}`
+              : criterion_of(job) || `finished in ${duration(job.seconds ?? 0)}`;
   const factor = job.kind === 'fos' && job.state === 'ended' ? factor_of(job.output ?? '') : '';
   return (
     <li class={`job ${failed ? 'bad' : ''}`}>
