@@ -47,7 +47,7 @@ figure img { width: 100%; background: #fff; border: 1px solid var(--line) }
 figcaption { color: var(--faint); font-size: .9em }
 @media print {
   @page { size: A4; margin: 16mm } body { font-size: 10pt; padding: 0; max-width: none } nav, .filter { display: none }
-  figure img { width: auto; max-width: 100%; max-height: 190mm }
+  figure img { width: auto; max-width: 100%; max-height: 150mm }
   .card { break-inside: avoid } td { overflow-wrap: anywhere }
   tr { break-inside: avoid } :root { --text: #000; --faint: #444; --line: #bbb; --back: #fff; --head: #f3f3f3 } }
 )";
