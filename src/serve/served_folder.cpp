@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <fstream>
 #include <string_view>
 
 namespace keyblock::serve {
@@ -32,10 +33,16 @@ bool is_input(const fs::path& file) {
   return std::ranges::find(kInputs, lower(file.extension().string())) != kInputs.end();
 }
 
-/// A batch has a journal too, but no folder of jobs.
+/// The journal of a batch has the same name, and another head.
 bool is_sweep(const fs::path& folder) {
+  constexpr std::string_view kHead = "{\"sweep\":";
+  const fs::path journal = folder / "journal.jsonl";
   std::error_code error;
-  return fs::exists(folder / "journal.jsonl", error) && fs::is_directory(folder / "jobs", error);
+  if (!fs::is_regular_file(journal, error)) return false;
+  std::ifstream stream(journal, std::ios::binary);
+  std::string head(kHead.size(), ' ');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return stream && head == kHead;
 }
 
 bool is_result(const fs::path& folder) {

@@ -94,6 +94,20 @@ TEST(ServedFolder, no_path_leads_out) {
   EXPECT_THROW(serve::file_argument(folder, "side/none"), serve::NotServed);
 }
 
+TEST(ServedFolder, sweeps_are_results_and_batches_are_not) {
+  const std::string top = support::fresh_folder("served_kinds");
+  for (const char* folder : {"/sweep/jobs", "/batch/jobs/a/frames"}) std::filesystem::create_directories(top + folder);
+  support::write_text(top + "/sweep/journal.jsonl", "{\"sweep\":1}\n");
+  support::write_text(top + "/batch/journal.jsonl", "{\"batch\":1}\n");
+  const Json results = serve::ServedFolder(top).list().at("results");
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0].at("path"), "batch/jobs/a");
+  EXPECT_EQ(results[0].at("kind"), "run");
+  EXPECT_EQ(results[1].at("path"), "sweep");
+  EXPECT_EQ(results[1].at("kind"), "sweep");
+  EXPECT_FALSE(results[1].at("is_finished").get<bool>());
+}
+
 TEST(RequestWords, settings_become_no_options) {
   const serve::ServedFolder folder(support::fresh_folder("served_words"));
   EXPECT_EQ(serve::setting_arguments(folder, Json::parse(R"({"profile": "standard", "set": {"steps": "-5"}})")),

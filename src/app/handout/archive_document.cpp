@@ -102,8 +102,14 @@ std::string case_of(const std::string& name, const std::string& profile) {
   return path.has_parent_path() && path.filename() == profile ? path.parent_path().string() : name;
 }
 
+// Returns the name of a case without the folder in which a batch keeps its runs.
+std::string title_of_case(const std::string& name) {
+  constexpr std::string_view kJobs = "jobs/";
+  return name.starts_with(kJobs) ? name.substr(kJobs.size()) : name;
+}
+
 report::DocumentCard card_of(const std::string& name, const std::vector<Result>& results) {
-  report::DocumentCard card{name, name, {}, Verdict::good, {}};
+  report::DocumentCard card{title_of_case(name), name, {}, Verdict::good, {}};
   std::ranges::replace(card.anchor, ' ', '-');
   for (const Result& result : results) {
     card.verdict = std::max(card.verdict, result.verdict);
