@@ -33,7 +33,9 @@ test: build ## use | 8 min | builds everything and runs all tests
 
 test-web: packages ## use | 2 min | tests the page of a run and the window in headless Chromium; needs node from 20.19 on and npm
 	@$(call install_missing,chromium)
-	cd page && npm ci && npm run check && npm test && npm run test-page
+	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+	cmake --build build --parallel $(JOBS) --target keyblock
+	cd page && npm ci && npm run check && npm test && KEYBLOCK=$(CURDIR)/build/keyblock npm run test-page
 
 cases: build ## cases | 1 min | reruns all cases in both profiles and compares them with their expected values
 	build/keyblock compare legacy_cases

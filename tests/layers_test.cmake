@@ -25,10 +25,10 @@ set(inner_contact find rows solve)
 set(inner_legacy contact,terms step)
 set(inner_run settings_of bodies stages growth,mesh,ahead,verdict . follow)
 set(inner_step stepper newton bodies groups scene time rest .)
-set(inner_report drawing page . rock)
-set(inner_serve http .)
+set(inner_report drawing page,document . rock)
+set(inner_serve http . study served_results service)
 set(inner_study strength cases trade,batch,convert,element,fit,fracture,sweep)
-set(inner_app . run_words,handout input templates,shell strength commands,batch,rock)
+set(inner_app helpers . run_words,handout input templates,shell strength commands,batch,rock)
 
 # Shi's rules are fenced off: the standard step does not see them, and they see of it the stepper that both are, and the size of a step.
 set(legacy_sees_of_step step/stepper.hpp step/time/step_size.hpp)

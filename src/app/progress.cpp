@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "app/messages.hpp"
@@ -19,9 +20,19 @@ namespace {
 
 constexpr double kTerminalSeconds = 0.2;  // between two renewals on a terminal
 constexpr double kLogSeconds = 5;         // between two lines in a log
-constexpr double kPatience = 2;           // seconds without a step until the elapsed time is shown
-constexpr double kLeastShare = 0.02;      // fraction of a search from which its end is estimated
-constexpr double kForecastSeconds = 2;    // seconds of stepping, or this many steps, before the total time is estimated
+
+// Returns the seconds between two lines in a log; the window of `serve` asks for more of them.
+double log_seconds() {
+  static const double kSeconds = [] {
+    const char* given = std::getenv("KEYBLOCK_LOG_SECONDS");
+    const double asked = given == nullptr ? 0 : std::strtod(given, nullptr);
+    return asked > 0 ? asked : kLogSeconds;
+  }();
+  return kSeconds;
+}
+constexpr double kPatience = 2;         // seconds without a step until the elapsed time is shown
+constexpr double kLeastShare = 0.02;    // fraction of a search from which its end is estimated
+constexpr double kForecastSeconds = 2;  // seconds of stepping, or this many steps, before the total time is estimated
 constexpr int kForecastSteps = 20;
 constexpr double kLeastLeft = 0.5;  // seconds, which would be rounded to 0
 constexpr double kLongRun = 20;     // seconds left; below this no estimate is shown
@@ -107,7 +118,7 @@ void ProgressLine::show_waiting() {
   std::unique_lock lock(mutex_);
   while (!wakes_.wait_for(lock, std::chrono::seconds(1), [this] { return is_over_; })) {
     const Clock::time_point now = Clock::now();
-    if (seconds(now - stepped_) < kPatience || (!on_terminal_ && seconds(now - shown_) < kLogSeconds)) continue;
+    if (seconds(now - stepped_) < kPatience || (!on_terminal_ && seconds(now - shown_) < log_seconds())) continue;
     shown_ = now;
     keyblock::show(
         fmt::format("{}{}{}", on_terminal_ ? "\r\x1b[K" : "", words_of_waiting(now), on_terminal_ ? "" : "\n"));
@@ -126,7 +137,7 @@ void ProgressLine::show(const StepReport& report) {
   forecast(now);
   tell_headway(nullptr, 0);
   const bool last = report.step == step_count_;
-  if (!last && seconds(now - shown_) < (on_terminal_ ? kTerminalSeconds : kLogSeconds)) return;
+  if (!last && seconds(now - shown_) < (on_terminal_ ? kTerminalSeconds : log_seconds())) return;
   shown_ = now;
   keyblock::show(
       fmt::format("{}{}{}", on_terminal_ ? "\r\x1b[K" : "", words_of_step(report), on_terminal_ ? "" : "\n"));

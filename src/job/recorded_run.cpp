@@ -30,6 +30,15 @@ std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& 
   return records;
 }
 
+std::optional<StopCriterion> criterion_of(const std::string& text, const Units& units) {
+  if (text.empty()) return std::nullopt;
+  try {
+    return stop_criterion_of(text, units);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--stop-when: {}", error.what()));
+  }
+}
+
 RunRequest request_of(const RecordingOptions& options, const OpenCase& read, const PlannedCase& plan,
                       const RunRecord& record) {
   const Settings& settings = plan.prepared.scene.settings;
@@ -155,7 +164,8 @@ RecordedRun::RecordedRun(Beginning beginning)
       RunJobOptions{options_.folder, options_.overwrite, options_.trace, options_.checkpoint_every,
                     plan_.problem.analysis->place, plan_.problem.outputs, options_.outputs.field,
                     formats::names_of(input.files), formats::vtk_coding_of(options_.outputs.frames),
-                    options_.outputs.has_pictures, options_.outputs.has_page},
+                    options_.outputs.has_pictures, options_.outputs.has_page,
+                    criterion_of(options_.stop_when, plan_.problem.units)},
       checkpoint_.get());
 }
 

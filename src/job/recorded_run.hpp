@@ -24,6 +24,7 @@ struct RecordingOptions {
   double checkpoint_every = 30;  ///< seconds; 0: only at the start and if the run is stopped
   int record_every = 0;          ///< steps per frame; 0: as the case requests, at most `kMostFrames` frames
   OutputOptions outputs = {};
+  std::string stop_when = {};  ///< in the form that `stop_criterion_of` reads; empty: at the last step
 };
 
 /// Run of a case with its results in a folder. It cannot be moved: the run refers to the plan that it owns.

@@ -98,6 +98,13 @@ void RunJob::follow(const Stepper& stepper) {
   if (step % stride_of(last) == 0 || step == last) folder_.add_histories(followed_.rows(stepper, joints_));
 }
 
+// A stop of the context ends the run with a checkpoint, so that it can go on.
+void RunJob::stop_if_met(const Stepper& stepper) {
+  if (!options_.stop_when || !criterion_met_.empty()) return;
+  criterion_met_ = options_.stop_when->met_by(followed_.rows(stepper, joints_));
+  if (!criterion_met_.empty()) context().stop();
+}
+
 // Tables that grow with each history and each measured point. The warning comes before the run, which may be long.
 Warnings RunJob::large_tables() const {
   constexpr double kMegabyte = 1e6;
@@ -196,6 +203,7 @@ Observer RunJob::observer(const std::function<void(const StepReport&)>& on_step)
           [&](const Stepper& stepper) {
             watch_.blocks().add(stepper);
             follow(stepper);
+            stop_if_met(stepper);
           }};
 }
 
@@ -204,6 +212,7 @@ bool RunJob::run(const std::function<void(const StepReport&)>& on_step) {
   try {
     record_.outcome = stepper_ ? go_on(prepared_.scene, *stepper_, record_.record_every, told)
                                : keyblock::run(prepared_.scene, record_.record_every, told);
+    if (record_.outcome.end == RunEnd::stopped) record_.outcome.why_early = criterion_met_;
     return true;
   } catch (const StopRequested&) {
     record_.outcome.end = RunEnd::stopped;

@@ -13,6 +13,7 @@
 #include "job/run_warnings.hpp"
 #include "job/saved_run.hpp"
 #include "run/follow/followed.hpp"
+#include "run/follow/stop_criterion.hpp"
 #include "run/prepare.hpp"
 
 namespace keyblock {
@@ -29,6 +30,7 @@ struct RunJobOptions {
   formats::VtkCoding frames = formats::VtkCoding::automatic;
   bool has_pictures = true;
   bool has_page = false;  ///< write page.html at the end
+  std::optional<StopCriterion> stop_when = {};
 };
 
 class RunJob {
@@ -60,6 +62,7 @@ class RunJob {
   void write_tables(const LedgerScope& scope);
   void judge();
   void follow(const Stepper& stepper);
+  void stop_if_met(const Stepper& stepper);
   void choose_outputs();
   Warnings large_tables() const;
   Warnings remarks_on_outputs() const;
@@ -73,6 +76,7 @@ class RunJob {
   StepWatch watch_;
   DrawnJoints joints_;
   Followed followed_;
+  std::string criterion_met_;          ///< in words; empty before that
   const Stepper* stepping_ = nullptr;  ///< of the run, after its first state
   History history_;
   CheckpointClock clock_;

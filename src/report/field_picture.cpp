@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "base/counted.hpp"
 #include "material/stress_invariants.hpp"
@@ -20,21 +21,16 @@
 #include "report/drawing/stress_crosses.hpp"
 #include "report/drawing/svg.hpp"
 #include "report/drawing/ticks.hpp"
+#include "report/field_panels.hpp"
 #include "report/page.hpp"
 #include "result/extremes.hpp"
 
 namespace keyblock::report {
 namespace {
 
-constexpr double kGap = 18;
-constexpr double kCaption = 24;
-constexpr double kBarWidth = 92;       // colour bar with its numbers
 constexpr double kLargestMove = 0.08;  // of the extent, in the deformed mesh
 constexpr double kBarHeight = 240;
-constexpr double kTall = 1.25;  // height over width
-constexpr double kTallHeight = 460;
-constexpr double kSmallHeight = 240;
-constexpr double kFieldHeight = 420;
+constexpr double kNarrowCaption = 12;
 constexpr std::string_view kMeshColour = "#333333";
 constexpr std::string_view kPaleMeshColour = "#dddddd";
 constexpr std::string_view kContourColour = "#555555";
@@ -127,31 +123,6 @@ void draw_mesh(SvgPage& page, const PageMap& map, const FieldFrame& field, const
       page.polygon(map(loops_of(element, place)),
                    {.fill = filled ? area_colour(element.material) : "none", .stroke = colour, .stroke_width = width});
   });
-}
-
-/// Places of the three panels: side by side for tall bodies, else the field below the two others.
-struct Panels {
-  std::array<Point, 3> corners;
-  std::array<Point, 3> rooms;
-  double bottom = 0;
-};
-
-Panels place_panels(const Box& box) {
-  Panels panels;
-  const double top = kTitleHeight + kCaption;
-  const bool is_tall = box.height() > kTall * box.width();
-  if (is_tall) {
-    panels.rooms.fill({(kRoom - kBarWidth - 2 * kGap) / 3, kTallHeight});
-    for (std::size_t k = 0; k < 3; ++k)
-      panels.corners[k] = {kMargin + static_cast<double>(k) * (panels.rooms[k].x + kGap), top};
-  } else {
-    panels.rooms = {Point{(kRoom - kGap) / 2, kSmallHeight}, Point{(kRoom - kGap) / 2, kSmallHeight},
-                    Point{kRoom - kBarWidth, kFieldHeight}};
-    const double below = top + PageMap(box, {}, panels.rooms[0]).size().y + kGap + kCaption;
-    panels.corners = {Point{kMargin, top}, Point{kMargin + panels.rooms[0].x + kGap, top}, Point{kMargin, below}};
-  }
-  panels.bottom = panels.corners[2].y + PageMap(box, {}, panels.rooms[2]).size().y + 12;
-  return panels;
 }
 
 /// Returns the picture without the elements that pictures of the run leave out.
@@ -277,6 +248,31 @@ std::string draw_field(SvgPage& page, const FieldPanel& panel, const FieldPictur
   return caption_of(picture.shown, true);
 }
 
+using Caption = std::function<void(std::size_t, const std::string&)>;
+
+/// Draws the mesh as it was and deformed, each with its caption and the numbers of its elements.
+void draw_meshes(SvgPage& page, const std::array<PageMap, 2>& maps, const FieldPicture& picture,
+                 const FieldPicture& whole, const CornerPlace& deformed, double factor, const Caption& caption) {
+  const FieldFrame& start = picture.start.elements.empty() ? whole.end : picture.start;
+  const std::size_t left_out = picture.left_out.size();
+  draw_mesh(page, maps[0], start, as_drawn, true);
+  caption(0, elements_in_words(start) + number_elements(page, maps[0], start, whole.numbers, as_drawn));
+  draw_mesh(page, maps[1], picture.end, deformed, true);
+  number_elements(page, maps[1], picture.end, picture.numbers, deformed);
+  caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));
+}
+
+/// Draws the measured points that lie in the box.
+void draw_measured(SvgPage& page, const PageMap& map, const FieldPicture& picture, const Box& box, bool is_true) {
+  page.layer([&] {
+    for (const PointFrame& point : picture.measured) {
+      const Point at = is_true ? point.position : point.position - point.displacement;
+      const bool is_shown = at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y;
+      if (is_shown) draw_mark(page, map(at), Mark::measured_point);
+    }
+  });
+}
+
 }  // namespace
 
 FieldShown field_of_word(const std::string& word) {
@@ -325,44 +321,36 @@ std::string field_picture(const FieldPicture& whole) {
   const FieldPicture& picture = whole.left_out.empty() ? whole : own.emplace(framed(whole));
   const FieldFrame& start = picture.start.elements.empty() ? whole.end : picture.start;
   const Held held = held_of(picture);
-  const std::size_t left_out = picture.left_out.size();
   const double factor =
       picture.scale ? picture.scale->factor
                     : shown_factor(greatest_move(picture.end), bounds(picture.end, as_drawn), picture.is_of_motion);
   const CornerPlace deformed = [factor](const FieldCorner& corner) {
     return corner.position + factor * corner.displacement;
   };
-  const bool is_true = picture.is_of_motion && factor == 1;
+  const bool is_true = picture.is_of_motion && factor == 1, is_alone = picture.wide < kLeastForThree;
+  const CornerPlace place = is_true ? deformed : as_drawn;
   Box box = picture.scale ? picture.scale->box : bounds(start, as_drawn);
   visit_corners(picture.end, [&](const FieldCorner& corner) { box.include(deformed(corner)); });
-  const Panels panels = place_panels(box);
-  SvgPage page(kPageWidth, panels.bottom + 40);
-  page.text({kMargin, 28}, picture.title, {.size = 17, .bold = true});
+  const double room = picture.wide - 2 * kMargin;
+  const PageTitle title = title_of(picture.title, room, is_alone);
+  const Panels panels = place_panels(box, picture.wide, title.bottom);
+  SvgPage page(picture.wide, panels.bottom + (is_alone && !held.held.elements.empty() ? 64 : 40));
+  draw_title(page, title);
   if (box.empty()) return page.str();
   const auto map = [&](std::size_t k) { return PageMap(box, panels.corners[k], panels.rooms[k]); };
   const auto caption = [&](std::size_t k, const std::string& words) {
-    page.text(panels.corners[k] - Point{0, 8}, words, {.size = 13});
+    page.text(panels.corners[k] - Point{0, 8}, words, {.size = is_alone ? kNarrowCaption : 13.0});
   };
-  draw_mesh(page, map(0), start, as_drawn, true);
-  caption(0, elements_in_words(start) + number_elements(page, map(0), start, whole.numbers, as_drawn));
-  draw_mesh(page, map(1), picture.end, deformed, true);
-  number_elements(page, map(1), picture.end, picture.numbers, deformed);
-  caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));
-  const CornerPlace place = is_true ? deformed : as_drawn;
+  if (!is_alone) draw_meshes(page, {map(0), map(1)}, picture, whole, deformed, factor, caption);
   const PageMap large = map(2);
   const Point size = large.size();
   const Point beside{panels.corners[2].x + std::min(size.x, panels.rooms[2].x) + 14, panels.corners[2].y};
   caption(2,
           draw_field(page, {large, place, are_blocks(whole.end), beside, std::min(size.y, kBarHeight)}, picture, held));
-  page.layer([&] {
-    for (const PointFrame& point : picture.measured) {
-      const Point at = is_true ? point.position : point.position - point.displacement;
-      const bool is_shown = at.x >= box.low.x && at.x <= box.high.x && at.y >= box.low.y && at.y <= box.high.y;
-      if (is_shown) draw_mark(page, large(at), Mark::measured_point);
-    }
-  });
-  draw_scale_bar(page, {kMargin, panels.bottom + 14}, kRoom, large, picture.units);
-  draw_key(page, {kMargin + kRoom / 2, panels.bottom + 4}, held.held);
+  draw_measured(page, large, picture, box, is_true);
+  draw_scale_bar(page, {kMargin, panels.bottom + 14}, room, large, picture.units);
+  draw_key(page, is_alone ? Point{kMargin, panels.bottom + 28} : Point{kMargin + room / 2, panels.bottom + 4},
+           held.held);
   return page.str();
 }
 

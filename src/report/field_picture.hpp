@@ -47,6 +47,8 @@ struct FieldPicture {
   std::vector<int> numbers = {};
   std::vector<std::size_t> held = {};    ///< blocks of the end, in their order, with a fixed point
   std::optional<FieldScale> scale = {};  ///< shared with other pictures; none: that of this picture
+  /// Width of the page in its units, in which letters are 11 to 17 high; a narrow one shows the field alone.
+  double wide = 900;
 };
 
 /// Visits all frames that share a scale, without the elements that pictures leave out.
@@ -55,13 +57,17 @@ using EachFrame = std::function<void(const std::function<void(const FieldFrame&)
 /// Returns the scale of the field of all frames; `each` is called twice.
 FieldScale common_scale(const FieldFrame& start, FieldShown shown, bool is_of_motion, const EachFrame& each);
 
+/// Width of the narrowest page with three panels.
+inline constexpr double kLeastForThree = 700;
+
 /// Returns the component of the stress that varies most.
 FieldShown most_varied(const FieldFrame& field);
 
-/// Returns an SVG document: the mesh and the deformed mesh side by side with the field below them; for tall bodies all
-/// three side by side. The deformed mesh is scaled to be seen; the factor is named. Colours are of mean corner values
-/// over triangles from each element's middle, with lines of equal value if elements of a mesh have other values at each
-/// corner. Fixed blocks without computed stress are grey.
+/// Returns an SVG document with three panels: the mesh, the deformed mesh, and the field. The field lies below the
+/// meshes; beside them if the body is about as high as wide; all three stand side by side if it is tall. A page
+/// narrower than `kLeastForThree` shows the field alone. The deformed mesh is scaled to be seen; the factor is named.
+/// Colours are of mean corner values over triangles from each element's middle, with lines of equal value if elements
+/// of a mesh have other values at each corner. Fixed blocks without computed stress are grey.
 std::string field_picture(const FieldPicture& picture);
 
 /// Returns the mesh alone, elements over their bodies' colours, for `keyblock cut`.

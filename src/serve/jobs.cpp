@@ -10,6 +10,9 @@
 #include <regex>
 #include <utility>
 
+#include "base/printable.hpp"
+#include "serve/window_words.hpp"
+
 namespace keyblock::serve {
 namespace {
 
@@ -71,6 +74,7 @@ int Jobs::add(Order order) {
     if (old == jobs_.end()) return 0;
     jobs_.erase(old);
   }
+  replace_earlier(order);
   Job& job = jobs_.emplace_back();
   job.id = ++last_id_;
   job.order = std::move(order);
@@ -78,6 +82,16 @@ int Jobs::add(Order order) {
   job.messages = drafts_.file(".err");
   wakes_.notify_all();
   return job.id;
+}
+
+void Jobs::replace_earlier(Order& order) {
+  if (order.kind != "resume") return;
+  const auto earlier = std::ranges::find_if(jobs_, [&](const Job& job) {
+    return job.order.result == order.result && (job.state == State::ended || job.state == State::stopped);
+  });
+  if (earlier == jobs_.end()) return;
+  order.title = earlier->order.title;
+  jobs_.erase(earlier);
 }
 
 bool Jobs::stop(int id) {
@@ -117,7 +131,7 @@ Json Jobs::json_of(const Job& job) const {
       std::chrono::duration<double>((job.state == State::runs ? Clock::now() : job.finished) - job.begun).count();
   if (job.state == State::runs) return json;
   json["exit_code"] = job.exit_code;
-  json["messages"] = messages;
+  json["messages"] = window_words(valid_utf8(messages));
   json["output"] = tail_of(job.output, kMostOutput);
   return json;
 }

@@ -64,6 +64,8 @@ class Jobs {
     std::unique_ptr<Child> child = {};
   };
 
+  /// Lets a run that goes on take the place and title of the job that it continues.
+  void replace_earlier(Order& order);
   void work(const std::stop_token& stop);
   void look_after(Job& job);
   bool can_start() const;

@@ -10,6 +10,7 @@
 #include "base/printable.hpp"
 #include "serve/request_words.hpp"
 #include "serve/served_folder.hpp"
+#include "serve/window_words.hpp"
 
 namespace keyblock::serve {
 
@@ -42,7 +43,8 @@ Reply svg_reply(std::string svg) {
 }
 
 std::string words_of(const Answer& answer) {
-  return answer.ran_out_of_time ? std::string("it took too long and was ended") : valid_utf8(answer.messages);
+  return answer.ran_out_of_time ? std::string("it took too long and was ended")
+                                : window_words(valid_utf8(answer.messages));
 }
 
 }  // namespace keyblock::serve

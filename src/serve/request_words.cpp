@@ -3,6 +3,7 @@
 #include "serve/request_words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,6 +11,8 @@
 
 #include "base/printable.hpp"
 #include "base/words/diagnostics.hpp"
+#include "run/follow/history_option.hpp"
+#include "serve/window_words.hpp"
 
 namespace keyblock::serve {
 namespace {
@@ -29,6 +32,8 @@ int number_cut_off(std::string& text) {
 }
 
 Json error_json(std::string place, std::string sentence) {
+  sentence = window_words(sentence);
+  if (place.starts_with("--")) place = window_words(place);
   const int last = number_cut_off(place);
   const int before = last < 0 ? -1 : number_cut_off(place);
   if (before >= 0) return {{"file", place}, {"line", before}, {"column", last}, {"sentence", sentence}};
@@ -58,6 +63,29 @@ int whole_number(const Json& body, const char* name) {
   if (found == body.end() || !found->is_number_integer() || *found < 1 || *found > kMost)
     throw BadRequest(fmt::format("expected a whole number from 1 in \"{}\"", name));
   return found->get<int>();
+}
+
+bool flag(const Json& body, const char* name) {
+  const auto found = body.find(name);
+  if (found == body.end()) return false;
+  if (!found->is_boolean()) throw BadRequest(fmt::format("expected true or false in \"{}\"", name));
+  return found->get<bool>();
+}
+
+void require_one_of(const Json& body, const char* name, const std::vector<std::string>& words) {
+  if (!body.contains(name)) return;
+  if (std::ranges::find(words, text(body, name)) == words.end())
+    throw BadRequest(fmt::format("expected one of {} in \"{}\"", fmt::join(words, ", "), name));
+}
+
+std::vector<std::string> histories_in(const Json& body) {
+  std::vector<std::string> histories = texts(body, "histories");
+  for (const std::string& history : histories) try {
+      history_of(history);
+    } catch (const std::invalid_argument& error) {
+      throw BadRequest(fmt::format("history {}: {}", history, error.what()));
+    }
+  return histories;
 }
 
 bool is_plain_word(const std::string& word) {
@@ -113,7 +141,9 @@ void add_levels(Json& report) {
   const Json name = report.value("name", Json());
   if (name.is_string() && report.contains("sentence")) {
     report["level"] = word_of(level_of(name.get<std::string>()));
-    if (const Diagnostic* row = find_diagnostic(name.get<std::string>())) report["remedy"] = row->remedy;
+    if (report["sentence"].is_string()) report["sentence"] = window_words(report["sentence"].get<std::string>());
+    if (const Diagnostic* row = find_diagnostic(name.get<std::string>()))
+      report["remedy"] = window_words(std::string(row->remedy));
     return;
   }
   for (auto& [key, value] : report.items()) add_levels(value);

@@ -23,6 +23,15 @@ std::string text(const nlohmann::ordered_json& body, const char* name);
 std::vector<std::string> texts(const nlohmann::ordered_json& body, const char* name);
 int whole_number(const nlohmann::ordered_json& body, const char* name);
 
+/// Returns a member that is true or false; false for a missing one. Throws BadRequest for another kind.
+bool flag(const nlohmann::ordered_json& body, const char* name);
+
+/// Throws BadRequest if the member is there and none of the words.
+void require_one_of(const nlohmann::ordered_json& body, const char* name, const std::vector<std::string>& words);
+
+/// Returns the histories in the form of `crest=point:12,20`. Throws BadRequest.
+std::vector<std::string> histories_in(const nlohmann::ordered_json& body);
+
 /// Returns true for letters, digits, `_`, `-`, `.`, of which the first is a letter or digit.
 bool is_plain_word(const std::string& word);
 

@@ -18,6 +18,8 @@ constexpr std::array<std::string_view, 8> kLeftOut{"seconds", "made_by", "output
 
 class Differences {
  public:
+  explicit Differences(bool is_of_records) : is_of_records_(is_of_records) {}
+
   void compare(const Json& a, const Json& b, const std::string& path) {
     if (found_.size() >= kMostDifferences || a == b) return;
     if (a.is_object() && b.is_object()) return compare_members(a, b, path);
@@ -34,7 +36,7 @@ class Differences {
   void compare_members(const Json& a, const Json& b, const std::string& path) {
     const auto inner = [&](const std::string& key) { return path.empty() ? key : path + "." + key; };
     const auto is_left_out = [&](const std::string& key) {
-      return path.empty() && std::ranges::find(kLeftOut, key) != kLeftOut.end();
+      return is_of_records_ && path.empty() && std::ranges::find(kLeftOut, key) != kLeftOut.end();
     };
     for (const auto& [key, value] : a.items())
       if (!is_left_out(key)) compare(value, b.value(key, Json()), inner(key));
@@ -52,13 +54,20 @@ class Differences {
     found_.push_back(std::move(difference));
   }
 
+  bool is_of_records_;
   Json found_ = Json::array();
 };
 
 }  // namespace
 
 Json run_differences(const Json& first, const Json& second) {
-  Differences differences;
+  Differences differences(true);
+  differences.compare(first, second, "");
+  return std::move(differences).found();
+}
+
+Json value_differences(const Json& first, const Json& second) {
+  Differences differences(false);
   differences.compare(first, second, "");
   return std::move(differences).found();
 }

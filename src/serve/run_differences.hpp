@@ -12,4 +12,7 @@ inline constexpr std::size_t kMostDifferences = 500;
 /// work, names of files and the lists of columns are left out.
 nlohmann::ordered_json run_differences(const nlohmann::ordered_json& first, const nlohmann::ordered_json& second);
 
+/// Does the same for all entries of two values.
+nlohmann::ordered_json value_differences(const nlohmann::ordered_json& first, const nlohmann::ordered_json& second);
+
 }  // namespace keyblock::serve

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <fstream>
 #include <string_view>
 
 namespace keyblock::serve {
@@ -32,9 +33,34 @@ bool is_input(const fs::path& file) {
   return std::ranges::find(kInputs, lower(file.extension().string())) != kInputs.end();
 }
 
+/// The journal of a batch has the same name, and another head.
+bool is_sweep(const fs::path& folder) {
+  constexpr std::string_view kHead = "{\"sweep\":";
+  const fs::path journal = folder / "journal.jsonl";
+  std::error_code error;
+  if (!fs::is_regular_file(journal, error)) return false;
+  std::ifstream stream(journal, std::ios::binary);
+  std::string head(kHead.size(), ' ');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return stream && head == kHead;
+}
+
 bool is_result(const fs::path& folder) {
   std::error_code error;
-  return fs::is_directory(folder / "frames", error) || fs::exists(folder / "fos.json", error);
+  return fs::is_directory(folder / "frames", error) || fs::exists(folder / "fos.json", error) ||
+         fs::exists(folder / "checkpoint.h5", error) || is_sweep(folder);
+}
+
+/// Returns "run", "fos" or "sweep".
+const char* kind_of(const fs::path& result) {
+  std::error_code error;
+  if (fs::exists(result / "fos.json", error)) return "fos";
+  return is_sweep(result) ? "sweep" : "run";
+}
+
+/// Returns the file that a finished result has.
+const char* last_file_of(const std::string& kind) {
+  return kind == "sweep" ? "table.csv" : kind == "fos" ? "fos.json" : "run.json";
 }
 
 double seconds_of(const fs::directory_entry& entry) {
@@ -81,9 +107,9 @@ Json ServedFolder::list() const {
       if (at.depth() >= kDeepest || is_result(entry.path())) at.disable_recursion_pending();
       if (is_result(entry.path()) && results.size() < kMostEntries)
         results.push_back({{"path", name(entry.path())},
-                           {"kind", fs::exists(entry.path() / "fos.json", of_entry) ? "fos" : "run"},
+                           {"kind", kind_of(entry.path())},
                            {"time", seconds_of(entry)},
-                           {"is_finished", fs::exists(entry.path() / "run.json", of_entry)},
+                           {"is_finished", fs::exists(entry.path() / last_file_of(kind_of(entry.path())), of_entry)},
                            {"has_checkpoint", fs::exists(entry.path() / "checkpoint.h5", of_entry)}});
     } else if (entry.is_regular_file(of_entry) && is_input(entry.path()) && files.size() < kMostEntries) {
       files.push_back(

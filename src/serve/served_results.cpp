@@ -59,9 +59,11 @@ Json ServedResults::record(const Parameters& parameters) const {
 
 Json ServedResults::compare(const Parameters& parameters) const {
   const std::string first = parameter(parameters, "first"), second = parameter(parameters, "second");
+  const Json one = record({{"result", first}}), other = record({{"result", second}});
   return {{"first", first},
           {"second", second},
-          {"differences", run_differences(record({{"result", first}}), record({{"result", second}}))}};
+          {"inputs", copies_.differences(one, other)},
+          {"differences", run_differences(one, other)}};
 }
 
 }  // namespace keyblock::serve

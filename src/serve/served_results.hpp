@@ -9,14 +9,15 @@
 #include "serve/http/http.hpp"
 #include "serve/replies.hpp"
 #include "serve/served_folder.hpp"
+#include "serve/study/input_copies.hpp"
 
 namespace keyblock::serve {
 
-/// Refers to all three.
+/// Refers to all four.
 class ServedResults {
  public:
-  ServedResults(const ServedFolder& folder, const Drafts& drafts, const Program& program)
-      : folder_(folder), drafts_(drafts), program_(program) {}
+  ServedResults(const ServedFolder& folder, const Drafts& drafts, const Program& program, const InputCopies& copies)
+      : folder_(folder), drafts_(drafts), program_(program), copies_(copies) {}
 
   Reply picture(const Parameters& parameters) const;
   Reply page(const Parameters& parameters) const;
@@ -29,6 +30,7 @@ class ServedResults {
   const ServedFolder& folder_;
   const Drafts& drafts_;
   const Program& program_;
+  const InputCopies& copies_;
 };
 
 }  // namespace keyblock::serve

@@ -14,16 +14,29 @@
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "job/files.hpp"
+#include "run/follow/stop_criterion.hpp"
 #include "serve/pictures.hpp"
 #include "serve/replies.hpp"
 #include "serve/request_words.hpp"
 #include "serve/start_page.hpp"
+#include "serve/study/study_requests.hpp"
 
 namespace keyblock::serve {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+/// Returns the criterion at which a run stops, if it has the form of one.
+std::string criterion_in(const Json& body) {
+  const std::string words = text(body, "stop_when");
+  try {
+    stop_criterion_of(words, {"m", "kg", "s"});  // any units: the program knows those of the case
+  } catch (const std::invalid_argument& error) {
+    throw BadRequest(fmt::format("criterion to stop at: {}", error.what()));
+  }
+  return words;
+}
 
 }  // namespace
 
@@ -32,7 +45,8 @@ Service::Service(const ServedFolder& folder, const Drafts& drafts, Jobs& jobs)
       drafts_(drafts),
       jobs_(jobs),
       program_(folder.root(), drafts),
-      results_(folder, drafts, program_) {}
+      copies_(folder, drafts),
+      results_(folder, drafts, program_, copies_) {}
 
 Reply Service::answer(const Request& request) {
   try {
@@ -76,6 +90,9 @@ Reply Service::post(const std::string& path, const Json& body) {
   if (path == "/api/run") return json_reply(run(body));
   if (path == "/api/resume") return json_reply(resume(body));
   if (path == "/api/fos") return json_reply(fos(body));
+  if (path == "/api/sweep") return json_reply(sweep(body));
+  if (path == "/api/element") return json_reply(element_test(folder_, drafts_, program_, body));
+  if (path == "/api/fit") return json_reply(fitted_curve(folder_, drafts_, program_, body));
   if (path == "/api/convert") return json_reply(convert(body));
   if (path == "/api/stop") return json_reply(stop(body));
   return refusal(404, "there is no such address");
@@ -135,7 +152,7 @@ std::vector<std::string> Service::case_arguments(const Json& body) const {
 Json Service::check(const Json& body) const {
   std::vector<std::string> words{"check"};
   for (const std::string& word : case_arguments(body)) words.push_back(word);
-  words.insert(words.end(), {"--json", "--trial", body.value("trial", Json()) == true ? "2" : "0"});
+  words.insert(words.end(), {"--json", "--trial", flag(body, "trial") ? "2" : "0"});
   const Answer answer = program_(words);
   Json report = Json::parse(answer.output, nullptr, false);
   if (!report.is_object()) report = Json::object();
@@ -149,11 +166,11 @@ Json Service::check(const Json& body) const {
 Json Service::save(const Json& body) const {
   const fs::path file = folder_.whole(text(body, "path"));
   const std::string bytes = text(body, "text");
-  const bool overwrites = body.value("overwrite", Json()) == true;
+  const bool overwrites = flag(body, "overwrite");
+  const std::string known = body.contains("sha256") ? text(body, "sha256") : std::string();
   std::error_code error;
   if (fs::exists(file, error) && !fs::is_regular_file(file, error)) throw BadRequest("this is no file");
-  if (overwrites && body.contains("sha256") && fs::exists(file, error) &&
-      sha256(bytes_of(file, kMostText)) != text(body, "sha256"))
+  if (overwrites && !known.empty() && fs::exists(file, error) && sha256(bytes_of(file, kMostText)) != known)
     throw UsageError("the file has changed since it was read");
   write_file(file, bytes, overwrite_if(overwrites));
   return {{"path", folder_.name(file)}, {"sha256", sha256(bytes)}};
@@ -178,10 +195,29 @@ Json Service::run(const Json& body) {
   std::vector<std::string> words{"run"};
   for (const std::string& word : case_arguments(body)) words.push_back(word);
   words.insert(words.end(), {"-o", as_argument(result)});
-  for (const std::string& history : texts(body, "histories")) words.push_back("--history=" + history);
+  for (const std::string& history : histories_in(body)) words.push_back("--history=" + history);
   if (body.contains("record_every"))
     words.insert(words.end(), {"--record-every", fmt::format("{}", whole_number(body, "record_every"))});
-  return started({"run", texts(body, "paths").front(), result, std::move(words)});
+  if (body.contains("stop_when")) words.push_back("--stop-when=" + criterion_in(body));
+  const bool has_both = flag(body, "both");
+  if (has_both && (body.contains("profile") || body.contains("stop_when")))
+    throw BadRequest("runs by both profiles have neither \"profile\" nor \"stop_when\"");
+  if (has_both) words.emplace_back("--both");
+  keep_inputs(body);
+  return started({has_both ? "both" : "run", texts(body, "paths").front(), result, std::move(words)});
+}
+
+void Service::keep_inputs(const Json& body) const {
+  for (const std::string& path : texts(body, "paths")) copies_.keep(folder_.whole(path));
+}
+
+Json Service::sweep(const Json& body) {
+  const std::string result = new_result(body);
+  std::vector<std::string> words{"sweep"};
+  for (const std::string& word : case_arguments(body)) words.push_back(word);
+  for (const std::string& word : sweep_arguments(body)) words.push_back(word);
+  words.insert(words.end(), {"-o", as_argument(result)});
+  return started({"sweep", texts(body, "paths").front(), result, std::move(words)});
 }
 
 Json Service::resume(const Json& body) {
@@ -198,6 +234,7 @@ Json Service::fos(const Json& body) {
   std::vector<std::string> words{"fos"};
   for (const std::string& word : case_arguments(body)) words.push_back(word);
   words.insert(words.end(), {"-o", as_argument(result), "--json"});
+  require_one_of(body, "reduce", {"joints", "rock", "both"});
   if (body.contains("reduce")) words.push_back("--reduce=" + text(body, "reduce"));
   return started({"fos", texts(body, "paths").front(), result, std::move(words)});
 }
@@ -209,7 +246,10 @@ Json Service::convert(const Json& body) const {
   std::vector<std::string> words{"convert"};
   for (const std::string& path : texts(body, "paths")) words.push_back(file_argument(folder_, path));
   words.insert(words.end(), {"-o", as_argument(folder_.name(target))});
-  if (body.contains("to")) words.push_back("--to=" + text(body, "to"));
+  if (body.contains("to")) {
+    if (!is_plain_word(text(body, "to"))) throw BadRequest("expected the name of a format in \"to\"");
+    words.push_back("--to=" + text(body, "to"));
+  }
   const Answer answer = program_(words);
   return {{"path", folder_.name(target)},
           {"exit_code", answer.exit_code},

@@ -11,6 +11,7 @@
 #include "serve/jobs.hpp"
 #include "serve/served_folder.hpp"
 #include "serve/served_results.hpp"
+#include "serve/study/input_copies.hpp"
 
 namespace keyblock::serve {
 
@@ -43,17 +44,20 @@ class Service {
   Json run(const Json& body);
   Json resume(const Json& body);
   Json fos(const Json& body);
+  Json sweep(const Json& body);
   Json convert(const Json& body) const;
   Json stop(const Json& body);
 
   std::vector<std::string> case_arguments(const Json& body) const;
   std::string new_result(const Json& body) const;
+  void keep_inputs(const Json& body) const;
   Json started(Order order);
 
   const ServedFolder& folder_;
   const Drafts& drafts_;
   Jobs& jobs_;
   Program program_;
+  InputCopies copies_;
   ServedResults results_;
 };
 

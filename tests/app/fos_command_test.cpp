@@ -98,6 +98,20 @@ TEST(FosCommand, a_loose_sliver_is_left_out_and_named) {
   EXPECT_NE(run.messages.find("[slivers]"), std::string::npos) << run.messages;
 }
 
+TEST(FosCommand, a_slope_that_nothing_fixes_ends_before_any_trial) {
+  const std::string folder = fresh_folder("fos_loose"), file = folder + "/slope.json";
+  run_keyblock({"new", "slope", "-o", file});
+  std::string text = read_text(file);
+  const std::size_t from = text.find("\"fixed_lines\"");
+  text.erase(from, text.find('\n', from) - from);
+  write_text(file, text);
+  const ProgramRun run = run_keyblock({"fos", file, "-o", folder + "/out"});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_NE(run.messages.find("nothing fixes the blocks"), std::string::npos) << run.messages;
+  EXPECT_EQ(run.messages.find("F = "), std::string::npos) << run.messages;
+  EXPECT_FALSE(std::filesystem::exists(folder + "/out"));
+}
+
 // Less than a hundredth of the mean area, yet 0.29 % of the whole: its fall is that of the scene.
 TEST(FosCommand, what_is_not_small_is_not_left_out) {
   const ProgramRun run = run_keyblock({"fos", written("square", square_above_a_block(0.3)), "--from", "1", "--json"});

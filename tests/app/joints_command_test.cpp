@@ -47,6 +47,17 @@ TEST(JointsCommand, a_seed_gives_the_same_bytes_and_another_seed_others) {
   EXPECT_NE(read_text(folder + "/a"), read_text(folder + "/c"));
 }
 
+TEST(JointsCommand, base_and_sides_are_fixed_if_requested) {
+  const std::string folder = fresh_folder("joints_fixed");
+  ASSERT_EQ(run_keyblock(slope_with({"-o", folder + "/loose.json"})).exit_code, 0);
+  ASSERT_EQ(run_keyblock(slope_with({"-o", folder + "/fixed.json", "--fix-sides"})).exit_code, 0);
+  const auto loose = run_keyblock({"check", folder + "/loose.json"});
+  const auto fixed = run_keyblock({"check", folder + "/fixed.json"});
+  EXPECT_TRUE(contains(loose.messages + loose.output, "no_fixed_points"));
+  EXPECT_FALSE(contains(fixed.messages + fixed.output, "no_fixed_points"));
+  EXPECT_TRUE(contains(read_text(folder + "/fixed.json"), "\"fixed_lines\""));
+}
+
 TEST(JointsCommand, the_drawing_cuts_into_blocks_from_every_format) {
   const std::string folder = fresh_folder("joints_cut");
   for (const char* name : {"/slope.geo", "/slope.dxf", "/slope.json", "/slope.xml"}) {

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
@@ -87,9 +89,77 @@ TEST(ReportCommand, a_folder_of_runs_becomes_a_table_with_a_section_for_each) {
   fs::copy(folder + "/a/out", folder + "/b", fs::copy_options::recursive);
   ASSERT_EQ(run_keyblock({"report", folder, "-o", folder + "/all.html"}).exit_code, 0);
   const std::string page = read_text(folder + "/all.html");
-  EXPECT_TRUE(contains(page, "2 runs: 0 trusted and at rest, 2 still moving or not at their end, 0 not trusted."));
+  EXPECT_TRUE(contains(page, "2 results: 0 trusted and at rest, 2 still moving or not at their end, 0 not trusted."));
   EXPECT_TRUE(contains(page, "<td>a/out</td>"));
   EXPECT_TRUE(contains(page, "<h2>b</h2>"));
+  EXPECT_TRUE(contains(page, "<li class=\"card doubtful\"><a href=\"#a/out\">"));
+  EXPECT_TRUE(contains(page, "<span>standard: 0.906 m after 100 steps</span>"));
+}
+
+TEST(ReportCommand, answers_of_both_profiles_share_a_card) {
+  const std::string folder = fresh_folder("report_both");
+  run_keyblock({"new", "block", "-o", folder + "/block.json"});
+  ASSERT_EQ(run_keyblock({"run", folder + "/block.json", "--both", "-o", folder + "/runs/block"}).exit_code, 0);
+  ASSERT_EQ(run_keyblock({"report", folder + "/runs", "-o", folder + "/all.html", "--json"}).exit_code, 0);
+  const std::string page = read_text(folder + "/all.html");
+  const std::size_t first = page.find("<li class=\"card");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(page.find("<li class=\"card", first + 1), std::string::npos) << "one card";
+  EXPECT_TRUE(contains(page, "<span>legacy: ") && contains(page, "<span>standard: "));
+}
+
+TEST(ReportCommand, frames_that_are_damaged_or_gone_are_reported_with_exit_code_1) {
+  const std::string folder = fresh_folder("report_frames");
+  const std::string out = run_of_block(folder);
+  const std::string frame = out + "/frames/00000100.vtu", whole = read_text(frame);
+  write_text(frame, whole.substr(0, whole.size() / 2));
+  ProgramRun made = run_keyblock({"report", out, "-o", folder + "/cut.html"});
+  EXPECT_EQ(made.exit_code, 1) << made.messages;
+  EXPECT_TRUE(contains(made.messages, "cannot be read; the first: ")) << made.messages;
+  EXPECT_TRUE(
+      contains(read_text(folder + "/cut.html"), "class=\"verdict bad\">The results in this folder are damaged: "));
+  EXPECT_EQ(run_keyblock({"report", folder, "-o", folder + "/archive.html"}).exit_code, 1);
+  fs::remove(frame);
+  made = run_keyblock({"report", out, "-o", folder + "/gone.html"});
+  EXPECT_EQ(made.exit_code, 1) << made.messages;
+  EXPECT_TRUE(contains(made.messages, "1 file of its frames is gone; the first: frames/00000100.vtu")) << made.messages;
+}
+
+TEST(ReportCommand, contacts_units_and_checksums_are_listed_and_quirks_are_not) {
+  const std::string folder = fresh_folder("report_sections");
+  const std::string out = run_of_block(folder);
+  ASSERT_EQ(run_keyblock({"report", out, "--project", "Pass <road>"}).exit_code, 0);
+  const std::string page = read_text(out + "/report.html");
+  EXPECT_TRUE(contains(page, "<dt>Project</dt><dd>Pass &lt;road&gt;</dd>"));
+  EXPECT_TRUE(contains(page, "<dt>Computed</dt><dd>"));
+  EXPECT_TRUE(contains(page, "Contacts by joint material in the last recorded frame, step 100."));
+  EXPECT_TRUE(contains(page, "<td>m, kg, s; force N/m, stress Pa</td>") || contains(page, "m, kg, s; force"));
+  EXPECT_TRUE(contains(page, "<td>ledger.csv</td><td>result</td><td>"));
+  EXPECT_FALSE(contains(page, "quirk."));
+}
+
+TEST(ReportCommand, a_factor_of_safety_has_a_report_and_a_page) {
+  const std::string folder = fresh_folder("report_fos");
+  run_keyblock({"new", "block", "-o", folder + "/block.json"});
+  run_keyblock({"fos", folder + "/block.json", "-o", folder + "/fos"});
+  ASSERT_EQ(run_keyblock({"report", folder + "/fos"}).exit_code, 0);
+  const auto record = nlohmann::json::parse(read_text(folder + "/fos/fos.json"));
+  const std::string page = read_text(folder + "/fos/report.html");
+  EXPECT_TRUE(contains(page, "class=\"verdict bad\">Factor of safety 0.6"));
+  EXPECT_TRUE(contains(page, "<td>factor of safety</td>"));
+  EXPECT_EQ(run_keyblock({"view", folder + "/fos", "-o", folder + "/page.html"}).exit_code, 0);
+  EXPECT_TRUE(contains(read_text(folder + "/page.html"), "Trials"));
+}
+
+TEST(ReportCommand, a_report_becomes_pdf_where_a_browser_is_installed) {
+  const std::string out = run_of_block(fresh_folder("report_pdf"));
+  setenv("CHROMIUM", "/none/chromium", 1);
+  const ProgramRun missing = run_keyblock({"report", out, "--pdf"});
+  unsetenv("CHROMIUM");
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_TRUE(contains(missing.messages, "--pdf needs a browser that prints, and none is installed"));
+  EXPECT_TRUE(fs::exists(out + "/report.html"));
+  EXPECT_FALSE(fs::exists(out + "/report.pdf"));
 }
 
 TEST(ReportCommand, folders_without_a_run_and_damaged_records_are_input_errors) {
@@ -122,9 +192,38 @@ TEST(PlotCurves, columns_of_the_tables_are_drawn_over_time_or_another_column) {
   const ProgramRun two_units = run_keyblock({"plot", out, "--curve", "dx1,kinetic", "-o", out + "/two.svg"});
   EXPECT_EQ(two_units.exit_code, 2);
   EXPECT_TRUE(contains(two_units.messages, "expected curves of one unit")) << two_units.messages;
+  for (const char* empty : {",", "dx1,", ",dx1"})
+    EXPECT_EQ(run_keyblock({"plot", out, "--curve", empty, "-o", out + "/empty.svg"}).exit_code, 2) << empty;
+  EXPECT_FALSE(fs::exists(out + "/empty.svg"));
   const ProgramRun unknown = run_keyblock({"plot", out, "--curve", "kinetik", "-o", out + "/none.svg"});
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_TRUE(contains(unknown.messages, "did you mean \"kinetic\"?")) << unknown.messages;
+}
+
+/// Letters of a picture, in points of print.
+double least_letter(const std::string& svg) {
+  const auto number_behind = [&](const char* name, std::size_t from = 0) {
+    const std::size_t at = svg.find(name, from);
+    return std::pair(at, at == std::string::npos ? 0.0 : std::stod(svg.substr(at + std::string(name).size())));
+  };
+  const double millimetres = number_behind("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").second;
+  const std::size_t box = svg.find("viewBox=\"0 0 ");
+  const double wide = std::stod(svg.substr(box + 13));
+  double least = 1e9;
+  for (auto [at, size] = number_behind("font-size=\""); at != std::string::npos;
+       std::tie(at, size) = number_behind("font-size=\"", at + 1))
+    least = std::min(least, size);
+  return least * millimetres / wide * 72 / 25.4;
+}
+
+TEST(PlotCommand, letters_of_a_narrow_picture_are_readable_in_print) {
+  const std::string out = run_of_block(fresh_folder("plot_letters"));
+  for (const char* width : {"84", "120", "170"})
+    for (const char* field : {"displacement", "s1", "crosses"}) {
+      const std::string file = out + "/" + field + width + ".svg";
+      ASSERT_EQ(run_keyblock({"plot", out, "--field", field, "--width", width, "-o", file}).exit_code, 0);
+      EXPECT_GE(least_letter(read_text(file)), 6) << file;
+    }
 }
 
 TEST(PlotCurves, pdf_and_png_are_written_where_their_converter_is_installed) {

@@ -159,4 +159,17 @@ TEST(ViewCommand, a_folder_without_frames_is_refused) {
 }
 
 }  // namespace
+TEST(ViewCommand, a_page_of_an_earlier_run_does_not_stay) {
+  const std::string folder = fresh_folder("view_stale"), file = folder + "/block.json", out = folder + "/out";
+  run_keyblock({"new", "block", "-o", file});
+  ASSERT_EQ(run_keyblock({"run", file, "-o", out, "--set", "steps=5"}).exit_code, 0);
+  ASSERT_EQ(run_keyblock({"view", out}).exit_code, 0);
+  ASSERT_TRUE(std::filesystem::exists(out + "/page.html"));
+  ASSERT_EQ(run_keyblock({"run", file, "-o", out, "--set", "steps=6", "--force"}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(out + "/page.html"));
+  support::write_text(out + "/page.html", "mine");
+  run_keyblock({"run", file, "-o", out, "--set", "steps=7", "--force"});
+  EXPECT_EQ(support::read_text(out + "/page.html"), "mine");
+}
+
 }  // namespace keyblock::view_command_test

@@ -9,6 +9,7 @@
 
 #include "serve/request_words.hpp"
 #include "serve/run_differences.hpp"
+#include "serve/window_words.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
 
@@ -60,7 +61,9 @@ TEST(Guard, foreign_hosts_and_origins_are_refused) {
     return status_of(guard, {"POST", "/api/save", host, origin, cookie, type, "{}"});
   };
   EXPECT_EQ(post(kHost, "http://127.0.0.1:8000", "application/json; charset=utf-8"), 200);
-  EXPECT_EQ(post(kHost, "http://127.0.0.1:8000", "text/plain"), 415);
+  EXPECT_EQ(post(kHost, "http://127.0.0.1:8000", "Application/JSON ;charset=utf-8"), 200);
+  for (const char* type : {"text/plain", "application/jsonx", "application/json-seq", "application/json x", ""})
+    EXPECT_EQ(post(kHost, "http://127.0.0.1:8000", type), 415) << type;
   EXPECT_EQ(post(kHost, "", "application/json"), 403);
   EXPECT_EQ(post(kHost, "http://127.0.0.1:80000", "application/json"), 403);
   EXPECT_EQ(post(kHost, "null", "application/json"), 403);
@@ -91,6 +94,20 @@ TEST(ServedFolder, no_path_leads_out) {
   EXPECT_THROW(serve::file_argument(folder, "side/none"), serve::NotServed);
 }
 
+TEST(ServedFolder, sweeps_are_results_and_batches_are_not) {
+  const std::string top = support::fresh_folder("served_kinds");
+  for (const char* folder : {"/sweep/jobs", "/batch/jobs/a/frames"}) std::filesystem::create_directories(top + folder);
+  support::write_text(top + "/sweep/journal.jsonl", "{\"sweep\":1}\n");
+  support::write_text(top + "/batch/journal.jsonl", "{\"batch\":1}\n");
+  const Json results = serve::ServedFolder(top).list().at("results");
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0].at("path"), "batch/jobs/a");
+  EXPECT_EQ(results[0].at("kind"), "run");
+  EXPECT_EQ(results[1].at("path"), "sweep");
+  EXPECT_EQ(results[1].at("kind"), "sweep");
+  EXPECT_FALSE(results[1].at("is_finished").get<bool>());
+}
+
 TEST(RequestWords, settings_become_no_options) {
   const serve::ServedFolder folder(support::fresh_folder("served_words"));
   EXPECT_EQ(serve::setting_arguments(folder, Json::parse(R"({"profile": "standard", "set": {"steps": "-5"}})")),
@@ -111,12 +128,34 @@ TEST(RequestWords, errors_have_their_place) {
   EXPECT_EQ(errors[2], Json::parse(R"({"file": "keyblock", "sentence": "two"})"));
 }
 
+TEST(RequestWords, members_of_a_wrong_kind_are_refused) {
+  EXPECT_TRUE(serve::flag(Json::parse(R"({"overwrite": true})"), "overwrite"));
+  EXPECT_FALSE(serve::flag(Json::parse("{}"), "overwrite"));
+  for (const char* body : {R"({"overwrite": 1})", R"({"overwrite": "true"})", R"({"overwrite": null})"})
+    EXPECT_THROW(serve::flag(Json::parse(body), "overwrite"), serve::BadRequest) << body;
+  EXPECT_EQ(serve::histories_in(Json::parse(R"({"histories": ["crest=point:12,20"]})")).size(), 1U);
+  for (const char* body : {R"({"histories": ["crest=punkt:12,20"]})", R"({"histories": "point:1,2"})",
+                           R"({"histories": [3]})", R"({"histories": ["point:1"]})"})
+    EXPECT_THROW(serve::histories_in(Json::parse(body)), serve::BadRequest) << body;
+}
+
+TEST(WindowWords, options_of_the_command_line_become_words) {
+  EXPECT_EQ(serve::window_words("--set slivers=glue joins them"), "Setting slivers = glue joins them");
+  EXPECT_EQ(serve::window_words("else --set stiffness_damping=TIME."), "else setting stiffness_damping = TIME.");
+  EXPECT_EQ(serve::window_words("use --profile standard"), "use profile standard");
+  EXPECT_EQ(serve::window_words("x exists; give another name, or --force to overwrite it"),
+            "x exists; give another name");
+  EXPECT_EQ(serve::window_words("Give the unit by --unit."), "Give the unit by option unit of the command line.");
+  EXPECT_EQ(serve::window_words("a - b, -3 -- 4"), "a - b, -3 -- 4");
+}
+
 TEST(RequestWords, warnings_of_a_report_get_their_level_and_remedy) {
   Json report = Json::parse(R"({"case": {"warnings": [{"name": "slivers", "sentence": "x"}], "errors": ["y"]}})");
   serve::add_levels(report);
   const Json& warning = report["case"]["warnings"][0];
   EXPECT_EQ(warning.at("level"), "warning");
-  EXPECT_FALSE(warning.at("remedy").get<std::string>().empty());
+  const std::string remedy = warning.at("remedy");
+  EXPECT_TRUE(remedy.starts_with("Setting slivers = glue")) << remedy;
 }
 
 TEST(RunDifferences, values_that_differ_are_listed_with_their_paths) {

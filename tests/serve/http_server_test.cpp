@@ -93,14 +93,47 @@ TEST(HttpServer, a_slow_client_is_cut_off_and_keeps_nobody_waiting) {
   EXPECT_LT(Clock::now() - begun, std::chrono::seconds(20));
 }
 
-TEST(HttpServer, connections_beyond_the_limit_are_refused) {
+TEST(HttpServer, connections_beyond_the_limit_are_refused_if_all_were_let_in) {
   serve::ServerLimits limits;
   limits.connections = 1;
   const Running server(limits);
   const Client first(server.port());
-  first.send("GET / HT");
+  first.send("POST / HTTP/1.1\r\nContent-Length: 5\r\n\r\n");
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
   const Client second(server.port());
   EXPECT_TRUE(second.rest().starts_with("HTTP/1.1 503"));
+}
+
+TEST(HttpServer, silent_connections_make_room_for_new_ones) {
+  serve::ServerLimits limits;
+  limits.connections = 2;
+  const Running server(limits);
+  const Client oldest(server.port());
+  oldest.send("GET / HT");
+  const Client silent(server.port());
+  for (int i = 0; i < 5; ++i) {
+    const Client quick(server.port());
+    quick.send("GET / HTTP/1.1\r\nConnection: close\r\n\r\n");
+    EXPECT_TRUE(quick.rest().starts_with("HTTP/1.1 200"));
+  }
+  EXPECT_EQ(oldest.rest(), "");
+}
+
+TEST(HttpServer, a_silent_connection_is_closed_early) {
+  serve::ServerLimits limits;
+  limits.first_patience = std::chrono::milliseconds(200);
+  const Running server(limits);
+  const auto begun = Clock::now();
+  const Client silent(server.port());
+  EXPECT_EQ(silent.rest(), "");
+  EXPECT_LT(Clock::now() - begun, std::chrono::seconds(10));
+}
+
+TEST(HttpServer, a_second_host_is_refused) {
+  const Running server(serve::ServerLimits{});
+  const Client client(server.port());
+  client.send("GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\nConnection: close\r\n\r\n");
+  EXPECT_TRUE(client.rest().starts_with("HTTP/1.1 400"));
 }
 
 TEST(HttpServer, a_body_beyond_the_limit_is_refused_and_a_fault_is_told) {

@@ -11,7 +11,7 @@ export interface ResultEntry {
   time: number;
   is_finished: boolean;
   has_checkpoint: boolean;
-  kind?: 'run' | 'fos';
+  kind?: 'run' | 'fos' | 'sweep';
 }
 
 export interface Listing {
@@ -48,7 +48,7 @@ export interface Report {
 
 export interface Job {
   id: number;
-  kind: 'run' | 'resume' | 'fos';
+  kind: 'run' | 'resume' | 'fos' | 'both' | 'sweep';
   title: string;
   result: string;
   state: 'waits' | 'runs' | 'ended' | 'stopped';
@@ -128,7 +128,7 @@ export const read = (path: string) =>
 export const jobs = () => get<{ jobs: Job[] }>('/api/jobs').then(reply => reply.jobs);
 export const record = (result: string) => get<Record<string, unknown>>('/api/record', { result });
 export const compare = (first: string, second: string) =>
-  get<{ differences: Difference[] }>('/api/compare', { first, second }).then(reply => reply.differences);
+  get<{ inputs?: Difference[]; differences: Difference[] }>('/api/compare', { first, second });
 export const check = (paths: string[], profile: string, set: Record<string, string>, trial = false) =>
   post<Report>('/api/check', {
     paths,
@@ -153,5 +153,19 @@ export const run = (
     ...(Object.keys(set).length && { set }),
     ...more,
   });
+/** Answer of an element test or a fit. */
+export interface Tested {
+  exit_code: number;
+  record: Record<string, unknown> | null;
+  svg: string;
+  table: string;
+  errors: Problem[];
+  messages: string;
+}
+
+export const sweep = (paths: string[], result: string, body: Record<string, unknown>) =>
+  post<{ id: number }>('/api/sweep', { paths, result, ...body });
+export const element = (body: Record<string, unknown>) => post<Tested>('/api/element', body);
+export const fit = (body: Record<string, unknown>) => post<Tested>('/api/fit', body);
 export const resume = (result: string) => post<{ id: number }>('/api/resume', { result });
 export const stop = (id: number) => post<{ jobs: Job[] }>('/api/stop', { id });

@@ -5,10 +5,12 @@ import { render } from 'preact';
 import { useState } from 'preact/hooks';
 import { Icon } from '../view/icons';
 import * as api from './api';
-import { CaseView, JobItem } from './case';
+import { CaseView } from './case';
 import { type Case, folder_of, leaf_of } from './cases';
 import { CompareView, ResultView } from './result';
+import { JobItem } from './runs';
 import * as state from './state';
+import { StudyView } from './study';
 import '../view/style.css';
 import './serve.css';
 
@@ -67,6 +69,7 @@ function App() {
           {now.kind === 'home' && <Home />}
           {now.kind === 'case' && <CaseView paths={now.paths} key={now.paths.join('\n')} />}
           {now.kind === 'result' && <ResultView path={now.path} key={now.path} />}
+          {now.kind === 'study' && <StudyView study={now.study} paths={now.paths} key={state.route.value} />}
           {now.kind === 'compare' && <CompareView first={now.first} second={now.second} />}
         </main>
       </div>
@@ -151,6 +154,7 @@ function Home() {
   if (!listing.value) return <p class="note pad">Reading the folder…</p>;
   const results = listing.value.results.slice().sort((a, b) => b.time - a.time);
   const jobs = state.jobs.value.slice().reverse();
+  const tables = listing.value.files.filter(own => /\.csv$/i.test(own.path) && matches(own.path));
   return (
     <div class="home">
       {jobs.length > 0 && (
@@ -212,6 +216,18 @@ function Home() {
             ))}
         </ul>
       </section>
+      {tables.length > 0 && (
+        <section aria-labelledby="home-tables">
+          <h2 id="home-tables">Tables of tests</h2>
+          <ul class="links">
+            {tables.slice(0, 60).map(own => (
+              <li key={own.path}>
+                <a href={state.link('study', 'fit', own.path)}>Fit {own.path}</a>
+              </li>
+            ))}
+          </ul>
+        </section>
+      )}
     </div>
   );
 }

@@ -5,12 +5,13 @@ import { show } from '../draw/numbers';
 import * as api from './api';
 import * as state from './state';
 import { StrengthView } from './strength';
+import { SweepView } from './study';
 
 export function ResultView({ path }: { path: string }) {
   const entry = state.listing.value?.results.find(own => own.path === path);
   const job = state.jobs.value.find(own => own.result === path && (own.state === 'runs' || own.state === 'waits'));
   const is_strength = entry?.kind === 'fos';
-  const others = (state.listing.value?.results ?? []).filter(own => own.path !== path && own.kind !== 'fos');
+  const others = (state.listing.value?.results ?? []).filter(own => own.path !== path && own.kind === 'run');
   const [stamp, set_stamp] = useState(0);
   // A run that goes on is shown anew every few seconds if its reader asks for it.
   const [follow, set_follow] = useState(false);
@@ -26,6 +27,7 @@ export function ResultView({ path }: { path: string }) {
   }, [!!job]);
   const source = api.address('/page', { result: path });
   if (is_strength) return <StrengthView path={path} />;
+  if (entry?.kind === 'sweep') return <SweepView path={path} is_finished={entry.is_finished} />;
   // The listing holds the kind of a result; without it the frame would ask for a page that may not exist.
   if (!state.listing.value) return <p class="note pad">Reading the folder…</p>;
   return (
@@ -53,7 +55,7 @@ export function ResultView({ path }: { path: string }) {
                 await state.refresh_jobs();
               }}
             >
-              Stop
+              Pause
             </button>
           </>
         )}
@@ -66,7 +68,7 @@ export function ResultView({ path }: { path: string }) {
               await state.refresh_jobs();
             }}
           >
-            Resume
+            Go on
           </button>
         )}
         <span class="space" />
@@ -104,7 +106,9 @@ function page_in(frame: HTMLIFrameElement | null): Page | null {
 
 export function CompareView({ first, second }: { first: string; second: string }) {
   const frames = [useRef<HTMLIFrameElement>(null), useRef<HTMLIFrameElement>(null)];
-  const [differences, set_differences] = useState<api.Difference[] | null>(null);
+  const [differences, set_differences] = useState<{ inputs?: api.Difference[]; differences: api.Difference[] } | null>(
+    null,
+  );
   const [pages, set_pages] = useState<Page[]>([]);
   const [time, set_time] = useState(0);
   const [measure, set_measure] = useState('displacement.size');
@@ -221,7 +225,13 @@ export function CompareView({ first, second }: { first: string; second: string }
           <span>Same range</span>
         </label>
       </div>
-      <Differences list={differences} />
+      {!differences && <p class="note pad">Comparing…</p>}
+      {differences && (
+        <>
+          <Differences what="inputs" list={differences.inputs ?? []} none="The input files of both runs are equal." />
+          <Differences what="results" list={differences.differences} none="The records of both runs are equal." />
+        </>
+      )}
     </div>
   );
 }
@@ -245,16 +255,31 @@ function frame_at(page: Page, time: number): number {
   return best;
 }
 
-function Differences({ list }: { list: api.Difference[] | null }) {
-  if (!list) return <p class="note pad">Comparing…</p>;
-  if (!list.length) return <p class="note pad">The records of both runs are equal.</p>;
-  const text = (value: unknown) =>
-    value === undefined || value === null ? '–' : typeof value === 'number' ? show(value, 5) : String(value);
+/** Words for the path of an entry: "setting steps", "greatest displacement", "joint materials 2 friction angle deg". */
+function label_of(path: string): string {
+  if (/ line \d+$/.test(path)) return path;
+  return path
+    .replace(/^(outcome|extremes|counts|analysis)\./, '')
+    .replace(/^settings\./, 'setting ')
+    .replace(/\.value$/, '')
+    .replace(/\[(\d+)\]/g, ' $1')
+    .replace(/[_.]/g, ' ');
+}
+
+function text_of(value: unknown): string {
+  if (value === undefined || value === null) return '–';
+  if (typeof value === 'number') return show(value, 5);
+  const text = typeof value === 'object' ? JSON.stringify(value) : String(value);
+  return text.length > 200 ? `${text.slice(0, 200)}…` : text;
+}
+
+function Differences({ what, list, none }: { what: string; list: api.Difference[]; none: string }) {
+  if (!list.length) return <p class="note pad">{none}</p>;
   return (
     <div class="pad">
       <table class="list">
         <caption>
-          {list.length} {list.length === 1 ? 'difference' : 'differences'} of both records
+          {list.length} {list.length === 1 ? 'difference' : 'differences'} of {what}
         </caption>
         <thead>
           <tr>
@@ -269,9 +294,9 @@ function Differences({ list }: { list: api.Difference[] | null }) {
         <tbody>
           {list.slice(0, 200).map(own => (
             <tr key={own.path}>
-              <th scope="row">{own.path.replace(/[_.]/g, ' ')}</th>
-              <td>{text(own.first)}</td>
-              <td>{text(own.second)}</td>
+              <th scope="row">{label_of(own.path)}</th>
+              <td>{text_of(own.first)}</td>
+              <td>{text_of(own.second)}</td>
               <td class="number">{own.relative === undefined ? '' : `${show(100 * own.relative, 3)} %`}</td>
             </tr>
           ))}

@@ -67,7 +67,7 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
             time: 1.79e9,
             is_finished: true,
             has_checkpoint: false,
-            kind: own.files.has(`${path}/fos.json`) ? 'fos' : 'run',
+            kind: own.files.has(`${path}/fos.json`) ? 'fos' : own.files.has(`${path}/table.csv`) ? 'sweep' : 'run',
           })),
         });
       case '/api/read': {
@@ -85,7 +85,10 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
       case '/api/jobs':
         return send({ jobs });
       case '/api/compare':
-        return send({ differences: [{ path: 'outcome.steps', first: 300, second: 100, relative: 0.667 }] });
+        return send({
+          inputs: [{ path: 'analysis.joint_materials[1].friction_angle_deg', first: 35, second: 33, relative: 0.057 }],
+          differences: [{ path: 'outcome.steps', first: 300, second: 100, relative: 0.667 }],
+        });
       case '/api/check': {
         const [path] = body.paths as string[];
         const text = own.files.get(path) ?? '';
@@ -126,6 +129,30 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
         jobs.push({ ...job, state: 'ended', step: 300, steps: 300, left: '', seconds: 1, exit_code: 0, messages: '' });
         return send({ id: job.id });
       }
+      case '/api/sweep': {
+        const result = String(body.result);
+        own.results.add(result);
+        own.files.set(`${result}/table.csv`, 'angle,verdict,displacement\n10,finished,1.7034884\n15,"x, y",1.314\n');
+        jobs.push({
+          id: jobs.length + 1,
+          kind: 'sweep',
+          title: (body.paths as string[])[0],
+          result,
+          state: 'ended',
+          exit_code: 0,
+        });
+        return send({ id: jobs.length });
+      }
+      case '/api/element':
+      case '/api/fit':
+        return send({
+          exit_code: 0,
+          record: { peak: { stress: -5.25e6, strain: -0.0021 } },
+          svg: DRAWING,
+          table: 'strain,stress\n',
+          errors: [],
+          messages: '',
+        });
       default:
         return send({ error: `there is nothing at ${url.pathname}` }, 404);
     }

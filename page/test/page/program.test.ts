@@ -114,7 +114,7 @@ describe.skipIf(!has_browser || !program)('program', () => {
       null,
       { timeout: 60_000 },
     );
-    expect(await page.locator('.compare table').textContent()).toContain('outcome steps');
+    expect(await page.locator('.compare table').last().textContent()).toContain('setting steps');
     expect(errors).toEqual([]);
     await context.close();
   });

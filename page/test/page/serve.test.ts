@@ -112,7 +112,61 @@ describe.skipIf(!has_browser)('window', () => {
       await expect.poll(() => frame.evaluate('keyblock_page.state.frame.value'), { timeout: 5000 }).toBe(10);
       expect(await frame.locator('.player').isVisible()).toBe(false);
     }
-    expect(await page.locator('.compare table').textContent()).toContain('outcome steps');
+    expect(await page.locator('.compare table').first().textContent()).toContain(
+      'joint materials 1 friction angle deg',
+    );
+    expect(await page.locator('.compare table').last().textContent()).toContain('steps300');
+    await page.context().close();
+  });
+
+  test('a run stops at a criterion, and both profiles run at one click', async () => {
+    const page = await open('#/case/slope.json');
+    await page.getByText('Record and stop').click();
+    await page.getByLabel('Histories').fill('crest=point:18,13 block:7');
+    await page.getByLabel('Stop when').fill('crest.d>0.05');
+    const asked = () => folder.asked.filter(own => own.path === '/api/run').at(-1)?.body;
+    await page.getByRole('button', { name: 'Run', exact: true }).click();
+    await expect.poll(() => asked()?.stop_when).toBe('crest.d>0.05');
+    expect(asked()?.histories).toEqual(['crest=point:18,13', 'block:7']);
+    await page.getByRole('button', { name: 'Both profiles' }).click();
+    await expect.poll(() => asked()?.both).toBe(true);
+    expect(asked()).not.toHaveProperty('stop_when');
+    expect(asked()?.result).toBe('slope_both');
+    await page.context().close();
+  });
+
+  test('a parameter is swept, and its table is shown', async () => {
+    const page = await open('#/case/slope.json');
+    await page.getByRole('link', { name: 'Sweep a parameter' }).click();
+    await page.getByLabel('Parameter', { exact: true }).fill('/analysis/joint_materials/0/friction_angle_deg');
+    await page.getByLabel('Values of /analysis').fill('10:15:5');
+    await page.getByRole('button', { name: 'Start the sweep' }).click();
+    await page.getByRole('link', { name: 'Open' }).click();
+    await page.getByRole('cell', { name: '1.7035' }).waitFor();
+    expect(await page.getByRole('cell', { name: 'x, y' }).count()).toBe(1);
+    const asked = folder.asked.filter(own => own.path === '/api/sweep').at(-1)?.body;
+    expect(asked).toEqual({
+      paths: ['slope.json'],
+      result: 'slope_sweep',
+      over: ['/analysis/joint_materials/0/friction_angle_deg=10:15:5'],
+      out: ['displacement'],
+    });
+    await page.context().close();
+  });
+
+  test('a material is tested, and a curve is fitted', async () => {
+    let page = await open('#/study/element/slope.json');
+    await page.getByRole('textbox', { name: 'Pressure' }).fill('5e6');
+    await page.getByRole('button', { name: 'Test the material' }).click();
+    await page.getByRole('cell', { name: '−5.25' }).or(page.getByText('peak stress')).first().waitFor();
+    const element = folder.asked.filter(own => own.path === '/api/element').at(-1)?.body;
+    expect(element).toEqual({ path: 'slope.json', kind: 'triaxial', to: [-0.02], confining: 5e6 });
+    await page.context().close();
+    page = await open();
+    await page.getByRole('link', { name: 'Fit old/expected.csv' }).click();
+    await page.getByRole('button', { name: 'Fit', exact: true }).click();
+    await page.getByText('peak stress').waitFor();
+    expect(folder.asked.at(-1)?.body).toEqual({ path: 'old/expected.csv', kind: 'curve' });
     await page.context().close();
   });
 
@@ -138,7 +192,16 @@ describe.skipIf(!has_browser)('window', () => {
     for (const width of [1280, 400]) {
       test(`no axe violations, ${scheme}, ${width} px`, async () => {
         const found: string[] = [];
-        for (const hash of ['', '#/case/slope.json', '#/result/first', '#/result/strength', '#/compare/first/second']) {
+        for (const hash of [
+          '',
+          '#/case/slope.json',
+          '#/result/first',
+          '#/result/strength',
+          '#/compare/first/second',
+          '#/study/sweep/slope.json',
+          '#/study/element/slope.json',
+          '#/study/fit/old/expected.csv'.replace('old/', 'old%2F'),
+        ]) {
           const page = await open(hash, scheme, width);
           await page.waitForTimeout(700);
           found.push(...(await violations(page)));

@@ -10,8 +10,8 @@
 
 #include "app/command.hpp"
 #include "app/commands/compare_table.hpp"
+#include "app/helpers/picture_file.hpp"
 #include "app/option_checks.hpp"
-#include "app/picture_file.hpp"
 #include "base/error.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"

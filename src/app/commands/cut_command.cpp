@@ -12,9 +12,9 @@
 
 #include "app/command.hpp"
 #include "app/commands/mesh_options.hpp"
+#include "app/helpers/picture_file.hpp"
 #include "app/input/drawing_options.hpp"
 #include "app/messages.hpp"
-#include "app/picture_file.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "cut/bodies/cut_blocks.hpp"

@@ -36,6 +36,7 @@ struct JointsOptions {
   std::string rectangle, slope;
   std::optional<int> seed;
   std::optional<double> edge_node_ratio;
+  bool fixes_sides = false;
   bool may_overwrite = false;
   bool as_json = false;
 };
@@ -108,6 +109,30 @@ struct Drawn {
   Drawing drawing;
 };
 
+/// Adds fixed lines along the base and the vertical sides of the outline, a little inside so that they cross blocks.
+void fix_base_and_sides(Drawing& drawing) {
+  constexpr double kInside = 5e-4;  // of the size
+  constexpr double kBeyond = 0.01;
+  Point low = drawing.joints.front().segment.start, high = low;
+  for (std::size_t i = 0; i < drawing.boundary_count; ++i)
+    for (const Point p : {drawing.joints[i].segment.start, drawing.joints[i].segment.end}) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  const double size = std::max(high.x - low.x, high.y - low.y);
+  const double inside = kInside * size, beyond = kBeyond * size;
+  const auto fix = [&](Point from, Point to) { drawing.fixed_lines.push_back({{from, to}, drawing.place}); };
+  fix({low.x - beyond, low.y + inside}, {high.x + beyond, low.y + inside});
+  for (const auto& [side, shift] : {std::pair{low.x, inside}, {high.x, -inside}}) {
+    double top = low.y;
+    for (std::size_t i = 0; i < drawing.boundary_count; ++i) {
+      const Segment& edge = drawing.joints[i].segment;
+      if (edge.start.x == side && edge.end.x == side) top = std::max({top, edge.start.y, edge.end.y});
+    }
+    if (top > low.y) fix({side + shift, low.y - beyond}, {side + shift, top + beyond});
+  }
+}
+
 // A wrong option is an error of the command line, not of an input.
 Drawn drawn(const JointsOptions& options) {
   try {
@@ -123,7 +148,8 @@ Drawn drawn(const JointsOptions& options) {
 
 ExitCode make_joints(const JointsOptions& options) {
   require_writable({options.output}, {options.specification}, overwrite_if(options.may_overwrite));
-  const auto [scene, drawing] = drawn(options);
+  auto [scene, drawing] = drawn(options);
+  if (options.fixes_sides) fix_base_and_sides(drawing);
   write_output(options.output, format_of(options.output).write({drawing, std::nullopt, std::nullopt}),
                overwrite_if(options.may_overwrite));
   if (options.as_json) {
@@ -168,6 +194,7 @@ Action configure_joints(CLI::App& app) {
   add("--measured", options->measured, "measured point: x,y; may be repeated");
   add("--edge-node-ratio", options->edge_node_ratio,
       "distance over the extent of the drawing, below which crossings are merged (default: 0.001)");
+  app.add_flag("--fix-sides", options->fixes_sides, "fix the base and the vertical sides of the outline");
   app.add_option("--seed", options->seed, "seed of the random numbers, overrides that of SPEC (default: 1)");
   app.add_flag("--force", options->may_overwrite, "overwrite the file if it exists");
   app.add_flag("--json", options->as_json, "print the counts as JSON");

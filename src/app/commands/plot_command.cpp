@@ -6,23 +6,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
 #include <string>
 #include <vector>
 
 #include "app/command.hpp"
 #include "app/handout/recorded_curves.hpp"
+#include "app/helpers/picture_file.hpp"
 #include "app/option_checks.hpp"
-#include "app/picture_file.hpp"
+#include "base/bytes/file_bytes.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "formats/views/vtu_reading.hpp"
 #include "job/files.hpp"
 #include "job/folder/frame_files.hpp"
+#include "job/folder/output_files.hpp"
 #include "job/run_heading.hpp"
 #include "report/field_picture.hpp"
 
@@ -108,15 +112,54 @@ std::string default_name(const PlotOptions& options) {
       .string();
 }
 
-ExitCode plot_curves(const PlotOptions& options) {
+/// Returns the width of the page in its units: letters of 11 units are 6.9 points high in print.
+double units_wide(const std::optional<double>& millimetres) {
+  constexpr double kUnitsAMillimetre = 4.5;
+  constexpr double kNarrowest = 300, kWidest = 900;
+  return std::clamp(millimetres.value_or(kWidest) * kUnitsAMillimetre, kNarrowest, kWidest);
+}
+
+/// Returns the time of a frame as its title shows it. Pictures of steps have the decimals that tell all frames of the
+/// run apart, so that the letters of a film do not jump.
+std::string time_in_title(const PlotOptions& options, double time, const Units& units) {
+  constexpr int kMostDecimals = 9;
+  std::vector<double> times;
+  static const std::regex kTime("timestep=\"([^\"]+)\"");
+  const fs::path list = fs::path(options.folder) / kFrameList;
+  const std::string text = fs::is_regular_file(list) ? file_bytes(list.string()) : std::string();
+  for (std::sregex_iterator at(text.begin(), text.end(), kTime), end; at != end; ++at)
+    times.push_back(std::strtod((*at)[1].str().c_str(), nullptr));
+  double least = 0;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (const double gap = times[i] - times[i - 1]; gap > 0) least = least > 0 ? std::min(least, gap) : gap;
+  const std::string unit = units.time.empty() ? std::string() : " " + units.time;
+  if (!options.step || !(least > 0)) return fmt::format("{:g}{}", time, unit);
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(least))), 0, kMostDecimals);
+  return fmt::format("{:.{}f}{}", time, decimals, unit);
+}
+
+/// Returns the names in the words of the command line, which commas separate.
+std::vector<std::string> curve_names(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const std::string& word : words)
+    for (std::size_t at = 0; at <= word.size();) {
+      const std::size_t comma = std::min(word.find(',', at), word.size());
+      names.push_back(word.substr(at, comma - at));
+      at = comma + 1;
+    }
+  if (std::ranges::find(names, "") != names.end())
+    throw UsageError("--curve: expected names of curves, with a comma between two, found an empty name");
+  return names;
+}
+
+ExitCode plot_curves(PlotOptions options) {
+  options.curves = curve_names(options.curves);
   const std::string file =
       options.file.empty() ? (fs::path(options.folder) / fmt::format("curve_{}.svg", options.curves.front())).string()
                            : options.file;
   require_writable({file}, kept_files(options.folder), overwrite_if(options.force));
   const RunHeading heading = heading_of(options.folder);
-  constexpr double kUnitsAMillimetre = 4.5;  // letters of 12 units are then 7.6 points high
-  constexpr double kNarrowest = 300, kWidest = 900;
-  const double wide = std::clamp(options.width.value_or(kWidest) * kUnitsAMillimetre, kNarrowest, kWidest);
+  const double wide = units_wide(options.width);
   write_picture(file,
                 recorded_picture(options.folder, {options.curves, options.against}, heading.title, heading.units, wide),
                 overwrite_if(options.force), options.width);
@@ -146,17 +189,19 @@ ExitCode plot(const PlotOptions& options) {
   std::optional<report::FieldScale> scale;
   if (options.step && !options.has_own_scale) scale = scale_of_all(frames, heading, quantity);
   write_picture(file,
-                report::field_picture({title_at(heading.title, field.time, heading.units),
-                                       {},
-                                       field,
-                                       {},
-                                       quantity,
-                                       heading.is_of_motion,
-                                       heading.units,
-                                       places_of(heading.left_out, frame),
-                                       options.numbers ? numbers_of(frame) : std::vector<int>(),
-                                       places_of(heading.held, frame),
-                                       scale}),
+                report::field_picture(
+                    {fmt::format("{}, time {}", heading.title, time_in_title(options, field.time, heading.units)),
+                     {},
+                     field,
+                     {},
+                     quantity,
+                     heading.is_of_motion,
+                     heading.units,
+                     places_of(heading.left_out, frame),
+                     options.numbers ? numbers_of(frame) : std::vector<int>(),
+                     places_of(heading.held, frame),
+                     scale,
+                     units_wide(options.width)}),
                 overwrite_if(options.force), options.width);
   if (options.as_json)
     fmt::print("{}\n", Json({{"file", file}, {"frame", shown.string()}, {"field", word}, {"time", field.time}})
@@ -188,8 +233,7 @@ Action configure_plot(CLI::App& options) {
       .add_option("--curve", chosen->curves,
                   "curves instead of the field: columns of history.csv and ledger.csv (dx1, kinetic), or a name and a "
                   "quantity of histories.csv (crest.displacement_x)")
-      ->type_name("NAME")
-      ->delimiter(',');
+      ->type_name("NAME");
   options.add_option("--against", chosen->against, "what the curves are drawn over (default: time)")->type_name("NAME");
   options
       .add_option("--width", chosen->width,

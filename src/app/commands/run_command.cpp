@@ -40,6 +40,7 @@ struct RunOptions {
   bool force = false;
   bool both = false;  ///< profiles, in sequence
   bool list_settings = false;
+  std::string stop_when;
   OutputOptions outputs;
   ReductionOptions reduction;
 };
@@ -51,6 +52,7 @@ ExitCode exit_code(const RunRecord& record) {
     case RunEnd::failed:
       return ExitCode::numerical_failure;
     case RunEnd::stopped:
+      if (!record.outcome.why_early.empty()) return ExitCode::ok;  // at the criterion of --stop-when
       return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
   }
   return ExitCode::numerical_failure;
@@ -78,7 +80,8 @@ ProfileAnswer answer_of(const RunRecord& record, const Prepared& prepared, const
 
 RecordingOptions recording_of(const RunOptions& options) {
   return {options.folder,           overwrite_if(options.force), options.trace ? Trace::yes : Trace::no,
-          options.checkpoint_every, options.record_every,        options.outputs};
+          options.checkpoint_every, options.record_every,        options.outputs,
+          options.stop_when};
 }
 
 ProfileAnswer answer_of_run(RecordedRun& run, RunMessages& messages, bool is_resumed, bool prints_json) {
@@ -208,6 +211,13 @@ Action configure_run(CLI::App& options) {
                   "seconds between checkpoints (default: 30; the first after at most 3); 0: only at the start and if "
                   "the run is stopped")
       ->check(zero_or_above());
+  CLI::Option* stop_when =
+      options
+          .add_option("--stop-when", chosen->stop_when,
+                      "stop behind the step in which a quantity of a history passes a limit: crest.dx>0.05, "
+                      "crest.d>5 cm; --resume continues")
+          ->type_name("NAME.QUANTITY>VALUE");
+  stop_when->excludes(both);
   CLI::Option* resume =
       options
           .add_option("--resume", chosen->resume,
@@ -217,11 +227,11 @@ Action configure_run(CLI::App& options) {
       options.add_option("--reduce-strength", chosen->reduction.what, "same as `keyblock fos --reduce`")
           ->check(one_word_of({"joints", "rock", "both"}));
   for (CLI::Option* of_search : add_reduction_options(options, chosen->reduction)) of_search->needs(reduced);
-  for (CLI::Option* of_run : {every, trace, both, histories, contacts, field, frames, pictures, page})
+  for (CLI::Option* of_run : {every, trace, both, histories, contacts, field, frames, pictures, page, stop_when})
     reduced->excludes(of_run);
   both->excludes(profile);
   for (CLI::Option* other : {files, profile, folder, sets, values, settings_file, every, trace, force, reduced, both,
-                             histories, contacts, field, frames, pictures, page})
+                             histories, contacts, field, frames, pictures, page, stop_when})
     resume->excludes(other);
   for (CLI::Option* of_drawing : reading) resume->excludes(of_drawing);
   add_thread_option(options);

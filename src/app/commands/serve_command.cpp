@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -25,7 +26,8 @@ struct ServeOptions {
 };
 
 ExitCode serve_folder(const ServeOptions& options) {
-  std::signal(SIGPIPE, SIG_IGN);  // a browser that is gone
+  std::signal(SIGPIPE, SIG_IGN);             // a browser that is gone
+  setenv("KEYBLOCK_LOG_SECONDS", "0.5", 0);  // of the runs that it starts
   const serve::ServedFolder folder(options.folder);
   const serve::Drafts drafts;
   std::unique_ptr<serve::HttpServer> server;

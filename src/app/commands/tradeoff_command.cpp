@@ -13,8 +13,8 @@
 
 #include "app/command.hpp"
 #include "app/commands/study_options.hpp"
+#include "app/helpers/picture_file.hpp"
 #include "app/option_checks.hpp"
-#include "app/picture_file.hpp"
 #include "app/stop_request.hpp"
 #include "base/context.hpp"
 #include "base/counted.hpp"

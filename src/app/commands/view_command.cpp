@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/handout/strength_document.hpp"
 #include "job/files.hpp"
+#include "job/folder/frame_files.hpp"
 #include "job/folder/output_files.hpp"
 #include "job/page/run_page.hpp"
 
@@ -34,10 +36,17 @@ std::vector<fs::path> kept_files(const fs::path& folder) {
   return kept;
 }
 
+/// Returns the page of a run, or that of a factor of safety.
+std::string page_of(const fs::path& folder) {
+  if (fs::is_regular_file(folder / kStrengthRecord) && !fs::is_directory(folder / kFrameFolder))
+    return report::document_page(strength_document(folder, {}).document);
+  return run_page(folder);
+}
+
 ExitCode view(const ViewOptions& options) {
   const std::string file = options.file.empty() ? (fs::path(options.folder) / kPageFile).string() : options.file;
   require_writable({file}, kept_files(options.folder), overwrite_if(options.force));
-  const std::string page = run_page(options.folder);
+  const std::string page = page_of(options.folder);
   write_output(file, page, overwrite_if(options.force));
   if (options.as_json)
     fmt::print("{}\n", nlohmann::ordered_json({{"file", file}, {"bytes", page.size()}})
@@ -50,7 +59,7 @@ ExitCode view(const ViewOptions& options) {
 
 Action configure_view(CLI::App& options) {
   const auto chosen = std::make_shared<ViewOptions>();
-  options.add_option("RUN", chosen->folder, "results folder of a finished or stopped run")
+  options.add_option("RUN", chosen->folder, "results folder of a finished or stopped run, or of a factor of safety")
       ->required()
       ->check(CLI::ExistingDirectory);
   options.add_option("-o,--output", chosen->file, fmt::format("page to write (default: RUN/{})", kPageFile))

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/handout/record_reading.hpp"
-#include "report/document.hpp"
+#include "report/document/document.hpp"
 
 namespace keyblock {
 

@@ -1,20 +1,36 @@
-// Makes the report of a run, or of a folder of runs, from what runs left there.
+// Makes the report of a run from what it left in its folder.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "report/document.hpp"
+#include "app/handout/frame_faults.hpp"
+#include "app/handout/handout.hpp"
+#include "app/handout/record_reading.hpp"
 
 namespace keyblock {
 
-/// Returns the report of the run in `folder`: verdict, pictures, results, assumptions, materials, settings, energies,
-/// warnings, files. Materials are those of the input files, if these are where the run read them and have not changed.
-/// Throws InputError if the folder has no record of a run.
-report::Document run_document(const std::filesystem::path& folder);
+/// Verdict of a run as a client reads it.
+struct Judged {
+  report::Verdict verdict = report::Verdict::good;
+  std::string words;
+};
 
-/// Returns the report of all runs in folders below `folder`: a table, then verdict and picture of each. Throws
-/// InputError if there is no run.
-report::Document archive_document(const std::filesystem::path& folder);
+/// Returns what the record says of the run; a run with faulty frames is not trusted.
+Judged judged(const RunRecordFile& record, const FrameState& frames);
+
+/// Returns "Keyblock 0.2.0", the program that ran.
+std::string program_of(const RunRecordFile& record);
+
+/// Returns pictures of a run that exist, at most `most`.
+std::vector<report::DocumentPicture> run_pictures(const std::filesystem::path& folder, std::size_t most = 9);
+
+/// Returns the report of the run in `folder`: verdict, pictures, results, bolts, contacts, assumptions, materials,
+/// settings, energies, warnings, checksums. Materials are those of the input files, if these are where the run read
+/// them and have not changed. Throws InputError if the folder has no record of a run.
+Handout run_document(const std::filesystem::path& folder, const std::string& project);
 
 }  // namespace keyblock

@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/helpers/picture_file.hpp"
 #include "app/messages.hpp"
 #include "app/option_checks.hpp"
-#include "app/picture_file.hpp"
 #include "base/printable.hpp"
 #include "formats/registry.hpp"
 #include "formats/text/csv.hpp"

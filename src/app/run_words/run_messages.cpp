@@ -154,7 +154,12 @@ void RunMessages::print_end(const Prepared& prepared, const RunRecord& record, c
   const RunOutcome& outcome = record.outcome;
   print_warnings(record, true);
   if (outcome.end == RunEnd::failed) print_failure(prepared, outcome);
-  if (outcome.end == RunEnd::stopped) print_stop(outcome.steps, folder);
+  if (outcome.end == RunEnd::stopped && outcome.why_early.empty()) print_stop(outcome.steps, folder);
+  if (outcome.end == RunEnd::stopped && !outcome.why_early.empty()) {
+    spdlog::info("{}: stopped after {}: {}", file_, counted(static_cast<std::size_t>(outcome.steps), "step"),
+                 outcome.why_early);
+    print_how_to_resume(folder);
+  }
   if (!outcome.start.balanced.empty()) spdlog::debug("initial state: {}", outcome.start.balanced);
   if (record.totals.steps > 0) spdlog::debug("{}", solver_in_words(prepared.scene.settings, record.totals));
   spdlog::info("{}", end_in_words(record));

@@ -276,6 +276,17 @@ bool was_stopped(const FactorOfSafety& found) {
   return found.end == SearchEnd::stopped || (found.mesh_error && found.mesh_error->is_stopped);
 }
 
+/// Prints that nothing fixes the scene and returns true, if that is so under gravity: it falls at any factor.
+bool falls_freely(const ReducedCase& chosen, const study::StrengthTrials& trials, const Warnings& warnings) {
+  const bool is_loose =
+      std::ranges::any_of(warnings, [](const Warning& warning) { return warning.name == "no_fixed_points"; });
+  if (!is_loose || !(length(trials.prepared().scene.settings.gravity) > 0)) return false;
+  spdlog::error("{}: error: nothing fixes the blocks, so that they fall at any strength and have no factor of safety",
+                chosen.files.front());
+  spdlog::info("  help: add fixed points or fixed lines, such as the base and the sides of the slope");
+  return true;
+}
+
 ExitCode exit_code(const FactorOfSafety& found) {
   if (!was_stopped(found)) return found.is_safe() ? ExitCode::ok : ExitCode::check_failed;
   return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
@@ -345,6 +356,7 @@ ExitCode reduce_strength(const AskedCase& asked, const ReductionOptions& options
   const Warnings warnings = joined(joined(chosen.input.warnings, trials.prepared().warnings),
                                    look_ahead(chosen.input.problem, trials.prepared()));
   log_by_level(warnings, "the case");
+  if (falls_freely(chosen, trials, warnings)) return ExitCode::numerical_failure;
   listen_for_stops();
   const ReductionAsked& of_search = chosen.reduction;
   study::SearchOptions search{of_search.from, of_search.to, *of_search.within};

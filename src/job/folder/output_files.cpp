@@ -8,6 +8,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "base/bytes/file_bytes.hpp"
 #include "base/error.hpp"
 #include "formats/case.hpp"
 #include "formats/registry.hpp"
@@ -36,6 +37,13 @@ std::vector<std::string> growing_files() {
   return files;
 }
 
+// Recognises a page that `run --page` or `view` wrote; only the first is in the record.
+bool is_page_of_run(const fs::path& file) {
+  std::error_code error;
+  return fs::is_regular_file(file, error) &&
+         file_bytes(file.string()).find("id=\"keyblock-head\"") != std::string::npos;
+}
+
 std::vector<std::string> all_files() {
   std::vector<std::string> files(kOtherFiles.begin(), kOtherFiles.end());
   for (const formats::RunTable* table : formats::run_tables())
@@ -59,6 +67,7 @@ void OutputFiles::require_free() const {
 // growing tables.
 std::set<std::string> OutputFiles::written_before() const {
   std::set<std::string> names{kRecord, kCheckpoint};
+  if (is_page_of_run(folder_ / kPageFile)) names.insert(kPageFile);
   if (!fs::is_regular_file(folder_ / kRecord)) {
     if (fs::is_regular_file(folder_ / kCheckpoint))
       for (const std::string& name : growing_files()) names.insert(name);

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <openssl/rand.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +15,14 @@ namespace keyblock::serve {
 namespace {
 
 constexpr std::size_t kTokenBytes = 32;
+
+/// Returns true for `application/json`, with or without parameters behind a semicolon.
+bool is_json(const std::string& type) {
+  std::string media = type.substr(0, type.find(';'));
+  media.resize(media.find_last_not_of(" \t") + 1);
+  std::ranges::transform(media, media.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return media == "application/json";
+}
 
 }  // namespace
 
@@ -68,7 +78,7 @@ std::optional<Reply> Guard::answer(const Request& request) const {
   if (!has_cookie(request.cookie))
     return refusal(403, "open the address that keyblock serve printed: this one lacks its token");
   if (request.method == "POST" && !is_own_origin) return refusal(403, "the request names no page that it comes from");
-  if (request.method == "POST" && !request.type.starts_with("application/json"))
+  if (request.method == "POST" && !is_json(request.type))
     return refusal(415, "expected a body of type application/json");
   return std::nullopt;
 }

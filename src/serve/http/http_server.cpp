@@ -4,6 +4,8 @@
 
 #include <utility>
 // Boost 1.74 uses std::exchange without this header.
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <boost/asio/bind_executor.hpp>
 #include <boost/asio/io_context.hpp>
@@ -16,6 +18,8 @@
 #include <boost/beast/http.hpp>
 #include <csignal>
 #include <exception>
+#include <limits>
+#include <list>
 #include <optional>
 #include <string>
 
@@ -29,6 +33,8 @@ using Tcp = asio::ip::tcp;
 
 constexpr std::uint32_t kMostHeader = 16384;
 
+class Session;
+
 /// What all connections share.
 struct Shared {
   explicit Shared(const ServerLimits& of) : limits(of), pool(of.threads) {}
@@ -38,7 +44,16 @@ struct Shared {
   ServerLimits limits;
   asio::thread_pool pool;  ///< in which requests are answered
   std::atomic<std::size_t> connections = 0;
+  std::list<std::weak_ptr<Session>> strangers;  ///< connections by age that were not let in yet
 };
+
+/// Fields that decide about a request, of which a second one could hide the first.
+constexpr std::array<http::field, 4> kSingleFields{http::field::host, http::field::origin, http::field::cookie,
+                                                   http::field::content_type};
+
+bool has_twice(const http::request<http::string_body>& request) {
+  return std::ranges::any_of(kSingleFields, [&](http::field field) { return request.count(field) > 1; });
+}
 
 Request request_from(const http::request<http::string_body>& from) {
   const auto field = [&](http::field name) { return std::string(from[name]); };
@@ -74,16 +89,31 @@ class Session : public std::enable_shared_from_this<Session> {
   ~Session() { --shared_.connections; }
 
   void start() {
-    if (shared_.connections > shared_.limits.connections) return write(refusal(503, "too many connections"), false);
+    if (shared_.connections > shared_.limits.connections && !make_room())
+      return write(refusal(503, "too many connections"), false);
+    shared_.strangers.push_back(weak_from_this());
     read();
   }
 
  private:
+  /// Ends the oldest connection that was not let in yet; returns false if there is none.
+  bool make_room() {
+    auto& strangers = shared_.strangers;
+    std::erase_if(strangers, [](const std::weak_ptr<Session>& stranger) {
+      const std::shared_ptr<Session> session = stranger.lock();
+      return !session || session->is_let_in_;
+    });
+    if (strangers.empty()) return false;
+    if (const std::shared_ptr<Session> oldest = strangers.front().lock()) oldest->stream_.close();
+    strangers.pop_front();
+    return true;
+  }
+
   void read() {
     parser_.emplace();
     parser_->header_limit(kMostHeader);
-    parser_->body_limit(shared_.limits.body);
-    stream_.expires_after(shared_.limits.patience);
+    parser_->body_limit(std::numeric_limits<std::uint64_t>::max());  // a stranger learns nothing about the limit
+    stream_.expires_after(is_let_in_ ? shared_.limits.patience : shared_.limits.first_patience);
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = shared_from_this()](beast::error_code error, std::size_t) {
                               if (!self->has_failed(error)) self->on_header();
@@ -105,8 +135,14 @@ class Session : public std::enable_shared_from_this<Session> {
   }
 
   void on_header() {
+    if (has_twice(parser_->get())) return write(refusal(400, "a field of the header stands twice"), false);
     if (std::optional<Reply> refused = shared_.guard(request_from(parser_->get())))
       return write(std::move(*refused), parser_->is_done() && parser_->get().keep_alive());
+    is_let_in_ = true;
+    if (parser_->content_length().value_or(0) > shared_.limits.body)
+      return write(refusal(413, "the body is too long"), false);
+    parser_->body_limit(shared_.limits.body);
+    stream_.expires_after(shared_.limits.patience);
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (!self->has_failed(error)) self->on_request();
     });
@@ -146,6 +182,7 @@ class Session : public std::enable_shared_from_this<Session> {
     stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
   }
 
+  bool is_let_in_ = false;  ///< a request has passed the guard
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_{kMostHeader + 65536};
   std::optional<http::request_parser<http::string_body>> parser_;

@@ -12,10 +12,11 @@
 namespace keyblock::serve {
 
 struct ServerLimits {
-  std::size_t connections = 64;  ///< more are closed at once with status 503
+  std::size_t connections = 64;  ///< one more closes the oldest that was not let in yet, or is refused with status 503
   std::size_t body = 16U << 20U;
-  std::chrono::milliseconds patience{15000};  ///< for a request to arrive, and for a reply to leave
-  std::size_t threads = 8;                    ///< that answer; one more carries bytes
+  std::chrono::milliseconds patience{15000};       ///< for a request to arrive, and for a reply to leave
+  std::chrono::milliseconds first_patience{3000};  ///< for the header of the first request on a connection
+  std::size_t threads = 8;                         ///< that answer; one more carries bytes
 };
 
 class HttpServer {

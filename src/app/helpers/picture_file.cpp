@@ -1,20 +1,16 @@
 // Converts by rsvg-convert of librsvg, which draws SVG as browsers do.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/picture_file.hpp"
+#include "app/helpers/picture_file.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 #include <filesystem>
-#include <sstream>
 #include <vector>
 
+#include "app/helpers/helper_program.hpp"
 #include "base/bytes/file_bytes.hpp"
 #include "base/error.hpp"
 
@@ -33,47 +29,8 @@ std::string ending_of(const std::string& file) {
   return ending;
 }
 
-bool is_installed(const char* program) {
-  const char* folders = std::getenv("PATH");
-  std::istringstream list(folders == nullptr ? "" : folders);
-  for (std::string folder; std::getline(list, folder, ':');)
-    if (access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
-  return false;
-}
-
-/// A folder of our own for the files of a conversion; it is removed with them.
-class WorkFolder {
- public:
-  WorkFolder() {
-    std::string name = (fs::temp_directory_path() / "keyblock_picture_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw OutputError(fmt::format("cannot make a folder {}", name));
-    path_ = name;
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  ~WorkFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  fs::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
-int run(std::vector<std::string> words) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  if (posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) return -1;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 std::string converted(const std::string& svg, const std::string& format, bool has_width) {
-  const WorkFolder folder;
+  const WorkFolder folder("keyblock_picture");
   const fs::path from = folder / "picture.svg", to = folder / "converted";
   write_file(from, svg);
   std::vector<std::string> words{kConverter, "--format", format, "--output", to.string()};
@@ -87,7 +44,7 @@ std::string converted(const std::string& svg, const std::string& format, bool ha
     words.push_back(fmt::format("{}", kZoom));
   }
   words.push_back(from.string());
-  if (const int code = run(words); code != 0 || !fs::is_regular_file(to))
+  if (const int code = run_helper(words); code != 0 || !fs::is_regular_file(to))
     throw OutputError(fmt::format("{} failed with exit code {}", kConverter, code));
   return file_bytes(to.string());
 }

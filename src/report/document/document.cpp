@@ -1,45 +1,18 @@
-// Writes the document; the style prints black on white, and follows the reader's choice of light or dark on a screen.
+// Writes the document as HTML; document_style.hpp holds its look.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/document.hpp"
+#include "report/document/document.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
+#include "report/document/document_style.hpp"
 #include "report/drawing/png.hpp"
 #include "report/drawing/svg.hpp"
 
 namespace keyblock::report {
 namespace {
-
-constexpr std::string_view kStyle = R"(
-:root { color-scheme: light dark; --text: #1d2330; --faint: #5b6472; --line: #d5dae2; --back: #fff; --head: #f3f5f8 }
-@media (prefers-color-scheme: dark) {
-  :root { --text: #e6e9ef; --faint: #a7b0be; --line: #3a4250; --back: #14181f; --head: #1e242e }
-}
-* { box-sizing: border-box }
-body { font: 15px/1.5 system-ui, "DejaVu Sans", Helvetica, Arial, sans-serif; color: var(--text);
-  background: var(--back); max-width: 60rem; margin: 0 auto; padding: 1.5rem 1.25rem 4rem }
-h1 { font-size: 1.7rem; margin: 0 } h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; break-after: avoid }
-.subtitle { color: var(--faint); margin: .2rem 0 1rem }
-.verdict { border-left: 6px solid; padding: .6rem .9rem; background: var(--head); border-radius: 0 6px 6px 0 }
-.good { border-color: #1a7f4b } .doubtful { border-color: #b26a00 } .bad { border-color: #b3261e }
-nav { margin: 1rem 0; color: var(--faint) } a { color: inherit }
-nav a { margin-right: 1rem; white-space: nowrap }
-.scroll { overflow-x: auto; margin: .6rem 0 }
-table { border-collapse: collapse; width: 100%; font-size: .92em }
-th, td { text-align: left; padding: .25rem .6rem .25rem 0; border-bottom: 1px solid var(--line);
-  vertical-align: top; overflow-wrap: anywhere }
-th { font-weight: 600; background: var(--head); overflow-wrap: normal }
-td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
-figure { margin: 1rem 0; break-inside: avoid }
-figure img { width: 100%; background: #fff; border: 1px solid var(--line) }
-figcaption { color: var(--faint); font-size: .9em }
-@media print {
-  @page { size: A4; margin: 16mm } body { font-size: 10pt; padding: 0; max-width: none } nav { display: none }
-  tr { break-inside: avoid } :root { --text: #000; --faint: #444; --line: #bbb; --back: #fff; --head: #f3f3f3 } }
-)";
 
 bool is_number(const std::string& cell) {
   return !cell.empty() && std::isdigit(static_cast<unsigned char>(cell.back())) != 0 &&
@@ -89,6 +62,32 @@ std::string section_of(const DocumentSection& section) {
   return text + "</section>\n";
 }
 
+std::string facts_of(const Document& document) {
+  std::string text;
+  for (const auto& [name, value] : document.facts)
+    if (!value.empty()) text += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", escape_xml(name), escape_xml(value));
+  return text.empty() ? text : "<dl class=\"facts\">" + text + "</dl>\n";
+}
+
+std::string card_of(const DocumentCard& card) {
+  std::string text =
+      fmt::format("<li class=\"card {}\"><a href=\"#{}\">", class_of(card.verdict), escape_xml(card.anchor));
+  text += card.svg.empty()
+              ? "<span class=\"none\">no picture</span>"
+              : fmt::format("<img loading=\"lazy\" alt=\"\" src=\"data:image/svg+xml;base64,{}\">", base64(card.svg));
+  text += fmt::format("<b>{}</b></a>", escape_xml(card.title));
+  for (const std::string& line : card.lines) text += fmt::format("<span>{}</span>", escape_xml(line));
+  return text + "</li>\n";
+}
+
+std::string cards_of(const std::vector<DocumentCard>& cards) {
+  if (cards.empty()) return {};
+  std::string text = kCardFilter.data();
+  text += "<ul class=\"cards\">";
+  for (const DocumentCard& card : cards) text += card_of(card);
+  return text + fmt::format("</ul>\n<script>{}</script>\n", kCardScript);
+}
+
 std::string links_of(const std::vector<DocumentSection>& sections) {
   std::string text;
   for (const DocumentSection& section : sections)
@@ -105,10 +104,12 @@ std::string document_page(const Document& document) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{0}</title><style>{1}</style></head>\n<body><main><h1>{0}</h1><p class=\"subtitle\">{2}</p>\n"
-      "<p class=\"verdict {3}\">{4}</p>\n{5}{6}</main></body></html>\n",
-      escape_xml(document.title), kStyle, escape_xml(document.subtitle), class_of(document.verdict),
-      escape_xml(document.verdict_in_words), links_of(document.sections), body);
+      "<title>{0}</title><style>{1}</style></head>\n<body{7}><main><h1>{0}</h1><p class=\"subtitle\">{2}</p>\n"
+      "{8}<p class=\"verdict {3}\">{4}</p>\n{5}{6}</main></body></html>\n",
+      escape_xml(document.title), kDocumentStyle, escape_xml(document.subtitle), class_of(document.verdict),
+      escape_xml(document.verdict_in_words),
+      document.cards.empty() ? links_of(document.sections) : cards_of(document.cards), body,
+      document.cards.empty() ? "" : " class=\"wide\"", facts_of(document));
 }
 
 }  // namespace keyblock::report

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace keyblock::report {
@@ -28,12 +29,24 @@ struct DocumentSection {
 
 enum class Verdict { good, doubtful, bad };
 
+/// Summary of one result among many: a small picture and a few lines, with a link to a section.
+struct DocumentCard {
+  std::string title;
+  std::string anchor;
+  std::string svg;  ///< small picture; empty: none
+  Verdict verdict = Verdict::good;
+  std::vector<std::string> lines;
+};
+
 struct Document {
   std::string title;
-  std::string subtitle;  ///< program, date
+  std::string subtitle;  ///< kind of report
   Verdict verdict = Verdict::good;
   std::string verdict_in_words;
   std::vector<DocumentSection> sections;
+  std::vector<std::pair<std::string, std::string>> facts = {};  ///< project, program, dates
+  std::vector<DocumentCard> cards =
+      {};  ///< stand before the sections, with a filter; without any, links to sections do
 };
 
 /// Returns the page. Texts may hold any characters; pictures are embedded as images, so that no script of theirs runs.

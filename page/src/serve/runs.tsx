@@ -1,0 +1,328 @@
+// What a case can start: runs, factors of safety; and the list of what was started.
+
+import { signal } from '@preact/signals';
+import { useState } from 'preact/hooks';
+import { show } from '../draw/numbers';
+import * as api from './api';
+import { folder_of, leaf_of, new_result, stem_of } from './cases';
+import * as state from './state';
+
+/** What a run records beside its case, and where it stops. They stay while the window is open. */
+const histories = signal('');
+const stop_when = signal('');
+
+const reduce = signal('joints');
+
+export function RunForm({
+  paths,
+  report,
+  profile,
+  set_profile,
+  settings,
+  set_settings,
+  checking,
+  check,
+  before,
+}: {
+  paths: string[];
+  report: api.Report | null;
+  profile: string;
+  set_profile: (profile: string) => void;
+  settings: [string, string][];
+  set_settings: (settings: [string, string][]) => void;
+  checking: boolean;
+  check: (trial: boolean) => Promise<void>;
+  before: () => Promise<boolean>;
+}) {
+  const base = stem_of(paths[0]);
+  const taken = (state.listing.value?.results ?? [])
+    .map(own => own.path)
+    .concat(state.jobs.value.map(own => own.result));
+  const [result, set_result] = useState('');
+  const suggestion = new_result(`${base}_run`, taken);
+  const known = report?.case?.settings ?? {};
+  const cost = report?.case?.cost;
+  const can_run = report !== null && report.exit_code === 0;
+  const start = async (kind: 'run' | 'fos' | 'both') => {
+    if (!(await before())) return;
+    const ending = kind === 'run' ? 'run' : kind;
+    const name = result || new_result(`${base}_${ending}`, taken);
+    const chosen = Object.fromEntries(settings.filter(([own, value]) => own && value));
+    const recorded = words_of(histories.value);
+    const more: Record<string, unknown> = kind === 'fos' ? { reduce: reduce.value } : {};
+    if (kind !== 'fos' && recorded.length) more.histories = recorded;
+    if (kind === 'run' && stop_when.value.trim()) more.stop_when = stop_when.value.trim();
+    if (kind === 'both') more.both = true;
+    const started = await state.attempt(() =>
+      api.run(kind === 'fos' ? 'fos' : 'run', paths, name, kind === 'both' ? '' : profile, chosen, more),
+    );
+    if (!started) return;
+    set_result('');
+    await state.refresh_jobs();
+  };
+  return (
+    <div class="group">
+      <h2>Run</h2>
+      <label class="field">
+        <span>Result folder</span>
+        <input
+          type="text"
+          value={result}
+          placeholder={suggestion}
+          onInput={event => set_result(event.currentTarget.value)}
+        />
+      </label>
+      <label class="field">
+        <span>Profile</span>
+        <select value={profile} onChange={event => set_profile(event.currentTarget.value)}>
+          <option value="">of the case{report?.case?.profile ? ` (${report.case.profile})` : ''}</option>
+          <option value="standard">standard</option>
+          <option value="legacy">legacy</option>
+        </select>
+      </label>
+      {settings.map(([name, value], i) => (
+        <div class="setting" key={i}>
+          <input
+            type="text"
+            list="settings"
+            aria-label="Setting"
+            placeholder="setting"
+            value={name}
+            onInput={event => {
+              const own = event.currentTarget.value;
+              set_settings(settings.map((old, j) => (j === i ? [own, old[1]] : old)));
+            }}
+          />
+          <input
+            type="text"
+            aria-label={`Value of ${name || 'the setting'}`}
+            placeholder={name in known ? String(known[name]) : 'value'}
+            value={value}
+            onInput={event => {
+              const own = event.currentTarget.value;
+              set_settings(settings.map((old, j) => (j === i ? [old[0], own] : old)));
+            }}
+          />
+          <button
+            type="button"
+            class="small"
+            aria-label="Remove the setting"
+            onClick={() => set_settings(settings.filter((_, j) => j !== i))}
+          >
+            ×
+          </button>
+        </div>
+      ))}
+      <datalist id="settings">
+        {Object.keys(known).map(name => (
+          <option value={name} key={name} />
+        ))}
+      </datalist>
+      <div class="row wide">
+        <button type="button" class="small" onClick={() => set_settings([...settings, ['', '']])}>
+          Add a setting
+        </button>
+        <button type="button" class="small" disabled={checking} onClick={() => check(false)}>
+          Check
+        </button>
+        <button type="button" class="small" disabled={checking || !can_run} onClick={() => check(true)}>
+          Estimate the time
+        </button>
+      </div>
+      {cost?.seconds_in_all !== undefined && (
+        <p class="note">The run takes about {duration(cost.seconds_in_all)} on this machine.</p>
+      )}
+      <details class="more">
+        <summary>Record and stop</summary>
+        <label class="field">
+          <span>Histories</span>
+          <input
+            type="text"
+            value={histories.value}
+            placeholder="crest=point:12,20 block:7"
+            onInput={event => {
+              histories.value = event.currentTarget.value;
+            }}
+          />
+        </label>
+        <label class="field">
+          <span>Stop when</span>
+          <input
+            type="text"
+            value={stop_when.value}
+            placeholder="crest.d>0.05"
+            onInput={event => {
+              stop_when.value = event.currentTarget.value;
+            }}
+          />
+        </label>
+        <p class="note">
+          A history follows a point, block, contact, joint, line or bolt. A run stops behind the step in which a
+          quantity of a history passes the limit: d, dx, dy, vx, vy.
+        </p>
+      </details>
+      <div class="row wide">
+        <button type="button" class="small strong" disabled={!can_run} onClick={() => start('run')}>
+          Run
+        </button>
+        <button type="button" class="small" disabled={!can_run} onClick={() => start('both')}>
+          Both profiles
+        </button>
+      </div>
+      <div class="row wide">
+        <select
+          aria-label="Strength to reduce"
+          value={reduce.value}
+          onChange={event => {
+            reduce.value = event.currentTarget.value;
+          }}
+        >
+          <option value="joints">joints</option>
+          <option value="rock">rock</option>
+          <option value="both">joints and rock</option>
+        </select>
+        <button type="button" class="small" disabled={!can_run} onClick={() => start('fos')}>
+          Factor of safety
+        </button>
+      </div>
+      <p class="row wide">
+        <a class="button" href={state.link('study', 'sweep', ...paths)}>
+          Sweep a parameter…
+        </a>
+        <a class="button" href={state.link('study', 'element', ...paths)}>
+          Element test…
+        </a>
+      </p>
+      <CaseJobs paths={paths} />
+    </div>
+  );
+}
+
+/** Words between spaces. */
+export function words_of(text: string): string[] {
+  return text.split(/\s+/).filter(Boolean);
+}
+
+export function duration(seconds: number): string {
+  if (seconds < 90) return `${show(Math.max(0.1, seconds), 2)} s`;
+  if (seconds < 5400) return `${Math.round(seconds / 60)} min`;
+  return `${show(seconds / 3600, 2)} h`;
+}
+
+/** Jobs that this case started, newest first. */
+function CaseJobs({ paths }: { paths: string[] }) {
+  const folder = folder_of(paths[0]);
+  const title = leaf_of(paths[0]);
+  const own = state.jobs.value.filter(
+    job => (job.title.includes(title) || job.title.includes(paths[0])) && folder_of(job.result) === folder,
+  );
+  if (!own.length) return null;
+  return (
+    <ul class="jobs">
+      {own
+        .slice()
+        .reverse()
+        .slice(0, 5)
+        .map(job => (
+          <JobItem job={job} key={job.id} />
+        ))}
+    </ul>
+  );
+}
+
+const KINDS = {
+  run: 'Run',
+  resume: 'Run, continued',
+  fos: 'Factor of safety',
+  both: 'Both profiles',
+  sweep: 'Sweep',
+};
+
+export function JobItem({ job }: { job: api.Job }) {
+  const is_open = job.state === 'runs' || job.state === 'waits';
+  const share = job.steps ? (job.step ?? 0) / job.steps : 0;
+  const failed = job.state === 'ended' && job.exit_code !== 0;
+  const entry = state.listing.value?.results.find(own => own.path === job.result);
+  const words =
+    is_open && job.is_stopping
+      ? 'stopping'
+      : job.state === 'waits'
+        ? 'waits'
+        : job.state === 'runs'
+          ? `${job.steps ? `step ${job.step} of ${job.steps}` : 'starting'}${job.left ? `, ${job.left} left` : ''}`
+          : job.state === 'stopped'
+            ? entry?.has_checkpoint
+              ? `paused${job.step ? ` at step ${job.step}` : ''}`
+              : 'stopped'
+            : failed
+              ? `ended with code ${job.exit_code}`
+              : criterion_of(job) || `finished in ${duration(job.seconds ?? 0)}`;
+  const factor = job.kind === 'fos' && job.state === 'ended' ? factor_of(job.output ?? '') : '';
+  return (
+    <li class={`job ${failed ? 'bad' : ''}`}>
+      <div class="bar">
+        <b>{leaf_of(job.result)}</b>
+        <span class="note">{KINDS[job.kind]}</span>
+        <span class="space" />
+        {is_open && (
+          <button
+            type="button"
+            class="small"
+            disabled={job.is_stopping}
+            onClick={async () => {
+              await state.attempt(() => api.stop(job.id));
+              await state.refresh_jobs();
+            }}
+          >
+            {job.kind === 'run' || job.kind === 'resume' ? 'Pause' : 'Stop'}
+          </button>
+        )}
+        {!is_open && entry?.has_checkpoint && (
+          <button
+            type="button"
+            class="small"
+            onClick={async () => {
+              await state.attempt(() => api.resume(job.result));
+              await state.refresh_jobs();
+            }}
+          >
+            Go on
+          </button>
+        )}
+        {entry && (
+          <a class="button" href={state.link('result', job.result)}>
+            {is_open ? 'Watch' : 'Open'}
+          </a>
+        )}
+        {job.kind === 'both' && job.state === 'ended' && !failed && (
+          <a class="button" href={state.link('compare', `${job.result}/standard`, `${job.result}/legacy`)}>
+            Compare
+          </a>
+        )}
+      </div>
+      {is_open && <progress value={share} max={1} aria-label={`Progress of ${job.result}`} />}
+      <p class="note" aria-live="polite">
+        {factor || words}
+      </p>
+      {failed && job.messages && <pre class="messages">{job.messages.trim().split('\n').slice(-6).join('\n')}</pre>}
+    </li>
+  );
+}
+
+/** Sentence on the factor that a search found. */
+function factor_of(output: string): string {
+  try {
+    const value = JSON.parse(output);
+    const number = value.factor ?? value.factor_of_safety ?? value.stable;
+    if (typeof number === 'number') return `Factor of safety ${show(number, 3)}`;
+  } catch {
+    // What is not JSON is no factor.
+  }
+  return '';
+}
+
+/** Sentence on the criterion at which a run stopped. */
+function criterion_of(job: api.Job): string {
+  const found = /: stopped (after [0-9]+ steps?: .*)$/m.exec(job.messages ?? '');
+  return found ? `stopped ${found[1]}` : '';
+}

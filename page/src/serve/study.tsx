@@ -1,0 +1,421 @@
+// Studies of a case: sweeps of a parameter, element tests of a material, fits of a measured curve.
+
+import { useEffect, useMemo, useState } from 'preact/hooks';
+import { show } from '../draw/numbers';
+import * as api from './api';
+import { folder_of, leaf_of, new_result, stem_of } from './cases';
+import { JobItem, words_of } from './runs';
+import * as state from './state';
+
+export function StudyView({ study, paths }: { study: string; paths: string[] }) {
+  if (study === 'sweep') return <SweepForm paths={paths} />;
+  if (study === 'element') return <ElementForm paths={paths} />;
+  if (study === 'fit') return <FitForm path={paths[0]} />;
+  return <p class="note pad">There is no study of this name.</p>;
+}
+
+function Field({
+  label,
+  value,
+  set,
+  placeholder,
+  list,
+}: {
+  label: string;
+  value: string;
+  set: (value: string) => void;
+  placeholder?: string;
+  list?: string;
+}) {
+  return (
+    <label class="field">
+      <span>{label}</span>
+      <input
+        type="text"
+        value={value}
+        placeholder={placeholder}
+        list={list}
+        onInput={event => set(event.currentTarget.value)}
+      />
+    </label>
+  );
+}
+
+/** Number in a field; undefined if there is none. */
+function number_in(text: string): number | undefined {
+  const value = Number(text);
+  return text.trim() && Number.isFinite(value) ? value : undefined;
+}
+
+/** Pointers of the numbers in a case file, with their values: "/analysis/gravity". */
+export function pointers_in(text: string): [string, number][] {
+  let value: unknown;
+  try {
+    value = JSON.parse(without_comments(text));
+  } catch {
+    return [];
+  }
+  const found: [string, number][] = [];
+  const walk = (own: unknown, path: string) => {
+    if (found.length >= 500) return;
+    if (typeof own === 'number') found.push([path, own]);
+    // Lists of numbers are coordinates.
+    else if (Array.isArray(own)) {
+      if (!own.some(item => typeof item === 'number'))
+        for (const [i, item] of own.entries()) walk(item, `${path}/${i}`);
+    } else if (own && typeof own === 'object') {
+      for (const [key, item] of Object.entries(own))
+        walk(item, `${path}/${key.replace(/~/g, '~0').replace(/\//g, '~1')}`);
+    }
+  };
+  const root = value as Record<string, unknown>;
+  for (const part of ['analysis', 'blocks', 'drawing', 'covers', 'stages']) walk(root?.[part], `/${part}`);
+  return found;
+}
+
+/** Text of a case file as JSON: comments become blanks. */
+function without_comments(text: string): string {
+  return text.replace(/"(?:[^"\\]|\\.)*"|\/\/[^\n]*|\/\*[\s\S]*?\*\//g, part => (part[0] === '"' ? part : ' '));
+}
+
+function CaseHead({ paths, title }: { paths: string[]; title: string }) {
+  return (
+    <div class="bar">
+      <h2>
+        {title}: <a href={state.link('case', ...paths)}>{leaf_of(paths[0])}</a>
+      </h2>
+    </div>
+  );
+}
+
+const OUTPUTS = ['displacement', 'fos', 'speed', 'state', 'steps', 'time'];
+
+function SweepForm({ paths }: { paths: string[] }) {
+  const [text, set_text] = useState('');
+  const [keys, set_keys] = useState<[string, string][]>([['', '']]);
+  const [out, set_out] = useState('displacement');
+  const [histories, set_histories] = useState('');
+  const [result, set_result] = useState('');
+  useEffect(() => {
+    void state.attempt(() => api.read(paths[0])).then(file => set_text(file?.text ?? ''));
+  }, [paths.join('\n')]);
+  const pointers = useMemo(() => pointers_in(text), [text]);
+  const now = new Map(pointers);
+  const taken = (state.listing.value?.results ?? [])
+    .map(own => own.path)
+    .concat(state.jobs.value.map(own => own.result));
+  const suggestion = new_result(`${stem_of(paths[0])}_sweep`, taken);
+  const over = keys.filter(([key, values]) => key && values).map(([key, values]) => `${key}=${values}`);
+  const start = async () => {
+    const body: Record<string, unknown> = { over, out: words_of(out) };
+    if (words_of(histories).length) body.histories = words_of(histories);
+    const started = await state.attempt(() => api.sweep(paths, result || suggestion, body));
+    if (started) await state.refresh_jobs();
+  };
+  const own_jobs = state.jobs.value.filter(
+    job => job.kind === 'sweep' && folder_of(job.result) === folder_of(paths[0]) && job.title.includes(paths[0]),
+  );
+  return (
+    <div class="study">
+      <CaseHead paths={paths} title="Sweep a parameter" />
+      <div class="group">
+        {keys.map(([key, values], i) => (
+          <div class="setting" key={i}>
+            <input
+              type="text"
+              list="pointers"
+              aria-label="Parameter"
+              placeholder="parameter"
+              value={key}
+              onInput={event => {
+                const own = event.currentTarget.value;
+                set_keys(keys.map((old, j) => (j === i ? [own, old[1]] : old)));
+              }}
+            />
+            <input
+              type="text"
+              aria-label={`Values of ${key || 'the parameter'}`}
+              placeholder={now.has(key) ? `now ${now.get(key)}; 20:40:5 or 20,30` : '20:40:5 or 20,30'}
+              value={values}
+              onInput={event => {
+                const own = event.currentTarget.value;
+                set_keys(keys.map((old, j) => (j === i ? [old[0], own] : old)));
+              }}
+            />
+            <button
+              type="button"
+              class="small"
+              aria-label="Remove the parameter"
+              disabled={keys.length === 1}
+              onClick={() => set_keys(keys.filter((_, j) => j !== i))}
+            >
+              ×
+            </button>
+          </div>
+        ))}
+        <datalist id="pointers">
+          {pointers.map(([path, value]) => (
+            <option value={path} label={String(value)} key={path} />
+          ))}
+        </datalist>
+        <button type="button" class="small" onClick={() => set_keys([...keys, ['', '']])}>
+          Add a parameter
+        </button>
+        <Field label="Results" value={out} set={set_out} placeholder="displacement fos crest.dx" list="outputs" />
+        <datalist id="outputs">
+          {OUTPUTS.map(own => (
+            <option value={own} key={own} />
+          ))}
+        </datalist>
+        <Field label="Histories" value={histories} set={set_histories} placeholder="crest=point:12,20" />
+        <Field label="Result folder" value={result} set={set_result} placeholder={suggestion} />
+        <p class="note">
+          20:40:5 is a range with both ends; 20,30 is a list. Several parameters give all combinations. A parameter is a
+          value of the case file or a setting, such as time_step.
+        </p>
+        <button type="button" class="small strong" disabled={!over.length} onClick={start}>
+          Start the sweep
+        </button>
+        {own_jobs.length > 0 && (
+          <ul class="jobs">
+            {own_jobs
+              .slice(-5)
+              .reverse()
+              .map(job => (
+                <JobItem job={job} key={job.id} />
+              ))}
+          </ul>
+        )}
+      </div>
+    </div>
+  );
+}
+
+/** Rows of a table (CSV), the first one with the headings. */
+export function rows_of(text: string): string[][] {
+  const cell = /("(?:[^"]|"")*"|[^,]*)(,|$)/y;
+  return text
+    .split(/\r?\n/)
+    .filter(Boolean)
+    .map(line => {
+      const cells: string[] = [];
+      cell.lastIndex = 0;
+      for (let found = cell.exec(line); found; found = found[2] ? cell.exec(line) : null)
+        cells.push(found[1].startsWith('"') ? found[1].slice(1, -1).replace(/""/g, '"') : found[1]);
+      return cells;
+    });
+}
+
+export function SweepView({ path, is_finished }: { path: string; is_finished: boolean }) {
+  const [rows, set_rows] = useState<string[][]>([]);
+  const job = state.jobs.value.find(own => own.result === path && own.state === 'runs');
+  useEffect(() => {
+    if (is_finished)
+      void state.attempt(() => api.read(`${path}/table.csv`)).then(file => set_rows(rows_of(file?.text ?? '')));
+  }, [path, is_finished, job?.id]);
+  const [head, ...body] = rows;
+  return (
+    <div class="strength">
+      <h2>{path}</h2>
+      {!is_finished && <p class="note">{job ? 'The sweep runs.' : 'The sweep was stopped before its end.'}</p>}
+      {is_finished && (
+        <img
+          class="picture"
+          alt={`Results of the sweep ${path}`}
+          src={api.address('/api/picture', { result: path, name: 'sweep.svg' })}
+          onError={event => {
+            event.currentTarget.hidden = true;
+          }}
+        />
+      )}
+      {head && (
+        <div class="scroll">
+          <table class="list">
+            <caption>{body.length === 1 ? '1 run' : `${body.length} runs`}</caption>
+            <thead>
+              <tr>
+                {head.map(own => (
+                  <th scope="col" key={own}>
+                    {own.replace(/^.*\//, '').replace(/_/g, ' ')}
+                  </th>
+                ))}
+              </tr>
+            </thead>
+            <tbody>
+              {body.map((row, i) => (
+                <tr key={i}>
+                  {head.map((own, j) => (
+                    <td key={own}>{row[j] && Number.isFinite(Number(row[j])) ? show(Number(row[j]), 5) : row[j]}</td>
+                  ))}
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </div>
+      )}
+    </div>
+  );
+}
+
+const PATHS: [string, string][] = [
+  ['uniaxial', 'uniaxial: strain yy driven, sides free'],
+  ['triaxial', 'triaxial: sides under a pressure'],
+  ['biaxial', 'biaxial: one side under a pressure'],
+  ['oedometer', 'oedometer: sides fixed'],
+  ['shear', 'shear: shear strain driven'],
+  ['cyclic', 'cyclic: triaxial between strains'],
+];
+
+function ElementForm({ paths }: { paths: string[] }) {
+  // An analysis file holds the materials of an old case; it stands last.
+  const path = paths.at(-1) ?? '';
+  const [kind, set_kind] = useState('triaxial');
+  const [to, set_to] = useState('-0.02');
+  const [confining, set_confining] = useState('');
+  const [material, set_material] = useState('');
+  const [cycles, set_cycles] = useState('');
+  const [tested, set_tested] = useState<api.Tested | null>(null);
+  const [busy, set_busy] = useState(false);
+  const start = async () => {
+    set_busy(true);
+    const body: Record<string, unknown> = { path, kind, to: words_of(to).map(Number) };
+    if (['triaxial', 'biaxial', 'cyclic'].includes(kind) && number_in(confining) !== undefined)
+      body.confining = number_in(confining);
+    if (kind === 'cyclic' && number_in(cycles) !== undefined) body.cycles = number_in(cycles);
+    if (number_in(material) !== undefined) body.material = number_in(material);
+    set_tested(await state.attempt(() => api.element(body)));
+    set_busy(false);
+  };
+  return (
+    <div class="study">
+      <CaseHead paths={paths} title="Element test" />
+      <div class="group">
+        <label class="field">
+          <span>Path</span>
+          <select value={kind} onChange={event => set_kind(event.currentTarget.value)}>
+            {PATHS.map(([word, label]) => (
+              <option value={word} key={word}>
+                {label}
+              </option>
+            ))}
+          </select>
+        </label>
+        <Field label="To strains" value={to} set={set_to} placeholder="-0.01 -0.02" />
+        {['triaxial', 'biaxial', 'cyclic'].includes(kind) && (
+          <Field
+            label="Pressure"
+            value={confining}
+            set={set_confining}
+            placeholder="0, in the unit of stress of the case"
+          />
+        )}
+        {kind === 'cyclic' && <Field label="Cycles" value={cycles} set={set_cycles} placeholder="1" />}
+        <Field label="Material" value={material} set={set_material} placeholder="1, its number" />
+        <button type="button" class="small strong" disabled={busy} onClick={start}>
+          {busy ? 'Testing…' : 'Test the material'}
+        </button>
+      </div>
+      <TestedView tested={tested} name={`element test of ${leaf_of(path)}`} />
+    </div>
+  );
+}
+
+const FITS: [string, string][] = [
+  ['curve', 'stress over strain of a uniaxial test'],
+  ['triaxial', 'stresses at failure of triaxial tests'],
+  ['chevron_bend', 'toughness: bent core with a chevron notch'],
+  ['notched_disc', 'toughness: disc with a chevron notch'],
+  ['semicircular_bend', 'toughness: bent half disc'],
+];
+
+function FitForm({ path }: { path: string }) {
+  const [kind, set_kind] = useState('curve');
+  const [friction, set_friction] = useState('');
+  const [tested, set_tested] = useState<api.Tested | null>(null);
+  const [busy, set_busy] = useState(false);
+  const start = async () => {
+    set_busy(true);
+    const body: Record<string, unknown> = { path, kind };
+    if (kind === 'curve' && number_in(friction) !== undefined) body.friction = number_in(friction);
+    set_tested(await state.attempt(() => api.fit(body)));
+    set_busy(false);
+  };
+  return (
+    <div class="study">
+      <div class="bar">
+        <h2>Fit parameters: {leaf_of(path)}</h2>
+      </div>
+      <div class="group">
+        <label class="field">
+          <span>Table holds</span>
+          <select value={kind} onChange={event => set_kind(event.currentTarget.value)}>
+            {FITS.map(([word, label]) => (
+              <option value={word} key={word}>
+                {label}
+              </option>
+            ))}
+          </select>
+        </label>
+        {kind === 'curve' && (
+          <Field label="Friction angle" value={friction} set={set_friction} placeholder="from other tests, degrees" />
+        )}
+        <button type="button" class="small strong" disabled={busy} onClick={start}>
+          {busy ? 'Fitting…' : 'Fit'}
+        </button>
+      </div>
+      <TestedView tested={tested} name={`fit of ${leaf_of(path)}`} />
+    </div>
+  );
+}
+
+/** Entries of a record, those of inner objects with their path. */
+function entries_of(record: unknown, path = ''): [string, string][] {
+  if (record === null || record === undefined) return [];
+  if (Array.isArray(record))
+    return record.length > 6 ? [] : record.flatMap((own, i) => entries_of(own, `${path} ${i + 1}`));
+  if (typeof record === 'object')
+    return Object.entries(record).flatMap(([key, own]) => entries_of(own, `${path} ${key.replace(/_/g, ' ')}`));
+  return [[path.trim(), typeof record === 'number' ? show(record, 5) : String(record)]];
+}
+
+function TestedView({ tested, name }: { tested: api.Tested | null; name: string }) {
+  if (!tested) return null;
+  const is_bad = tested.exit_code !== 0 && tested.exit_code !== 1;
+  return (
+    <div class="tested" aria-live="polite">
+      {tested.errors.map(own => (
+        <p class="trouble" key={own.sentence}>
+          {own.sentence}
+        </p>
+      ))}
+      {is_bad && !tested.errors.length && <pre class="messages">{tested.messages}</pre>}
+      {tested.svg && (
+        <img class="picture" alt={`Curves: ${name}`} src={`data:image/svg+xml,${encodeURIComponent(tested.svg)}`} />
+      )}
+      {tested.table && (
+        <a
+          class="button"
+          download={`${name.replace(/[^a-z0-9]+/gi, '_')}.csv`}
+          href={`data:text/csv,${encodeURIComponent(tested.table)}`}
+        >
+          Save the curve (CSV)
+        </a>
+      )}
+      {tested.record && (
+        <table class="list">
+          <caption>Values</caption>
+          <tbody>
+            {entries_of(tested.record)
+              .slice(0, 60)
+              .map(([key, value], i) => (
+                <tr key={`${key}${i}`}>
+                  <th scope="row">{key}</th>
+                  <td>{value}</td>
+                </tr>
+              ))}
+          </tbody>
+        </table>
+      )}
+    </div>
+  );
+}

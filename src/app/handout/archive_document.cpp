@@ -1,0 +1,186 @@
+// Gathers results by case; a case has a card, rows of the table, and a section.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/handout/archive_document.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "app/handout/run_document.hpp"
+#include "app/handout/sentences.hpp"
+#include "app/handout/strength_document.hpp"
+#include "base/counted.hpp"
+#include "base/error.hpp"
+#include "job/folder/output_files.hpp"
+#include "report/document/frame_thumbnail.hpp"
+
+namespace keyblock {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using report::Verdict;
+
+constexpr std::size_t kLargestSmall = 300'000;  // bytes of a picture that a card shows whole
+constexpr std::size_t kMostWithPictures = 60;   // results; more would make a page of some hundred megabytes
+
+std::vector<fs::path> results_below(const fs::path& folder) {
+  constexpr int kDeepest = 4;
+  std::vector<fs::path> results;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (auto entry = fs::recursive_directory_iterator(folder, options); entry != fs::recursive_directory_iterator();
+       ++entry) {
+    if (entry.depth() >= kDeepest) entry.disable_recursion_pending();
+    const fs::path name = entry->path().filename();
+    if (entry->is_regular_file() && (name == kRecord || name == kStrengthRecord))
+      results.push_back(entry->path().parent_path());
+  }
+  std::ranges::sort(results);
+  results.erase(std::ranges::unique(results).begin(), results.end());
+  return results;
+}
+
+/// What the report says of one result.
+struct Result {
+  std::string name;
+  std::string profile;
+  Verdict verdict = Verdict::good;
+  std::string words;
+  std::string answer = {};  ///< one line: "0.906 m after 100 steps", "factor of safety 3.29"
+  std::vector<std::string> row = {};
+  std::vector<std::string> paragraphs = {};
+  std::string thumbnail = {};
+  std::string program = {};
+  std::string fault = {};
+  bool is_of_strength = false;
+};
+
+std::string_view word_of(Verdict verdict) {
+  return verdict == Verdict::good       ? "trusted"
+         : verdict == Verdict::doubtful ? "still moving, or not at its end"
+                                        : "not trusted";
+}
+
+Result run_result(const fs::path& folder, const std::string& name) {
+  const RunRecordFile record(folder);
+  const FrameState frames = frames_of(folder);
+  const Judged judgement = judged(record, frames);
+  const std::string moved = record.quantity("extremes.greatest_displacement.value", measures::kLength);
+  const std::string steps = plain_text(record.at("outcome.steps"));
+  Result result{name, record.text("profile"), judgement.verdict, judgement.words};
+  result.answer = fmt::format("{} after {} steps", moved.empty() ? "no displacement" : moved, steps);
+  result.row = {name, result.profile, std::string(word_of(result.verdict)), steps, moved};
+  result.paragraphs = {judgement.words};
+  const Json& motion = record.list("outcome.motion.sentences");
+  for (std::size_t i = 1; i < motion.size(); ++i)  // the verdict has the first
+    result.paragraphs.push_back(sentence(plain_text(motion[i])));
+  if (frames.last) result.thumbnail = report::frame_thumbnail(*frames.last);
+  result.program = program_of(record);
+  result.fault = frames.fault;
+  return result;
+}
+
+Result strength_result(const fs::path& folder, const std::string& name) {
+  const StrengthRecord record(folder);
+  Result result{name, plain_text(member(record.json(), "profile")), record.verdict(), record.words()};
+  const Json& factor = member(record.json(), "factor_of_safety");
+  result.answer = factor.is_number() ? fmt::format("factor of safety {:.3g}", factor.get<double>())
+                                     : std::string("no factor of safety");
+  result.row = {name, result.profile, result.answer, "", ""};
+  result.paragraphs = {result.words};
+  result.program = record.program();
+  result.is_of_strength = true;
+  for (report::DocumentPicture& picture : strength_pictures(folder, 1))
+    if (picture.svg.size() < kLargestSmall) result.thumbnail = std::move(picture.svg);
+  return result;
+}
+
+// Returns the name of the case: the folder above for runs of one case by both profiles.
+std::string case_of(const std::string& name, const std::string& profile) {
+  const fs::path path = name;
+  return path.has_parent_path() && path.filename() == profile ? path.parent_path().string() : name;
+}
+
+// Returns the name of a case without the folder in which a batch keeps its runs.
+std::string title_of_case(const std::string& name) {
+  constexpr std::string_view kJobs = "jobs/";
+  return name.starts_with(kJobs) ? name.substr(kJobs.size()) : name;
+}
+
+report::DocumentCard card_of(const std::string& name, const std::vector<Result>& results) {
+  report::DocumentCard card{title_of_case(name), name, {}, Verdict::good, {}};
+  std::ranges::replace(card.anchor, ' ', '-');
+  for (const Result& result : results) {
+    card.verdict = std::max(card.verdict, result.verdict);
+    if (card.svg.empty()) card.svg = result.thumbnail;
+    card.lines.push_back(fmt::format("{}: {}", result.profile, result.answer));
+    if (result.verdict != Verdict::good) card.lines.push_back(result.row[2]);
+  }
+  return card;
+}
+
+std::string summary_of(const std::vector<Result>& results) {
+  std::map<Verdict, std::size_t> counts;
+  for (const Result& result : results) ++counts[result.verdict];
+  return fmt::format("{}: {} trusted and at rest, {} still moving or not at their end, {} not trusted.",
+                     counted(results.size(), "result"), counts[Verdict::good], counts[Verdict::doubtful],
+                     counts[Verdict::bad]);
+}
+
+report::DocumentSection section_of(const std::string& name, const std::vector<Result>& results, const fs::path& folder,
+                                   bool has_pictures) {
+  report::DocumentSection section{name};
+  section.anchor = card_of(name, results).anchor;
+  for (const Result& result : results) {
+    for (const std::string& words : result.paragraphs)
+      section.paragraphs.push_back(results.size() > 1 ? fmt::format("{}: {}", result.profile, words) : words);
+    if (!has_pictures) continue;
+    const fs::path own = folder / result.name;
+    for (report::DocumentPicture& picture : result.is_of_strength ? strength_pictures(own, 1) : run_pictures(own, 1)) {
+      if (results.size() > 1) picture.caption = fmt::format("{}, profile {}", picture.caption, result.profile);
+      section.pictures.push_back(std::move(picture));
+    }
+  }
+  return section;
+}
+
+}  // namespace
+
+Handout archive_document(const fs::path& folder, const std::string& project) {
+  const std::vector<fs::path> found = results_below(folder);
+  if (found.empty())
+    throw InputError({folder.string()},
+                     fmt::format("expected the folder of a run, or one of runs, with {}, found none", kRecord));
+  std::vector<Result> results;
+  std::map<std::string, std::vector<Result>> cases;
+  Handout handout;
+  report::Document& document = handout.document;
+  std::vector<std::vector<std::string>> rows;
+  for (const fs::path& path : found) {
+    const std::string name = fs::relative(path, folder).string();
+    const Result& result = results.emplace_back(fs::is_regular_file(path / kRecord) ? run_result(path, name)
+                                                                                    : strength_result(path, name));
+    cases[case_of(name, result.profile)].push_back(result);
+    rows.push_back(result.row);
+    if (!result.fault.empty()) handout.faults.push_back(fmt::format("{}: {}", path.string(), result.fault));
+    document.verdict = std::max(document.verdict, result.verdict);
+  }
+  document.title = fs::absolute(folder / ".").lexically_normal().parent_path().filename().string();
+  document.subtitle = "Report of an archive";
+  document.verdict_in_words = summary_of(results);
+  document.facts = facts_of(project, results.front().program, found.front() / kRecord);
+  document.sections.push_back(
+      {"Results", {}, {}, {{{"result", "profile", "verdict", "steps", "largest displacement"}, rows}}});
+  const bool has_pictures = found.size() <= kMostWithPictures;
+  if (!has_pictures)
+    document.sections.front().paragraphs.push_back(fmt::format(
+        "Pictures of single results are left out: an archive of more than {} has small ones only.", kMostWithPictures));
+  for (const auto& [name, own] : cases) {
+    document.cards.push_back(card_of(name, own));
+    document.sections.push_back(section_of(name, own, folder, has_pictures));
+  }
+  return handout;
+}
+
+}  // namespace keyblock

@@ -1,0 +1,37 @@
+// Keeps copies of the input files of runs, so that a comparison can name the inputs that changed.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "serve/child.hpp"
+#include "serve/served_folder.hpp"
+
+namespace keyblock::serve {
+
+/// Copies of files by their SHA-256, as long as the server runs.
+class InputCopies {
+ public:
+  /// Refers to both.
+  InputCopies(const ServedFolder& folder, const Drafts& drafts) : folder_(folder), drafts_(drafts) {}
+
+  /// Keeps the file, or the files of the folder, as they are now. Files that cannot be read are left out.
+  void keep(const std::filesystem::path& path) const;
+
+  /// Returns the differences of the input files of two runs, from their records: path, first, second. Files are
+  /// compared by their values (JSON) or by their lines. If a file has changed since its run and no copy was kept, one
+  /// difference says so.
+  nlohmann::ordered_json differences(const nlohmann::ordered_json& first, const nlohmann::ordered_json& second) const;
+
+ private:
+  std::filesystem::path copy_of(const std::string& digest) const;
+  std::optional<std::string> text_of(const nlohmann::ordered_json& input) const;
+
+  const ServedFolder& folder_;
+  const Drafts& drafts_;
+};
+
+}  // namespace keyblock::serve
