@@ -11,6 +11,7 @@
 #include "serve/jobs.hpp"
 #include "serve/served_folder.hpp"
 #include "serve/served_results.hpp"
+#include "serve/unsaved.hpp"
 
 namespace keyblock::serve {
 
@@ -36,7 +37,7 @@ class Service {
   Json read(const Parameters& parameters) const;
   Reply drawing(const Parameters& parameters) const;
   Reply thumbnail(const Parameters& parameters) const;
-  Reply schema() const;
+  Reply printed(const std::vector<std::string>& words) const;
 
   Json check(const Json& body) const;
   Json save(const Json& body) const;
@@ -55,6 +56,7 @@ class Service {
   Jobs& jobs_;
   Program program_;
   ServedResults results_;
+  Unsaved unsaved_;
 };
 
 }  // namespace keyblock::serve
