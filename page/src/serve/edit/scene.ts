@@ -1,6 +1,6 @@
 // Drawing of a case file as items that a canvas shows and moves. The text stays the truth: each item knows its path.
 
-import { find, type Node, type Path, parse, plain } from './json_text';
+import { find, type Node, type Path, parse, plain, type Value } from './json_text';
 
 export type Point = [number, number];
 
@@ -66,6 +66,12 @@ export function quantity_of(value: unknown): { number: number; unit: string } | 
   if (typeof value === 'number') return { number: value, unit: '' };
   const found = typeof value === 'string' ? /^\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(\S*)\s*$/.exec(value) : null;
   return found && Number.isFinite(Number(found[1])) ? { number: Number(found[1]), unit: found[2] } : null;
+}
+
+/** A typed value: a number, or a text with its unit. */
+export function value_of(text: string): Value {
+  const own = text.trim();
+  return own !== '' && Number.isFinite(Number(own)) ? Number(own) : own;
 }
 
 /** Returns a length in the unit of the file, NaN if it is none. */
