@@ -7,6 +7,7 @@ import * as api from './api';
 import { folder_of, index_at, leaf_of, new_result, stem_of } from './cases';
 import { Editor } from './edit/editor';
 import { History } from './edit/history';
+import { JointSets } from './edit/joint_sets';
 import { JsonError, line_of } from './edit/json_text';
 import { SaveAs } from './edit/save_as';
 import { type Polygon, type Scene, scene_of } from './edit/scene';
@@ -22,7 +23,7 @@ interface Loaded {
 type Mode = 'both' | 'drawing' | 'text' | 'tables';
 
 const MODES: [Mode, string][] = [
-  ['both', 'Drawing and text'],
+  ['both', 'Both'],
   ['drawing', 'Drawing'],
   ['text', 'Text'],
   ['tables', 'Tables'],
@@ -267,6 +268,7 @@ export function CaseView({ paths }: { paths: string[] }) {
         )}
       </section>
       <section class="plan" aria-label="Check and run">
+        {has_sets && scene && <JointSets text={text} scene={scene} change={change} close={() => set_has_sets(false)} />}
         {!has_drawing && <Picture paths={paths} stamp={stamp} />}
         <RunForm
           paths={paths}
@@ -294,7 +296,6 @@ export function CaseView({ paths }: { paths: string[] }) {
           close={() => set_saving_as(false)}
         />
       )}
-      {has_sets && scene && null}
     </div>
   );
 }

@@ -1,0 +1,124 @@
+// Joint sets of a case: a form whose joints appear in the drawing at once.
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import * as api from '../api';
+import { material_of, put_joints } from './edits';
+import { find, parse } from './json_text';
+import { loops_of, type Scene, scene_of } from './scene';
+import {
+  type JointSet,
+  named_rows,
+  new_set,
+  note_of,
+  rounded_rows,
+  set_spec,
+  sets_in,
+  with_note,
+  without_note,
+} from './sets';
+import { SetsForm } from './sets_form';
+
+export function JointSets({
+  text,
+  scene,
+  change,
+  close,
+}: {
+  text: string;
+  scene: Scene;
+  change: (text: string, tag: string) => void;
+  close: () => void;
+}) {
+  // The joints of the form replace those of the text as it was when the form opened.
+  const base = useRef(text);
+  const [before] = useState(() => sets_in(text));
+  const names = scene.joint_materials.length ? scene.joint_materials : ['joint 1'];
+  const [sets, set_sets] = useState<JointSet[]>(
+    () =>
+      before?.sets.map(own => ({ ...own, name: names.includes(own.name) ? own.name : names[0] })) ?? [
+        { ...new_set(1), dip: '35', name: names[0] },
+        { ...new_set(2), dip: '118', name: names[Math.min(1, names.length - 1)] },
+      ],
+  );
+  const [seed, set_seed] = useState(before?.seed ?? '1');
+  const [replaces, set_replaces] = useState(true);
+  const [words, set_words] = useState('');
+  const asked = useRef(0);
+
+  const draw = async () => {
+    const number = ++asked.current;
+    const own = scene_of(base.current);
+    const loops = loops_of(own);
+    if (!loops.length) return set_words('Draw an outline first.');
+    const specs = sets.map(set => set_spec(set, Math.max(0, names.indexOf(set.name)) + 1));
+    let reply: api.JointRows;
+    try {
+      reply = await api.joints({ outline: loops[0], sets: specs, seed: Number(seed) || 0 });
+    } catch (error) {
+      return set_words((error as Error).message);
+    }
+    if (number !== asked.current) return;
+    if (!reply.joints) return set_words(reply.errors?.[0]?.sentence ?? 'The joints cannot be drawn.');
+    const rows = rounded_rows(reply.joints.slice(reply.boundary_count ?? 0));
+    const values = named_rows(
+      rows,
+      own.joint_materials.map((_, i) => material_of(own.joint_materials, i, 'joint')),
+    );
+    set_words(`${rows.length} joints`);
+    change(placed(base.current, values, replaces, note_of(sets, seed)), 'sets');
+  };
+
+  useEffect(() => {
+    const timer = setTimeout(() => void draw(), 250);
+    return () => clearTimeout(timer);
+  }, [sets, seed, replaces]);
+
+  return (
+    <div class="group sets">
+      <h2>Joint sets</h2>
+      <SetsForm
+        sets={sets}
+        set_sets={set_sets}
+        seed={seed}
+        set_seed={set_seed}
+        length={scene.length}
+        has_strength={false}
+        names={names}
+      />
+      <label class="edit-toggle">
+        <input type="checkbox" checked={replaces} onChange={event => set_replaces(event.currentTarget.checked)} />
+        Replace the joints that the drawing has
+      </label>
+      <p class="note" aria-live="polite">
+        {words}
+      </p>
+      <div class="row wide">
+        <span class="space" />
+        <button
+          type="button"
+          class="small"
+          onClick={() => {
+            asked.current++;
+            change(base.current, 'sets');
+            close();
+          }}
+        >
+          Cancel
+        </button>
+        <button type="button" class="small strong" onClick={close}>
+          Keep
+        </button>
+      </div>
+    </div>
+  );
+}
+
+/** Puts the joints into a text; files with comments keep a note on the sets. */
+function placed(text: string, rows: Parameters<typeof put_joints>[1], replaces: boolean, note: string): string {
+  const has_comments = /^\s*\/\//m.test(text);
+  const result = put_joints(without_note(text), rows, replaces);
+  if (!has_comments || !rows.length) return result;
+  const list = find(parse(result), ['drawing', 'joints']);
+  const first = list?.items[list.items.length - rows.length];
+  return first ? with_note(result, first.from, note) : result;
+}
