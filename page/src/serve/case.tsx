@@ -11,6 +11,8 @@ import { JointSets } from './edit/joint_sets';
 import { JsonError, line_of } from './edit/json_text';
 import { SaveAs } from './edit/save_as';
 import { type Polygon, type Scene, scene_of } from './edit/scene';
+import type { Schema } from './edit/schema';
+import { Tables } from './edit/tables';
 import { TextArea } from './edit/text_area';
 import * as state from './state';
 
@@ -31,6 +33,9 @@ const MODES: [Mode, string][] = [
 
 const wide = window.matchMedia('(min-width: 900px)');
 const mode = signal<Mode>(wide.matches ? 'both' : 'drawing');
+
+/** Schema of a case file, read once. */
+const schema = signal<Schema | null>(null);
 
 const is_json = (path: string) => /\.json$/i.test(path);
 
@@ -93,6 +98,13 @@ export function CaseView({ paths }: { paths: string[] }) {
       is_old = true;
     };
   }, [key]);
+
+  useEffect(() => {
+    if (!schema.value && is_json(current))
+      void state.attempt(api.schema).then(own => {
+        if (own) schema.value = own as Schema;
+      });
+  }, [current]);
 
   // Unsaved text is checked after a pause.
   const is_changed = changed.length > 0;
@@ -235,7 +247,7 @@ export function CaseView({ paths }: { paths: string[] }) {
         {file && !file.is_text ? (
           <p class="empty">This file is not text, so it cannot be edited here.</p>
         ) : (
-          <div class={`panes ${shown}`}>
+          <div class={`panes show-${shown}`}>
             {scene && (shown === 'both' || shown === 'drawing') && (
               <Editor
                 text={text}
@@ -252,6 +264,9 @@ export function CaseView({ paths }: { paths: string[] }) {
                 open_sets={() => set_has_sets(true)}
               />
             )}
+            {scene && shown === 'tables' && (
+              <Tables text={text} scene={scene} schema={schema.value} change={change} is_old={!!fault} />
+            )}
             {(shown === 'both' || shown === 'text') && (
               <TextArea
                 box={area}
@@ -262,6 +277,8 @@ export function CaseView({ paths }: { paths: string[] }) {
                   .filter(own => own.line && own.file && leaf_of(own.file) === leaf_of(current))
                   .map(own => ({ line: own.line!, is_error: errors.includes(own) || own.level === 'error' }))}
                 set={(next, caret) => change(next, 'typing', caret)}
+                schema={scene ? schema.value : null}
+                names={{ block: scene?.block_materials ?? [], joint: scene?.joint_materials ?? [] }}
               />
             )}
           </div>
