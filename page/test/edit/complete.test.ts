@@ -84,6 +84,10 @@ describe('completion', () => {
     const found = place_at(text, text.indexOf('st') + 2)!;
     expect(text.slice(found.from, found.to)).toBe('"st"');
     expect(choices_at(SCHEMA, found, NAMES)[0].text).toBe('"step_count": ');
+    const open = '{"analysis": {"st}}';
+    expect(place_at(open, 17)!.to).toBe(17);
+    const before = '{"analysis": {"st"time_step": 1}}';
+    expect(place_at(before, 17)!.to).toBe(17);
     const bare = place_at('{"keyblock": 2, ana', 19)!;
     expect([bare.kind, bare.from, bare.to, bare.typed]).toEqual(['key', 16, 19, 'ana']);
   });

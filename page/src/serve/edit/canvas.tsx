@@ -366,6 +366,7 @@ export function Canvas(props: CanvasProps) {
         role="application"
         aria-label={props.label}
         aria-describedby="canvas-hint"
+        data-view={`${view.x} ${view.y} ${view.scale}`}
         class={tool.name === 'select' ? (drag?.kind === 'pan' ? 'grabs' : hovered ? 'points' : '') : 'draws'}
         onPointerDown={down}
         onPointerMove={move}

@@ -89,7 +89,15 @@ function path_of(levels: Level[]): Path {
 }
 
 function in_string(text: string, levels: Level[], from: number, caret: number): Place | null {
-  return place(text, levels, from, end_of_string(text, from), text.slice(from + 1, caret));
+  const end = end_of_string(text, from);
+  // A text that is being typed has no end yet: a quotation mark further on the line opens the next text.
+  const is_closed =
+    text[end - 1] === '"' &&
+    end > from + 1 &&
+    !/[,:{}[\]]/.test(text.slice(from + 1, end - 1)) &&
+    !/\w/.test(text[end] ?? '');
+  const word = /^[\w.+-]*/.exec(text.slice(caret))![0].length;
+  return place(text, levels, from, is_closed ? end : caret + word, text.slice(from + 1, caret));
 }
 
 function place(text: string, levels: Level[], from: number, to: number, typed: string): Place | null {

@@ -48,9 +48,12 @@ export function TextArea({
   }, [popup?.at]);
 
   /** Shows what can stand at the caret. */
-  const offer = (own: HTMLTextAreaElement) => {
+  const offer = (own: HTMLTextAreaElement, is_asked = false) => {
     const place = schema ? place_at(own.value, own.selectionStart) : null;
-    const choices = place ? choices_at(schema!, place, names).slice(0, MOST) : [];
+    let choices = place ? choices_at(schema!, place, names).slice(0, MOST) : [];
+    // Within a whole word, all others are offered on request.
+    if (is_asked && place && choices.length < 2)
+      choices = choices_at(schema!, { ...place, typed: '' }, names).slice(0, MOST);
     if (!place || !choices.length || (choices.length === 1 && choices[0].label === place.typed)) return set_popup(null);
     set_popup({ place, choices, at: 0, ...corner_of(own, place.from) });
   };
@@ -72,7 +75,7 @@ export function TextArea({
     const own = event.currentTarget as HTMLTextAreaElement;
     if (event.key === ' ' && event.ctrlKey) {
       event.preventDefault();
-      return offer(own);
+      return offer(own, true);
     }
     if (!popup) return;
     const { choices, at } = popup;
