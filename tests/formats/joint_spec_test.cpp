@@ -76,7 +76,7 @@ TEST(JointSpec, corners_of_an_outline_come_counter_clockwise) {
   EXPECT_EQ(turned, triangle);
   for (const char* wrong : {"[[0, 0], [1, 1]]", "[[0, 0], [1, 1], [2, 2]]", "[[0, 0], [2, 2], [2, 0], [0, 2]]"})
     EXPECT_EQ(fault(fmt::format("\"outline\": {}", wrong)).substr(0, 51),
-              "f:1:13: error: expected an outline of three or more");
+              "f:1:2: error: expected an outline of three or more ");
 }
 
 TEST(JointSpec, the_scatter_of_the_dip_is_in_degrees_or_a_share_of_90) {

@@ -174,7 +174,7 @@ describe.skipIf(!has_browser || !program)('program', () => {
     await act(page.getByRole('button', { name: 'Run', exact: true }).click());
     await act(page.getByRole('button', { name: 'Factor of safety' }).click());
     await expect
-      .poll(() => page.locator('.job', { hasText: 'Factor of safety 1' }).count(), { timeout: 110_000 })
+      .poll(() => page.locator('.job', { hasText: 'Factor of safety 1' }).count(), { timeout: 240_000 })
       .toBe(1);
     const said = await page.locator('.job', { hasText: 'Factor of safety 1' }).textContent();
     const factor = Number(/Factor of safety ([\d.]+)/.exec(said!)![1]);
@@ -185,5 +185,5 @@ describe.skipIf(!has_browser || !program)('program', () => {
     await expect.poll(() => page.locator('.job', { hasText: 'finished' }).count()).toBe(1);
     expect(errors).toEqual([]);
     await context.close();
-  });
+  }, 300_000);
 });

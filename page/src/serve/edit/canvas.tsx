@@ -52,6 +52,7 @@ export function Canvas(props: CanvasProps) {
   const [lasso, set_lasso] = useState<[Point, Point] | null>(null);
   const [moved, set_moved] = useState<Map<string, Point[]>>(new Map());
   const [theme, set_theme] = useState('');
+  const before = useRef<[number, number]>([0, 0]);
   const space = useRef(false);
   const touches = useRef(new Map<number, Point>());
   const pinch = useRef<{ distance: number; middle: Point; view: View } | null>(null);
@@ -63,7 +64,18 @@ export function Canvas(props: CanvasProps) {
   useEffect(() => {
     const watch = new ResizeObserver(() => {
       const own = box.current;
-      if (own) set_size([own.clientWidth, own.clientHeight]);
+      if (!own) return;
+      const [w, h] = [own.clientWidth, own.clientHeight];
+      const [w_before, h_before] = before.current;
+      before.current = [w, h];
+      set_size([w, h]);
+      // The drawing stays where it is, seen from the upper left corner.
+      if (w_before && h_before)
+        set_view(one =>
+          one.scale > 0
+            ? { ...one, x: one.x + (w - w_before) / 2 / one.scale, y: one.y + (h_before - h) / 2 / one.scale }
+            : one,
+        );
     });
     watch.observe(box.current!);
     const themes = new MutationObserver(() => set_theme(document.documentElement.dataset.theme ?? ''));

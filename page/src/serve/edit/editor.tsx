@@ -26,7 +26,7 @@ export interface EditorProps {
   open_sets: () => void;
 }
 
-const SNAPS = { end: 'end', crossing: 'crossing', line: 'on a line', grid: 'grid', free: '' };
+const SNAPS = { end: '(end)', crossing: '(crossing)', line: '(on a line)', grid: '(grid)', free: '' };
 
 export function Editor(props: EditorProps) {
   const { text, scene, blocks, change } = props;
