@@ -6,9 +6,10 @@ import { show } from '../draw/numbers';
 import * as api from './api';
 import { folder_of, index_at, leaf_of, new_result, stem_of } from './cases';
 import { Editor } from './edit/editor';
+import { material_of } from './edit/edits';
 import { History } from './edit/history';
 import { JointSets } from './edit/joint_sets';
-import { JsonError, line_of } from './edit/json_text';
+import { JsonError, line_of, type Node } from './edit/json_text';
 import { SaveAs } from './edit/save_as';
 import { type Polygon, type Scene, scene_of } from './edit/scene';
 import type { Schema } from './edit/schema';
@@ -60,7 +61,7 @@ export function CaseView({ paths }: { paths: string[] }) {
   const file = files[current];
   const { scene, fault } = useScene(text, !!file && is_json(current));
   // A case that names other files is checked as it is saved: a draft would not find them.
-  const is_whole = paths.length === 1 && !!scene && scene.geometry !== 'file';
+  const is_whole = paths.length === 1 && !!scene && scene.geometry !== 'file' && !names_files(scene.root);
   const changed = paths.filter(path => files[path] && texts[path] !== files[path].text);
   const cut = useBlocks(paths[0], text, is_whole && scene.geometry !== 'cover' && !fault);
 
@@ -278,7 +279,10 @@ export function CaseView({ paths }: { paths: string[] }) {
                   .map(own => ({ line: own.line!, is_error: errors.includes(own) || own.level === 'error' }))}
                 set={(next, caret) => change(next, 'typing', caret)}
                 schema={scene ? schema.value : null}
-                names={{ block: scene?.block_materials ?? [], joint: scene?.joint_materials ?? [] }}
+                names={{
+                  block: scene?.block_materials.map((_, i, all) => material_of(all, i, 'material')) ?? [],
+                  joint: scene?.joint_materials.map((_, i, all) => material_of(all, i, 'joint')) ?? [],
+                }}
               />
             )}
           </div>
@@ -314,6 +318,14 @@ export function CaseView({ paths }: { paths: string[] }) {
         />
       )}
     </div>
+  );
+}
+
+/** True if a value of the case names a file, such as a table of motion. */
+function names_files(node: Node): boolean {
+  return (
+    node.keys.some((key, i) => key.name.endsWith('_file') && node.items[i].kind === 'string') ||
+    node.items.some(own => own.items.length > 0 && own.kind !== 'number' && names_files(own))
   );
 }
 
@@ -364,7 +376,7 @@ function useBlocks(path: string, text: string, is_on: boolean): { blocks: Polygo
 
 /** Writes the files of a case as one case file beside them, and opens it. */
 async function convert_to_case(paths: string[]): Promise<void> {
-  const taken = (state.listing.value?.files ?? []).map(own => stem_of(own.path));
+  const taken = (state.listing.value?.files ?? []).filter(own => is_json(own.path)).map(own => stem_of(own.path));
   const target = `${new_result(stem_of(paths[0]), taken)}.json`;
   const done = await state.attempt(() => api.convert(paths, target, 'keyblock-case'));
   if (!done) return;

@@ -204,8 +204,8 @@ describe('edits', () => {
   });
 
   test('joint sets replace the joints and leave the outline', () => {
-    const after = edits.put_joints(CASE, [[1, 1, 2, 2, 1]], true);
+    const after = edits.put_joints(CASE, [[1, 1, 2, 2, 1]], 1);
     expect(read(after, 'drawing', 'joints', 4)).toEqual([1, 1, 2, 2, 1]);
-    expect((read(edits.put_joints(CASE, [[1, 1, 2, 2, 1]], false), 'drawing', 'joints') as unknown[]).length).toBe(6);
+    expect((read(edits.put_joints(CASE, [[1, 1, 2, 2, 1]], 0), 'drawing', 'joints') as unknown[]).length).toBe(6);
   });
 });

@@ -245,6 +245,33 @@ describe.skipIf(!has_browser)('editor', () => {
     await page.context().close();
   });
 
+  test('joint sets follow their form; other changes made meanwhile stay; cancel restores the joints', async () => {
+    const page = await open('#/case/box.json');
+    await tool(page, 'Joint');
+    await click(page, 2, 0);
+    await click(page, 2, 6);
+    const before = await text(page);
+    await page.getByRole('button', { name: 'Joint sets…' }).click();
+    await expect.poll(() => read(page, 'drawing', 'joints', 4)).toEqual([1, 0, 1, 10, 'bedding']);
+    expect(await text(page)).toContain('// joint sets: {"seed":"1"');
+    await page.getByLabel('Replace the joints').uncheck();
+    await expect.poll(() => read(page, 'drawing', 'joints', 4)).toEqual([2, 0, 2, 6, 'bedding']);
+    expect(await read(page, 'drawing', 'joints', 5)).toEqual([1, 0, 1, 10, 'bedding']);
+    await page.getByRole('button', { name: 'Cancel' }).click();
+    await expect.poll(() => text(page)).toBe(before);
+    await page.getByRole('button', { name: 'Joint sets…' }).click();
+    await expect.poll(() => read(page, 'drawing', 'joints', 4)).toEqual([1, 0, 1, 10, 'bedding']);
+    await tool(page, 'Point');
+    await click(page, 4, 4);
+    await page.getByLabel('Spacing [m]').first().fill('2');
+    await page.waitForTimeout(600);
+    await page.getByRole('button', { name: 'Cancel' }).click();
+    await expect.poll(() => read(page, 'drawing', 'joints', 4)).toEqual([2, 0, 2, 6, 'bedding']);
+    expect(await read(page, 'drawing', 'measured_points', 1)).toEqual([4, 4]);
+    expect(await text(page)).not.toContain('joint sets:');
+    await page.context().close();
+  });
+
   for (const scheme of ['light', 'dark'] as const)
     for (const width of [1280, 400])
       test(`no axe violations, ${scheme}, ${width} px`, async () => {

@@ -134,6 +134,12 @@ function keys_behind(text: string, from: number): string[] {
   return keys;
 }
 
+/** Names of materials; numbers of those without a name. */
+export interface Names {
+  block: (string | number)[];
+  joint: (string | number)[];
+}
+
 export interface Choice {
   /** Text to write. */
   text: string;
@@ -142,7 +148,7 @@ export interface Choice {
 }
 
 /** Choices at a place, those that begin as typed first. */
-export function choices_at(schema: Schema, place: Place, names: { block: string[]; joint: string[] }): Choice[] {
+export function choices_at(schema: Schema, place: Place, names: Names): Choice[] {
   const own = schema_at(schema, place.path);
   if (!own) return [];
   const found = place.kind === 'key' ? keys_of(own, place.taken) : values_of(own, place.path, names);
@@ -177,7 +183,7 @@ function words_on(own: Schema): string {
   return `${meaning_of(own)}${limits ? ` Permitted: ${limits}.` : ''}${standard}`;
 }
 
-function values_of(own: Schema, path: Path, names: { block: string[]; joint: string[] }): Choice[] {
+function values_of(own: Schema, path: Path, names: Names): Choice[] {
   const meaning = words_on(own);
   const choice = (value: unknown): Choice => ({ text: JSON.stringify(value), label: String(value), meaning });
   const words = [...(own.enum ?? []), ...(own.anyOf ?? []).flatMap(one => one.enum ?? [])];

@@ -99,7 +99,7 @@ export function remove_items(text: string, scene: Scene, items: Item[]): string 
   let result = text;
   const outlines = items.filter(own => own.kind === 'outline').length;
   for (const item of [...items].sort((a, b) => later(a.path, b.path))) {
-    result = remove(result, item.is_closed ? item.path.slice(0, -1) : item.path);
+    result = remove(result, item.is_list ? item.path.slice(0, -1) : item.path);
     if (item.kind === 'load') result = remove(result, ['analysis', 'point_loads', Number(item.path.at(-1))]);
   }
   if (outlines) result = set(result, ['drawing', 'boundary_count'], Math.max(0, scene.boundary_count - outlines));
@@ -294,10 +294,10 @@ export function fix_base_and_sides(text: string): string {
   return count ? splice(text, ['drawing', 'fixed_lines'], 0, count, rows) : set(text, ['drawing', 'fixed_lines'], rows);
 }
 
-/** Replaces the joints behind the outline, or adds to them. */
-export function put_joints(text: string, rows: Value[], replaces: boolean): string {
+/** Replaces the first `count` joints behind the outline. */
+export function put_joints(text: string, rows: Value[], count: number): string {
   const scene = scene_of(text);
-  const count = find(scene.root, ['drawing', 'joints'])?.items.length ?? 0;
-  const from = replaces ? scene.boundary_count : count;
-  return splice(text, ['drawing', 'joints'], from, count - from, rows);
+  const joints = find(scene.root, ['drawing', 'joints'])?.items.length ?? 0;
+  const from = scene.boundary_count;
+  return splice(text, ['drawing', 'joints'], from, Math.min(count, joints - from), rows);
 }

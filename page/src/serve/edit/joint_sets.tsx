@@ -3,9 +3,10 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import * as api from '../api';
 import { material_of, put_joints } from './edits';
-import { find, parse } from './json_text';
-import { loops_of, type Scene, scene_of } from './scene';
+import { find, plain, type Value } from './json_text';
+import { box_of, loops_of, type Scene, scene_of } from './scene';
 import {
+  fault_of_set,
   type JointSet,
   named_rows,
   new_set,
@@ -29,8 +30,18 @@ export function JointSets({
   change: (text: string, tag: string) => void;
   close: () => void;
 }) {
-  // The joints of the form replace those of the text as it was when the form opened.
   const base = useRef(text);
+  const now = useRef(text);
+  now.current = text;
+  /** Last text of this form, and the number of joints that it holds for the form. */
+  const last = useRef(text);
+  const original = useRef<Value[]>([]);
+  const mine = useRef(-1);
+  if (mine.current < 0) {
+    const rows = plain(find(scene.root, ['drawing', 'joints']));
+    original.current = Array.isArray(rows) ? rows.slice(scene.boundary_count) : [];
+    mine.current = original.current.length;
+  }
   const [before] = useState(() => sets_in(text));
   const names = scene.joint_materials.length ? scene.joint_materials : ['joint 1'];
   const [sets, set_sets] = useState<JointSet[]>(
@@ -45,12 +56,28 @@ export function JointSets({
   const [words, set_words] = useState('');
   const asked = useRef(0);
 
+  /** Puts rows in place of those that the form wrote before; other changes of the text stay. */
+  const put = (rows: Value[], added: number) => {
+    const next = placed(now.current, rows, mine.current, added, note_of(sets, seed));
+    mine.current = rows.length;
+    last.current = next;
+    change(next, 'sets');
+  };
+
   const draw = async () => {
     const number = ++asked.current;
-    const own = scene_of(base.current);
+    let own: Scene;
+    try {
+      own = scene_of(now.current);
+    } catch {
+      return set_words('The text has a fault: correct it first.');
+    }
     const loops = loops_of(own);
     if (!loops.length) return set_words('Draw an outline first.');
     const specs = sets.map(set => set_spec(set, Math.max(0, names.indexOf(set.name)) + 1));
+    const box = box_of(loops[0])!;
+    const fault = sets.map(set => fault_of_set(set, Math.max(box[2] - box[0], box[3] - box[1]))).find(Boolean);
+    if (fault) return set_words(fault);
     let reply: api.JointRows;
     try {
       reply = await api.joints({ outline: loops[0], sets: specs, seed: Number(seed) || 0 });
@@ -65,7 +92,7 @@ export function JointSets({
       own.joint_materials.map((_, i) => material_of(own.joint_materials, i, 'joint')),
     );
     set_words(`${rows.length} joints`);
-    change(placed(base.current, values, replaces, note_of(sets, seed)), 'sets');
+    put(replaces ? values : [...original.current, ...values], values.length);
   };
 
   useEffect(() => {
@@ -99,7 +126,8 @@ export function JointSets({
           class="small"
           onClick={() => {
             asked.current++;
-            change(base.current, 'sets');
+            if (now.current === last.current) change(base.current, 'sets');
+            else put(original.current, 0);
             close();
           }}
         >
@@ -113,12 +141,12 @@ export function JointSets({
   );
 }
 
-/** Puts the joints into a text; files with comments keep a note on the sets. */
-function placed(text: string, rows: Parameters<typeof put_joints>[1], replaces: boolean, note: string): string {
+/** Puts joints into a text; files with comments keep a note on the sets before the `added` last ones. */
+function placed(text: string, rows: Value[], count: number, added: number, note: string): string {
   const has_comments = /^\s*\/\//m.test(text);
-  const result = put_joints(without_note(text), rows, replaces);
-  if (!has_comments || !rows.length) return result;
-  const list = find(parse(result), ['drawing', 'joints']);
-  const first = list?.items[list.items.length - rows.length];
+  const result = put_joints(without_note(text), rows, count);
+  if (!has_comments || !added) return result;
+  const own = scene_of(result);
+  const first = find(own.root, ['drawing', 'joints', own.boundary_count + rows.length - added]);
   return first ? with_note(result, first.from, note) : result;
 }

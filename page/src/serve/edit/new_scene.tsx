@@ -42,6 +42,8 @@ function useDrawn(form: SceneForm) {
   const [text, set_text] = useState('');
   const [blocks, set_blocks] = useState<Polygon[]>([]);
   const [words, set_words] = useState('');
+  const [drawn_for, set_drawn_for] = useState('');
+  const key = JSON.stringify(form);
   const asked = useRef(0);
   useEffect(() => {
     const number = ++asked.current;
@@ -56,6 +58,7 @@ function useDrawn(form: SceneForm) {
         if (!drawn.joints) return set_words(drawn.errors?.[0]?.sentence ?? 'The joints cannot be drawn.');
         const made = scene_text(form, drawn);
         set_text(made);
+        set_drawn_for(key);
         const cut = await api.blocks('scene.json', made);
         if (number !== asked.current) return;
         set_blocks(cut.blocks ?? []);
@@ -65,8 +68,8 @@ function useDrawn(form: SceneForm) {
       }
     }, 250);
     return () => clearTimeout(timer);
-  }, [JSON.stringify(form)]);
-  return { text, blocks, words, fault };
+  }, [key]);
+  return { text, blocks, words, fault, is_ready: !fault && drawn_for === key };
 }
 
 export function NewScene() {
@@ -74,7 +77,7 @@ export function NewScene() {
   const [draft, set_draft] = useState<Point[]>([]);
   const [name, set_name] = useState('');
   const [library, set_library] = useState<string[]>(['limestone']);
-  const { text, blocks, words, fault } = useDrawn(form);
+  const { text, blocks, words, fault, is_ready } = useDrawn(form);
   const scene = useMemo(() => scene_of(text || '{}'), [text]);
 
   useEffect(() => {
@@ -101,7 +104,7 @@ export function NewScene() {
 
   const create = async (event: Event) => {
     event.preventDefault();
-    if (fault || !text) return;
+    if (!is_ready) return;
     const path = name.trim() || suggestion;
     const saved = await state.attempt(() => api.save(/\.json$/i.test(path) ? path : `${path}.json`, text));
     if (!saved) return;
@@ -220,7 +223,7 @@ export function NewScene() {
           </label>
           <div class="row wide">
             <span class="space" />
-            <button type="submit" class="small strong" disabled={!!fault || !text}>
+            <button type="submit" class="small strong" disabled={!is_ready}>
               Create the case
             </button>
           </div>

@@ -228,7 +228,12 @@ class Painter {
 
   hatched(points: Point[], colour: string, width: number): void {
     const { c } = this;
+    if (points.length > 2) {
+      for (let i = 0; i + 1 < points.length; i++) this.hatched(points.slice(i, i + 2), colour, width);
+      return;
+    }
     this.line(points, colour, width);
+    if (points.length < 2) return;
     const [a, b] = [this.at(points[0]), this.at(points[1])];
     const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
     if (length < 1) return;
@@ -263,6 +268,12 @@ class Painter {
         return;
       case 'fixed_line':
         this.hatched(points, colour(own.is_dark ? '#8fb0ff' : '#2a4fb5'), 1.5 + more);
+        return;
+      case 'support':
+        this.hatched(points, colour(own.is_dark ? '#8fb0ff' : '#2a4fb5'), 2 + more);
+        return;
+      case 'traction':
+        this.line(points, colour(own.bad), 3 + more, [4, 3]);
         return;
       case 'bolt':
         this.line(points, colour(own.good), 3 + more);

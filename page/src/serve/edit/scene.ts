@@ -17,7 +17,9 @@ export type Kind =
   | 'hole'
   | 'excavation'
   | 'cut'
-  | 'region';
+  | 'region'
+  | 'support'
+  | 'traction';
 
 export interface Item {
   /** Path as text: the same as long as rows before it stay. */
@@ -26,6 +28,8 @@ export interface Item {
   path: Path;
   points: Point[];
   is_closed: boolean;
+  /** True if the path leads to a list of points, false if to a row of numbers. */
+  is_list: boolean;
   /** Index of the stage that it belongs to, -1 if it is there from the start. */
   stage: number;
 }
@@ -104,8 +108,8 @@ class Reader {
     return Array.from({ length: count }, (_, i) => [numbers[2 * i], numbers[2 * i + 1]]);
   }
 
-  add(kind: Kind, path: Path, points: Point[] | null, stage: number, is_closed = false): void {
-    if (points?.length) this.items.push({ key: path.join('/'), kind, path, points, is_closed, stage });
+  add(kind: Kind, path: Path, points: Point[] | null, stage: number, is_list = false, is_closed = is_list): void {
+    if (points?.length) this.items.push({ key: path.join('/'), kind, path, points, is_closed, is_list, stage });
   }
 
   rows(kind: Kind | ((i: number) => Kind), path: Path, count: number, stage = -1): void {
@@ -120,6 +124,14 @@ class Reader {
     if (node?.kind !== 'array') return null;
     const points = node.items.map(row => this.points_of(row, 1)?.[0]);
     return points.every(own => own !== undefined) ? (points as Point[]) : null;
+  }
+
+  /** Chains of points along the boundary of NMM bodies. */
+  chains(kind: Kind, path: Path): void {
+    find(this.root, path)?.items.forEach((_, i) => {
+      const own: Path = [...path, i, 'along'];
+      this.add(kind, own, this.corners(find(this.root, own)), -1, true, false);
+    });
   }
 
   regions(kind: Kind, path: Path, stage: number): void {
@@ -177,6 +189,8 @@ export function scene_of(text: string): Scene {
     reader.rows('point', [part, 'measured_points'], 1);
   }
   reader.rows('force', ['covers', 'forces'], 1);
+  reader.chains('support', ['covers', 'displacements']);
+  reader.chains('traction', ['covers', 'tractions']);
   find(root, ['stages'])?.items.forEach((_, i) => {
     reader.regions('excavation', ['stages', i, 'excavations'], i);
     reader.regions('region', ['stages', i, 'block_materials'], i);
@@ -201,7 +215,7 @@ export function scene_of(text: string): Scene {
 
 /** Paths of the two coordinates of a point of an item. */
 export function coordinates_of(item: Item, index: number): [Path, Path] {
-  if (item.is_closed)
+  if (item.is_list)
     return [
       [...item.path, index, 0],
       [...item.path, index, 1],
@@ -282,10 +296,12 @@ export const WORDS: Record<Kind, string> = {
   excavation: 'Excavation',
   cut: 'Cut',
   region: 'Region',
+  support: 'Support',
+  traction: 'Traction',
 };
 
 /** Name of an item for people: its kind and number. */
 export function title_of(item: Item): string {
-  const index = item.path.at(-1) === 'outline' ? item.path.at(-2) : item.path.at(-1);
+  const index = item.is_list ? item.path.at(-2) : item.path.at(-1);
   return `${WORDS[item.kind]} ${Number(index) + 1}${item.stage < 0 ? '' : ` of stage ${item.stage + 1}`}`;
 }

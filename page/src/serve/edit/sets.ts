@@ -91,6 +91,25 @@ export function set_spec(set: JointSet, material: number): Record<string, Value>
   };
 }
 
+const size_of = (corners: Point[]) => {
+  const box = box_of(corners);
+  return box ? Math.max(box[2] - box[0], box[3] - box[1]) : 0;
+};
+
+/** Joints of one set beyond which a drawing serves nobody. */
+const MOST_JOINTS = 1000;
+
+/** Wrong number of a joint set in an outline of a size, or the empty text. */
+export function fault_of_set(set: JointSet, size: number): string {
+  if (Number.isNaN(number(set.dip))) return `The dip of ${set.name} must be a number.`;
+  if (!(number(set.spacing) > 0)) return `The spacing of ${set.name} must be a number above 0.`;
+  if (size / number(set.spacing) > MOST_JOINTS) return `The spacing of ${set.name} is too small for this outline.`;
+  if (!(number(set.scatter, 0) >= 0 && number(set.scatter, 0) <= 1))
+    return `The scatter of ${set.name} must lie between 0 and 1.`;
+  if (!(number(set.dip_scatter, 0) >= 0)) return `The scatter of the dip of ${set.name} must be 0 or more.`;
+  return '';
+}
+
 /** Field of a form that is no number where one must stand, or the empty text. */
 export function fault_of(form: SceneForm): string {
   const wrong = (text: string, least: number, may_be_empty = false) =>
@@ -102,12 +121,13 @@ export function fault_of(form: SceneForm): string {
   if (form.kind === 'rectangle' && wrong(form.width, 0)) return 'The width must be a number above 0.';
   if (form.kind === 'slope' && !(number(form.angle) > 0 && number(form.angle) <= 90))
     return 'The angle of the face must be above 0 and at most 90 degrees.';
-  for (const set of form.sets) {
-    if (Number.isNaN(number(set.dip))) return `The dip of ${set.name} must be a number.`;
-    if (wrong(set.spacing, 0)) return `The spacing of ${set.name} must be a number above 0.`;
-    if (!(number(set.scatter, 0) >= 0 && number(set.scatter, 0) <= 1))
-      return `The scatter of ${set.name} must lie between 0 and 1.`;
-    if (!(number(set.dip_scatter, 0) >= 0)) return `The scatter of the dip of ${set.name} must be 0 or more.`;
+  const size = form.kind === 'drawn' ? size_of(form.corners) : Math.max(number(form.height), number(form.width, 0));
+  const names = form.sets.map(set => set.name.trim());
+  for (const [i, set] of form.sets.entries()) {
+    if (!names[i] || /^\d/.test(names[i])) return `Joint set ${i + 1} needs a name that begins with a letter.`;
+    if (names.indexOf(names[i]) < i) return `Two joint sets have the name ${names[i]}.`;
+    const fault = fault_of_set(set, size);
+    if (fault) return fault;
   }
   if (!/^\d+$/.test(form.seed.trim())) return 'The seed must be a whole number.';
   return '';

@@ -1,7 +1,7 @@
 // Text of a case, with numbers of lines beside it and completion from the schema.
 
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { type Choice, choices_at, type Place, place_at } from './complete';
+import { type Choice, choices_at, type Names, type Place, place_at } from './complete';
 import type { Schema } from './schema';
 
 interface Popup {
@@ -31,7 +31,7 @@ export function TextArea({
   marks: { line: number; is_error: boolean }[];
   set: (text: string, caret: [number, number]) => void;
   schema: Schema | null;
-  names: { block: string[]; joint: string[] };
+  names: Names;
 }) {
   const gutter = useRef<HTMLPreElement>(null);
   const list = useRef<HTMLDivElement>(null);
