@@ -289,7 +289,15 @@ export function CaseView({ paths }: { paths: string[] }) {
         )}
       </section>
       <section class="plan" aria-label="Check and run">
-        {has_sets && scene && <JointSets text={text} scene={scene} change={change} close={() => set_has_sets(false)} />}
+        {has_sets && scene && (
+          <JointSets
+            text={text}
+            latest={() => histories.current.get(current)?.text ?? text}
+            scene={scene}
+            change={change}
+            close={() => set_has_sets(false)}
+          />
+        )}
         {!has_drawing && <Picture paths={paths} stamp={stamp} />}
         <RunForm
           paths={paths}

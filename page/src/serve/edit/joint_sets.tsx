@@ -21,18 +21,21 @@ import { SetsForm } from './sets_form';
 
 export function JointSets({
   text,
+  latest,
   scene,
   change,
   close,
 }: {
   text: string;
+  /** Returns the text as it is now, also before it is shown. */
+  latest: () => string;
   scene: Scene;
   change: (text: string, tag: string) => void;
   close: () => void;
 }) {
   const base = useRef(text);
-  const now = useRef(text);
-  now.current = text;
+  /** True once something else than this form has changed the text. */
+  const has_others = useRef(false);
   /** Last text of this form, and the number of joints that it holds for the form. */
   const last = useRef(text);
   const original = useRef<Value[]>([]);
@@ -58,7 +61,9 @@ export function JointSets({
 
   /** Puts rows in place of those that the form wrote before; other changes of the text stay. */
   const put = (rows: Value[], added: number) => {
-    const next = placed(now.current, rows, mine.current, added, note_of(sets, seed));
+    const now = latest();
+    if (now !== last.current) has_others.current = true;
+    const next = placed(now, rows, mine.current, added, note_of(sets, seed));
     mine.current = rows.length;
     last.current = next;
     change(next, 'sets');
@@ -68,7 +73,7 @@ export function JointSets({
     const number = ++asked.current;
     let own: Scene;
     try {
-      own = scene_of(now.current);
+      own = scene_of(latest());
     } catch {
       return set_words('The text has a fault: correct it first.');
     }
@@ -126,7 +131,7 @@ export function JointSets({
           class="small"
           onClick={() => {
             asked.current++;
-            if (now.current === last.current) change(base.current, 'sets');
+            if (latest() === last.current && !has_others.current) change(base.current, 'sets');
             else put(original.current, 0);
             close();
           }}
