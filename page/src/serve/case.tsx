@@ -101,10 +101,14 @@ export function CaseView({ paths }: { paths: string[] }) {
   }, [key]);
 
   useEffect(() => {
+    // Without it there are no tables and no completion; what else is wrong stays on the screen.
     if (!schema.value && is_json(current))
-      void state.attempt(api.schema).then(own => {
-        if (own) schema.value = own as Schema;
-      });
+      void api
+        .schema()
+        .then(own => {
+          schema.value = own as Schema;
+        })
+        .catch(() => {});
   }, [current]);
 
   // Unsaved text is checked after a pause.
