@@ -1,7 +1,7 @@
 // Canvas of a case: shows its drawing, and takes points, selections and moves from pointer and keys.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { colours_of, type Picture, paint, type View } from './paint';
+import { colours_of, Ground, type Picture, type View } from './paint';
 import { box_of, extent_of, type Item, is_inside, type Point, type Polygon, type Scene } from './scene';
 import { foot_of, grid_step, type Snapped, segments_of, snap } from './snap';
 import { points_of, type Tool } from './tools';
@@ -53,6 +53,7 @@ export function Canvas(props: CanvasProps) {
   const [moved, set_moved] = useState<Map<string, Point[]>>(new Map());
   const [theme, set_theme] = useState('');
   const before = useRef<[number, number]>([0, 0]);
+  const ground = useRef<Ground | null>(null);
   const space = useRef(false);
   const touches = useRef(new Map<number, Point>());
   const pinch = useRef<{ distance: number; middle: Point; view: View } | null>(null);
@@ -123,7 +124,8 @@ export function Canvas(props: CanvasProps) {
       box: lasso,
       has_numbers: props.has_numbers,
     };
-    paint(c, picture, colours_of(own));
+    ground.current ??= new Ground();
+    ground.current.paint(c, picture, colours_of(own));
   });
 
   const place = (event: { clientX: number; clientY: number }): Point => {

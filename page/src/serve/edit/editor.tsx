@@ -1,5 +1,6 @@
 // Drawing of a case: tools, canvas, numbers of what is chosen. Every change becomes a change of the text.
 
+import { type Signal, useSignal } from '@preact/signals';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { Canvas } from './canvas';
 import { Chosen } from './chosen';
@@ -28,6 +29,23 @@ export interface EditorProps {
 
 const SNAPS = { end: '(end)', crossing: '(crossing)', line: '(on a line)', grid: '(grid)', free: '' };
 
+interface Pointed {
+  own: Snapped | null;
+  grid: number;
+}
+
+/** Place of the pointer. It changes often, so that nothing else is drawn with it. */
+function Where({ pointed, length }: { pointed: Signal<Pointed>; length: string }) {
+  const { own, grid } = pointed.value;
+  const unit = length ? ` ${length}` : '';
+  const shown = (x: number) => String(Number(x.toPrecision(8)));
+  return (
+    <span class="edit-where">
+      {own ? `${shown(own.point[0])}, ${shown(own.point[1])}${unit} ${SNAPS[own.kind]}` : `grid ${shown(grid)}${unit}`}
+    </span>
+  );
+}
+
 export function Editor(props: EditorProps) {
   const { text, scene, blocks, change } = props;
   const [name, set_name] = useState<ToolName>('select');
@@ -37,7 +55,7 @@ export function Editor(props: EditorProps) {
   const [is_snapping, set_snapping] = useState(true);
   const [has_grid, set_grid] = useState(true);
   const [has_numbers, set_numbers] = useState(false);
-  const [pointed, set_pointed] = useState<{ own: Snapped | null; grid: number }>({ own: null, grid: 1 });
+  const pointed = useSignal<Pointed>({ own: null, grid: 1 });
   const [said, set_said] = useState('');
   const options = useOptions(scene);
   const typed = useRef<HTMLInputElement>(null);
@@ -130,9 +148,6 @@ export function Editor(props: EditorProps) {
     set_draft(points);
   };
 
-  const { own } = pointed;
-  const unit = scene.length ? ` ${scene.length}` : '';
-  const shown = (x: number) => String(Number(x.toPrecision(8)));
   return (
     <div class="edit-draw">
       <div class="edit-tools" role="toolbar" aria-label="Drawing tools">
@@ -187,7 +202,9 @@ export function Editor(props: EditorProps) {
         has_grid={has_grid}
         has_numbers={has_numbers}
         fit={props.fit}
-        pointed={(point, grid) => set_pointed({ own: point, grid })}
+        pointed={(own, grid) => {
+          pointed.value = { own, grid };
+        }}
         keys={keys}
         label="Drawing of the case"
       />
@@ -242,11 +259,7 @@ export function Editor(props: EditorProps) {
         )}
       </div>
       <div class="edit-state">
-        <span class="edit-where">
-          {own
-            ? `${shown(own.point[0])}, ${shown(own.point[1])}${unit} ${SNAPS[own.kind]}`
-            : `grid ${shown(pointed.grid)}${unit}`}
-        </span>
+        <Where pointed={pointed} length={scene.length} />
         <span class={props.is_old ? 'bad' : ''} aria-live="polite">
           {props.status}
         </span>

@@ -247,10 +247,9 @@ class Painter {
     c.stroke();
   }
 
-  item(item: Item, is_chosen: boolean): void {
+  item(item: Item, is_chosen: boolean, is_hovered = false): void {
     const { c, own, p } = this;
     const points = p.moved.get(item.key) ?? item.points;
-    const is_hovered = item.key === p.hovered;
     const more = is_chosen ? 1.8 : is_hovered ? 1 : 0;
     const colour = (usual: string) => (is_chosen ? own.accent : usual);
     switch (item.kind) {
@@ -363,7 +362,8 @@ class Painter {
     }
   }
 
-  all(): void {
+  /** What does not change with the pointer. */
+  ground(): void {
     const { c, own, p } = this;
     c.fillStyle = own.surface;
     c.fillRect(0, 0, p.width, p.height);
@@ -380,8 +380,14 @@ class Painter {
         this.item(item, true);
         if (p.chosen.size <= 12) this.handles(item);
       }
+  }
+
+  above(): void {
+    const { c, own, p } = this;
+    const hovered = p.hovered && !p.chosen.has(p.hovered) && p.scene.items.find(one => one.key === p.hovered);
+    if (hovered) this.item(hovered, false, true);
     if (p.box) {
-      const [a, b] = p.box.map(own => this.at(own));
+      const [a, b] = p.box.map(corner => this.at(corner));
       c.setLineDash([4, 3]);
       c.strokeStyle = own.accent;
       c.lineWidth = 1;
@@ -392,6 +398,24 @@ class Painter {
   }
 }
 
-export function paint(c: CanvasRenderingContext2D, picture: Picture, colours: Colours): void {
-  new Painter(c, picture, colours).all();
+/** Picture without the pointer, kept while nothing in it changes. */
+export class Ground {
+  private readonly canvas = document.createElement('canvas');
+  private made_of: unknown[] = [];
+
+  paint(c: CanvasRenderingContext2D, picture: Picture, colours: Colours): void {
+    const { scene, blocks, view, width, height, grid, chosen, moved, has_numbers } = picture;
+    const ratio = window.devicePixelRatio || 1;
+    const now = [scene, blocks, view, width, height, grid, chosen, moved, has_numbers, colours.ink, ratio];
+    if (now.some((own, i) => own !== this.made_of[i])) {
+      this.made_of = now;
+      this.canvas.width = Math.round(width * ratio);
+      this.canvas.height = Math.round(height * ratio);
+      const own = this.canvas.getContext('2d')!;
+      own.setTransform(ratio, 0, 0, ratio, 0, 0);
+      new Painter(own, picture, colours).ground();
+    }
+    c.drawImage(this.canvas, 0, 0, width, height);
+    new Painter(c, picture, colours).above();
+  }
 }
