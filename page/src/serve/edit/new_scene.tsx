@@ -43,6 +43,7 @@ function useDrawn(form: SceneForm) {
   const [blocks, set_blocks] = useState<Polygon[]>([]);
   const [words, set_words] = useState('');
   const [drawn_for, set_drawn_for] = useState('');
+  const [version, set_version] = useState(0);
   const key = JSON.stringify(form);
   const asked = useRef(0);
   useEffect(() => {
@@ -58,6 +59,7 @@ function useDrawn(form: SceneForm) {
         if (!drawn.joints) return set_words(drawn.errors?.[0]?.sentence ?? 'The joints cannot be drawn.');
         const made = scene_text(form, drawn);
         set_text(made);
+        set_version(before => before + 1);
         set_drawn_for(key);
         const cut = await api.blocks('scene.json', made);
         if (number !== asked.current) return;
@@ -69,7 +71,7 @@ function useDrawn(form: SceneForm) {
     }, 250);
     return () => clearTimeout(timer);
   }, [key]);
-  return { text, blocks, words, fault, is_ready: !fault && drawn_for === key };
+  return { text, blocks, words, fault, is_ready: !fault && drawn_for === key, version };
 }
 
 export function NewScene() {
@@ -77,8 +79,11 @@ export function NewScene() {
   const [draft, set_draft] = useState<Point[]>([]);
   const [name, set_name] = useState('');
   const [library, set_library] = useState<string[]>(['limestone']);
-  const { text, blocks, words, fault, is_ready } = useDrawn(form);
-  const scene = useMemo(() => scene_of(text || '{}'), [text]);
+  const { text, blocks, words, fault, is_ready, version } = useDrawn(form);
+  const is_drawn = form.kind === 'drawn';
+  // An outline by hand begins on an empty sheet.
+  const shown = is_drawn && form.corners.length < 3 ? '' : text;
+  const scene = useMemo(() => scene_of(shown || '{}'), [shown]);
 
   useEffect(() => {
     void state.attempt(api.materials).then(own => {
@@ -112,7 +117,6 @@ export function NewScene() {
     state.go(state.link('case', saved.path));
   };
 
-  const is_drawn = form.kind === 'drawn';
   return (
     <div class="case">
       <section class="editor new" aria-label="Drawing">
@@ -144,7 +148,7 @@ export function NewScene() {
             is_snapping={true}
             has_grid={true}
             has_numbers={false}
-            fit={scene.boundary_count}
+            fit={is_drawn ? 0 : version}
             pointed={() => {}}
             keys={event => {
               if (event.key === 'Escape') set_draft([]);
