@@ -276,6 +276,10 @@ class ServeTest(unittest.TestCase):
         self.assertEqual(report["case"]["settings"]["steps"], 7)
         self.assertEqual(report["files"][0]["file"], 'q"\\.json')
         self.assertEqual(ask("/api/check", path="a.json", text="{}", set={"--force": "1"})[0], 400)
+        for path in ("a.json", "a.yaml", "a.xml", "a.dxf", "a.geo", "a.blk", "a.cv"):
+            for text in ("[" * 100000, '{"a":' * 100000, "<a>" * 100000, "9" * 100000, "\0" * 1000, "- " * 10000):
+                status, reply = ask("/api/blocks", path=path, text=text)
+                self.assertEqual((status, "blocks" in reply and bool(reply["blocks"])), (200, False), (path, text[:5]))
         for body in ({}, {"path": "a.json"}, {"path": 1, "text": ""}, {"path": "a.json", "text": 3}):
             self.assertEqual(ask("/api/blocks", **body)[0], 400, body)
         for path in ("../../x.json", "/etc/x", "", "a.j/../../son", "a.j\0son"):
