@@ -223,6 +223,21 @@ describe.skipIf(!has_browser)('editor', () => {
 
   test('a new scene is saved as a case', async () => {
     const page = await open('#/new');
+    await page.getByText('Drawn by hand').click();
+    for (const typed of ['0, 0', '9, 0', '9, 9', '']) {
+      await page.getByLabel('Place: x, y').fill(typed);
+      await page.getByLabel('Place: x, y').press('Enter');
+    }
+    await expect
+      .poll(() => folder.asked.filter(own => own.path === '/api/joints').at(-1)?.body.spec)
+      .toMatchObject({
+        outline: [
+          [0, 0],
+          [9, 0],
+          [9, 9],
+        ],
+      });
+    await page.locator('.modes label', { hasText: 'Slope' }).click();
     await page.getByLabel('Height [m]').fill('12');
     await expect.poll(() => page.locator('.edit-state').textContent()).toContain('1 block');
     await page.getByLabel('Dip [°]').first().fill('x');

@@ -134,14 +134,8 @@ export function Editor(props: EditorProps) {
     set_said(title_of(next));
   };
 
-  /** Takes a typed place, as a click there would. */
-  const type = (box: HTMLInputElement) => {
+  const add = (point: Point) => {
     const count = points_of(tool, scene.geometry);
-    if (!box.value.trim() && count === 0 && draft.length > 2) return finish(draft);
-    const point = typed_point(box.value, draft.at(-1) ?? last);
-    box.setAttribute('aria-invalid', String(!point));
-    if (!point) return set_said('Type x, y or @dx, dy or length<angle.');
-    box.value = '';
     const points = [...draft, point];
     if (count === 1 || (count === 2 && points.length === 2)) return finish(points);
     set_last(point);
@@ -228,21 +222,16 @@ export function Editor(props: EditorProps) {
           </button>
         )}
         {tool.name !== 'select' && (
-          <input
-            ref={typed}
-            type="text"
-            class="edit-place"
-            aria-label="Place: x, y or @dx, dy or length<angle"
-            placeholder="x, y"
-            title="x, y from the origin; @dx, dy or length<angle from the last point"
-            onKeyDown={event => {
-              if (event.key === 'Enter') {
-                event.preventDefault();
-                type(event.currentTarget);
-              } else if (event.key === 'Escape') {
-                if (draft.length) set_draft([]);
-                else take('select');
-              }
+          <PlaceBox
+            box={typed}
+            last={draft.at(-1) ?? last}
+            add={add}
+            close={() => {
+              if (points_of(tool, scene.geometry) === 0 && draft.length > 2) finish(draft);
+            }}
+            cancel={() => {
+              if (draft.length) set_draft([]);
+              else take('select');
             }}
           />
         )}
@@ -277,6 +266,44 @@ export function Editor(props: EditorProps) {
         </span>
       </div>
     </div>
+  );
+}
+
+/** Box for a typed place; Enter in the empty box closes a chain. */
+export function PlaceBox({
+  box,
+  last,
+  add,
+  close,
+  cancel,
+}: {
+  box?: { current: HTMLInputElement | null };
+  last: Point | null;
+  add: (point: Point) => void;
+  close: () => void;
+  cancel: () => void;
+}) {
+  return (
+    <input
+      ref={box}
+      type="text"
+      class="edit-place"
+      aria-label="Place: x, y or @dx, dy or length<angle"
+      placeholder="x, y"
+      title="x, y from the origin; @dx, dy or length<angle from the last point"
+      onKeyDown={event => {
+        const own = event.currentTarget;
+        if (event.key === 'Escape') return cancel();
+        if (event.key !== 'Enter') return;
+        event.preventDefault();
+        if (!own.value.trim()) return close();
+        const point = typed_point(own.value, last);
+        own.setAttribute('aria-invalid', String(!point));
+        if (!point) return;
+        own.value = '';
+        add(point);
+      }}
+    />
   );
 }
 

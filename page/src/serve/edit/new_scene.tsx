@@ -5,6 +5,7 @@ import * as api from '../api';
 import { new_result, stem_of } from '../cases';
 import * as state from '../state';
 import { Canvas } from './canvas';
+import { PlaceBox } from './editor';
 import type { Point, Polygon } from './scene';
 import { scene_of } from './scene';
 import { fault_of, first_form, type SceneForm, scene_text, spec_of } from './sets';
@@ -128,6 +129,17 @@ export function NewScene() {
             <p class="edit-hint" id="canvas-hint">
               {is_drawn ? tool_of('outline').hint : 'The drawing follows the form. Corners can be changed later.'}
             </p>
+            {is_drawn && (
+              <PlaceBox
+                last={draft.at(-1) ?? null}
+                add={point => set_draft([...draft, point])}
+                close={() => {
+                  if (draft.length > 2) put({ corners: draft });
+                  set_draft([]);
+                }}
+                cancel={() => set_draft([])}
+              />
+            )}
           </div>
           <Canvas
             scene={scene}
