@@ -4,8 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/counted.hpp"
 #include "formats/text/demands.hpp"
 #include "formats/text/json_fields.hpp"
+#include "geometry/polygon.hpp"
+#include "geometry/segment.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -124,22 +129,46 @@ JointSet set_of(const PlacedJson& value, int number, int seed) {
   return set;
 }
 
-std::variant<RectangleShape, SlopeShape> outline_of_scene(const JsonFields& fields) {
+bool is_simple(const Outline& corners) {
+  const std::size_t n = corners.size();
+  const auto side_at = [&](std::size_t i) { return Segment{corners[i], corners[(i + 1) % n]}; };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 2; j < n; ++j)
+      if ((j + 1) % n != i && meeting(side_at(i), side_at(j)) != Meeting::none) return false;
+  return true;
+}
+
+/// Returns the corners counter-clockwise.
+Outline corners_of(const JsonFields& fields) {
+  Outline corners;
+  for (const std::vector<double>& row : fields.rows("outline", 2)) corners.push_back({row[0], row[1]});
+  if (corners.size() < 3 || !is_simple(corners) || area(corners) == 0)
+    throw InputError(fields.value("outline")->place,
+                     fmt::format("expected an outline of three or more corners whose sides do not cross, found one of "
+                                 "{} that is not",
+                                 counted(corners.size(), "corner")));
+  if (area(corners) < 0) std::ranges::reverse(corners);
+  return corners;
+}
+
+std::variant<RectangleShape, SlopeShape, Outline> outline_of_scene(const JsonFields& fields) {
   const PlacedJson* rectangle = fields.value("rectangle");
   const PlacedJson* slope = fields.value("slope");
-  if ((rectangle == nullptr) == (slope == nullptr))
-    throw InputError(fields.place(), fmt::format("expected one outline, rectangle or slope, found {}",
-                                                 rectangle == nullptr ? "none" : "both"));
+  const int count = (rectangle != nullptr) + (slope != nullptr) + (fields.value("outline") != nullptr);
+  if (count != 1)
+    throw InputError(fields.place(), fmt::format("expected one outline, rectangle, slope or outline, found {}",
+                                                 count == 0 ? "none" : fmt::format("{}", count)));
   if (rectangle != nullptr) return rectangle_of(*rectangle);
-  return slope_of(*slope);
+  if (slope != nullptr) return slope_of(*slope);
+  return corners_of(fields);
 }
 
 }  // namespace
 
 JointScene joint_scene_of(const PlacedJson& specification) {
-  const JsonFields fields(
-      specification, "the specification",
-      {"rectangle", "slope", "tunnels", "sets", "seed", "boundary_joint", "edge_node_ratio", "fixed", "measured"});
+  const JsonFields fields(specification, "the specification",
+                          {"rectangle", "slope", "outline", "tunnels", "sets", "seed", "boundary_joint",
+                           "edge_node_ratio", "fixed", "measured"});
   JointScene scene;
   scene.place = {specification.place.file};
   scene.outline = outline_of_scene(fields);

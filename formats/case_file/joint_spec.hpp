@@ -4,13 +4,14 @@
 // The file is a JSON object of this program's own layout (the input of Shi's line programs is not known). Lengths have
 // one unit, angles are in degrees, materials count from 1. Every key is optional except those marked *; unknown keys
 // are rejected.
-//   rectangle | slope   the outline, one of them*
+//   rectangle | slope | outline   the outline, one of them*
 //     rectangle  width* height* x y         (x, y) the lower left corner, 0
 //     slope      height* angle*             of the face, above 0 to 90
 //                bench benches              width of the level benches, 0, and number of lifts of the face, 1
 //                toe crest base             ground before the foot and behind the top, rock below the foot: height,
 //                                           1.5 height, height / 2
 //                x y                        the foot of the face, 0
+//     outline    list of corners [x, y], in either direction; the first is not repeated
 //   tunnels    list of: shape* (circle, d, horseshoe), width*, height (width), x* y* the middle
 //   sets       list of:
 //                dip*                       from the x axis, counter-clockwise

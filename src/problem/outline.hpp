@@ -55,6 +55,9 @@ inline constexpr int kChordsOfCircle = 32;
 
 Outline outline_of(const RectangleShape& shape);
 Outline outline_of(const SlopeShape& shape);
+inline Outline outline_of(const Outline& corners) {
+  return corners;
+}
 
 /// Returns the outline. Throws InputError if a D is lower than half its width. Throws it if a horseshoe is lower than
 /// that, or so high that its walls would meet (√3/2 of the width below the springing).

@@ -46,7 +46,8 @@ Service::Service(const ServedFolder& folder, const Drafts& drafts, Jobs& jobs)
       jobs_(jobs),
       program_(folder.root(), drafts),
       copies_(folder, drafts),
-      results_(folder, drafts, program_, copies_) {}
+      results_(folder, drafts, program_, copies_),
+      unsaved_(drafts, program_) {}
 
 Reply Service::answer(const Request& request) {
   try {
@@ -78,7 +79,8 @@ Reply Service::get(const Target& target) {
   if (path == "/api/record") return json_reply(results_.record(parameters));
   if (path == "/api/compare") return json_reply(results_.compare(parameters));
   if (path == "/api/jobs") return json_reply({{"jobs", jobs_.list()}});
-  if (path == "/api/schema") return schema();
+  if (path == "/api/schema") return printed({"formats", "--schema"});
+  if (path == "/api/materials") return printed({"formats", "--materials", "--json"});
   if (path == "/page") return results_.page(parameters);
   if (path == "/") return {200, "text/html; charset=utf-8", std::string(start_page()), page_headers()};
   return refusal(404, "there is no such address");
@@ -86,6 +88,8 @@ Reply Service::get(const Target& target) {
 
 Reply Service::post(const std::string& path, const Json& body) {
   if (path == "/api/check") return json_reply(check(body));
+  if (path == "/api/blocks") return json_reply(unsaved_.blocks(body));
+  if (path == "/api/joints") return json_reply(unsaved_.joints(body));
   if (path == "/api/save") return json_reply(save(body));
   if (path == "/api/run") return json_reply(run(body));
   if (path == "/api/resume") return json_reply(resume(body));
@@ -136,8 +140,8 @@ Reply Service::thumbnail(const Parameters& parameters) const {
   return svg.empty() ? refusal(404, "the file has no geometry of its own") : svg_reply(std::move(svg));
 }
 
-Reply Service::schema() const {
-  Answer answer = program_({"formats", "--schema"});
+Reply Service::printed(const std::vector<std::string>& words) const {
+  Answer answer = program_(words);
   return {200, "application/json", std::move(answer.output)};
 }
 
@@ -150,10 +154,11 @@ std::vector<std::string> Service::case_arguments(const Json& body) const {
 }
 
 Json Service::check(const Json& body) const {
-  std::vector<std::string> words{"check"};
-  for (const std::string& word : case_arguments(body)) words.push_back(word);
-  words.insert(words.end(), {"--json", "--trial", flag(body, "trial") ? "2" : "0"});
-  const Answer answer = program_(words);
+  const std::vector<std::string> last{"--json", "--trial", flag(body, "trial") ? "2" : "0"};
+  std::vector<std::string> words = body.contains("text") ? setting_arguments(folder_, body) : case_arguments(body);
+  words.insert(words.end(), last.begin(), last.end());
+  if (!body.contains("text")) words.insert(words.begin(), "check");
+  const Answer answer = body.contains("text") ? unsaved_.check(body, words) : program_(words);
   Json report = Json::parse(answer.output, nullptr, false);
   if (!report.is_object()) report = Json::object();
   report["exit_code"] = answer.exit_code;

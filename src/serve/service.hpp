@@ -12,6 +12,7 @@
 #include "serve/served_folder.hpp"
 #include "serve/served_results.hpp"
 #include "serve/study/input_copies.hpp"
+#include "serve/unsaved.hpp"
 
 namespace keyblock::serve {
 
@@ -37,7 +38,7 @@ class Service {
   Json read(const Parameters& parameters) const;
   Reply drawing(const Parameters& parameters) const;
   Reply thumbnail(const Parameters& parameters) const;
-  Reply schema() const;
+  Reply printed(const std::vector<std::string>& words) const;
 
   Json check(const Json& body) const;
   Json save(const Json& body) const;
@@ -59,6 +60,7 @@ class Service {
   Program program_;
   InputCopies copies_;
   ServedResults results_;
+  Unsaved unsaved_;
 };
 
 }  // namespace keyblock::serve

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/joint_spec.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace keyblock::formats::joint_spec_test {
@@ -68,6 +69,16 @@ TEST(JointSpec, what_is_left_out_is_as_documented) {
   EXPECT_EQ(slope.benches, 1);
 }
 
+TEST(JointSpec, corners_of_an_outline_come_counter_clockwise) {
+  const Outline triangle{{0, 0}, {4, 0}, {4, 3}};
+  EXPECT_EQ(std::get<Outline>(scene_of(R"("outline": [[0, 0], [4, 0], [4, 3]])").outline), triangle);
+  const auto turned = std::get<Outline>(scene_of(R"("outline": [[4, 3], [4, 0], [0, 0]])").outline);
+  EXPECT_EQ(turned, triangle);
+  for (const char* wrong : {"[[0, 0], [1, 1]]", "[[0, 0], [1, 1], [2, 2]]", "[[0, 0], [2, 2], [2, 0], [0, 2]]"})
+    EXPECT_EQ(fault(fmt::format("\"outline\": {}", wrong)).substr(0, 51),
+              "f:1:2: error: expected an outline of three or more ");
+}
+
 TEST(JointSpec, the_scatter_of_the_dip_is_in_degrees_or_a_share_of_90) {
   const auto scatter = [](const std::string& keys) {
     return scene_of(kBox + R"(, "sets": [{"dip": 30, "spacing": 1, )" + keys + "}]").sets.at(0).dip_scatter;
@@ -80,7 +91,7 @@ TEST(JointSpec, the_scatter_of_the_dip_is_in_degrees_or_a_share_of_90) {
 
 TEST(JointSpec, faults_are_named_at_the_line_of_their_key) {
   EXPECT_EQ(fault(kBox + ",\n \"set\": []"),
-            "f:2:2: error: expected one of the keys rectangle, slope, tunnels, sets, seed, boundary_joint, "
+            "f:2:2: error: expected one of the keys rectangle, slope, outline, tunnels, sets, seed, boundary_joint, "
             "edge_node_ratio, fixed, measured in the specification, found \"set\"");
   EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1,\n  \"spacing\": 0}]"),
             "f:3:3: error: expected spacing of joint set 1 (greater than 0), found 0");
@@ -92,8 +103,8 @@ TEST(JointSpec, faults_are_named_at_the_line_of_their_key) {
   EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1, \"spacing\": 1, \"gap\": 1}]"),
             "f:2:10: error: expected trace beside gap in joint set 1, found none");
   EXPECT_EQ(fault(kBox + ", \"slope\": {\"height\": 1, \"angle\": 45}"),
-            "f:1:1: error: expected one outline, rectangle or slope, found both");
-  EXPECT_EQ(fault(""), "f:1:1: error: expected one outline, rectangle or slope, found none");
+            "f:1:1: error: expected one outline, rectangle, slope or outline, found 2");
+  EXPECT_EQ(fault(""), "f:1:1: error: expected one outline, rectangle, slope or outline, found none");
   EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1, \"spacing\": 1},\n {\"dip\": 1}]"),
             "f:3:2: error: expected spacing of joint set 2 (greater than 0), found none");
   EXPECT_NE(fault("\"slope\": {\"height\": 1, \"angle\": 91}"), "");

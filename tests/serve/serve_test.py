@@ -323,6 +323,50 @@ class ServeTest(unittest.TestCase):
             self.assertEqual(self.server.ask("POST", "/api/run", {**body, "result": "no", **more})[0], 400, more)
         self.assertEqual(self.server.ask("POST", "/api/run", {"paths": ["case.json"], "result": "no", "stop_when": "a"})[0], 400)
 
+    def test_unsaved_text_is_cut_and_checked(self):
+        ask = lambda target, **body: self.server.json("POST", target, body)
+        rows = [[0, 0, 4, 0, 1], [4, 0, 4, 2, 1], [4, 2, 0, 2, 1], [0, 2, 0, 0, 1], [2, -1, 2, 3, 1]]
+        case = {**CASE, "drawing": {"boundary_count": 4, "joints": rows, "fixed_lines": [[-1, 0.01, 5, 0.01]]}}
+        del case["blocks"]
+        status, cut = ask("/api/blocks", path="not there.json", text=json.dumps(case))
+        self.assertEqual((status, len(cut["blocks"])), (200, 2))
+        self.assertEqual(cut["blocks"][0]["material"], 1)
+        area = lambda loop: sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(loop, loop[1:] + loop[:1])) / 2
+        self.assertAlmostEqual(sum(area(block["loops"][0]) for block in cut["blocks"]), 8)
+        self.assertEqual(len(ask("/api/blocks", path="a.json", text=json.dumps(CASE))[1]["blocks"]), 2)
+        status, bad = ask("/api/blocks", path="a.json", text='{"keyblock": 2,\n "blok": 3}')
+        self.assertEqual((status, bad["errors"][0]["line"], bad["errors"][0]["file"]), (200, 2, "a.json"))
+        status, report = ask("/api/check", path="a.json", text='{"keyblock": 2,\n "blok": 3}')
+        self.assertEqual((status, report["exit_code"], report["errors"][0]["file"]), (200, 3, "a.json"))
+        report = ask("/api/check", path='q"\\.json', text=json.dumps(case), set={"steps": "7"})[1]
+        self.assertEqual((report["exit_code"], report["errors"]), (0, []))
+        self.assertEqual(report["case"]["settings"]["steps"], 7)
+        self.assertEqual(report["files"][0]["file"], 'q"\\.json')
+        self.assertEqual(ask("/api/check", path="a.json", text="{}", set={"--force": "1"})[0], 400)
+        for path in ("a.json", "a.yaml", "a.xml", "a.dxf", "a.geo", "a.blk", "a.cv"):
+            for text in ("[" * 100000, '{"a":' * 100000, "<a>" * 100000, "9" * 100000, "\0" * 1000, "- " * 10000):
+                status, reply = ask("/api/blocks", path=path, text=text)
+                self.assertEqual((status, "blocks" in reply and bool(reply["blocks"])), (200, False), (path, text[:5]))
+        for body in ({}, {"path": "a.json"}, {"path": 1, "text": ""}, {"path": "a.json", "text": 3}):
+            self.assertEqual(ask("/api/blocks", **body)[0], 400, body)
+        for path in ("../../x.json", "/etc/x", "", "a.j/../../son", "a.j\0son"):
+            self.assertEqual(ask("/api/blocks", path=path, text="{}")[0], 200, path)
+        self.assertEqual([n for n in os.listdir(self.server.top) if n not in ("served", "secret.json")], [])
+
+    def test_joint_sets_fill_an_outline(self):
+        ask = lambda spec: self.server.json("POST", "/api/joints", {"spec": spec})
+        status, drawn = ask({"outline": [[0, 0], [0, 10], [10, 10], [10, 0]], "sets": [{"dip": 0, "spacing": 2}]})
+        self.assertEqual((status, drawn["boundary_count"]), (200, 4))
+        joints = drawn["joints"][4:]
+        self.assertEqual(len(joints), 5)
+        self.assertTrue(all(0 <= x <= 10 for row in joints for x in row[:4]), joints)
+        status, bad = ask({"outline": [[0, 0], [1, 1]]})
+        self.assertEqual(status, 200)
+        self.assertIn("expected an outline of three or more corners", bad["errors"][0]["sentence"])
+        self.assertEqual(ask(3)[0], 400)
+        library = self.server.json("GET", "/api/materials")[1]
+        self.assertIn("limestone", [rock["like"] for rock in library["block_materials"]])
+
     def test_a_run_is_stopped_and_resumed(self):
         server = self.server
         more = {"paths": ["case.json"], "set": {"steps": "20000"}, "record_every": 1000}

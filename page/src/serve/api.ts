@@ -129,13 +129,37 @@ export const jobs = () => get<{ jobs: Job[] }>('/api/jobs').then(reply => reply.
 export const record = (result: string) => get<Record<string, unknown>>('/api/record', { result });
 export const compare = (first: string, second: string) =>
   get<{ inputs?: Difference[]; differences: Difference[] }>('/api/compare', { first, second });
-export const check = (paths: string[], profile: string, set: Record<string, string>, trial = false) =>
+export const check = (paths: string[], profile: string, set: Record<string, string>, trial = false, text?: string) =>
   post<Report>('/api/check', {
-    paths,
+    ...(text === undefined ? { paths } : { path: paths[0], text }),
     ...(profile && { profile }),
     ...(Object.keys(set).length && { set }),
     ...(trial && { trial }),
   });
+export interface Blocks {
+  blocks?: { material: number; loops: [number, number][][] }[];
+  errors?: Problem[];
+}
+
+export interface JointRows {
+  boundary_count?: number;
+  joints?: [number, number, number, number, number][];
+  errors?: Problem[];
+}
+
+export interface Library {
+  block_materials: Record<string, string | number>[];
+  joint_materials: Record<string, string | number>[];
+}
+
+/** Blocks of a text that need not be saved. */
+export const blocks = (path: string, text: string) => post<Blocks>('/api/blocks', { path, text });
+/** Outline and joints of sets. */
+export const joints = (spec: unknown) => post<JointRows>('/api/joints', { spec });
+export const materials = () => get<Library>('/api/materials');
+export const schema = () => get<Record<string, unknown>>('/api/schema');
+export const convert = (paths: string[], target: string, to: string) =>
+  post<{ path: string; exit_code: number; output: string; messages: string }>('/api/convert', { paths, target, to });
 export const save = (path: string, text: string, options: { overwrite?: boolean; sha256?: string } = {}) =>
   post<{ path: string; sha256: string }>('/api/save', { path, text, ...options });
 export const run = (

@@ -1,8 +1,19 @@
 // A case: its text, its drawing, its problems and plan, and what can be started.
 
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { signal } from '@preact/signals';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import * as api from './api';
-import { index_at, leaf_of, stem_of } from './cases';
+import { index_at, leaf_of, new_result, stem_of } from './cases';
+import { Editor } from './edit/editor';
+import { material_of } from './edit/edits';
+import { History } from './edit/history';
+import { JointSets } from './edit/joint_sets';
+import { JsonError, line_of, type Node } from './edit/json_text';
+import { SaveAs } from './edit/save_as';
+import { type Polygon, type Scene, scene_of } from './edit/scene';
+import type { Schema } from './edit/schema';
+import { Tables } from './edit/tables';
+import { TextArea } from './edit/text_area';
 import { RunForm } from './runs';
 import * as state from './state';
 
@@ -11,6 +22,23 @@ interface Loaded {
   sha256: string;
   is_text: boolean;
 }
+
+type Mode = 'both' | 'drawing' | 'text' | 'tables';
+
+const MODES: [Mode, string][] = [
+  ['both', 'Both'],
+  ['drawing', 'Drawing'],
+  ['text', 'Text'],
+  ['tables', 'Tables'],
+];
+
+const wide = window.matchMedia('(min-width: 900px)');
+const mode = signal<Mode>(wide.matches ? 'both' : 'drawing');
+
+/** Schema of a case file, read once. */
+const schema = signal<Schema | null>(null);
+
+const is_json = (path: string) => /\.json$/i.test(path);
 
 export function CaseView({ paths }: { paths: string[] }) {
   const key = paths.join('\n');
@@ -22,13 +50,28 @@ export function CaseView({ paths }: { paths: string[] }) {
   const [stamp, set_stamp] = useState(0);
   const [profile, set_profile] = useState('');
   const [settings, set_settings] = useState<[string, string][]>([]);
+  const [fit, set_fit] = useState(0);
+  const [is_saving_as, set_saving_as] = useState(false);
+  const [has_sets, set_has_sets] = useState(false);
   const area = useRef<HTMLTextAreaElement>(null);
+  const histories = useRef(new Map<string, History>());
+  const checks = useRef(0);
+
+  const text = texts[current] ?? '';
+  const file = files[current];
+  const { scene, fault } = useScene(text, !!file && is_json(current));
+  // A case that names other files is checked as it is saved: a draft would not find them.
+  const is_whole = paths.length === 1 && !!scene && scene.geometry !== 'file' && !names_files(scene.root);
+  const changed = paths.filter(path => files[path] && texts[path] !== files[path].text);
+  const cut = useBlocks(paths[0], text, is_whole && scene.geometry !== 'cover' && !fault);
 
   const chosen_settings = () => Object.fromEntries(settings.filter(([name, value]) => name && value));
 
-  const run_check = async (trial = false) => {
+  const run_check = async (trial = false, draft?: string) => {
+    const own = ++checks.current;
     set_checking(true);
-    const value = await state.attempt(() => api.check(paths, profile, chosen_settings(), trial));
+    const value = await state.attempt(() => api.check(paths, profile, chosen_settings(), trial, draft));
+    if (own !== checks.current) return;
     if (value) set_report(value);
     set_checking(false);
   };
@@ -39,16 +82,17 @@ export function CaseView({ paths }: { paths: string[] }) {
     set_texts({});
     set_report(null);
     set_current(paths[0]);
+    histories.current.clear();
     void (async () => {
       for (const path of paths) {
         const own = await state.attempt(() => api.read(path));
         if (!own || is_old) return;
-        set_files(before => ({
-          ...before,
-          [path]: { text: own.text ?? '', sha256: own.sha256, is_text: own.is_text },
-        }));
-        set_texts(before => ({ ...before, [path]: own.text ?? '' }));
+        const loaded = own.text ?? '';
+        histories.current.set(path, new History({ text: loaded, caret: null }));
+        set_files(before => ({ ...before, [path]: { text: loaded, sha256: own.sha256, is_text: own.is_text } }));
+        set_texts(before => ({ ...before, [path]: loaded }));
       }
+      set_fit(before => before + 1);
       await run_check();
     })();
     return () => {
@@ -56,13 +100,45 @@ export function CaseView({ paths }: { paths: string[] }) {
     };
   }, [key]);
 
-  const changed = paths.filter(path => files[path] && texts[path] !== files[path].text);
+  useEffect(() => {
+    // Without it there are no tables and no completion; what else is wrong stays on the screen.
+    if (!schema.value && is_json(current))
+      void api
+        .schema()
+        .then(own => {
+          schema.value = own as Schema;
+        })
+        .catch(() => {});
+  }, [current]);
+
+  // Unsaved text is checked after a pause.
+  const is_changed = changed.length > 0;
+  useEffect(() => {
+    if (!is_whole || !is_changed) return;
+    const timer = setTimeout(() => void run_check(false, text), 800);
+    return () => clearTimeout(timer);
+  }, [text, is_whole, is_changed]);
+
   useEffect(() => {
     state.unsaved.value = Object.fromEntries(changed.map(path => [path, true]));
     return () => {
       state.unsaved.value = {};
     };
   }, [changed.join('\n')]);
+
+  const change = (next: string, tag = '', caret: [number, number] | null = null) => {
+    histories.current.get(current)?.push(next, tag, caret);
+    set_texts(before => ({ ...before, [current]: next }));
+  };
+
+  const go_back = (by: 'undo' | 'redo') => {
+    const own = histories.current.get(current)?.[by]();
+    if (!own) return;
+    set_texts(before => ({ ...before, [current]: own.text }));
+    const { caret } = own;
+    if (caret && document.activeElement === area.current)
+      setTimeout(() => area.current?.setSelectionRange(caret[0], caret[1]));
+  };
 
   const save = async () => {
     for (const path of changed) {
@@ -77,22 +153,34 @@ export function CaseView({ paths }: { paths: string[] }) {
     return true;
   };
 
-  const save_as = async () => {
-    const path = window.prompt(
-      'New file, in this folder:',
-      `${stem_of(current)}_new${current.slice(stem_of(current).length)}`,
-    );
-    if (!path) return;
-    const saved = await state.attempt(() => api.save(path, texts[current]));
-    if (!saved) return;
-    await state.refresh();
-    state.go(state.link('case', ...paths.map(own => (own === current ? saved.path : own))));
+  const keys = (event: KeyboardEvent) => {
+    if (!event.ctrlKey && !event.metaKey) return;
+    const own = event.key.toLowerCase();
+    // Fields of numbers keep their own undo until they are left.
+    const is_field = event.target instanceof HTMLInputElement && event.target.type === 'text';
+    if (own === 's') void save();
+    else if (is_field) return;
+    else if (own === 'z' && !event.shiftKey) go_back('undo');
+    else if (own === 'y' || own === 'z') go_back('redo');
+    else return;
+    event.preventDefault();
   };
+
+  const listen = useRef(keys);
+  listen.current = keys;
+  useEffect(() => {
+    const own = (event: KeyboardEvent) => {
+      if (!document.querySelector('dialog[open]')) listen.current(event);
+    };
+    window.addEventListener('keydown', own);
+    return () => window.removeEventListener('keydown', own);
+  }, []);
 
   const go_to = (problem: api.Problem) => {
     const path = paths.find(own => problem.file && (own === problem.file || leaf_of(own) === leaf_of(problem.file)));
     if (!path || !problem.line) return;
     set_current(path);
+    if (mode.value !== 'text' && mode.value !== 'both') mode.value = wide.matches ? 'both' : 'text';
     setTimeout(() => {
       const box = area.current;
       if (!box) return;
@@ -105,12 +193,14 @@ export function CaseView({ paths }: { paths: string[] }) {
     });
   };
 
-  const file = files[current];
   const errors = report?.errors ?? [];
   const warnings = [...(report?.files ?? []).flatMap(own => own.warnings ?? []), ...(report?.case?.warnings ?? [])];
+  const has_drawing = !!scene && scene.geometry !== 'file';
+  const shown: Mode = scene && (has_drawing || mode.value === 'tables') ? mode.value : 'text';
+  const own_history = histories.current.get(current);
   return (
     <div class="case">
-      <section class="editor" aria-label="Text">
+      <section class="editor" aria-label="Case">
         <div class="bar">
           <h2>{leaf_of(paths[0])}</h2>
           {paths.length > 1 && (
@@ -130,7 +220,29 @@ export function CaseView({ paths }: { paths: string[] }) {
           )}
           {changed.length > 0 && <span class="note">not saved</span>}
           <span class="space" />
-          <button type="button" class="small" disabled={!file?.is_text} onClick={save_as}>
+          {scene && (
+            <fieldset class="modes" aria-label="Show">
+              {MODES.filter(([own]) => has_drawing || own === 'text' || own === 'tables').map(([own, label]) => (
+                <label class={`${shown === own ? 'on' : ''} ${own}`} key={own}>
+                  <input
+                    type="radio"
+                    name="mode"
+                    checked={shown === own}
+                    onChange={() => {
+                      mode.value = own;
+                    }}
+                  />
+                  {label}
+                </label>
+              ))}
+            </fieldset>
+          )}
+          {!scene && !is_json(current) && (
+            <button type="button" class="small" disabled={!file} onClick={() => void convert_to_case(paths)}>
+              Convert to a case
+            </button>
+          )}
+          <button type="button" class="small" disabled={!file?.is_text} onClick={() => set_saving_as(true)}>
             Save as…
           </button>
           <button type="button" class="small strong" disabled={!changed.length} onClick={save}>
@@ -140,21 +252,57 @@ export function CaseView({ paths }: { paths: string[] }) {
         {file && !file.is_text ? (
           <p class="empty">This file is not text, so it cannot be edited here.</p>
         ) : (
-          <TextArea
-            box={area}
-            label={`Text of ${leaf_of(current)}`}
-            value={texts[current] ?? ''}
-            is_ready={!!file}
-            marks={[...errors, ...warnings]
-              .filter(own => own.line && own.file && leaf_of(own.file) === leaf_of(current))
-              .map(own => ({ line: own.line!, is_error: errors.includes(own) || own.level === 'error' }))}
-            set={text => set_texts(before => ({ ...before, [current]: text }))}
-            save={save}
-          />
+          <div class={`panes show-${shown}`}>
+            {scene && (shown === 'both' || shown === 'drawing') && (
+              <Editor
+                text={text}
+                scene={scene}
+                is_old={!!fault}
+                blocks={cut.blocks}
+                status={fault || cut.status}
+                change={change}
+                undo={() => go_back('undo')}
+                redo={() => go_back('redo')}
+                can_undo={own_history?.can_undo ?? false}
+                can_redo={own_history?.can_redo ?? false}
+                fit={fit}
+                open_sets={() => set_has_sets(true)}
+              />
+            )}
+            {scene && shown === 'tables' && (
+              <Tables text={text} scene={scene} schema={schema.value} change={change} is_old={!!fault} />
+            )}
+            {(shown === 'both' || shown === 'text') && (
+              <TextArea
+                box={area}
+                label={`Text of ${leaf_of(current)}`}
+                value={text}
+                is_ready={!!file}
+                marks={[...errors, ...warnings]
+                  .filter(own => own.line && own.file && leaf_of(own.file) === leaf_of(current))
+                  .map(own => ({ line: own.line!, is_error: errors.includes(own) || own.level === 'error' }))}
+                set={(next, caret) => change(next, 'typing', caret)}
+                schema={scene ? schema.value : null}
+                names={{
+                  block: scene?.block_materials.map((_, i, all) => material_of(all, i, 'material')) ?? [],
+                  joint: scene?.joint_materials.map((_, i, all) => material_of(all, i, 'joint')) ?? [],
+                }}
+              />
+            )}
+          </div>
         )}
       </section>
       <section class="plan" aria-label="Check and run">
-        <Picture paths={paths} stamp={stamp} />
+        {has_sets && scene && (
+          <JointSets
+            text={text}
+            latest={() => histories.current.get(current)?.text ?? text}
+            scene={scene}
+            change={change}
+            close={() => set_has_sets(false)}
+          />
+        )}
+        {!has_drawing && <Picture paths={paths} stamp={stamp} />}
         <RunForm
           paths={paths}
           report={report}
@@ -163,7 +311,7 @@ export function CaseView({ paths }: { paths: string[] }) {
           settings={settings}
           set_settings={set_settings}
           checking={checking}
-          check={run_check}
+          check={trial => run_check(trial, is_whole && changed.length ? text : undefined)}
           before={async () =>
             changed.length === 0 ||
             (confirm(`Save the changes of ${changed.join(', ')} before the run?`) && (await save()))
@@ -172,61 +320,81 @@ export function CaseView({ paths }: { paths: string[] }) {
         <Problems errors={errors} warnings={warnings} is_checked={!!report} go_to={go_to} />
         <Plan report={report} />
       </section>
+      {is_saving_as && (
+        <SaveAs
+          paths={paths}
+          current={current}
+          text={text}
+          save={async () => changed.length === 0 || (await save())}
+          close={() => set_saving_as(false)}
+        />
+      )}
     </div>
   );
 }
 
-/** Text with numbers of lines beside it. */
-function TextArea({
-  box,
-  label,
-  value,
-  is_ready,
-  marks,
-  set,
-  save,
-}: {
-  box: { current: HTMLTextAreaElement | null };
-  label: string;
-  value: string;
-  is_ready: boolean;
-  marks: { line: number; is_error: boolean }[];
-  set: (text: string) => void;
-  save: () => void;
-}) {
-  const gutter = useRef<HTMLPreElement>(null);
-  const lines = value.split('\n').length;
-  const numbers = [];
-  for (let l = 1; l <= lines; l++) {
-    const mark = marks.find(own => own.line === l && own.is_error) ?? marks.find(own => own.line === l);
-    numbers.push(mark ? <b class={mark.is_error ? 'bad' : 'warn'}>{`${l}\n`}</b> : `${l}\n`);
-  }
+/** True if a value of the case names a file, such as a table of motion. */
+function names_files(node: Node): boolean {
   return (
-    <div class="text">
-      <pre ref={gutter} aria-hidden="true">
-        {numbers}
-      </pre>
-      <textarea
-        ref={box}
-        aria-label={label}
-        spellcheck={false}
-        autocomplete="off"
-        wrap="off"
-        value={value}
-        readOnly={!is_ready}
-        onInput={event => set(event.currentTarget.value)}
-        onScroll={event => {
-          if (gutter.current) gutter.current.scrollTop = event.currentTarget.scrollTop;
-        }}
-        onKeyDown={event => {
-          if ((event.ctrlKey || event.metaKey) && event.key === 's') {
-            event.preventDefault();
-            save();
-          }
-        }}
-      />
-    </div>
+    node.keys.some((key, i) => key.name.endsWith('_file') && node.items[i].kind === 'string') ||
+    node.items.some(own => own.items.length > 0 && own.kind !== 'number' && names_files(own))
   );
+}
+
+/** Scene of the text; while the text has a fault, the last one, and a sentence on the fault. */
+function useScene(text: string, is_on: boolean): { scene: Scene | null; fault: string } {
+  const last = useRef<Scene | null>(null);
+  return useMemo(() => {
+    if (!is_on) {
+      last.current = null;
+      return { scene: null, fault: '' };
+    }
+    try {
+      last.current = scene_of(text);
+      return { scene: last.current, fault: '' };
+    } catch (error) {
+      const at = error instanceof JsonError ? error.at : 0;
+      const { line, column } = line_of(text, at);
+      return { scene: last.current, fault: `Line ${line}, column ${column}: ${(error as Error).message}` };
+    }
+  }, [text, is_on]);
+}
+
+/** Blocks as the program cuts them, after a pause in the changes. */
+function useBlocks(path: string, text: string, is_on: boolean): { blocks: Polygon[]; status: string } {
+  const [own, set_own] = useState<{ blocks: Polygon[]; status: string }>({ blocks: [], status: '' });
+  const asked = useRef(0);
+  useEffect(() => {
+    if (!is_on) {
+      asked.current++;
+      set_own({ blocks: [], status: '' });
+      return;
+    }
+    const timer = setTimeout(async () => {
+      const number = ++asked.current;
+      try {
+        const { blocks, errors } = await api.blocks(path, text);
+        if (number !== asked.current) return;
+        if (!blocks) set_own({ blocks: [], status: errors?.[0] ? sentence(errors[0].sentence) : 'No blocks.' });
+        else set_own({ blocks, status: blocks.length === 1 ? '1 block' : `${blocks.length} blocks` });
+      } catch {
+        // The next change asks again; the check reports what is wrong.
+      }
+    }, 300);
+    return () => clearTimeout(timer);
+  }, [path, text, is_on]);
+  return own;
+}
+
+/** Writes the files of a case as one case file beside them, and opens it. */
+async function convert_to_case(paths: string[]): Promise<void> {
+  const taken = (state.listing.value?.files ?? []).filter(own => is_json(own.path)).map(own => stem_of(own.path));
+  const target = `${new_result(stem_of(paths[0]), taken)}.json`;
+  const done = await state.attempt(() => api.convert(paths, target, 'keyblock-case'));
+  if (!done) return;
+  await state.refresh();
+  if (done.exit_code > 1) state.trouble.value = done.messages;
+  else state.go(state.link('case', target));
 }
 
 /** Drawing of the case's geometry, once it can be read. */

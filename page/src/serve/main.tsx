@@ -7,6 +7,7 @@ import { Icon } from '../view/icons';
 import * as api from './api';
 import { CaseView } from './case';
 import { type Case, folder_of, leaf_of } from './cases';
+import { NewScene } from './edit/new_scene';
 import { CompareView, ResultView } from './result';
 import { JobItem } from './runs';
 import * as state from './state';
@@ -67,6 +68,7 @@ function App() {
         <Side />
         <main class="content">
           {now.kind === 'home' && <Home />}
+          {now.kind === 'new' && <NewScene />}
           {now.kind === 'case' && <CaseView paths={now.paths} key={now.paths.join('\n')} />}
           {now.kind === 'result' && <ResultView path={now.path} key={now.path} />}
           {now.kind === 'study' && <StudyView study={now.study} paths={now.paths} key={state.route.value} />}
@@ -171,6 +173,9 @@ function Home() {
         <div class="bar">
           <h2 id="home-cases">Cases</h2>
           <span class="space" />
+          <a class="button" href="#/new">
+            New scene
+          </a>
           <label class="button">
             Add files…
             <input
@@ -184,7 +189,7 @@ function Home() {
           </label>
         </div>
         {!state.cases.value.length && (
-          <p class="note">This folder holds no cases. Drop files on this window, or write one with keyblock new.</p>
+          <p class="note">This folder holds no cases. Draw a new scene, or drop files on this window.</p>
         )}
         <ul class="cards">
           {state.cases.value

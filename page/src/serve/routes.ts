@@ -2,6 +2,7 @@
 
 export type Route =
   | { kind: 'home' }
+  | { kind: 'new' }
   | { kind: 'case'; paths: string[] }
   | { kind: 'result'; path: string }
   | { kind: 'compare'; first: string; second: string }
@@ -15,6 +16,7 @@ export function route_of(hash: string): Route {
   } catch {
     return { kind: 'home' };
   }
+  if (kind === 'new') return { kind };
   if (kind === 'case' && parts.length) return { kind, paths: parts };
   if (kind === 'result' && parts[0]) return { kind, path: parts[0] };
   if (kind === 'compare' && parts.length === 2) return { kind, first: parts[0], second: parts[1] };

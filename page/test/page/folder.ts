@@ -9,6 +9,62 @@ import { built } from './browser';
 const DRAWING =
   '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 90 60"><rect width="90" height="60" fill="#e3d9c6"/></svg>';
 
+const BLOCKS = [
+  {
+    material: 1,
+    loops: [
+      [
+        [0, 0],
+        [5, 0],
+        [5, 5],
+        [0, 5],
+      ],
+    ],
+  },
+];
+
+/** Part of the schema of a case file. */
+const SCHEMA = {
+  type: 'object',
+  properties: {
+    keyblock: { enum: [1, 2], description: 'version of the layout' },
+    analysis: {
+      type: 'object',
+      description: 'steps and materials',
+      properties: {
+        step_count: {
+          type: 'integer',
+          description: 'number of time steps. Permitted: a whole number from 1 to 100000000',
+        },
+        rotation: { enum: ['first_order', 'exact'], default: 'first_order', description: 'formula for rotation' },
+        block_materials: {
+          type: 'array',
+          description: 'materials of blocks',
+          items: {
+            type: 'object',
+            properties: {
+              name: { type: 'string', description: 'name of the material' },
+              poissons_ratio: { type: 'number', default: 0, description: "Poisson's ratio. Permitted: 0 to 0.5" },
+            },
+          },
+        },
+      },
+    },
+  },
+};
+
+/** Sides of the outline, and one joint. */
+function joints_of(spec: { outline?: [number, number][] }) {
+  const corners = spec.outline ?? [
+    [0, 0],
+    [10, 0],
+    [10, 10],
+    [0, 10],
+  ];
+  const sides = corners.map((corner, i) => [...corner, ...corners[(i + 1) % corners.length], 1]);
+  return { boundary_count: sides.length, joints: [...sides, [1, 0, 1, 10, 1]], hole_points: [] };
+}
+
 /** What the server of the program sends with its pages. */
 const POLICY =
   "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src 'self' data: blob:; " +
@@ -90,8 +146,8 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
           differences: [{ path: 'outcome.steps', first: 300, second: 100, relative: 0.667 }],
         });
       case '/api/check': {
-        const [path] = body.paths as string[];
-        const text = own.files.get(path) ?? '';
+        const path = body.path ? String(body.path) : (body.paths as string[])[0];
+        const text = body.path ? String(body.text) : (own.files.get(path) ?? '');
         const at = text.split('\n').findIndex(line => line.includes('wrong'));
         const errors =
           at < 0 ? [] : [{ file: path, line: at + 1, column: 2, sentence: 'expected a key <b>of the case</b>' }];
@@ -110,6 +166,17 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
           errors,
         });
       }
+      case '/api/blocks':
+        return send({ blocks: BLOCKS });
+      case '/api/joints':
+        return send(joints_of(body.spec as { outline?: [number, number][] }));
+      case '/api/materials':
+        return send({
+          block_materials: [{ like: 'limestone', density: 2600, youngs_modulus: 39.3e9, poissons_ratio: 0.23 }],
+          joint_materials: [{ like: 'limestone_joint', friction_angle_deg: 34 }],
+        });
+      case '/api/schema':
+        return send(SCHEMA);
       case '/api/save': {
         const path = String(body.path);
         if (own.files.has(path) && !body.overwrite) return send({ error: `${path} exists already` }, 409);

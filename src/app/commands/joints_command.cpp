@@ -173,8 +173,8 @@ Action configure_joints(CLI::App& app) {
   auto options = std::make_shared<JointsOptions>();
   auto* file =
       app.add_option("SPEC", options->specification,
-                     "JSON file instead of the options (docs/slope.json): rectangle or slope, sets, tunnels, fixed, "
-                     "measured, seed, boundary_joint, edge_node_ratio, with the keys of the options below");
+                     "JSON file instead of the options (docs/slope.json): rectangle, slope or outline, sets, tunnels, "
+                     "fixed, measured, seed, boundary_joint, edge_node_ratio, with the keys of the options below");
   app.add_option("-o,--output", options->output,
                  "drawing to write: DXF (.dxf), case file (.json), DDAML (.xml), else geometry file")
       ->type_name("FILE")

@@ -13,7 +13,7 @@ namespace keyblock {
 
 /// Source of a drawing; indices from 0.
 struct JointScene {
-  std::variant<RectangleShape, SlopeShape> outline;
+  std::variant<RectangleShape, SlopeShape, Outline> outline;
   std::vector<TunnelSection> tunnels;
   std::vector<JointSet> sets;
   int boundary_material = 0;  ///< joint material of outline and tunnels

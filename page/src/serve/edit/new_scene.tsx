@@ -1,0 +1,259 @@
+// A new scene from nothing: outline, joint sets, materials and supports, with the drawing beside it.
+
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import * as api from '../api';
+import { new_result, stem_of } from '../cases';
+import * as state from '../state';
+import { Canvas } from './canvas';
+import { PlaceBox } from './editor';
+import type { Point, Polygon } from './scene';
+import { scene_of } from './scene';
+import { fault_of, first_form, type SceneForm, scene_text, spec_of } from './sets';
+import { SetsForm } from './sets_form';
+import { tool_of } from './tools';
+
+type Texts = { [K in keyof SceneForm]: SceneForm[K] extends string ? K : never }[keyof SceneForm];
+
+const SHAPES: [SceneForm['kind'], string][] = [
+  ['slope', 'Slope'],
+  ['rectangle', 'Rectangle'],
+  ['drawn', 'Drawn by hand'],
+];
+
+const FIELDS: Record<SceneForm['kind'], [Texts, string, string][]> = {
+  slope: [
+    ['height', 'Height [m]', 'Height of the face'],
+    ['angle', 'Angle [°]', 'Angle of the face from the horizontal'],
+    ['toe', 'Toe [m]', 'Level ground before the face'],
+    ['crest', 'Crest [m]', 'Level ground behind the face'],
+    ['base', 'Base [m]', 'Rock below the foot of the face'],
+    ['bench', 'Bench [m]', 'Width of the benches'],
+    ['benches', 'Lifts', 'Number of lifts of the face'],
+  ],
+  rectangle: [
+    ['width', 'Width [m]', 'Width of the rectangle'],
+    ['height', 'Height [m]', 'Height of the rectangle'],
+  ],
+  drawn: [],
+};
+
+/** Scene of the form as text, with its blocks; drawn anew after a pause. */
+function useDrawn(form: SceneForm) {
+  const fault = fault_of(form);
+  const [text, set_text] = useState('');
+  const [blocks, set_blocks] = useState<Polygon[]>([]);
+  const [words, set_words] = useState('');
+  const [drawn_for, set_drawn_for] = useState('');
+  const [version, set_version] = useState(0);
+  const key = JSON.stringify(form);
+  const asked = useRef(0);
+  useEffect(() => {
+    const number = ++asked.current;
+    if (fault) {
+      set_words(fault);
+      return;
+    }
+    const timer = setTimeout(async () => {
+      try {
+        const drawn = await api.joints(spec_of(form));
+        if (number !== asked.current) return;
+        if (!drawn.joints) return set_words(drawn.errors?.[0]?.sentence ?? 'The joints cannot be drawn.');
+        const made = scene_text(form, drawn);
+        set_text(made);
+        set_version(before => before + 1);
+        set_drawn_for(key);
+        const cut = await api.blocks('scene.json', made);
+        if (number !== asked.current) return;
+        set_blocks(cut.blocks ?? []);
+        set_words(cut.blocks ? `${cut.blocks.length} blocks` : (cut.errors?.[0]?.sentence ?? 'No blocks.'));
+      } catch (error) {
+        set_words((error as Error).message);
+      }
+    }, 250);
+    return () => clearTimeout(timer);
+  }, [key]);
+  return { text, blocks, words, fault, is_ready: !fault && drawn_for === key, version };
+}
+
+export function NewScene() {
+  const [form, set_form] = useState<SceneForm>(first_form);
+  const [draft, set_draft] = useState<Point[]>([]);
+  const [name, set_name] = useState('');
+  const [library, set_library] = useState<string[]>(['limestone']);
+  const { text, blocks, words, fault, is_ready, version } = useDrawn(form);
+  const is_drawn = form.kind === 'drawn';
+  // An outline by hand begins on an empty sheet.
+  const shown = is_drawn && form.corners.length < 3 ? '' : text;
+  const scene = useMemo(() => scene_of(shown || '{}'), [shown]);
+
+  useEffect(() => {
+    void state.attempt(api.materials).then(own => {
+      if (own) set_library(own.block_materials.map(rock => String(rock.like)));
+    });
+  }, []);
+
+  const taken = (state.listing.value?.files ?? []).map(own => stem_of(own.path));
+  const suggestion = `${new_result('scene', taken)}.json`;
+  const put = (change: Partial<SceneForm>) => set_form(before => ({ ...before, ...change }));
+  const field = (key: Texts, label: string, title: string, is_number = true) => (
+    <label title={title} key={key}>
+      <span>{label}</span>
+      <input
+        type="text"
+        inputMode={is_number ? 'decimal' : 'text'}
+        value={form[key]}
+        placeholder={key === 'youngs_modulus' ? 'of the library' : ''}
+        onInput={event => put({ [key]: event.currentTarget.value })}
+      />
+    </label>
+  );
+
+  const create = async (event: Event) => {
+    event.preventDefault();
+    if (!is_ready) return;
+    const path = name.trim() || suggestion;
+    const saved = await state.attempt(() => api.save(/\.json$/i.test(path) ? path : `${path}.json`, text));
+    if (!saved) return;
+    await state.refresh();
+    state.go(state.link('case', saved.path));
+  };
+
+  return (
+    <div class="case">
+      <section class="editor new" aria-label="Drawing">
+        <div class="bar">
+          <h2>New scene</h2>
+        </div>
+        <div class="edit-draw">
+          <div class="edit-strip">
+            <p class="edit-hint" id="canvas-hint">
+              {is_drawn ? tool_of('outline').hint : 'The drawing follows the form. Corners can be changed later.'}
+            </p>
+            {is_drawn && (
+              <PlaceBox
+                last={draft.at(-1) ?? null}
+                add={point => set_draft([...draft, point])}
+                close={() => {
+                  if (draft.length > 2) put({ corners: draft });
+                  set_draft([]);
+                }}
+                cancel={() => set_draft([])}
+              />
+            )}
+          </div>
+          <Canvas
+            scene={scene}
+            blocks={fault ? [] : blocks}
+            tool={is_drawn ? tool_of('outline') : tool_of('select')}
+            chosen={NOTHING}
+            choose={() => {}}
+            draft={draft}
+            set_draft={set_draft}
+            finish={corners => {
+              set_draft([]);
+              put({ corners });
+            }}
+            move_points={() => {}}
+            move_items={() => {}}
+            material={item => scene.joint_materials.indexOf(String(row_material(scene, item.path))) + 1 || 1}
+            force={() => null}
+            is_snapping={true}
+            has_grid={true}
+            has_numbers={false}
+            fit={is_drawn ? 0 : version}
+            pointed={() => {}}
+            keys={event => {
+              if (event.key === 'Escape') set_draft([]);
+            }}
+            label="Drawing of the scene"
+          />
+          <div class="edit-state">
+            <span class={fault ? 'bad' : ''} aria-live="polite">
+              {words}
+            </span>
+          </div>
+        </div>
+      </section>
+      <form class="plan" aria-label="Scene" onSubmit={create}>
+        <div class="group">
+          <h2>Outline</h2>
+          <fieldset class="modes" aria-label="Shape">
+            {SHAPES.map(([kind, label]) => (
+              <label class={form.kind === kind ? 'on' : ''} key={kind}>
+                <input type="radio" name="shape" checked={form.kind === kind} onChange={() => put({ kind })} />
+                {label}
+              </label>
+            ))}
+          </fieldset>
+          {FIELDS[form.kind].length > 0 && (
+            <div class="pairs">{FIELDS[form.kind].map(([key, label, title]) => field(key, label, title))}</div>
+          )}
+          <label class="edit-toggle">
+            <input
+              type="checkbox"
+              checked={form.is_fixed}
+              onChange={event => put({ is_fixed: event.currentTarget.checked })}
+            />
+            Fix base and sides
+          </label>
+        </div>
+        <div class="group sets">
+          <h2>Joints</h2>
+          <SetsForm
+            sets={form.sets}
+            set_sets={sets => put({ sets })}
+            seed={form.seed}
+            set_seed={seed => put({ seed })}
+            length="m"
+            has_strength={true}
+          />
+        </div>
+        <div class="group">
+          <h2>Rock and run</h2>
+          <div class="pairs">
+            <label title="Entry of the library of materials">
+              <span>Rock</span>
+              <select value={form.rock} onChange={event => put({ rock: event.currentTarget.value })}>
+                {library.map(own => (
+                  <option value={own} key={own}>
+                    {own}
+                  </option>
+                ))}
+              </select>
+            </label>
+            {field('youngs_modulus', "Young's modulus", 'With its unit, such as 5 GPa; empty: of the library', false)}
+            {field('gravity', 'Gravity', 'Acceleration, downward, with its unit', false)}
+            {field('steps', 'Steps', 'Number of time steps')}
+            {field('time_step', 'Time step', 'With its unit, such as 1 ms', false)}
+          </div>
+        </div>
+        <div class="group">
+          <label class="field">
+            <span>File</span>
+            <input
+              type="text"
+              value={name}
+              placeholder={suggestion}
+              onInput={event => set_name(event.currentTarget.value)}
+            />
+          </label>
+          <div class="row wide">
+            <span class="space" />
+            <button type="submit" class="small strong" disabled={!is_ready}>
+              Create the case
+            </button>
+          </div>
+        </div>
+      </form>
+    </div>
+  );
+}
+
+const NOTHING: ReadonlySet<string> = new Set();
+
+function row_material(scene: ReturnType<typeof scene_of>, path: (string | number)[]): unknown {
+  const index = Number(path.at(-1));
+  const row = scene.root.items[scene.root.keys.findIndex(key => key.name === 'drawing')];
+  const joints = row?.items[row.keys.findIndex(key => key.name === 'joints')];
+  return joints?.items[index]?.items[4]?.value;
+}

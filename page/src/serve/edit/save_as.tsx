@@ -1,0 +1,101 @@
+// Dialog that saves a case under another name, or as another format of the family.
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import * as api from '../api';
+import { leaf_of, stem_of } from '../cases';
+import * as state from '../state';
+
+/** Formats that a case can be written as: word of the program, name, ending. Pairs of files have no ending. */
+const FORMATS: [string, string, string][] = [
+  ['keyblock-case', 'Keyblock case', '.json'],
+  ['dxf', 'DXF drawing', '.dxf'],
+  ['ddaml', 'DDAML', '.xml'],
+  ['berkeley', 'Berkeley DDA, two files', ''],
+  ['shi', "Shi's DDA, two files", ''],
+  ['manifold', "Shi's manifold program, two files", ''],
+  ['vtk', 'VTK, for ParaView', '.vtu'],
+];
+
+export function SaveAs({
+  paths,
+  current,
+  text,
+  save,
+  close,
+}: {
+  paths: string[];
+  current: string;
+  text: string;
+  save: () => Promise<boolean>;
+  close: () => void;
+}) {
+  const ending = current.slice(stem_of(current).length);
+  const [format, set_format] = useState('');
+  const [name, set_name] = useState(`${stem_of(current)}_new${ending}`);
+  const [losses, set_losses] = useState('');
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => dialog.current?.showModal(), []);
+
+  const choose = (own: string) => {
+    set_format(own);
+    const found = FORMATS.find(([word]) => word === own);
+    set_name(stem_of(name) + (found ? found[2] : ending));
+  };
+
+  const write = async (event: Event) => {
+    event.preventDefault();
+    if (!format) {
+      const saved = await state.attempt(() => api.save(name, text));
+      if (!saved) return close();
+      await state.refresh();
+      // The text under its new name is no longer unsaved.
+      state.unsaved.value = {};
+      close();
+      return state.go(state.link('case', ...paths.map(own => (own === current ? saved.path : own))));
+    }
+    if (!(await save())) return close();
+    const done = await state.attempt(() => api.convert(paths, name, format));
+    await state.refresh();
+    if (!done) return close();
+    const words = [done.output, done.messages].filter(own => own.trim()).join('\n');
+    set_losses(words.trim() || `Written: ${done.path}`);
+  };
+
+  return (
+    <dialog class="dialog" ref={dialog} onClose={close} aria-labelledby="save-as">
+      <form onSubmit={write}>
+        <h2 id="save-as">Save {leaf_of(current)} as</h2>
+        <label class="field">
+          <span>Format</span>
+          <select value={format} onChange={event => choose(event.currentTarget.value)}>
+            <option value="">the same</option>
+            {FORMATS.map(([word, label]) => (
+              <option value={word} key={word}>
+                {label}
+              </option>
+            ))}
+          </select>
+        </label>
+        <label class="field">
+          <span>File</span>
+          <input type="text" required value={name} onInput={event => set_name(event.currentTarget.value)} />
+        </label>
+        {format !== '' && <p class="note">Changes are saved first. The program lists what the format cannot hold.</p>}
+        {losses && (
+          <pre class="messages" role="status">
+            {losses}
+          </pre>
+        )}
+        <div class="row wide">
+          <span class="space" />
+          <button type="button" class="small" onClick={() => dialog.current?.close()}>
+            {losses ? 'Close' : 'Cancel'}
+          </button>
+          <button type="submit" class="small strong">
+            Save
+          </button>
+        </div>
+      </form>
+    </dialog>
+  );
+}

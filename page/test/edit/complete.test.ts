@@ -1,0 +1,164 @@
+// Schema of a case file: limits of values, and what can be typed at a place.
+
+import { execFileSync } from 'node:child_process';
+import { describe, expect, test } from 'vitest';
+import { choices_at, place_at } from '../../src/serve/edit/complete';
+import {
+  dimension_of,
+  fault_in,
+  limits_of,
+  meaning_of,
+  type Schema,
+  schema_at,
+  title_of_key,
+  unit_in,
+} from '../../src/serve/edit/schema';
+
+const SCHEMA: Schema = {
+  type: 'object',
+  properties: {
+    keyblock: { enum: [1, 2] },
+    drawing: {
+      type: 'object',
+      properties: {
+        joints: {
+          type: 'array',
+          items: {
+            type: 'array',
+            prefixItems: [
+              { title: 'x1', type: 'number' },
+              { title: 'joint_material', type: ['integer', 'string'] },
+            ],
+          },
+        },
+      },
+    },
+    analysis: {
+      type: 'object',
+      properties: {
+        step_count: {
+          type: 'integer',
+          description: 'number of time steps. Permitted: a whole number from 1 to 100000000',
+        },
+        plane_strain: { type: 'boolean', default: false },
+        rotation: { enum: ['first_order', 'exact'], default: 'first_order' },
+        time_step: {
+          type: ['number', 'string'],
+          description: 'step size, T. Permitted: greater than 0',
+          examples: ['2 ms'],
+        },
+      },
+    },
+  },
+};
+const NAMES = { block: ['rock'], joint: ['bedding', 'cross joint'] };
+
+/** Choices where the mark | stands. */
+function choices(marked: string): string[] {
+  const at = marked.indexOf('|');
+  const found = place_at(marked.replace('|', ''), at);
+  return found ? choices_at(SCHEMA, found, NAMES).map(own => own.label) : [];
+}
+
+describe('completion', () => {
+  test('keys of an object that it has not yet', () => {
+    expect(choices('{|}')).toEqual(['keyblock', 'drawing', 'analysis']);
+    expect(choices('{"keyblock": 2, "|": 1, "drawing": {}}')).toEqual(['analysis']);
+    expect(choices('{"analysis": {"ste|')).toEqual(['step_count', 'time_step']);
+    expect(choices('{"analysis": {"rotation": "exact", // note\n "ro|" }}')).toEqual([]);
+    expect(choices('{ // a comment |\n}')).toEqual([]);
+    expect(choices('| {}')).toEqual([]);
+  });
+
+  test('values: words, examples, names of materials', () => {
+    expect(choices('{"analysis": {"rotation": |}}')).toEqual(['first_order', 'exact']);
+    expect(choices('{"analysis": {"rotation": "e|"}}')).toEqual(['exact']);
+    expect(choices('{"analysis": {"plane_strain": |')).toEqual(['true', 'false']);
+    expect(choices('{"analysis": {"time_step": "|"}}')).toEqual(['2 ms']);
+    expect(choices('{"drawing": {"joints": [[1, 2], [3, |]]}}')).toEqual(['bedding', 'cross joint']);
+    expect(choices('{"keyblock": |')).toEqual(['1', '2']);
+  });
+
+  test('a choice replaces what is typed, with its quotation marks', () => {
+    const text = '{"analysis": {"st"}}';
+    const found = place_at(text, text.indexOf('st') + 2)!;
+    expect(text.slice(found.from, found.to)).toBe('"st"');
+    expect(choices_at(SCHEMA, found, NAMES)[0].text).toBe('"step_count": ');
+    const open = '{"analysis": {"st}}';
+    expect(place_at(open, 17)!.to).toBe(17);
+    const before = '{"analysis": {"st"time_step": 1}}';
+    expect(place_at(before, 17)!.to).toBe(17);
+    const bare = place_at('{"keyblock": 2, ana', 19)!;
+    expect([bare.kind, bare.from, bare.to, bare.typed]).toEqual(['key', 16, 19, 'ana']);
+  });
+});
+
+describe('schema', () => {
+  test('limits in words are enforced', () => {
+    const fault = (permitted: string, value: number, type = 'number') =>
+      fault_in({ type, description: `thing, F/L². Permitted: ${permitted}` }, value) !== '';
+    expect([fault('greater than 0', 0), fault('greater than 0', 1e-9)]).toEqual([true, false]);
+    expect([fault('0 to 0.5', 0.5), fault('0 to 0.5', 0.51), fault('0 to 0.5', -1)]).toEqual([false, true, true]);
+    expect([fault('at least 0 and below 90 degrees', 90), fault('at least 0 and below 90 degrees', 89.9)]).toEqual([
+      true,
+      false,
+    ]);
+    expect([fault('0 or more', -1), fault('0 or more', 0)]).toEqual([true, false]);
+    expect([fault('a whole number from 1 to 100', 1.5), fault('a whole number from 1 to 100', 101)]).toEqual([
+      true,
+      true,
+    ]);
+    expect(fault('a whole number, 1 or more', 0, 'integer')).toBe(true);
+    expect(fault_in({ enum: ['a', 'b'] }, 'c')).toBe('one of a, b');
+    expect(fault_in({ type: 'integer' }, 'ten')).toBe('a whole number');
+    expect(fault_in({ type: ['number', 'string'], description: 'x. Permitted: greater than 0' }, '2 ms')).toBe('');
+  });
+
+  test('titles, dimensions and meanings', () => {
+    expect(title_of_key('youngs_modulus')).toBe("Young's modulus");
+    expect(title_of_key('step_count')).toBe('Step count');
+    const own = { description: 'mass per volume, M/L³. Permitted: greater than 0' };
+    expect([dimension_of(own), meaning_of(own), limits_of(own)]).toEqual([
+      'M/L³',
+      'Mass per volume, M/L³.',
+      'greater than 0',
+    ]);
+    expect(dimension_of({ description: 'friction angle, degrees. Permitted: at least 0' })).toBe('°');
+    expect(dimension_of({ description: 'number of time steps' })).toBe('');
+  });
+
+  test('a dimension is written in the units of the case', () => {
+    const si = { length: 'm', mass: 'kg', time: 's' };
+    expect(['F/L²', 'F/L', 'M/L³', 'L', 'T', '°', ''].map(own => unit_in(own, si))).toEqual([
+      'Pa',
+      'N/m',
+      'kg/m³',
+      'm',
+      's',
+      '°',
+      '',
+    ]);
+    expect(unit_in('F/L²', { length: 'ft', force: 'lbf', time: 's' })).toBe('lbf/ft²');
+    expect(unit_in('M/L³', { length: 'ft', force: 'lbf', time: 's' })).toBe('M/L³');
+    expect(unit_in('F/L²', { length: 'mm', mass: 'g', time: 's' })).toBe('F/L²');
+    expect(unit_in('L', {})).toBe('L');
+  });
+
+  const program = process.env.KEYBLOCK ?? '';
+  test.skipIf(!program)('the schema of the program is understood', () => {
+    const schema: Schema = JSON.parse(execFileSync(program, ['formats', '--schema']).toString());
+    const young = schema_at(schema, ['analysis', 'block_materials', 0, 'youngs_modulus'])!;
+    expect([dimension_of(young), fault_in(young, 0), fault_in(young, 5e9)]).toEqual(['F/L²', 'greater than 0', '']);
+    const stage = schema_at(schema, ['stages', 3, 'bolts', 0, 4])!;
+    expect([stage.title, dimension_of(stage)]).toEqual(['stiffness', 'F/L']);
+    // No default of the schema breaks its own limits.
+    const broken: string[] = [];
+    const walk = (own: Schema, path: string) => {
+      if (own.default !== undefined && fault_in(own, own.default)) broken.push(path);
+      for (const [key, one] of Object.entries(own.properties ?? {})) walk(one, `${path}/${key}`);
+      if (typeof own.items === 'object') walk(own.items, `${path}[]`);
+    };
+    walk(schema, '');
+    expect(broken).toEqual([]);
+  });
+});

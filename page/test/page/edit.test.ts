@@ -1,0 +1,317 @@
+// The editor of the window in headless Chromium, before a server that answers from memory.
+
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, test } from 'vitest';
+import { find, type Path, parse, plain } from '../../src/serve/edit/json_text';
+import { violations } from './axe';
+import { has_browser, launch } from './browser';
+import { type Folder, serve_folder } from './folder';
+
+const CASE = `{
+ // A box.
+ "keyblock": 2,  // layout
+ "units": {"length": "m", "mass": "kg", "time": "s"},
+ "drawing": {
+  "boundary_count": 4,
+  "joints": [
+   [0, 0, 10, 0, "bedding"],  // base
+   [10, 0, 10, 6, "bedding"],
+   [10, 6, 0, 6, "bedding"],
+   [0, 6, 0, 0, "bedding"],
+  ],
+  "measured_points": [[5, 5]],
+ },
+ "analysis": {
+  "step_count": 100,
+  "block_materials": [{"name": "rock", "poissons_ratio": 0.25}],
+  "joint_materials": [{"name": "bedding"}, {"name": "cross joint"}],
+ },
+}
+`;
+
+describe.skipIf(!has_browser)('editor', () => {
+  let browser: Browser;
+  let folder: Folder;
+  const errors: string[] = [];
+
+  async function open(hash: string, scheme: 'light' | 'dark' = 'light', width = 1280): Promise<Page> {
+    const context = await browser.newContext({ viewport: { width, height: 800 }, colorScheme: scheme });
+    const page = await context.newPage();
+    page.on('dialog', asked => asked.accept());
+    page.on('pageerror', error => errors.push(String(error)));
+    page.on('console', text => {
+      if (text.type() === 'error') errors.push(text.text());
+    });
+    await page.goto(folder.address + hash);
+    await page.waitForSelector('canvas');
+    await expect.poll(() => page.locator('canvas').getAttribute('data-view')).not.toContain(' 0');
+    return page;
+  }
+
+  /** Place on the screen of a point of the drawing. */
+  async function at(page: Page, x: number, y: number): Promise<[number, number]> {
+    const canvas = page.locator('canvas');
+    const [cx, cy, scale] = (await canvas.getAttribute('data-view'))!.split(' ').map(Number);
+    const box = (await canvas.boundingBox())!;
+    return [box.x + box.width / 2 + (x - cx) * scale, box.y + box.height / 2 - (y - cy) * scale];
+  }
+  const click = async (page: Page, x: number, y: number) => page.mouse.click(...(await at(page, x, y)));
+  const drag = async (page: Page, from: [number, number], to: [number, number]) => {
+    await page.mouse.move(...(await at(page, ...from)));
+    await page.mouse.down();
+    const [x, y] = await at(page, ...to);
+    await page.mouse.move(x - 9, y - 9);
+    await page.mouse.move(x, y);
+    await page.mouse.up();
+  };
+  const text = (page: Page) => page.locator('textarea').inputValue();
+  const read = async (page: Page, ...path: Path) => plain(find(parse(await text(page)), path));
+  const tool = (page: Page, name: string) =>
+    page.getByRole('toolbar').getByRole('button', { name, exact: true }).click();
+
+  beforeAll(async () => {
+    browser = await launch();
+    folder = await serve_folder({ 'box.json': CASE, 'empty.json': '{"keyblock": 2}\n', 'a.dxf': '0\nEOF\n' }, '');
+  });
+  afterAll(async () => {
+    await browser?.close();
+    folder?.server.close();
+    expect(errors).toEqual([]);
+  });
+
+  test('joints are drawn by clicks that snap; comments stay; each step is undone and redone', async () => {
+    const page = await open('#/case/box.json');
+    await tool(page, 'Joint');
+    await page.getByLabel('Joint material').selectOption('cross joint');
+    await click(page, 0.1, 6.1);
+    await click(page, 9.9, 0.1);
+    expect(await read(page, 'drawing', 'joints', 4)).toEqual([0, 6, 10, 0, 'cross joint']);
+    // The second joint begins where the first crosses the grid, and ends at a place that is typed.
+    await click(page, 5, 3);
+    await page.getByLabel('Place: x, y').fill('@2<90');
+    await page.getByLabel('Place: x, y').press('Enter');
+    expect(await read(page, 'drawing', 'joints', 5)).toEqual([5, 3, 5, 5, 'cross joint']);
+    const after = await text(page);
+    expect(after).toContain(' // A box.\n "keyblock": 2,  // layout\n');
+    expect(after).toContain('[0, 0, 10, 0, "bedding"],  // base\n');
+    await page.locator('canvas').focus();
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    expect(await text(page)).toBe(CASE);
+    await page.keyboard.press('Control+y');
+    await page.keyboard.press('Control+y');
+    expect(await text(page)).toBe(after);
+    await page.keyboard.press('Control+s');
+    await expect.poll(() => folder.files.get('box.json')).toBe(after);
+    await expect.poll(() => page.locator('.edit-state').textContent()).toContain('1 block');
+    folder.files.set('box.json', CASE);
+    await page.context().close();
+  });
+
+  test('a corner is dragged, an item moved by keys and numbers, and deleted', async () => {
+    const page = await open('#/case/box.json');
+    await click(page, 5, 6);
+    await drag(page, [10, 6], [8, 4]);
+    expect(await read(page, 'drawing', 'joints', 1)).toEqual([10, 0, 8, 4, 'bedding']);
+    expect(await read(page, 'drawing', 'joints', 2)).toEqual([8, 4, 0, 6, 'bedding']);
+    await page.getByLabel('Item').selectOption('History point 1');
+    await page.getByLabel('x', { exact: true }).fill('2.5');
+    await page.getByLabel('x', { exact: true }).press('Enter');
+    await expect.poll(() => read(page, 'drawing', 'measured_points')).toEqual([[2.5, 5]]);
+    await page.locator('canvas').focus();
+    await page.keyboard.press('ArrowDown');
+    await expect.poll(() => read(page, 'drawing', 'measured_points', 0, 1)).toBeLessThan(5);
+    await page.keyboard.press('Delete');
+    await expect.poll(() => read(page, 'drawing', 'measured_points')).toEqual([]);
+    expect(await text(page)).toContain('// A box.');
+    await page.context().close();
+  });
+
+  test('an excavation makes its stage; loads and bolts have their numbers', async () => {
+    const page = await open('#/case/box.json');
+    await tool(page, 'Excavation');
+    for (const [x, y] of [
+      [2, 1],
+      [4, 1],
+      [4, 2],
+      [2, 1],
+    ])
+      await click(page, x, y);
+    expect(await read(page, 'stages', 1, 'excavations', 0, 'outline')).toEqual([
+      [2, 1],
+      [4, 1],
+      [4, 2],
+    ]);
+    await tool(page, 'Load');
+    await page.getByLabel('Force').fill('20 kN/m');
+    await click(page, 6, 3);
+    await click(page, 6, 1);
+    expect(await read(page, 'analysis', 'point_loads')).toEqual([[[0, 0, '-20 kN/m']]]);
+    await tool(page, 'Bolt');
+    await page.getByLabel('From').selectOption('excavation 1');
+    await click(page, 3, 2);
+    await click(page, 3, 5);
+    expect(await read(page, 'stages', 1, 'bolts')).toEqual([[3, 2, 3, 5, '20 MN/m/m', 0, '50 kN/m', 1]]);
+    await page.context().close();
+  });
+
+  test('an outline is drawn by keys alone; base and sides are fixed in one click', async () => {
+    const page = await open('#/case/empty.json');
+    await page.locator('canvas').focus();
+    await page.keyboard.press('o');
+    const place = page.getByLabel('Place: x, y');
+    for (const typed of ['0, 0', '20, 0', '@0, 5', '@-20, 0']) {
+      await place.fill(typed);
+      await place.press('Enter');
+    }
+    await place.press('Enter');
+    expect(await read(page, 'drawing', 'boundary_count')).toBe(4);
+    expect(await read(page, 'drawing', 'joints', 3)).toEqual([0, 5, 0, 0, 1]);
+    await tool(page, 'Fixed');
+    await page.getByRole('button', { name: 'Fix base and sides' }).click();
+    expect(((await read(page, 'drawing', 'fixed_lines')) as unknown[]).length).toBe(3);
+    await page.context().close();
+  });
+
+  test('a fault in the text stops the drawing and is named; a correction frees it', async () => {
+    const page = await open('#/case/box.json');
+    await page.locator('textarea').fill(CASE.replace('"keyblock": 2,', '"keyblock": 2'));
+    await expect.poll(() => page.locator('.edit-state').textContent()).toContain('Line 4, column 2: a comma or }');
+    expect(await page.getByRole('toolbar').getByRole('button', { name: 'Joint' }).isDisabled()).toBe(true);
+    await page.locator('textarea').fill(CASE.replace('"keyblock": 2', '"keyblock": 1'));
+    await expect.poll(() => page.getByRole('toolbar').getByRole('button', { name: 'Joint' }).isDisabled()).toBe(false);
+    await page.context().close();
+  });
+
+  test('tables change the text and refuse values beyond their limits', async () => {
+    const page = await open('#/case/box.json');
+    await page.locator('.modes label', { hasText: 'Tables' }).click();
+    const ratio = page.getByLabel("Poisson's ratio of block material 1");
+    await ratio.fill('0.7');
+    await ratio.press('Enter');
+    await page.waitForSelector('text=Expected: 0 to 0.5.');
+    await ratio.fill('0.3');
+    await ratio.press('Enter');
+    await page.getByLabel('Step count', { exact: true }).fill('250');
+    await page.getByLabel('Step count', { exact: true }).press('Enter');
+    await page.getByRole('button', { name: 'Add a block material' }).click();
+    await page.locator('.modes label', { hasText: /^Text$/ }).click();
+    expect(await read(page, 'analysis', 'block_materials', 0, 'poissons_ratio')).toBe(0.3);
+    expect(await read(page, 'analysis', 'block_materials', 1, 'name')).toBe('rock 2');
+    expect(await read(page, 'analysis', 'step_count')).toBe(250);
+    expect(await text(page)).toContain('// base');
+    await page.context().close();
+  });
+
+  test('keys and words are completed', async () => {
+    const page = await open('#/case/box.json');
+    const box = page.locator('textarea');
+    await box.fill('{"keyblock": 2, "analysis": {}}');
+    await box.evaluate((own: HTMLTextAreaElement) => own.setSelectionRange(29, 29));
+    await box.pressSequentially('"ro');
+    await page.getByRole('option', { name: 'rotation' }).waitFor();
+    expect(await page.locator('.choices p').textContent()).toContain('Formula for rotation');
+    await box.press('Enter');
+    await expect.poll(() => text(page)).toBe('{"keyblock": 2, "analysis": {"rotation": "first_order"}}');
+    await box.evaluate((own: HTMLTextAreaElement) => own.setSelectionRange(45, 45));
+    await box.press('Control+Space');
+    await box.press('ArrowDown');
+    await box.press('Tab');
+    await expect.poll(() => text(page)).toBe('{"keyblock": 2, "analysis": {"rotation": "exact"}}');
+    await page.context().close();
+  });
+
+  test('a new scene is saved as a case', async () => {
+    const page = await open('#/new');
+    await page.getByText('Drawn by hand').click();
+    for (const typed of ['0, 0', '9, 0', '9, 9', '']) {
+      await page.getByLabel('Place: x, y').fill(typed);
+      await page.getByLabel('Place: x, y').press('Enter');
+    }
+    await expect
+      .poll(() => folder.asked.filter(own => own.path === '/api/joints').at(-1)?.body.spec)
+      .toMatchObject({
+        outline: [
+          [0, 0],
+          [9, 0],
+          [9, 9],
+        ],
+      });
+    await page.locator('.modes label', { hasText: 'Slope' }).click();
+    await page.getByLabel('Height [m]').fill('12');
+    await expect.poll(() => page.locator('.edit-state').textContent()).toContain('1 block');
+    await page.getByLabel('Dip [°]').first().fill('x');
+    await expect
+      .poll(() => page.locator('.edit-state').textContent())
+      .toContain('The dip of bedding must be a number.');
+    await page.getByLabel('Dip [°]').first().fill('30');
+    await page.getByLabel('File').fill('own.json');
+    await expect.poll(() => page.locator('.edit-state').textContent()).toContain('1 block');
+    await page.getByRole('button', { name: 'Create the case' }).click();
+    await expect.poll(() => page.url()).toContain('#/case/own.json');
+    const saved = folder.files.get('own.json')!;
+    expect(plain(find(parse(saved), ['drawing', 'boundary_count']))).toBe(4);
+    const spec = folder.asked.filter(own => own.path === '/api/joints').at(-1)!.body.spec;
+    expect(spec).toMatchObject({
+      slope: { height: 12, angle: 60 },
+      sets: [{ dip: 30, spacing: 3 }, { dip: 118 }],
+      seed: 1,
+    });
+    await page.context().close();
+  });
+
+  test('joint sets follow their form; other changes made meanwhile stay; cancel restores the joints', async () => {
+    const page = await open('#/case/box.json');
+    await tool(page, 'Joint');
+    await click(page, 2, 0);
+    await click(page, 2, 6);
+    const before = await text(page);
+    await page.getByRole('button', { name: 'Joint sets…' }).click();
+    await expect.poll(() => read(page, 'drawing', 'joints', 4)).toEqual([1, 0, 1, 10, 'bedding']);
+    expect(await text(page)).toContain('// joint sets: {"seed":"1"');
+    await page.getByLabel('Replace the joints').uncheck();
+    await expect.poll(() => read(page, 'drawing', 'joints', 4)).toEqual([2, 0, 2, 6, 'bedding']);
+    expect(await read(page, 'drawing', 'joints', 5)).toEqual([1, 0, 1, 10, 'bedding']);
+    await page.getByRole('button', { name: 'Cancel' }).click();
+    await expect.poll(() => text(page)).toBe(before);
+    await page.getByRole('button', { name: 'Joint sets…' }).click();
+    await expect.poll(() => read(page, 'drawing', 'joints', 4)).toEqual([1, 0, 1, 10, 'bedding']);
+    await tool(page, 'Point');
+    await click(page, 4, 4);
+    await page.getByLabel('Spacing [m]').first().fill('2');
+    await page.waitForTimeout(600);
+    await page.getByRole('button', { name: 'Cancel' }).click();
+    await expect.poll(() => read(page, 'drawing', 'joints', 4)).toEqual([2, 0, 2, 6, 'bedding']);
+    expect(await read(page, 'drawing', 'measured_points', 1)).toEqual([4, 4]);
+    expect(await text(page)).not.toContain('joint sets:');
+    await page.context().close();
+  });
+
+  for (const scheme of ['light', 'dark'] as const)
+    for (const width of [1280, 400])
+      test(`no axe violations, ${scheme}, ${width} px`, async () => {
+        const found: string[] = [];
+        for (const show of ['Drawing', 'Text', 'Tables', 'sets', 'save', 'new']) {
+          const page = await open(show === 'new' ? '#/new' : '#/case/box.json', scheme, width);
+          if (['Drawing', 'Text', 'Tables'].includes(show))
+            await page.locator('.modes label', { hasText: new RegExp(`^${show}$`) }).click();
+          if (show === 'sets') {
+            await tool(page, 'Joint');
+            await page.getByRole('button', { name: 'Joint sets…' }).click();
+          }
+          if (show === 'save') await page.getByRole('button', { name: 'Save as…' }).click();
+          if (show === 'Drawing')
+            await page
+              .getByLabel('Item')
+              .selectOption('Joint 1', { timeout: 500 })
+              .catch(() => {});
+          await page.waitForTimeout(500);
+          found.push(...(await violations(page)).map(own => `${show}: ${own}`));
+          const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+          expect(wide, show).toBeLessThanOrEqual(0);
+          await page.context().close();
+        }
+        process.stdout.write(`figure: axe violations of the editor, ${scheme}, ${width} px: ${found.length}\n`);
+        expect(found).toEqual([]);
+      });
+});
