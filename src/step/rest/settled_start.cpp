@@ -33,13 +33,9 @@ class Settling {
   }
 
   Settled run() {
-    found_ = resting_touches(scene_, motion_, scales_);
-    const UnknownsTable drawn = motion_.q;
-    leave_unsupported(found_);
-    load_glued(found_);
-    Motion before = motion_;  // keeps the compression of the glue's springs
-    before.q = drawn;
-    add_overlapping(before);
+    const Touches resting = resting_touches(scene_, motion_, scales_);
+    leave_unsupported(resting);
+    load_glued(resting);
     dissolve();
     motion_.v = velocities_;
     return {std::move(motion_), unsolved_};
@@ -54,7 +50,6 @@ class Settling {
     double slid = 0;  // sum of `stiffness` over the steps so far
     for (int i = 0; i < of_settled_start::kMostSteps; ++i) {
       const Motion before = motion_;
-      const Touches found = found_;
       const UnknownsTable last = moved_;
       if (!step(stiffness)) {
         ++unsolved_;
@@ -66,7 +61,6 @@ class Settling {
       const double share = 2 * moved * scene_.normal_stiffness() / (stiffness * scales_.force);
       if (slid > 0 && share > of_settled_start::kRises * last_share && stiffness > of_settled_start::kShortest) {
         motion_ = before;
-        found_ = found;
         moved_ = last;
         stiffness = std::max(stiffness / of_settled_start::kShorter, of_settled_start::kShortest);
         continue;
@@ -144,18 +138,22 @@ class Settling {
   }
 
   // Makes an iteration of statics (7.9 in docs/theory/07-initial-state-and-statics.md). Returns false if it finds no
-  // forces. It then moves nothing, but contacts that it found stay.
+  // forces, and then moves nothing.
   bool step(double stiffness_over_inertia) {
     const double tau = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
     const StepRule rule = resting_rule(tau / std::numbers::sqrt2);
     const double force = of_settled_start::kForceTolerance * scales_.force;
+    Touches found = touches_of(scene_, motion_, scales_, scene_.settings.time_step);
+    leave_overlaps(scene_, motion_, scales_, found);
     const ForceTolerance tolerance{force, force, of_settled_start::kForceTolerated * scales_.force};
-    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -1, 1, rule);
+    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found, tolerance, -1, 1, rule);
     for (int search = 1; search < of_settled_start::kMostSearches && made.converged; ++search) {
-      const Touches fresh = overlapping_at(made.q, motion_);
+      Touches fresh =
+          newly_overlapping(scene_, motion_, vertices_at(scene_.model, scene_.reference, made.q), found, scales_);
       if (fresh.empty()) break;
-      found_.insert(found_.end(), fresh.begin(), fresh.end());
-      made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -1, 1, rule, &made);
+      leave_overlaps(scene_, motion_, scales_, fresh);
+      found.insert(found.end(), fresh.begin(), fresh.end());
+      made = smooth_solve(scene_, motion_, loads_, found, tolerance, -1, 1, rule, &made);
     }
     if (!made.converged) return false;
     moved_ = plus(made.q, -1, motion_.q);
@@ -164,25 +162,15 @@ class Settling {
     motion_.bonds = std::move(made.bonds);
     motion_.constraints = std::move(made.constraints);
     std::vector<ClosedContact> closed;
-    for (std::size_t i = 0; i < found_.size(); ++i) {
+    for (std::size_t i = 0; i < found.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
-      const Touch& touch = found_[i];
+      const Touch& touch = found[i];
       if (made.forces[n] != 0 || made.laws[i].is_bonded)
         closed.push_back(
             {touch, memory_of(made.laws[i], made.forces[n], made.forces[n + 1], way[n + 1], motion_.closed.of(touch))});
     }
     motion_.closed = ClosedContacts(std::move(closed));
     return true;
-  }
-
-  // Corners at nodes of more than two blocks, and corners that came round an edge, are not faces. Without them blocks
-  // would slip past each other.
-  Touches overlapping_at(const UnknownsTable& q, const Motion& before) const {
-    return newly_overlapping(scene_, before, vertices_at(scene_.model, scene_.reference, q), found_, scales_);
-  }
-  void add_overlapping(const Motion& before) {
-    const Touches fresh = overlapping_at(motion_.q, before);
-    found_.insert(found_.end(), fresh.begin(), fresh.end());
   }
 
   double heaviest() const {
@@ -213,7 +201,6 @@ class Settling {
   UnknownsTable velocities_;
   UnknownsTable loads_;
   Scales scales_;
-  Touches found_;
   UnknownsTable moved_;  ///< in the last step that was solved
   int unsolved_ = 0;
 };
