@@ -235,7 +235,8 @@ inline constexpr double kRigid = 1e-4;
 // Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue. A free block moves
 // by half that times its weight over the contact stiffness per step. It grows from step to step while nothing moves
 // farther than kFarthest of block size. Glue forces across many blocks redistribute in long steps only: it also grows
-// after a step that moved less than kFarthestOfSettling, by at most kSettles of free motion and of the step before.
+// after a step that moved by at most kSettles of free motion and of the step before. A step that moves farther than
+// kFarthestOfSettling is made again, shorter by kShorter.
 inline constexpr double kShortest = 16;
 inline constexpr double kLongest = 1048576;
 inline constexpr double kGrowth = 16;

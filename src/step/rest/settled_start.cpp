@@ -59,7 +59,9 @@ class Settling {
       }
       const double moved = farthest(moved_);
       const double share = 2 * moved * scene_.normal_stiffness() / (stiffness * scales_.force);
-      if (slid > 0 && share > of_settled_start::kRises * last_share && stiffness > of_settled_start::kShortest) {
+      const bool rises = slid > 0 && share > of_settled_start::kRises * last_share;
+      const bool is_far = moved > of_settled_start::kFarthestOfSettling * scales_.size;
+      if ((rises || is_far) && stiffness > of_settled_start::kShortest) {
         motion_ = before;
         moved_ = last;
         stiffness = std::max(stiffness / of_settled_start::kShorter, of_settled_start::kShortest);
@@ -79,8 +81,7 @@ class Settling {
       stalls += share > of_settled_start::kStalls * before_share ? 1 : 0;
       if (stalls >= of_settled_start::kMostStalls) break;  // the scene moves
       const bool is_near = moved <= of_settled_start::kFarthest * scales_.size;
-      const bool is_settling = share <= of_settled_start::kSettles * std::min(1.0, before_share) &&
-                               moved <= of_settled_start::kFarthestOfSettling * scales_.size;
+      const bool is_settling = share <= of_settled_start::kSettles * std::min(1.0, before_share);
       if (is_near || is_settling)
         stiffness = std::min(of_settled_start::kGrowth * stiffness, of_settled_start::kLongest);
     }
