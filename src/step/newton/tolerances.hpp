@@ -239,7 +239,7 @@ inline constexpr double kRigid = 1e-4;
 // kFarthestOfSettling is made again, shorter by kShorter.
 inline constexpr double kShortest = 16;
 inline constexpr double kLongest = 1048576;
-inline constexpr double kGrowth = 16;
+inline constexpr double kGrowth = 4;
 inline constexpr double kFarthest = 1e-5;
 inline constexpr double kSettles = 0.5;
 inline constexpr double kFarthestOfSettling = 1e-3;
