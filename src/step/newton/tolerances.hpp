@@ -240,7 +240,7 @@ inline constexpr double kRigid = 1e-4;
 inline constexpr double kShortest = 16;
 inline constexpr double kLongest = 1048576;
 inline constexpr double kGrowth = 4;
-inline constexpr double kFarthest = 1e-5;
+inline constexpr double kFarthest = 1e-4;
 inline constexpr double kSettles = 0.5;
 inline constexpr double kFarthestOfSettling = 1e-3;
 // A step stalls if its fraction of free motion is above kStalls of the last one's. A scene that stalls kMostStalls
