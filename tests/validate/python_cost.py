@@ -3,8 +3,8 @@
 
 usage: python_cost.py PROGRAM    with the package keyblock on PYTHONPATH
 
-Fails if a recorded run takes over 2 % more processor time than `keyblock run`, if 900 runs leave over 4 MiB, or if
-KeyboardInterrupt comes over 1 s after the signal while 1e6 unknowns are cut, factored or solved.
+Fails if a recorded run takes over 2 % more processor time than `keyblock run`, or if 900 runs leave over 4 MiB. Fails
+too if KeyboardInterrupt comes over 1 s after the signal while 1e6 unknowns are cut, factored or solved.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import gc
