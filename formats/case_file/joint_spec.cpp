@@ -156,7 +156,7 @@ std::variant<RectangleShape, SlopeShape, Outline> outline_of_scene(const JsonFie
   const PlacedJson* slope = fields.value("slope");
   const int count = (rectangle != nullptr) + (slope != nullptr) + (fields.value("outline") != nullptr);
   if (count != 1)
-    throw InputError(fields.place(), fmt::format("expected one outline, rectangle, slope or outline, found {}",
+    throw InputError(fields.place(), fmt::format("expected one of rectangle, slope and outline, found {}",
                                                  count == 0 ? "none" : fmt::format("{}", count)));
   if (rectangle != nullptr) return rectangle_of(*rectangle);
   if (slope != nullptr) return slope_of(*slope);

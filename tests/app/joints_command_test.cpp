@@ -115,7 +115,7 @@ TEST(JointsCommand, what_cannot_be_is_refused_with_the_name_of_the_option_or_the
       << unknown.messages;
   const auto none = run_keyblock({"joints", "-o", folder + "/x.geo"});
   EXPECT_EQ(none.exit_code, 2);
-  EXPECT_EQ(none.messages, "keyblock: error: expected one outline, rectangle or slope, found none\n");
+  EXPECT_EQ(none.messages, "keyblock: error: expected one of rectangle, slope and outline, found none\n");
   support::write_text(folder + "/spec.json", "{\"rectangle\": {\"width\": 2,\n  \"hight\": 3}}");
   const auto file = run_keyblock({"joints", folder + "/spec.json", "-o", folder + "/x.geo"});
   EXPECT_EQ(file.exit_code, 3);

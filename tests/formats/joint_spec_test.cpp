@@ -103,8 +103,8 @@ TEST(JointSpec, faults_are_named_at_the_line_of_their_key) {
   EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1, \"spacing\": 1, \"gap\": 1}]"),
             "f:2:10: error: expected trace beside gap in joint set 1, found none");
   EXPECT_EQ(fault(kBox + ", \"slope\": {\"height\": 1, \"angle\": 45}"),
-            "f:1:1: error: expected one outline, rectangle, slope or outline, found 2");
-  EXPECT_EQ(fault(""), "f:1:1: error: expected one outline, rectangle, slope or outline, found none");
+            "f:1:1: error: expected one of rectangle, slope and outline, found 2");
+  EXPECT_EQ(fault(""), "f:1:1: error: expected one of rectangle, slope and outline, found none");
   EXPECT_EQ(fault(kBox + ",\n\"sets\": [{\"dip\": 1, \"spacing\": 1},\n {\"dip\": 1}]"),
             "f:3:2: error: expected spacing of joint set 2 (greater than 0), found none");
   EXPECT_NE(fault("\"slope\": {\"height\": 1, \"angle\": 91}"), "");

@@ -34,7 +34,7 @@ constexpr double kProgress = 0.5;
 // Limits of rounds, and of active sets per round. With many pairs a longer round has diverged.
 constexpr int kMostRounds = 40;
 constexpr int kMostSets = 60;
-constexpr int kMostSetsOfMany = 12;
+constexpr int kMostSetsOfMany = 16;
 // Line search towards the forces of an active set, for springs. A step suffices if it reduces the residual by
 // kSufficient of its length. It is halved at most kHalvingsOfWay times. The search gives up after kMostRises active
 // sets in a row without a reduction.

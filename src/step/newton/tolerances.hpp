@@ -126,7 +126,7 @@ namespace of_impacts {
 // An overlap of this fraction of block size is round-off of a position, which two or three linearised passes reach. In
 // assemblies the remainder is far below the overlap that the next step removes by itself.
 inline constexpr double kNoOverlap = 1e-14;
-inline constexpr double kNoOverlapOfMany = 1e-8;
+inline constexpr double kNoOverlapOfMany = 5e-11;
 inline constexpr int kMostPasses = 10;
 // A body that is hit from two sides may go several times farther than its change of velocity lets it. Beyond this
 // factor, impulses that held one another are out of balance: 500 in a jammed slope.
@@ -234,19 +234,11 @@ inline constexpr double kHeldByNothing = 1e10;
 inline constexpr double kRigid = 1e-4;
 // Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue. A free block moves
 // by half that times its weight over the contact stiffness per step. It grows from step to step while nothing moves
-// farther than kFarthest of block size. Glue forces across many blocks redistribute in long steps only: it also grows
-// after a step that moved by at most kSettles of free motion and of the step before. A step that moves farther than
-// kFarthestOfSettling is made again, shorter by kShorter.
+// farther than kFarthest of block size. Glue forces across many blocks redistribute in long steps only.
 inline constexpr double kShortest = 16;
-inline constexpr double kLongest = 1048576;
+inline constexpr double kLongest = 4096;
 inline constexpr double kGrowth = 4;
-inline constexpr double kFarthest = 1e-4;
-inline constexpr double kSettles = 0.5;
-inline constexpr double kFarthestOfSettling = 1e-3;
-// A step stalls if its fraction of free motion is above kStalls of the last one's. A scene that stalls kMostStalls
-// times has no equilibrium near by, and moves.
-inline constexpr double kStalls = 0.95;
-inline constexpr int kMostStalls = 6;
+inline constexpr double kFarthest = 1e-5;
 inline constexpr int kMostSteps = 40;
 inline constexpr int kMostSearches = 4;
 // If a step moves kRises times the last one's fraction of free motion, friction can carry the load in several ways. A
@@ -254,7 +246,7 @@ inline constexpr int kMostSearches = 4;
 inline constexpr double kRises = 2;
 inline constexpr double kShorter = 16;
 // A block that moves by less than this fraction of free motion is in equilibrium.
-inline constexpr double kAtRest = 2e-5;
+inline constexpr double kAtRest = 1e-4;
 // Two steps are equally long if their displacements differ by less than this fraction: the scene then moves under
 // constant forces.
 inline constexpr double kEvenly = 1e-3;

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <utility>
 
 #include "base/context.hpp"
 #include "base/union_find.hpp"
@@ -33,9 +31,13 @@ class Settling {
   }
 
   Settled run() {
-    const Touches resting = resting_touches(scene_, motion_, scales_);
-    leave_unsupported(resting);
-    load_glued(resting);
+    found_ = resting_touches(scene_, motion_, scales_);
+    const UnknownsTable drawn = motion_.q;
+    leave_unsupported(found_);
+    load_glued(found_);
+    Motion before = motion_;  // keeps the compression of the glue's springs
+    before.q = drawn;
+    add_overlapping(before);
     dissolve();
     motion_.v = velocities_;
     return {std::move(motion_), unsolved_};
@@ -45,11 +47,11 @@ class Settling {
   void dissolve() {
     double stiffness = of_settled_start::kShortest;
     double first_share = 0;
-    double last_share = 1;  // of free fall
-    int stalls = 0;
+    double last_share = 0;
     double slid = 0;  // sum of `stiffness` over the steps so far
     for (int i = 0; i < of_settled_start::kMostSteps; ++i) {
       const Motion before = motion_;
+      const Touches found = found_;
       const UnknownsTable last = moved_;
       if (!step(stiffness)) {
         ++unsolved_;
@@ -59,17 +61,16 @@ class Settling {
       }
       const double moved = farthest(moved_);
       const double share = 2 * moved * scene_.normal_stiffness() / (stiffness * scales_.force);
-      const bool rises = slid > 0 && share > of_settled_start::kRises * last_share;
-      const bool is_far = moved > of_settled_start::kFarthestOfSettling * scales_.size;
-      if ((rises || is_far) && stiffness > of_settled_start::kShortest) {
+      if (slid > 0 && share > of_settled_start::kRises * last_share && stiffness > of_settled_start::kShortest) {
         motion_ = before;
+        found_ = found;
         moved_ = last;
         stiffness = std::max(stiffness / of_settled_start::kShorter, of_settled_start::kShortest);
         continue;
       }
       if (slid == 0) first_share = share;
       slid += stiffness;
-      const double before_share = std::exchange(last_share, share);
+      last_share = share;
       tell_headway("start, glued blocks let go",
                    std::max(double(i + 1) / of_settled_start::kMostSteps,
                             share_of_fall(first_share, share, of_settled_start::kAtRest)));
@@ -78,11 +79,7 @@ class Settling {
         motion_.q = plus(motion_.q, -slid / stiffness, moved_);
         break;
       }
-      stalls += share > of_settled_start::kStalls * before_share ? 1 : 0;
-      if (stalls >= of_settled_start::kMostStalls) break;  // the scene moves
-      const bool is_near = moved <= of_settled_start::kFarthest * scales_.size;
-      const bool is_settling = share <= of_settled_start::kSettles * std::min(1.0, before_share);
-      if (is_near || is_settling)
+      if (moved <= of_settled_start::kFarthest * scales_.size)
         stiffness = std::min(of_settled_start::kGrowth * stiffness, of_settled_start::kLongest);
     }
   }
@@ -138,23 +135,20 @@ class Settling {
     motion_.constraints = constraints.memory(forces.tail(count - of_faces), motion_.q);
   }
 
-  // Makes an iteration of statics (7.9 in docs/theory/07-initial-state-and-statics.md). Returns false if it finds no
-  // forces, and then moves nothing.
+  // Returns false if it finds no forces. It then moves nothing, but contacts that it found stay.
   bool step(double stiffness_over_inertia) {
-    const double tau = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
-    const StepRule rule = resting_rule(tau / std::numbers::sqrt2);
+    const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
+    StandardChoices choices = scene_.settings.standard;
+    choices.force_weight = 1;  // each step ends at its equilibrium; a smaller weight would overshoot
+    const StepRule rule = step_rule(choices, dt);
     const double force = of_settled_start::kForceTolerance * scales_.force;
-    Touches found = touches_of(scene_, motion_, scales_, scene_.settings.time_step);
-    leave_overlaps(scene_, motion_, scales_, found);
     const ForceTolerance tolerance{force, force, of_settled_start::kForceTolerated * scales_.force};
-    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found, tolerance, -1, 1, rule);
+    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -dt, dt, rule);
     for (int search = 1; search < of_settled_start::kMostSearches && made.converged; ++search) {
-      Touches fresh =
-          newly_overlapping(scene_, motion_, vertices_at(scene_.model, scene_.reference, made.q), found, scales_);
+      const Touches fresh = overlapping_at(made.q, motion_);
       if (fresh.empty()) break;
-      leave_overlaps(scene_, motion_, scales_, fresh);
-      found.insert(found.end(), fresh.begin(), fresh.end());
-      made = smooth_solve(scene_, motion_, loads_, found, tolerance, -1, 1, rule, &made);
+      found_.insert(found_.end(), fresh.begin(), fresh.end());
+      made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -dt, dt, rule, &made);
     }
     if (!made.converged) return false;
     moved_ = plus(made.q, -1, motion_.q);
@@ -163,15 +157,25 @@ class Settling {
     motion_.bonds = std::move(made.bonds);
     motion_.constraints = std::move(made.constraints);
     std::vector<ClosedContact> closed;
-    for (std::size_t i = 0; i < found.size(); ++i) {
+    for (std::size_t i = 0; i < found_.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
-      const Touch& touch = found[i];
+      const Touch& touch = found_[i];
       if (made.forces[n] != 0 || made.laws[i].is_bonded)
         closed.push_back(
             {touch, memory_of(made.laws[i], made.forces[n], made.forces[n + 1], way[n + 1], motion_.closed.of(touch))});
     }
     motion_.closed = ClosedContacts(std::move(closed));
     return true;
+  }
+
+  // Corners at nodes of more than two blocks, and corners that came round an edge, are not faces. Without them blocks
+  // would slip past each other.
+  Touches overlapping_at(const UnknownsTable& q, const Motion& before) const {
+    return newly_overlapping(scene_, before, vertices_at(scene_.model, scene_.reference, q), found_, scales_);
+  }
+  void add_overlapping(const Motion& before) {
+    const Touches fresh = overlapping_at(motion_.q, before);
+    found_.insert(found_.end(), fresh.begin(), fresh.end());
   }
 
   double heaviest() const {
@@ -202,6 +206,7 @@ class Settling {
   UnknownsTable velocities_;
   UnknownsTable loads_;
   Scales scales_;
+  Touches found_;
   UnknownsTable moved_;  ///< in the last step that was solved
   int unsolved_ = 0;
 };
