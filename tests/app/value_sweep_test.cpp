@@ -224,11 +224,22 @@ TEST(ValueSweep, a_shard_belongs_to_one_process_at_a_time) {
   EXPECT_EQ(run_keyblock(command + Words{"--shard", "1/2"}).exit_code, 0);
 }
 
+TEST(ValueSweep, a_shard_removes_no_results_of_others) {
+  const std::string folder = fresh_folder("value_sweep_force");
+  const Words command{"sweep", slope_in(folder), "--over", "steps=2,3", "-o", folder + "/out"};
+  EXPECT_EQ(run_keyblock(command + Words{"--shard", "1/2"}).exit_code, 0);
+  const ProgramRun forced = run_keyblock(command + Words{"--shard", "2/2", "--force"});
+  EXPECT_EQ(forced.exit_code, 2);
+  EXPECT_TRUE(contains(forced.messages, "--force would remove the results of other shards")) << forced.messages;
+  EXPECT_EQ(run_keyblock(command + Words{"--shard", "2/2"}).exit_code, 0);
+  EXPECT_EQ(run_keyblock(command + Words{"--merge"}).exit_code, 0);
+}
+
 TEST(ValueSweep, scripts_name_the_shards) {
   const std::string folder = fresh_folder("value_sweep_scripts");
   const std::string file = slope_in(folder);
   const Words command{"sweep", file, "--over", "steps=10, 20", "-o", folder + "/out"};
-  const ProgramRun slurm = run_keyblock(command + Words{"--slurm", "4"});
+  const ProgramRun slurm = run_keyblock(command + Words{"--jobs", "2", "--slurm", "4"});  // a task has one job
   EXPECT_EQ(slurm.exit_code, 0);
   EXPECT_TRUE(contains(slurm.output, "#SBATCH --array=1-4")) << slurm.output;
   EXPECT_TRUE(contains(slurm.output, "--over 'steps=10, 20'")) << slurm.output;

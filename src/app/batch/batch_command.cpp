@@ -235,6 +235,10 @@ ExitCode run_batch(const BatchOptions& given) {
   }
   listen_for_stops();  // a stopped batch can resume from its journal
   const FileTree archive = survey(plan.root, plan.folder, options.largest_mebibytes, thread_count(options));
+  if (context().is_stopped()) {
+    spdlog::warn("stopped before all files were read; the same command begins again");
+    return is_at_time_limit() ? ExitCode::limit : ExitCode::stopped;
+  }
   if (options.is_merged) return finish(options, plan, archive, merged_journal(plan, archive));
   if (!archive.passed_over.empty()) spdlog::warn("skipped: {}", study::sentence_of(archive.passed_over));
   journal_in(plan, options.shard);  // refuses a foreign folder before anything is written

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "base/bytes/source_facts.hpp"
@@ -62,11 +63,13 @@ std::vector<std::string> own_command() {
   std::vector<std::string> words = words_of_command();
   if (!words.empty() && words.front().find('/') != std::string::npos)
     words.front() = std::filesystem::absolute(words.front()).lexically_normal().string();
+  constexpr std::array<std::string_view, 4> kOfScripts{"--slurm", "--parallel", "--jobs", "--shard"};
+  constexpr std::array<std::string_view, 3> kFlags{"--merge", "--resume", "--force"};
   for (auto word = words.begin(); word != words.end();) {
-    const bool has_value = *word == "--slurm" || *word == "--parallel";
-    if (has_value && word + 1 != words.end())
+    const auto begins = [&](std::string_view option) { return word->starts_with(std::string(option) + "="); };
+    if (std::ranges::find(kOfScripts, *word) != kOfScripts.end() && word + 1 != words.end())
       word = words.erase(word, word + 2);
-    else if (word->starts_with("--slurm=") || word->starts_with("--parallel="))
+    else if (std::ranges::any_of(kOfScripts, begins) || std::ranges::find(kFlags, *word) != kFlags.end())
       word = words.erase(word);
     else
       ++word;

@@ -267,6 +267,8 @@ ExitCode sweep_values(const ValueSweepOptions& options) {
     throw UsageError("sweep: no folder given for the results; usage: keyblock sweep CASE --over KEY=VALUES -o FOLDER");
   const Shard shard = options.shard.empty() ? Shard{} : shard_of(options.shard);
   if (options.is_merged && !shard.is_whole()) throw UsageError("sweep: expected --shard or --merge, found both");
+  if (options.force && !shard.is_whole())
+    throw UsageError("sweep: --force would remove the results of other shards; expected --shard with --resume");
   const ReadySweep sweep = ready(options);
   if (options.slurm > 0 || options.parallel > 0) {
     fmt::print("{}", options.slurm > 0 ? slurm_script(own_command(), options.slurm)
