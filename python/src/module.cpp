@@ -131,6 +131,7 @@ class Runner {
     std::timed_mutex mutex;
     std::shared_ptr<kb::Run> run;
     std::atomic<bool> is_computing{false};  // on a thread of its own
+    std::atomic<int> waiting{0};            // threads between steps of which `finish` lets one have the run
   };
 
   struct Computing {
@@ -139,8 +140,15 @@ class Runner {
     std::atomic<bool>& flag_;
   };
 
+  struct Waiting {
+    explicit Waiting(std::atomic<int>& count) : count_(count) { ++count_; }
+    ~Waiting() { --count_; }
+    std::atomic<int>& count_;
+  };
+
   /// Waits for another thread that uses the run. Throws KeyboardInterrupt.
   std::unique_lock<std::timed_mutex> locked() const {
+    const Waiting waiting(shared_->waiting);
     std::unique_lock lock(shared_->mutex, std::try_to_lock);
     const auto is_locked = [&lock] {
       const py::gil_scoped_release release;
@@ -151,10 +159,14 @@ class Runner {
     return lock;
   }
 
-  template <class Work>
-  auto with_run(bool is_quick, Work work) {
+  void require_no_interrupted_work() const {
     if (context_.is_stopped() && shared_->is_computing)
       throw kb::Error("the run was interrupted, and its last computation still ends");
+  }
+
+  template <class Work>
+  auto with_run(bool is_quick, Work work) {
+    require_no_interrupted_work();
     if (is_quick) {
       auto waited = locked();
       const py::gil_scoped_release release;
@@ -179,9 +191,19 @@ class Runner {
     return with_run(is_quick_, [](kb::Run& run) { return run.advance(); });
   }
 
-  /// To the end.
+  /// Makes the steps to the end. Between them other threads may read the run.
   kb::Outcome finish() {
-    return with_run(false, [](kb::Run& run) { return run.go_on(); });
+    require_no_interrupted_work();
+    return computed(context_, [shared = shared_] {
+      const Computing computing(shared->is_computing);
+      while (true) {
+        {
+          const std::lock_guard lock(shared->mutex);
+          if (!shared->run->advance()) return shared->run->outcome();
+        }
+        while (shared->waiting > 0) std::this_thread::yield();
+      }
+    });
   }
 
   kb::Frame frame(bool has_corners) {
