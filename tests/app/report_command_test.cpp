@@ -89,7 +89,7 @@ TEST(ReportCommand, a_folder_of_runs_becomes_a_table_with_a_section_for_each) {
   fs::copy(folder + "/a/out", folder + "/b", fs::copy_options::recursive);
   ASSERT_EQ(run_keyblock({"report", folder, "-o", folder + "/all.html"}).exit_code, 0);
   const std::string page = read_text(folder + "/all.html");
-  EXPECT_TRUE(contains(page, "2 results: 0 trusted and at rest, 2 still moving or not at their end, 0 not trusted."));
+  EXPECT_TRUE(contains(page, "2 runs: 0 trusted and at rest, 2 still moving or not at their end, 0 not trusted."));
   EXPECT_TRUE(contains(page, "<td>a/out</td>"));
   EXPECT_TRUE(contains(page, "<h2>b</h2>"));
   EXPECT_TRUE(contains(page, "<li class=\"card doubtful\"><a href=\"#a/out\">"));

@@ -41,7 +41,7 @@ std::vector<fs::path> results_below(const fs::path& folder) {
   return results;
 }
 
-/// What the report says of one result.
+/// Holds the words of the report about one result.
 struct Result {
   std::string name;
   std::string profile;
@@ -115,17 +115,26 @@ report::DocumentCard card_of(const std::string& name, const std::vector<Result>&
     card.verdict = std::max(card.verdict, result.verdict);
     if (card.svg.empty()) card.svg = result.thumbnail;
     card.lines.push_back(fmt::format("{}: {}", result.profile, result.answer));
-    if (result.verdict != Verdict::good) card.lines.push_back(result.row[2]);
+    if (result.verdict != Verdict::good && !result.is_of_strength) card.lines.push_back(result.row[2]);
   }
   return card;
 }
 
 std::string summary_of(const std::vector<Result>& results) {
-  std::map<Verdict, std::size_t> counts;
-  for (const Result& result : results) ++counts[result.verdict];
-  return fmt::format("{}: {} trusted and at rest, {} still moving or not at their end, {} not trusted.",
-                     counted(results.size(), "result"), counts[Verdict::good], counts[Verdict::doubtful],
-                     counts[Verdict::bad]);
+  std::map<Verdict, std::size_t> runs, factors;
+  std::size_t run_count = 0;
+  for (const Result& result : results) {
+    ++(result.is_of_strength ? factors : runs)[result.verdict];
+    run_count += result.is_of_strength ? 0 : 1;
+  }
+  std::string words;
+  if (run_count > 0)
+    words = fmt::format("{}: {} trusted and at rest, {} still moving or not at their end, {} not trusted.",
+                        counted(run_count, "run"), runs[Verdict::good], runs[Verdict::doubtful], runs[Verdict::bad]);
+  if (run_count == results.size()) return words;
+  return fmt::format("{}{}Factors of safety: {} at least 1, {} not bracketed, {} below 1 or not found.", words,
+                     words.empty() ? "" : " ", factors[Verdict::good], factors[Verdict::doubtful],
+                     factors[Verdict::bad]);
 }
 
 report::DocumentSection section_of(const std::string& name, const std::vector<Result>& results, const fs::path& folder,
@@ -159,8 +168,13 @@ Handout archive_document(const fs::path& folder, const std::string& project) {
   std::vector<std::vector<std::string>> rows;
   for (const fs::path& path : found) {
     const std::string name = fs::relative(path, folder).string();
-    const Result& result = results.emplace_back(fs::is_regular_file(path / kRecord) ? run_result(path, name)
-                                                                                    : strength_result(path, name));
+    try {
+      results.push_back(fs::is_regular_file(path / kRecord) ? run_result(path, name) : strength_result(path, name));
+    } catch (const InputError& error) {
+      handout.faults.push_back(error.what());
+      continue;
+    }
+    const Result& result = results.back();
     cases[case_of(name, result.profile)].push_back(result);
     rows.push_back(result.row);
     if (!result.fault.empty()) handout.faults.push_back(fmt::format("{}: {}", path.string(), result.fault));
@@ -168,8 +182,11 @@ Handout archive_document(const fs::path& folder, const std::string& project) {
   }
   document.title = fs::absolute(folder / ".").lexically_normal().parent_path().filename().string();
   document.subtitle = "Report of an archive";
+  if (results.empty()) throw InputError({folder.string()}, "expected a result that can be read, found none");
   document.verdict_in_words = summary_of(results);
-  document.facts = facts_of(project, results.front().program, found.front() / kRecord);
+  const Result& earliest = results.front();
+  const fs::path first = folder / earliest.name / (earliest.is_of_strength ? kStrengthRecord : kRecord);
+  document.facts = facts_of(project, earliest.program, first);
   document.sections.push_back(
       {"Results", {}, {}, {{{"result", "profile", "verdict", "steps", "largest displacement"}, rows}}});
   const bool has_pictures = found.size() <= kMostWithPictures;

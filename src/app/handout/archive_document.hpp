@@ -10,7 +10,7 @@
 namespace keyblock {
 
 /// Returns the report of all runs and factors of safety in folders below `folder`. Runs of one case by both profiles,
-/// in folders with the names of the profiles, share a card. Throws InputError if there is none.
+/// in folders with the names of the profiles, share a card. Throws InputError if no result can be read.
 Handout archive_document(const std::filesystem::path& folder, const std::string& project);
 
 }  // namespace keyblock

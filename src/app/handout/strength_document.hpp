@@ -20,7 +20,7 @@ class StrengthRecord {
 
   const nlohmann::ordered_json& json() const { return json_; }
   report::Verdict verdict() const;
-  /// Returns "Factor of safety 3.29: stable at 3.284, unstable at 3.29.", or why there is none.
+  /// Returns "Factor of safety 3.29: stable at 3.284, unstable at 3.29.", or why the search found no factor.
   std::string words() const;
   std::string program() const;
 
