@@ -27,7 +27,7 @@ std::vector<std::string> vtk_coding_names();
 /// Throws std::invalid_argument for another word.
 VtkCoding vtk_coding_of(std::string_view name);
 
-/// How zlib packs an array.
+/// Gives level and strategy with which zlib packs an array.
 struct VtkPacking {
   int level;
   int strategy;

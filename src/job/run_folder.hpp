@@ -81,8 +81,6 @@ class RunFolder {
   /// Removes results of an interrupted run beyond its checkpoint, and nothing that is not a run's.
   void drop_what_followed();
 
-  bool has_frames() const { return !frame_files_.is_empty(); }
-
   /// Writes `bytes` to the file of `checkpoint_in`, after the frames that they refer to are on the disk.
   void write_checkpoint(const std::string& bytes);
 

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "formats/tables/run_tables.hpp"
 #include "job/folder/made_by.hpp"

@@ -3,7 +3,6 @@
 #include "serve/unsaved.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 #include "base/bytes/file_bytes.hpp"
 #include "base/error.hpp"

@@ -217,30 +217,38 @@ Action configure_plot(CLI::App& options) {
   options.add_option("RUN", chosen->folder, "results folder of a finished or stopped run")
       ->required()
       ->check(CLI::ExistingDirectory);
-  options
-      .add_option(
-          "--field", chosen->field,
-          "quantity: a stress component, s1 (greatest principal stress), s3 (least), von Mises stress, displacement, "
-          "or crosses of principal stresses (default: the component that varies most)")
-      ->check(one_word_of(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
+  CLI::Option* field =
+      options
+          .add_option("--field", chosen->field,
+                      "quantity: a stress component, s1 (greatest principal stress), s3 (least), von Mises stress, "
+                      "displacement, "
+                      "or crosses of principal stresses (default: the component that varies most)")
+          ->check(one_word_of(std::vector<std::string>(report::kFieldWords.begin(), report::kFieldWords.end())));
   CLI::Option* step = options.add_option("--step", chosen->step, "step to draw (default: the last frame)");
   options
       .add_option("-o,--output", chosen->file,
                   "picture to write: .svg, .pdf or .png (default: RUN/field_FIELD_end.svg, or the step instead of "
                   "end)")
       ->type_name("FILE");
-  options
-      .add_option("--curve", chosen->curves,
-                  "curves instead of the field: columns of history.csv and ledger.csv (dx1, kinetic), or a name and a "
-                  "quantity of histories.csv (crest.displacement_x)")
-      ->type_name("NAME");
-  options.add_option("--against", chosen->against, "what the curves are drawn over (default: time)")->type_name("NAME");
+  CLI::Option* curve =
+      options
+          .add_option(
+              "--curve", chosen->curves,
+              "curves instead of the field: columns of history.csv and ledger.csv (dx1, kinetic), or a name and a "
+              "quantity of histories.csv (crest.displacement_x)")
+          ->type_name("NAME")
+          ->excludes(field)
+          ->excludes(step);
+  options.add_option("--against", chosen->against, "what the curves are drawn over (default: time)")
+      ->type_name("NAME")
+      ->needs(curve);
   options
       .add_option("--width", chosen->width,
                   "width of the printed picture, 20 to 1,000 mm; PNG then has 300 dots an inch")
       ->type_name("MM")
       ->check(CLI::Range(20.0, 1000.0));
-  options.add_flag("--numbers", chosen->numbers, "write block or element numbers into the picture if they fit");
+  options.add_flag("--numbers", chosen->numbers, "write block or element numbers into the picture if they fit")
+      ->excludes(curve);
   options
       .add_flag(
           "--own-scale", chosen->has_own_scale,

@@ -6,7 +6,7 @@
 
 namespace keyblock {
 
-/// Returns the name of an installed browser that prints; `CHROMIUM` overrules it. Empty if there is none.
+/// Returns the name of an installed browser that prints; `CHROMIUM` overrules it. Empty if no browser is found.
 std::string printing_browser();
 
 /// Returns the page as PDF on A4. Throws OutputError if the browser fails.

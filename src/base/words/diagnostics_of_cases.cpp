@@ -1,6 +1,5 @@
 // Rows of warnings about a case before its first step: geometry, materials, loads, settings and scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 
 #include "base/words/diagnostics_parts.hpp"
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <charconv>
 #include <string_view>
-#include <utility>
 
 #include "base/bytes/sha256.hpp"
 #include "base/error.hpp"

@@ -33,7 +33,6 @@ class FrameFiles {
  public:
   explicit FrameFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  bool is_empty() const { return files_.empty(); }
   std::set<std::filesystem::path> paths() const;
 
   /// Writes the bodies, with `field` if that has elements, and files of contacts, bolts and cracks if there are any.

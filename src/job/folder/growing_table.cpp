@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <system_error>
-#include <utility>
 
 #include "base/error.hpp"
 #include "formats/registry.hpp"

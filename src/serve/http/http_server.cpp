@@ -91,18 +91,24 @@ class Session : public std::enable_shared_from_this<Session> {
   void start() {
     if (shared_.connections > shared_.limits.connections && !make_room())
       return write(refusal(503, "too many connections"), false);
+    forget_known();
     shared_.strangers.push_back(weak_from_this());
     read();
   }
 
  private:
-  /// Ends the oldest connection that was not let in yet; returns false if there is none.
-  bool make_room() {
-    auto& strangers = shared_.strangers;
-    std::erase_if(strangers, [](const std::weak_ptr<Session>& stranger) {
+  /// Drops connections that ended or were let in.
+  void forget_known() {
+    std::erase_if(shared_.strangers, [](const std::weak_ptr<Session>& stranger) {
       const std::shared_ptr<Session> session = stranger.lock();
       return !session || session->is_let_in_;
     });
+  }
+
+  /// Ends the oldest connection that was not let in yet. Returns false if all were let in.
+  bool make_room() {
+    auto& strangers = shared_.strangers;
+    forget_known();
     if (strangers.empty()) return false;
     if (const std::shared_ptr<Session> oldest = strangers.front().lock()) oldest->stream_.close();
     strangers.pop_front();

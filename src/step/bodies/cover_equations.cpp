@@ -87,9 +87,7 @@ void CoverEquations::evaluate(const Eigen::VectorXd& increment) {
   const Eigen::VectorXd end = start_ + increment;
   Eigen::VectorXd inertia = bodies_.mass.times(weights_.mass * increment + known_inertia_);
   if (bodies_.has_mass_damping) inertia += bodies_.mass_damping.times(weights_.damping * increment + known_damping_);
-  const Eigen::VectorXd resisting = bodies_.force(way_to(end));
-  residual_ = inertia + resisting - load_;
-  force_scale_ = std::max({inertia.norm(), resisting.norm(), load_.norm()});
+  residual_ = inertia + bodies_.force(way_to(end)) - load_;
 }
 
 CoverMotion CoverEquations::end(const Eigen::VectorXd& increment) const {

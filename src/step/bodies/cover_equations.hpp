@@ -48,8 +48,6 @@ class CoverEquations {
   bool has_factor() const;
 
   const Eigen::VectorXd& residual() const { return residual_; }
-  /// Returns the norm of the largest force in the residual.
-  double force_scale() const { return force_scale_; }
   /// Returns `increment` - A⁻¹ r.
   Eigen::VectorXd free_increment() const { return increment_ - factors_.solve(residual_); }
   /// Returns A⁻¹ `right` for all unknowns.
@@ -94,7 +92,6 @@ class CoverEquations {
   std::vector<double> of_strain_rate_;  // b/dt of each element; empty if all are 0
   Eigen::VectorXd increment_;
   Eigen::VectorXd residual_;
-  double force_scale_ = 0;
 };
 
 }  // namespace keyblock

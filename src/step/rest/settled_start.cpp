@@ -3,7 +3,6 @@
 #include "step/rest/settled_start.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/context.hpp"

@@ -30,7 +30,6 @@ class YieldPoints {
   YieldPoints(const Continuum& continuum, const CoverBasis& basis);
 
   bool is_empty() const { return points_.empty(); }
-  int point_count() const { return static_cast<int>(points_.size()); }
   /// Returns the functions of points whose law has an unsymmetric tangent.
   std::set<int> functions_of_whole_tangents() const;
   /// Adds the functions that each point couples.

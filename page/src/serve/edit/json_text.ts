@@ -27,7 +27,7 @@ export class JsonError extends Error {
 }
 
 /** Returns the index of the next character that is neither blank nor in a comment. */
-export function skip(text: string, at: number): number {
+export function after_blanks(text: string, at: number): number {
   for (;;) {
     const c = text[at];
     if (c === ' ' || c === '\t' || c === '\n' || c === '\r' || c === '\ufeff') at++;
@@ -71,27 +71,27 @@ function scalar_at(text: string, at: number): Node {
 }
 
 function value_at(text: string, start: number, depth: number): Node {
-  const from = skip(text, start);
+  const from = after_blanks(text, start);
   const open = text[from];
   if (open === '"') return string_at(text, from);
   if (open !== '{' && open !== '[') return scalar_at(text, from);
   if (depth > 100) throw new JsonError('the lists are nested too deeply', from);
   const close = open === '{' ? '}' : ']';
   const node: Node = { kind: open === '{' ? 'object' : 'array', from, to: from, items: [], keys: [] };
-  let at = skip(text, from + 1);
+  let at = after_blanks(text, from + 1);
   while (text[at] !== close) {
     if (open === '{') {
       if (text[at] !== '"') throw new JsonError('a key in quotation marks was expected', at);
       const key = string_at(text, at);
       node.keys.push({ name: String(key.value), from: key.from, to: key.to });
-      at = skip(text, key.to);
+      at = after_blanks(text, key.to);
       if (text[at] !== ':') throw new JsonError('a colon was expected behind the key', at);
       at++;
     }
     const item = value_at(text, at, depth + 1);
     node.items.push(item);
-    at = skip(text, item.to);
-    if (text[at] === ',') at = skip(text, at + 1);
+    at = after_blanks(text, item.to);
+    if (text[at] === ',') at = after_blanks(text, at + 1);
     else if (text[at] !== close) throw new JsonError(`a comma or ${close} was expected`, at);
   }
   node.to = at + 1;
@@ -101,7 +101,7 @@ function value_at(text: string, start: number, depth: number): Node {
 /** Reads a whole text. Throws JsonError. */
 export function parse(text: string): Node {
   const node = value_at(text, 0, 0);
-  const end = skip(text, node.to);
+  const end = after_blanks(text, node.to);
   if (end < text.length) throw new JsonError('something follows the end', end);
   return node;
 }
@@ -213,7 +213,7 @@ function insert_text(text: string, node: Node, index: number, entries: string[])
     return text.slice(0, at) + entries.join(between) + between + text.slice(at);
   }
   const last = node.items.at(-1)!;
-  const after = skip(text, last.to);
+  const after = after_blanks(text, last.to);
   if (text[after] === ',') {
     // The comma exists already. A comment on its line belongs to the last item.
     if (!own_lines) return `${text.slice(0, after + 1)} ${entries.join(between)}${text.slice(after + 1)}`;
@@ -233,7 +233,7 @@ function cut_text(text: string, node: Node, index: number, count: number): strin
   const last = index + count - 1;
   let from = starts(node, index);
   let to = node.items[last].to;
-  const comma = skip(text, to);
+  const comma = after_blanks(text, to);
   const has_comma = text[comma] === ',';
   if (has_comma) to = comma + 1;
   const rest = /^[ \t]*(\/\/[^\n]*|\/\*[^\n]*?\*\/[ \t]*)?(?=\n|$)/.exec(text.slice(to));
@@ -251,7 +251,7 @@ function cut_text(text: string, node: Node, index: number, count: number): strin
 }
 
 function without_comma(text: string, at: number): string {
-  const comma = skip(text, at);
+  const comma = after_blanks(text, at);
   return text[comma] === ',' ? text.slice(0, comma) + text.slice(comma + 1) : text;
 }
 
