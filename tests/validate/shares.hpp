@@ -26,6 +26,7 @@ struct Share {
   double passes = 0;  ///< a step, mean
   double median_residual = 0;
   double greatest_residual = 0;
+  long above_goal = 0;     ///< steps whose residual is above 1e-6
   double energy_gain = 0;  ///< largest of all runs, as are the next four
   double energy_excess = 0;
   double rise = 0;

@@ -67,12 +67,17 @@ class Interior {
     for (std::size_t i = 0; i < problem_.count(); ++i) add_bounds(i);
   }
 
-  // If the path from the current forces leads nowhere, the path from zero is a different one.
+  // If the path from the current forces leads nowhere, the path from zero is a different one; so is that from half of the
+  // best, for which very many pairs are too dear.
   FrictionalSolution run() {
     if (bounds_.empty() || !is_complementary()) return std::move(solution_);
     follow_path(energy_of_change());
     if (!is_solved()) {
       forces_.setZero();
+      follow_path(std::numeric_limits<double>::infinity());
+    }
+    if (!is_solved() && !problem_.has_very_many()) {
+      forces_ = solution_.forces / 2;
       follow_path(std::numeric_limits<double>::infinity());
     }
     return std::move(solution_);

@@ -234,11 +234,23 @@ inline constexpr double kHeldByNothing = 1e10;
 inline constexpr double kRigid = 1e-4;
 // Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue. A free block moves
 // by half that times its weight over the contact stiffness per step. It grows from step to step while nothing moves
-// farther than kFarthest of block size. Glue forces across many blocks redistribute in long steps only.
+// farther than kFarthest of block size. Glue forces across many blocks redistribute in long steps only: it also grows
+// after a step that moved by at most kSettles of free motion and of the step before. A step that moves farther than
+// kFarthestOfSettling is made again, shorter by kShorter.
 inline constexpr double kShortest = 16;
-inline constexpr double kLongest = 4096;
+inline constexpr double kLongest = 1048576;
 inline constexpr double kGrowth = 4;
-inline constexpr double kFarthest = 1e-5;
+inline constexpr double kFarthest = 1e-4;
+inline constexpr double kSettles = 0.5;
+inline constexpr double kFarthestOfSettling = 1e-3;
+// Steps grow by kGrowthOfHeld if the first one moves by at most kHeld of free motion: friction then carries nearly the
+// forces of the glue, as in walls. Near the limit of strength such long steps would jump between equilibria.
+inline constexpr double kHeld = 0.25;
+inline constexpr double kGrowthOfHeld = 16;
+// A step is a stall unless its fraction of free motion is below kStalls of the least so far. A scene that stalls
+// kMostStalls times in a row has no equilibrium near by, and moves. It then begins where it was before the stalls.
+inline constexpr double kStalls = 0.95;
+inline constexpr int kMostStalls = 6;
 inline constexpr int kMostSteps = 40;
 inline constexpr int kMostSearches = 4;
 // If a step moves kRises times the last one's fraction of free motion, friction can carry the load in several ways. A
@@ -246,10 +258,12 @@ inline constexpr int kMostSearches = 4;
 inline constexpr double kRises = 2;
 inline constexpr double kShorter = 16;
 // A block that moves by less than this fraction of free motion is in equilibrium.
-inline constexpr double kAtRest = 1e-4;
+inline constexpr double kAtRest = 2e-5;
 // Two steps are equally long if their displacements differ by less than this fraction: the scene then moves under
-// constant forces.
+// constant forces, and is put back to where it was drawn. A slide by more than kFarthestSlide of block size would leave
+// contacts behind, and is made again in shorter steps.
 inline constexpr double kEvenly = 1e-3;
+inline constexpr double kFarthestSlide = 1e-4;
 // Residual of the start, over the largest load on a block. All steps of the run inherit it. The second value is
 // accepted if the solver cannot reach the first: wedged blocks under multipliers may have many solutions.
 inline constexpr double kForceTolerance = 1e-6;

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
 
 #include "base/context.hpp"
 #include "base/union_find.hpp"
@@ -37,16 +40,27 @@ class Settling {
     Motion before = motion_;  // keeps the compression of the glue's springs
     before.q = drawn;
     add_overlapping(before);
-    dissolve();
+    const Motion glued = motion_;
+    const Touches faces = found_;
+    if (const double longest = dissolve(of_settled_start::kLongest); longest > 0) {
+      motion_ = glued;
+      found_ = faces;
+      searches_anew_ = false;
+      dissolve(longest);
+    }
     motion_.v = velocities_;
     return {std::move(motion_), unsolved_};
   }
 
  private:
-  void dissolve() {
+  // Returns zero, or the length that steps of another attempt should have at most, because the scene slid too far.
+  double dissolve(double longest) {
     double stiffness = of_settled_start::kShortest;
     double first_share = 0;
-    double last_share = 0;
+    double last_share = 1;  // of free fall
+    double least_share = std::numeric_limits<double>::infinity();
+    int stalls = 0;  // steps since then
+    Motion before_stalls;
     double slid = 0;  // sum of `stiffness` over the steps so far
     for (int i = 0; i < of_settled_start::kMostSteps; ++i) {
       const Motion before = motion_;
@@ -60,7 +74,9 @@ class Settling {
       }
       const double moved = farthest(moved_);
       const double share = 2 * moved * scene_.normal_stiffness() / (stiffness * scales_.force);
-      if (slid > 0 && share > of_settled_start::kRises * last_share && stiffness > of_settled_start::kShortest) {
+      const bool rises = slid > 0 && share > of_settled_start::kRises * last_share;
+      const bool is_far = moved > of_settled_start::kFarthestOfSettling * scales_.size;
+      if ((rises || is_far) && stiffness > of_settled_start::kShortest) {
         motion_ = before;
         found_ = found;
         moved_ = last;
@@ -69,18 +85,35 @@ class Settling {
       }
       if (slid == 0) first_share = share;
       slid += stiffness;
-      last_share = share;
+      const double before_share = std::exchange(last_share, share);
       tell_headway("start, glued blocks let go",
                    std::max(double(i + 1) / of_settled_start::kMostSteps,
                             share_of_fall(first_share, share, of_settled_start::kAtRest)));
-      if (share <= of_settled_start::kAtRest) break;
+      if (share <= of_settled_start::kAtRest && std::exchange(searches_anew_, true)) break;
       if (goes_on_evenly(last)) {
+        const double way = slid / stiffness * moved;
+        const double most = of_settled_start::kFarthestSlide * scales_.size;
+        if (way > most && longest == of_settled_start::kLongest)
+          return std::max(stiffness * most / way, of_settled_start::kShortest);
         motion_.q = plus(motion_.q, -slid / stiffness, moved_);
         break;
       }
-      if (moved <= of_settled_start::kFarthest * scales_.size)
-        stiffness = std::min(of_settled_start::kGrowth * stiffness, of_settled_start::kLongest);
+      if (share <= of_settled_start::kStalls * least_share) {
+        least_share = share;
+        stalls = 0;
+      } else if (++stalls == 1) {
+        before_stalls = before;
+      } else if (stalls == of_settled_start::kMostStalls) {
+        motion_ = std::move(before_stalls);
+        break;
+      }
+      const bool is_near = moved <= of_settled_start::kFarthest * scales_.size;
+      const bool is_settling = share <= of_settled_start::kSettles * std::min(1.0, before_share);
+      const bool is_held = first_share <= of_settled_start::kHeld;
+      if (is_near || is_settling) stiffness *= is_held ? of_settled_start::kGrowthOfHeld : of_settled_start::kGrowth;
+      stiffness = std::min(stiffness, longest);
     }
+    return 0;
   }
 
   // Returns true if each block moved as far as in the step before. Bodies without equilibrium then slide or fall under
@@ -134,20 +167,23 @@ class Settling {
     motion_.constraints = constraints.memory(forces.tail(count - of_faces), motion_.q);
   }
 
-  // Returns false if it finds no forces. It then moves nothing, but contacts that it found stay.
+  // Makes an iteration of statics (7.9 in docs/theory/07-initial-state-and-statics.md). Returns false if it finds no
+  // forces. It then moves nothing, but contacts that it found stay.
   bool step(double stiffness_over_inertia) {
-    const double dt = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
-    StandardChoices choices = scene_.settings.standard;
-    choices.force_weight = 1;  // each step ends at its equilibrium; a smaller weight would overshoot
-    const StepRule rule = step_rule(choices, dt);
+    const double tau = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
+    const StepRule rule = resting_rule(tau / std::numbers::sqrt2);
     const double force = of_settled_start::kForceTolerance * scales_.force;
+    if (searches_anew_) {
+      found_ = touches_of(scene_, motion_, scales_, scene_.settings.time_step);
+      leave_overlaps(scene_, motion_, scales_, found_);
+    }
     const ForceTolerance tolerance{force, force, of_settled_start::kForceTolerated * scales_.force};
-    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -dt, dt, rule);
+    SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -1, 1, rule);
     for (int search = 1; search < of_settled_start::kMostSearches && made.converged; ++search) {
       const Touches fresh = overlapping_at(made.q, motion_);
       if (fresh.empty()) break;
       found_.insert(found_.end(), fresh.begin(), fresh.end());
-      made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -dt, dt, rule, &made);
+      made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -1, 1, rule, &made);
     }
     if (!made.converged) return false;
     moved_ = plus(made.q, -1, motion_.q);
@@ -206,7 +242,8 @@ class Settling {
   UnknownsTable loads_;
   Scales scales_;
   Touches found_;
-  UnknownsTable moved_;  ///< in the last step that was solved
+  bool searches_anew_ = false;  ///< as the run will, once the contacts of the drawing are at rest
+  UnknownsTable moved_;         ///< in the last step that was solved
   int unsolved_ = 0;
 };
 
