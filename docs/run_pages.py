@@ -10,9 +10,9 @@ the folder, with all of its folder if it is a pattern. Comments of a block say w
     # exits with N    the block ends with this exit code instead of 0
     # long            the block runs with --all alone; so do the later blocks of its page
 
-A block marked ```text behind it shows output, shortened by lines and by …: each number in it has to occur in what the
-block before printed, to 1 %, and the words of each line too, in their order. Of blocks without a mark, those are run
-that begin with "$ ": these lines are commands, the others their output.
+A block marked ```text behind it shows output, shortened by lines and by dots (…). Each number in it has to occur in
+what the block before printed, to 1 %. The words of each line have to occur too, in their order. A block without a mark
+runs if it begins with "$ ": such lines are commands, the others are output.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
