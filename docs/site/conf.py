@@ -16,6 +16,7 @@ exclude_patterns = ["build*", "out"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 suppress_warnings = ["toc.not_readable", "myst.header"]  # pages are found by links, as on any forge
+smartquotes = False  # options keep both of their dashes
 html_theme = "furo"
 html_title = "Keyblock"
 html_static_path = ["static", "/usr/share/javascript/katex"]
