@@ -50,6 +50,7 @@ TEST(LevelsOfWarnings, templates_run_without_a_warning) {
     EXPECT_FALSE(contains(run.messages, "warning:")) << run.messages;
     EXPECT_LE(count_of(run.messages, "--verbose shows"), 1U) << run.messages;
     EXPECT_EQ(count_of(run.messages, "\n  motion    "), 1U) << run.messages;
+    EXPECT_EQ(run_script(fmt::format("cd {} && \"$K\" run {}", folder, kind)).exit_code, 2) << "out exists";
   }
 }
 
