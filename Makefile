@@ -116,7 +116,6 @@ deb: packages ## use | 16 min | makes Debian packages of what `make install` put
 docs: ## use | 20 s | builds the site of all pages in out/site (index.html leads to docs/site/index.html)
 	@$(call install_missing,python3-sphinx python3-myst-parser furo libjs-katex)
 	/usr/bin/sphinx-build -q -W --keep-going -b html -c docs/site . out/site
-	cp docs/*.svg out/site/docs/
 	printf '<meta http-equiv="refresh" content="0; url=docs/site/index.html">\n' >out/site/index.html
 
 debug: packages ## care | long | compiles with assertions and debug information in build-debug, each file by itself

@@ -10,8 +10,9 @@ the folder, with all of its folder if it is a pattern. Comments of a block say w
     # exits with N    the block ends with this exit code instead of 0
     # long            the block runs with --all alone; so do the later blocks of its page
 
-A block marked ```text behind it shows output, shortened: each number in it has to occur in what the block before
-printed, to 1 %. Blocks without a mark are not looked at.
+A block marked ```text behind it shows output, shortened by lines and by dots (…). Each number in it has to occur in
+what the block before printed, to 1 %. The words of each line have to occur too, in their order. A block without a mark
+runs if it begins with "$ ": such lines are commands, the others are output.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
@@ -25,16 +26,22 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"^( *)```(sh|text) *\n(.*?)^ *``` *$", re.S | re.M)
+SESSION = re.compile(r"^    \$ .*\n(?:    .*\n)*", re.M)
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 
 
 def blocks_of(page):
-    """(line, kind, text) of the marked blocks."""
+    """(line, kind, text) of the marked blocks, then of those that begin with "$ "."""
     text = page.read_text(encoding="utf-8")
     for found in BLOCK.finditer(text):
         indent = found.group(1)
         lines = [line[len(indent):] if line.startswith(indent) else line for line in found.group(3).split("\n")]
         yield text.count("\n", 0, found.start()) + 1, found.group(2), "\n".join(lines)
+    for found in SESSION.finditer(text):
+        lines = [line[4:] for line in found.group().split("\n")]
+        begin = text.count("\n", 0, found.start()) + 1
+        yield begin, "sh", "\n".join(line[2:] for line in lines if line.startswith("$ "))
+        yield begin, "text", "\n".join(line for line in lines if not line.startswith("$ "))
 
 
 def copy_named(text, folder):
@@ -57,6 +64,17 @@ def numbers_missing(text, output):
             if not any(abs(abs(p) - abs(float(n))) <= 0.01 * abs(float(n)) for p in printed)]
 
 
+def plain(text):
+    """The text with # instead of each number, and single spaces."""
+    return re.sub(r"\s+", " ", NUMBER.sub("#", text)).strip()
+
+
+def words_missing(text, output):
+    printed = plain(output)
+    parts = [plain(part) for line in text.split("\n") for part in line.split("…")]
+    return [part for part in parts if part not in printed]
+
+
 def run_page(page, program, with_long):
     """The first fault of the page, or nothing."""
     with tempfile.TemporaryDirectory(prefix="keyblock_page_") as name:
@@ -69,7 +87,7 @@ def run_page(page, program, with_long):
         output = ""
         for line, kind, text in blocks_of(page):
             if kind == "text":
-                missing = numbers_missing(text, output)
+                missing = numbers_missing(text, output) + words_missing(text, output)
                 if missing:
                     return f"{page}:{line}: the commands before did not print {', '.join(missing)}\n{output}"
                 continue

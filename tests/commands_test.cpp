@@ -58,7 +58,6 @@ TEST(Commands, wrong_usage_is_exit_2) {
   EXPECT_EQ(fly.exit_code, 2);
   EXPECT_TRUE(contains(fly.messages, "there is no command \"fly\", only new, check, cut, joints,")) << fly.messages;
   EXPECT_EQ(run_keyblock({"run"}).exit_code, 2);
-  EXPECT_EQ(run_keyblock({"run", kSlide + ".geo", kSlide + ".ana"}).exit_code, 2);
   const std::string out = fresh_folder("usage") + "/out";
   for (const char* set : {"no_such=1", "steps=0", "steps", "time_step=nan"}) {
     const ProgramRun run = run_keyblock({"run", kSlide + ".geo", kSlide + ".ana", "-o", out, "--set", set});

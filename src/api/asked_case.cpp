@@ -15,9 +15,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// NAME stands for NAME.json or NAME.yaml if it names no file or folder itself.
+std::string completed(const std::string& path) {
+  std::error_code ignored;
+  if (fs::exists(located(path), ignored) || fs::path(path).has_extension()) return path;
+  for (const char* ending : {".json", ".yaml"})
+    if (fs::is_regular_file(located(path + ending), ignored)) return path + ending;
+  return path;
+}
+
 void put_files(AskedCase& asked, const std::vector<std::string>& paths) {
   if (paths.size() != 1 || !fs::is_directory(located(paths.front()))) {
-    asked.files = paths;
+    asked.files = paths.size() == 1 ? std::vector{completed(paths.front())} : paths;
     if (!paths.empty()) asked.name = fs::path(paths.front()).stem().string();
     return;
   }

@@ -16,6 +16,7 @@ namespace {
 
 using support::fresh_folder;
 using support::run_keyblock;
+using support::run_script;
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -39,15 +40,17 @@ std::string square(const std::string& more) {
 
 }  // namespace
 
+// A name stands for its case file, and the results lie in `out`.
 TEST(LevelsOfWarnings, templates_run_without_a_warning) {
-  const std::string folder = fresh_folder("levels_templates");
   for (const char* kind : {"slope", "arch", "beam", "tunnel", "block"}) {
-    ASSERT_EQ(run_keyblock({"new", kind, "-o", folder + "/" + kind + ".json"}).exit_code, 0);
-    const auto run = run_keyblock({"run", folder + "/" + kind + ".json", "-o", folder + "/" + kind});
-    EXPECT_EQ(run.exit_code, 0) << kind;
+    const std::string folder = fresh_folder(fmt::format("levels_{}", kind));
+    const auto run = run_script(fmt::format("cd {} && \"$K\" new {} && \"$K\" run {}", folder, kind, kind));
+    EXPECT_EQ(run.exit_code, 0) << kind << run.messages;
+    EXPECT_TRUE(contains(support::read_text(folder + "/out/run.json"), "\"finished\"")) << kind;
     EXPECT_FALSE(contains(run.messages, "warning:")) << run.messages;
     EXPECT_LE(count_of(run.messages, "--verbose shows"), 1U) << run.messages;
     EXPECT_EQ(count_of(run.messages, "\n  motion    "), 1U) << run.messages;
+    EXPECT_EQ(run_script(fmt::format("cd {} && \"$K\" run {}", folder, kind)).exit_code, 2) << "out exists";
   }
 }
 

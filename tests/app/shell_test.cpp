@@ -78,7 +78,7 @@ TEST(Shell, help_says_what_options_take_in_plain_words) {
     }
   }
   const std::string run = run_keyblock({"run", "--help"}).output;
-  EXPECT_TRUE(contains(run, "\n  -o,--output FOLDER        folder for the results (not needed with --resume,")) << run;
+  EXPECT_TRUE(contains(run, "\n  -o,--output FOLDER        folder for the results (default: out; with")) << run;
   EXPECT_TRUE(contains(run, "\n  --set KEY=VALUE...        change one setting of the profile")) << run;
   EXPECT_TRUE(contains(run, "\n  --reduce-strength joints|rock|both\n")) << run;
 }
@@ -132,7 +132,7 @@ TEST(Shell, help_says_what_is_required_and_the_man_page_has_its_defaults_and_all
   for (const char* code : {"0", "1", "2", "3", "4", "5", "130", "128 + n"})
     EXPECT_TRUE(contains(man, fmt::format("\\fB{}\\fR\n", code))) << code;
   EXPECT_TRUE(contains(run_keyblock({"batch", "--help"}).output, "(required)"));
-  EXPECT_TRUE(contains(run_keyblock({"run", "--help"}).output, "folder for the results (not needed with --resume,"));
+  EXPECT_TRUE(contains(run_keyblock({"run", "--help"}).output, "folder for the results (default: out; with"));
   EXPECT_FALSE(contains(run_keyblock({"joints", "--help"}).output, ".hpp"));
 }
 

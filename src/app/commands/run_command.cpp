@@ -28,6 +28,8 @@
 namespace keyblock {
 namespace {
 
+constexpr const char* kUsualFolder = "out";  ///< folder for the results of a run without -o
+
 struct RunOptions {
   CaseOptions given;
   std::string folder;
@@ -169,13 +171,13 @@ ExitCode run_both(const RunOptions& options) {
 ExitCode run_files(const RunOptions& options) {
   if (options.list_settings) return list_settings(options);
   if (!options.resume.empty()) return resume_run(options);
-  if (options.given.paths.empty()) throw UsageError("run: no input given; usage: keyblock run CASE -o FOLDER");
+  if (options.given.paths.empty()) throw UsageError("run: no input given; usage: keyblock run CASE [-o FOLDER]");
   if (!options.reduction.what.empty()) return run_reduced(options);
-  if (options.folder.empty())
-    throw UsageError("run: no folder given for the results; usage: keyblock run CASE -o FOLDER");
-  if (options.both) return run_both(options);
+  RunOptions into = options;
+  if (into.folder.empty()) into.folder = kUsualFolder;
+  if (into.both) return run_both(into);
   RunMessages messages;
-  return run_asked(options, messages).code;
+  return run_asked(into, messages).code;
 }
 
 }  // namespace
@@ -183,11 +185,12 @@ ExitCode run_files(const RunOptions& options) {
 Action configure_run(CLI::App& options) {
   const auto chosen = std::make_shared<RunOptions>();
   const auto [files, profile, sets, values, settings_file, reading] = add_case_options(
-      options, chosen->given, "a case file, a geometry (or block) file with its analysis file, or a case folder");
+      options, chosen->given,
+      "a case file (NAME for NAME.json), a geometry (or block) file with its analysis file, or a case folder");
   CLI::Option* folder =
       options
           .add_option("-o,--output", chosen->folder,
-                      "folder for the results (not needed with --resume, --reduce-strength and --settings)")
+                      fmt::format("folder for the results (default: {}; with --reduce-strength none)", kUsualFolder))
           ->type_name("FOLDER");
   CLI::Option* every =
       options

@@ -52,7 +52,8 @@ std::string steps_in_words(const Scene& first, const Units& units) {
 
 std::string first_line(const std::string& file, const Prepared& prepared, const RunRecord& record) {
   const Settings& settings = prepared.scene.settings;
-  std::vector<std::string> parts{bodies_in_words(prepared.scene.model)};
+  std::vector<std::string> parts{bodies_in_words(prepared.scene.model),
+                                 counted(static_cast<std::size_t>(prepared.requirements.unknowns), "unknown")};
   if (std::string size = size_of_scene(prepared.scene.model, record.units); !size.empty())
     parts.push_back(std::move(size));
   parts.emplace_back(is_statics(settings)                   ? "static"

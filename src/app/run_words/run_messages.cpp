@@ -90,8 +90,7 @@ void RunMessages::print_start(const std::string& file, const Prepared& prepared,
   file_ = file;
   spdlog::info("{}", first_line(file, prepared, record));
   spdlog::debug("profile: {}, because {}", record.profile, record.profile_because);
-  spdlog::debug("{} unknowns; read in {:.3g} s, prepared in {:.3g} s; one frame per {}", prepared.requirements.unknowns,
-                record.timings.read, record.timings.prepare,
+  spdlog::debug("read in {:.3g} s, prepared in {:.3g} s; one frame per {}", record.timings.read, record.timings.prepare,
                 counted(static_cast<std::size_t>(record.record_every), "step"));
   print_warnings(record, false);
 }
