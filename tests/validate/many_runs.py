@@ -126,7 +126,7 @@ class ArchiveStudy(Study):
         verdict = "doubtful" if answer["end"] == "finished" and answer["doubt"] else answer["end"]
         record = json.loads((self.folder / self.name / job["outputs"][0] / "run.json").read_text(encoding="utf-8"))
         found = record["extremes"]["greatest_displacement"]["value"], record["counts"]["blocks"]
-        return verdict, answer["doubt"], *map(str, found)
+        return verdict, answer["doubt"], *(str(number).removesuffix(".0") for number in found)  # as tables write numbers
 
 
 def kill(pid):
