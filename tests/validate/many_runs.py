@@ -123,10 +123,14 @@ class ArchiveStudy(Study):
         if killed:
             return "signal", killed[1], "", ""
         answer, = job["answers"]
-        verdict = "doubtful" if answer["end"] == "finished" and answer["doubt"] else answer["end"]
+        verdict, _, reason = answer["end"].partition(": ")
+        if verdict == "finished" and answer["doubt"]:
+            verdict, reason = "doubtful", answer["doubt"]
         record = json.loads((self.folder / self.name / job["outputs"][0] / "run.json").read_text(encoding="utf-8"))
+        if record["outcome"]["steps"] == 0:
+            return verdict, reason, "", ""
         found = record["extremes"]["greatest_displacement"]["value"], record["counts"]["blocks"]
-        return verdict, answer["doubt"], *(str(number).removesuffix(".0") for number in found)  # as tables write numbers
+        return verdict, reason, *(str(number).removesuffix(".0") for number in found)  # as tables write numbers
 
 
 def kill(pid):
