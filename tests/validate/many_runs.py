@@ -3,9 +3,9 @@
 
 usage: many_runs.py PROGRAM [--count N] [--tasks N] [--only ENGINE]... [--package FOLDER]
 
-The engines: the command alone; Slurm (daemons of this test on this machine); GNU parallel; Dask; `batch` over an archive of
-the same cases, whose table comes from its journal and from the records of its runs. Each does all rows once,
-while a part of the engine is killed: the table must have the bytes of an undisturbed sweep. Each does a fifth of them
+The engines: the command alone; Slurm (daemons of this test on this machine); GNU parallel; Dask; `batch` over an archive
+of the same cases. The table of `batch` comes from its catalogue and from the records of its runs. Each engine does all rows
+once, while a part of it is killed: the table must have the bytes of an undisturbed sweep. Each does a fifth of them
 again, while one run is killed: one row must be SIGKILL, and all other rows the same. An engine that is not installed is
 left out with a message.
 SPDX-License-Identifier: GPL-3.0-or-later
