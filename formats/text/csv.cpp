@@ -290,10 +290,15 @@ CsvTable read_csv(const Source& source) {
   return table;
 }
 
+CsvHeading csv_heading(std::string_view text) {
+  const std::size_t bracket = text.find(" [");
+  if (bracket == std::string_view::npos || !text.ends_with(']')) return {std::string(text), {}};
+  return {std::string(text.substr(0, bracket)), std::string(text.substr(bracket + 2, text.size() - bracket - 3))};
+}
+
 std::size_t csv_column(const CsvTable& table, std::string_view heading) {
-  const auto found = std::ranges::find_if(table.header, [&](std::string_view h) {
-    return h == heading || (h.starts_with(heading) && h.substr(heading.size()).starts_with(" ["));
-  });
+  const auto found = std::ranges::find_if(
+      table.header, [&](const std::string& h) { return h == heading || csv_heading(h).name == heading; });
   if (found == table.header.end())
     throw InputError({table.name, 1, 1}, fmt::format("expected a column \"{}\", found {}", heading,
                                                      in_quotes(fmt::format("{}", fmt::join(table.header, ",")))));

@@ -73,6 +73,14 @@ struct CsvTable {
 /// Throws InputError if a row has more or fewer cells than the header, or a quote is not closed.
 CsvTable read_csv(const Source& source);
 
+/// Heading "dx1 [m]" of a column in parts.
+struct CsvHeading {
+  std::string name;
+  std::string unit;  ///< empty: none
+};
+
+CsvHeading csv_heading(std::string_view text);
+
 /// Returns the index of the column with this heading, or with it and a unit in brackets. Throws InputError if it is
 /// missing.
 std::size_t csv_column(const CsvTable& table, std::string_view heading);

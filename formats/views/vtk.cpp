@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
+#include <regex>
 #include <string_view>
 
 #include "formats/views/vtk_arrays.hpp"
@@ -130,6 +132,14 @@ std::string pvd(const std::vector<PvdEntry>& entries) {
   for (const auto& [time, part, file] : entries)
     text += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\" file=\"{}\"/>\n", time, part, attribute(file));
   return text + "</Collection>\n</VTKFile>\n";
+}
+
+std::vector<PvdEntry> read_pvd(const std::string& text) {
+  static const std::regex kEntry("<DataSet timestep=\"([^\"]+)\" part=\"([0-9]{1,9})\" file=\"([^\"]+)\"/>");
+  std::vector<PvdEntry> entries;
+  for (std::sregex_iterator at(text.begin(), text.end(), kEntry), end; at != end; ++at)
+    entries.push_back({std::strtod((*at)[1].str().c_str(), nullptr), std::stoi((*at)[2]), (*at)[3]});
+  return entries;
 }
 
 }  // namespace keyblock::formats

@@ -44,4 +44,7 @@ struct PvdEntry {
 
 std::string pvd(const std::vector<PvdEntry>& entries);
 
+/// Returns the entries of a list that `pvd` wrote; a damaged one is left out.
+std::vector<PvdEntry> read_pvd(const std::string& text);
+
 }  // namespace keyblock::formats

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "formats/text/csv.hpp"
+
 namespace keyblock::formats {
 namespace {
 
@@ -107,7 +109,7 @@ Element VtkPiece::inner(const Element& parent, std::string_view name) const {
 std::optional<VtkArray> VtkPiece::array_in(const Element& parent, std::string_view name) const {
   for (const Element& child : parent.children()) {
     const auto title = child.attribute("Name");
-    if (title && title->value.substr(0, title->value.find(" [")) == name) return VtkArray(child, name, parts_);
+    if (title && csv_heading(title->value).name == name) return VtkArray(child, name, parts_);
   }
   return std::nullopt;
 }

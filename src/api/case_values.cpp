@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "formats/all_content.hpp"
+#include "formats/case_file/keyblock_case.hpp"
 
 namespace keyblock {
 namespace {
@@ -24,24 +25,6 @@ struct Found {
 std::invalid_argument no_value(std::string_view pointer) {
   return std::invalid_argument(
       fmt::format("expected a pointer to a value of the case, such as /analysis/time_step, found {}", pointer));
-}
-
-/// Returns the parts of the pointer between slashes, with ~1 and ~0 replaced. Throws for a text without a first slash.
-std::vector<std::string> parts_of(std::string_view pointer) {
-  std::vector<std::string> parts;
-  if (pointer.empty()) return parts;
-  if (pointer.front() != '/') throw no_value(pointer);
-  for (const char c : pointer) {
-    if (c == '/')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  for (std::string& part : parts)
-    for (const auto& [code, character] : {std::pair{"~1", "/"}, std::pair{"~0", "~"}})
-      for (std::size_t at = part.find(code); at != std::string::npos; at = part.find(code, at + 1))
-        part.replace(at, 2, character);
-  return parts;
 }
 
 bool is_item(const Json& item, std::size_t index, const std::string& part) {
@@ -66,7 +49,7 @@ void add_children(std::vector<Found>& found, const Found& place, const std::stri
 
 std::vector<Found> places_in(const Json& json, std::string_view pointer, bool or_new) {
   std::vector<Found> found{{Pointer(), &json}};
-  const std::vector<std::string> parts = parts_of(pointer);
+  const std::vector<std::string> parts = pointer_steps(pointer);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::vector<Found> next;
     for (const Found& place : found) add_children(next, place, parts[i], or_new && i + 1 == parts.size());
@@ -76,7 +59,60 @@ std::vector<Found> places_in(const Json& json, std::string_view pointer, bool or
   return found;
 }
 
+/// Returns the schema of the value behind the steps; an empty one if the schema does not describe it.
+Json schema_at(const Json& schema, const std::vector<std::string>& steps) {
+  const Json* at = &schema;
+  for (const std::string& step : steps) {
+    const bool is_item = is_list_index(step) && !at->contains("properties");
+    const std::size_t index = is_item ? std::stoul(step) : 0;
+    const bool has_place = is_item && at->contains("prefixItems") && index < at->at("prefixItems").size();
+    const Json* next = nullptr;
+    if (has_place) next = &at->at("prefixItems").at(index);
+    if (is_item && !has_place && at->contains("items")) next = &at->at("items");
+    if (!is_item && at->contains("properties") && at->at("properties").contains(step))
+      next = &at->at("properties").at(step);
+    if (next == nullptr || !next->is_object()) return Json::object();
+    at = next;
+  }
+  return *at;
+}
+
+bool is_whole(const Json& schema) {
+  const Json type = schema.value("type", Json());
+  const Json types = type.is_array() ? type : Json::array({type});
+  return std::ranges::find(types, "integer") != types.end() && std::ranges::find(types, "number") == types.end();
+}
+
 }  // namespace
+
+std::vector<std::string> pointer_steps(std::string_view pointer) {
+  std::vector<std::string> parts;
+  if (pointer.empty()) return parts;
+  if (pointer.front() != '/') throw no_value(pointer);
+  for (const char c : pointer) {
+    if (c == '/')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  for (std::string& part : parts)
+    for (const auto& [code, character] : {std::pair{"~1", "/"}, std::pair{"~0", "~"}})
+      for (std::size_t at = part.find(code); at != std::string::npos; at = part.find(code, at + 1))
+        part.replace(at, 2, character);
+  return parts;
+}
+
+bool is_list_index(std::string_view step) {
+  return !step.empty() && step.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+bool takes_whole_numbers(std::string_view pointer, const std::string& json) {
+  const Json schema = Json::parse(formats::case_schema());
+  const Json whole = Json::parse(json);
+  return std::ranges::any_of(places_in(whole, pointer, true), [&](const Found& place) {
+    return is_whole(schema_at(schema, pointer_steps(place.at.to_string())));
+  });
+}
 
 ChangedValue case_value_of(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -96,7 +132,7 @@ std::vector<std::string> pointers_to(std::string_view pointer, const std::string
 std::string value_at(std::string_view pointer, const std::string& json) {
   const Json whole = Json::parse(json);
   const std::vector<Found> places = places_in(whole, pointer, false);
-  const std::vector<std::string> parts = parts_of(pointer);
+  const std::vector<std::string> parts = pointer_steps(pointer);
   if (std::ranges::find(parts, "*") == parts.end()) return places.front().value->dump();
   Json all = Json::array();
   for (const Found& place : places) all.push_back(*place.value);

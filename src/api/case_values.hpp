@@ -19,6 +19,16 @@ struct ChangedValue {
   std::string value;
 };
 
+/// Returns the parts of a pointer between slashes, with ~1 and ~0 replaced. Throws std::invalid_argument for a text
+/// without a first slash.
+std::vector<std::string> pointer_steps(std::string_view pointer);
+
+/// Returns true if a step of a pointer is the number of a list item.
+bool is_list_index(std::string_view step);
+
+/// Returns true if the case file takes whole numbers alone at the pointer, in a case file in strict JSON.
+bool takes_whole_numbers(std::string_view pointer, const std::string& json);
+
 /// Parses "POINTER=VALUE". Throws std::invalid_argument.
 ChangedValue case_value_of(const std::string& text);
 

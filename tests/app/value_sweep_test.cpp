@@ -8,6 +8,7 @@
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/bytes/sha256.hpp"
 #include "tests/support/program.hpp"
@@ -199,11 +200,14 @@ TEST(ValueSweep, a_table_of_more_runs_stays) {
 
 TEST(ValueSweep, whole_numbers_do_not_come_from_distributions) {
   const std::string folder = fresh_folder("value_sweep_whole");
-  const ProgramRun run = run_keyblock(
-      {"sweep", slope_in(folder), "--over", "steps=normal(100,10)", "--random", "4", "-o", folder + "/out"});
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_TRUE(contains(run.messages, "setting steps: expected a whole number of at least 1, found ")) << run.messages;
-  EXPECT_FALSE(fs::exists(folder + "/out"));
+  const Words sweep{"sweep", slope_in(folder), "--random", "4", "-o", folder + "/out", "--over"};
+  for (const auto& [key, words] : {std::pair{"steps", "setting steps: expected a whole number of at least 1, found "},
+                                   {"/analysis/step_count", "/analysis/step_count: expected a whole number, found "}}) {
+    const ProgramRun run = run_keyblock(sweep + Words{key + std::string("=normal(100,10)")});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_TRUE(contains(run.messages, words)) << run.messages;
+    EXPECT_FALSE(fs::exists(folder + "/out"));
+  }
 }
 
 TEST(ValueSweep, a_shard_belongs_to_one_process_at_a_time) {
@@ -305,6 +309,23 @@ TEST(ValueSweep, shards_of_a_batch_have_one_catalogue) {
   EXPECT_EQ(run_keyblock(batch + Words{"-o", folder + "/shards", "--merge"}).exit_code, 0);
   for (const char* name : {"/catalogue.csv", "/catalogue.json", "/catalogue.html"})
     EXPECT_EQ(read_text(folder + "/whole" + name), read_text(folder + "/shards" + name)) << name;
+}
+
+TEST(ValueSweep, rows_of_changed_files_hide_no_new_ones) {
+  const std::string folder = fresh_folder("batch_stale_rows");
+  fs::create_directories(folder + "/archive");
+  const Words batch{"batch", folder + "/archive", "--check", "-o", folder + "/out"};
+  std::vector<std::string> files;
+  for (const char* kind : {"block", "slope", "arch", "beam"})
+    run_keyblock({"new", kind, "-o", files.emplace_back(folder + "/archive/" + kind + ".json")});
+  for (const char* shard : {"1/2", "2/2"}) EXPECT_EQ(run_keyblock(batch + Words{"--shard", shard}).exit_code, 0);
+  for (const std::string& file : files) write_text(file, read_text(file) + "\n");
+  EXPECT_EQ(run_keyblock(batch + Words{"--merge"}).exit_code, 2);
+  for (const char* shard : {"1/3", "2/3", "3/3"}) EXPECT_EQ(run_keyblock(batch + Words{"--shard", shard}).exit_code, 0);
+  const ProgramRun merged = run_keyblock(batch + Words{"--merge"});
+  EXPECT_EQ(merged.exit_code, 0) << merged.messages;
+  const std::string catalogue = read_text(folder + "/out/catalogue.csv");
+  for (const std::string& file : files) EXPECT_TRUE(contains(catalogue, sha256(read_text(file)).substr(0, 60))) << file;
 }
 
 }  // namespace keyblock::value_sweep_test

@@ -3,15 +3,19 @@
 
 usage: many_runs.py PROGRAM [--count N] [--tasks N] [--only ENGINE]... [--package FOLDER]
 
-The engines: the command alone; Slurm (daemons of this test on this machine); GNU parallel; Dask. Each does all rows once,
-while a part of the engine is killed: the table must have the bytes of an undisturbed sweep. Each does a fifth of them
+The engines: the command alone; Slurm (daemons of this test on this machine); GNU parallel; Dask; `batch` over an archive
+of the same cases. The table of `batch` comes from its catalogue and from the records of its runs. Each engine does all rows
+once, while a part of it is killed: the table must have the bytes of an undisturbed sweep. Each does a fifth of them
 again, while one run is killed: one row must be SIGKILL, and all other rows the same. An engine that is not installed is
 left out with a message.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
+import csv
+import io
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -78,6 +82,57 @@ class Study:
         return found
 
 
+class ArchiveStudy(Study):
+    """The same rows as folders of an archive: `keyblock joints` draws the joints of each, and `batch` runs them."""
+
+    def __init__(self, asked, folder, name, count):
+        super().__init__(asked, folder, name, count)
+        self.archive = folder / f"{name}_archive"
+        self.plan = self.rows_of_sweep()
+        for job, row in self.plan.items():
+            (self.archive / job).mkdir(parents=True)
+            joints = {**JOINTS, "seed": int(row["joints:/seed"])}
+            joints["sets"] = [{**JOINTS["sets"][0], "dip": float(row["joints:/sets/0/dip"])}, *JOINTS["sets"][1:]]
+            statistics = folder / "joints_of_a_row.json"
+            statistics.write_text(json.dumps(joints), encoding="utf-8")
+            subprocess.run([asked.program, "joints", statistics, "-o", self.archive / job / "drawing.geo"], check=True, **QUIET)
+            shutil.copy(folder / "face.json", self.archive / job)
+        self.sweep = [asked.program, "batch", self.archive.name, "--run", "--profile", "standard", "-o", name]
+
+    def rows_of_sweep(self):
+        """Values of the keys of each row, as the undisturbed sweep of as many rows has written them."""
+        with (self.folder / f"undisturbed_{self.count}" / "table.csv").open(encoding="utf-8", newline="") as table:
+            return {row["job"]: row for row in csv.DictReader(table)}
+
+    def table(self):
+        """The table of a sweep, with verdicts and values of the catalogue."""
+        catalogue = self.folder / self.name / "catalogue.json"
+        if not catalogue.exists():
+            return []
+        jobs = {job["job"].split("/")[0]: job for job in json.loads(catalogue.read_text(encoding="utf-8"))["jobs"]}
+        text = io.StringIO()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(next(iter(self.plan.values())))
+        for job, row in self.plan.items():
+            writer.writerow([row["joints:/seed"], row["joints:/sets/0/dip"], *self.end_of(jobs[job]), job])
+        return text.getvalue().split("\n")
+
+    def end_of(self, job):
+        """Verdict, doubt, displacement and blocks of a job of the catalogue."""
+        killed = re.search("ended by (SIG[A-Z]+)", job["message"])
+        if killed:
+            return "signal", killed[1], "", ""
+        answer, = job["answers"]
+        verdict, _, reason = answer["end"].partition(": ")
+        if verdict == "finished" and answer["doubt"]:
+            verdict, reason = "doubtful", answer["doubt"]
+        record = json.loads((self.folder / self.name / job["outputs"][0] / "run.json").read_text(encoding="utf-8"))
+        if record["outcome"]["steps"] == 0:
+            return verdict, reason, "", ""
+        found = record["extremes"]["greatest_displacement"]["value"], record["counts"]["blocks"]
+        return verdict, reason, *(str(number).removesuffix(".0") for number in found)  # as tables write numbers
+
+
 def kill(pid):
     try:
         os.kill(pid, signal.SIGKILL)
@@ -93,7 +148,7 @@ def kill_one_run(study):
         if runs:
             kill(runs[0])
             time.sleep(0.5)
-        if any('"SIGKILL"' in line for line in study.results()):
+        if any("SIGKILL" in line for line in study.results()):
             return
         time.sleep(0.01)
 
@@ -182,7 +237,7 @@ def python_with(package):
 
 def engines(asked):
     asked.dask = python_with(asked.package)
-    all_of_them = {"sweep": (alone, ""), "slurm": (by_slurm, slurm_daemons.why_not()),
+    all_of_them = {"sweep": (alone, ""), "batch": (alone, ""), "slurm": (by_slurm, slurm_daemons.why_not()),
                    "parallel": (by_parallel, "" if shutil.which("parallel") else "GNU parallel is not installed"),
                    "dask": (by_dask, "" if asked.dask else "no Python has distributed and the package keyblock")}
     for name, (work, why_not) in all_of_them.items():
@@ -194,20 +249,28 @@ def engines(asked):
             yield name, work
 
 
+def study_of(asked, folder, engine, name, count):
+    return (ArchiveStudy if engine == "batch" else Study)(asked, folder, name, count)
+
+
 def check_whole(asked, folder, name, work, whole):
     """All rows, with a part of the engine killed. Returns the number of faults."""
     began = time.monotonic()
-    study = Study(asked, folder, name, asked.count)
+    study = study_of(asked, folder, name, name, asked.count)
     told = work(study, True)
-    is_same = study.table() == whole
+    found = study.table()
+    is_same = found == whole
     print(f"{name}: {asked.count} rows, {time.monotonic() - began:.0f} s, {told}: {'same bytes' if is_same else 'ANOTHER TABLE'}",
           flush=True)
+    if not is_same:
+        first = next(((a, b) for a, b in zip(whole, found) if a != b), (len(whole), len(found)))
+        print(f"{name}: first difference: expected {first[0]}, found {first[1]}", file=sys.stderr)
     return not is_same
 
 
 def check_killed_run(asked, folder, name, work, whole):
     """A part of the rows, with one run killed. Returns the number of faults."""
-    study = Study(asked, folder, f"{name}_killed", asked.count // 5)
+    study = study_of(asked, folder, name, f"{name}_killed", asked.count // 5)
     killer = threading.Thread(target=kill_one_run, args=(study,), daemon=True)
     killer.start()
     work(study, False)

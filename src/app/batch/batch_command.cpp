@@ -196,7 +196,7 @@ bool is_done(const FileTree& archive, const study::Journal& journal, const Shard
   });
 }
 
-/// Returns the rows in the journals of all shards. Throws UsageError if one belongs to another task.
+/// Returns the rows of the archive in the journals of all shards; rows of other or changed files stay out. Throws UsageError if one belongs to another task.
 study::Journal merged_journal(const BatchPlan& plan, const FileTree& archive) {
   study::Journal all;
   for (const fs::path& file : journals_in(plan.folder)) {
@@ -205,7 +205,9 @@ study::Journal merged_journal(const BatchPlan& plan, const FileTree& archive) {
       throw UsageError(
           fmt::format("{} belongs to another task ({}, now {})", file.string(), journal.task, plan.task_text()));
     all.task = journal.task;
-    all.rows.insert(journal.rows.begin(), journal.rows.end());
+    for (const study::BatchJob& job : archive.jobs)
+      if (const CatalogueRow* row = journal.find(job.name, archive.files_of(job)); row != nullptr)
+        all.rows.insert_or_assign(job.name, *row);
   }
   if (!is_done(archive, all, {}))
     throw UsageError(fmt::format("{}: jobs are missing; their shards have not ended", plan.folder.string()));

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <cstring>
 #include <sstream>
 
 #include "app/exit_code.hpp"
@@ -45,10 +46,16 @@ bool is_starved(const ChildEnd& end, const ChildLimits& limits, const fs::path& 
          (end.exit_code == kNoRoomForLibraries || error_in(log).find("not enough memory") != std::string::npos);
 }
 
+std::string signal_name(int signal) {
+  const char* abbreviation = sigabbrev_np(signal);
+  return abbreviation != nullptr ? fmt::format("SIG{}", abbreviation) : fmt::format("signal {}", signal);
+}
+
 std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
   if (end.ran_out_of_time) return fmt::format("stopped at the limit of {} s of processor time", limits.cpu_seconds);
   if (is_starved(end, limits, log))
     return fmt::format("the limit of {} MiB of memory is too small for it", limits.memory_mebibytes);
+  if (end.signal != 0) return fmt::format("ended by {}", signal_name(end.signal));
   const std::string error = error_in(log);
   return fmt::format("exit code {}{}{}", end.exit_code, error.empty() ? "" : ": ", error);
 }

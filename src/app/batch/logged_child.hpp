@@ -24,7 +24,10 @@ std::string error_in(const std::filesystem::path& log);
 /// Returns true if the process ended because its limit of memory was too small.
 bool is_starved(const ChildEnd& end, const ChildLimits& limits, const std::filesystem::path& log);
 
-/// Explains the end of a process without a result: a limit, or its exit code and last error.
+/// Returns "SIGKILL", or "signal 40" for a signal without a name.
+std::string signal_name(int signal);
+
+/// Explains the end of a process without a result: a limit, a signal, or its exit code and last error.
 std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const std::filesystem::path& log);
 
 /// Makes the folder, without files of an earlier attempt. Throws OutputError.

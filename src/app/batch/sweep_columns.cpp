@@ -27,20 +27,6 @@ using study::SweepTable;
 
 constexpr std::size_t kLongestWords = 60;
 
-std::vector<std::string> steps_of(std::string_view pointer) {
-  std::vector<std::string> steps;
-  for (std::size_t begin = 1; begin <= pointer.size();) {
-    const std::size_t end = std::min(pointer.find('/', begin), pointer.size());
-    steps.emplace_back(pointer.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return steps;
-}
-
-bool is_index(const std::string& step) {
-  return !step.empty() && step.find_first_not_of("0123456789") == std::string::npos;
-}
-
 /// Returns "joint materials" for joint_materials, "dip scatter" for dip_scatter_deg.
 std::string words_of(std::string name) {
   if (name.ends_with("_deg")) name.resize(name.size() - 4);
@@ -60,7 +46,7 @@ std::string item_words(const std::string& list, const std::string& item) {
   std::string words = words_of(list);
   if (item == "*") return "all " + words;
   if (words.ends_with('s')) words.pop_back();
-  return fmt::format("{} {}", words, is_index(item) ? std::to_string(std::stoul(item) + 1) : item);
+  return fmt::format("{} {}", words, is_list_index(item) ? std::to_string(std::stoul(item) + 1) : item);
 }
 
 /// Place of a value: the key of the object that has it, its own key, and the list items on the way.
@@ -72,12 +58,12 @@ struct KeyPlace {
 
 /// `concrete`: the pointer with numbers instead of names.
 KeyPlace place_of(const std::string& pointer, const std::string& concrete) {
-  const std::vector<std::string> given = steps_of(pointer), numbers = steps_of(concrete);
+  const std::vector<std::string> given = pointer_steps(pointer), numbers = pointer_steps(concrete);
   KeyPlace place{"case", "", ""};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const bool is_item = i > 0 && is_index(numbers[i]) && i < given.size();
+    const bool is_item = i > 0 && is_list_index(numbers[i]) && i < given.size();
     if (is_item) place.items += " of " + item_words(numbers[i - 1], given[i]);
-    if (is_index(numbers[i])) continue;
+    if (is_list_index(numbers[i])) continue;
     if (!place.key.empty()) place.parent = place.key;
     place.key = numbers[i];
   }
@@ -134,7 +120,7 @@ std::string named(const std::array<Named, size>& table, const std::string& name)
 std::string words_of_owner(const std::string& owner) {
   constexpr std::array<Named, 2> kTables{{{"ledger", "energy balance"}, {"step_table", "last step"}}};
   for (const auto& [prefix, words] : std::array<Named, 2>{{{"point", "measured point"}, {"tip", "crack tip"}}})
-    if (owner.starts_with(prefix) && is_index(owner.substr(prefix.size())))
+    if (owner.starts_with(prefix) && is_list_index(owner.substr(prefix.size())))
       return fmt::format("{} {}", words, owner.substr(prefix.size()));
   return named(kTables, owner);
 }
@@ -163,7 +149,7 @@ std::string words_of_output(const std::string& name) {
                                                {"k2", "K_II"},
                                                {"j", "J"}}};
   if (name.starts_with('/')) {
-    const std::vector<std::string> steps = steps_of(name);
+    const std::vector<std::string> steps = pointer_steps(name);
     return words_of(steps.back()) + (steps.size() > 1 ? ", " + words_of(steps[steps.size() - 2]) : std::string());
   }
   const std::size_t dot = name.rfind('.');

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "api/case_values.hpp"
@@ -122,8 +121,7 @@ bool SweepJob::has_ended_early(const ChildEnd& end, const std::string& name) {
   if (end.ran_out_of_time) return fail("time_limit");
   if (is_starved(end, plan_.limits, log)) return fail("memory_limit");
   if (end.signal != 0) {
-    const char* abbreviation = sigabbrev_np(end.signal);
-    why = abbreviation != nullptr ? fmt::format("SIG{}", abbreviation) : fmt::format("signal {}", end.signal);
+    why = signal_name(end.signal);
     return fail("signal");
   }
   const bool is_answer = end.exit_code == int(ExitCode::ok) || end.exit_code == int(ExitCode::check_failed) ||

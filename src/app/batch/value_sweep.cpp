@@ -4,12 +4,14 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <thread>
 
 #include "api/case_values.hpp"
@@ -56,15 +58,31 @@ struct ReadySweep {
   Json inputs = Json::array();    ///< files read, with checksums
 };
 
-/// Refuses fractions, such as those of a distribution, for settings that take whole numbers alone.
-void require_whole_numbers(const std::vector<SweepRow>& rows) {
-  for (const SettingText& setting : list(Settings{})) {
-    if (!setting.expected.starts_with("a whole number") || !rows.front().contains(setting.name)) continue;
-    for (const SweepRow& row : rows)
-      if (const Json& value = row.at(setting.name); value.is_number_float() && std::fmod(value.get<double>(), 1) != 0)
-        throw UsageError(
-            fmt::format("setting {}: expected {}, found {}; a list has whole numbers, a distribution has not",
-                        setting.name, setting.expected, value.dump()));
+/// Returns what a key expects if that is whole numbers alone: of a setting, of the case, or of the statistics of joints.
+std::string whole_numbers_of(const std::string& key, const std::string& case_text) {
+  constexpr std::array<std::string_view, 4> kOfStatistics{"benches", "boundary_joint", "joint", "seed"};
+  const bool is_of_joints = key.starts_with(study::kOfJoints);
+  const std::string_view last = std::string_view(key).substr(key.rfind('/') + 1);
+  const bool is_whole = is_of_joints ? std::ranges::find(kOfStatistics, last) != kOfStatistics.end()
+                                     : key.starts_with('/') && takes_whole_numbers(key, case_text);
+  if (is_whole) return key + ": expected a whole number";
+  for (const SettingText& setting : list(Settings{}))
+    if (setting.name == key && setting.expected.starts_with("a whole number"))
+      return fmt::format("setting {}: expected {}", key, setting.expected);
+  return {};
+}
+
+/// Refuses fractions, such as those of a distribution, for keys that take whole numbers alone.
+void require_whole_numbers(const std::vector<SweepRow>& rows, const std::string& case_text) {
+  const auto is_fraction = [](const Json& value) {
+    return value.is_number_float() && std::fmod(value.get<double>(), 1) != 0;
+  };
+  for (const auto& [key, first] : rows.front().items()) {
+    const auto found = std::ranges::find_if(rows, [&](const SweepRow& row) { return is_fraction(row.at(key)); });
+    if (found == rows.end()) continue;
+    if (const std::string expected = whole_numbers_of(key, case_text); !expected.empty())
+      throw UsageError(fmt::format("{}, found {}; a list has whole numbers, a distribution has not", expected,
+                                   found->at(key).dump()));
   }
 }
 
@@ -134,7 +152,7 @@ ReadySweep ready(const ValueSweepOptions& options) {
   sweep.case_text = formats::case_file_text(open.input.files);
   sweep.units = open.input.problem.units;
   require_keys(sweep.rows.front(), sweep.case_text, sweep.plan.joints);
-  require_whole_numbers(sweep.rows);
+  require_whole_numbers(sweep.rows, sweep.case_text);
   for (const std::string& file : open.files) require_not_below(file, options.folder);
   for (const SweepRow& row : sweep.rows) sweep.jobs.push_back(study::job_name(row));
   sweep.task = task_of(options, open, sweep.plan.joints);

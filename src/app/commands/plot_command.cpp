@@ -12,7 +12,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -23,6 +22,7 @@
 #include "base/bytes/file_bytes.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
+#include "formats/views/vtk.hpp"
 #include "formats/views/vtu_reading.hpp"
 #include "job/files.hpp"
 #include "job/folder/frame_files.hpp"
@@ -124,11 +124,9 @@ double units_wide(const std::optional<double>& millimetres) {
 std::string time_in_title(const PlotOptions& options, double time, const Units& units) {
   constexpr int kMostDecimals = 9;
   std::vector<double> times;
-  static const std::regex kTime("timestep=\"([^\"]+)\"");
   const fs::path list = fs::path(options.folder) / kFrameList;
   const std::string text = fs::is_regular_file(list) ? file_bytes(list.string()) : std::string();
-  for (std::sregex_iterator at(text.begin(), text.end(), kTime), end; at != end; ++at)
-    times.push_back(std::strtod((*at)[1].str().c_str(), nullptr));
+  for (const formats::PvdEntry& entry : formats::read_pvd(text)) times.push_back(entry.time);
   double least = 0;
   for (std::size_t i = 1; i < times.size(); ++i)
     if (const double gap = times[i] - times[i - 1]; gap > 0) least = least > 0 ? std::min(least, gap) : gap;

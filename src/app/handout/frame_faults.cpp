@@ -7,12 +7,12 @@
 #include <cstddef>
 #include <exception>
 #include <map>
-#include <regex>
 
 #include "app/handout/record_reading.hpp"
 #include "base/bytes/file_bytes.hpp"
 #include "base/counted.hpp"
 #include "formats/registry.hpp"
+#include "formats/views/vtk.hpp"
 #include "formats/views/vtu_reading.hpp"
 #include "job/folder/frame_files.hpp"
 #include "job/folder/output_files.hpp"
@@ -37,10 +37,8 @@ Faults missing_files(const fs::path& folder) {
   Faults missing;
   const fs::path list = folder / kFrameList;
   if (!fs::is_regular_file(list)) return missing;
-  static const std::regex kFile("file=\"([^\"]+)\"");
-  const std::string text = file_bytes(list.string());
-  for (std::sregex_iterator at(text.begin(), text.end(), kFile), end; at != end; ++at)
-    if (!fs::is_regular_file(folder / (*at)[1].str())) missing.add((*at)[1]);
+  for (const formats::PvdEntry& entry : formats::read_pvd(file_bytes(list.string())))
+    if (!fs::is_regular_file(folder / entry.file)) missing.add(entry.file);
   return missing;
 }
 

@@ -40,13 +40,6 @@ std::optional<formats::CsvTable> table_in(const fs::path& folder, const char* na
   return formats::read_csv({file.string(), file_bytes(file.string())});
 }
 
-// Splits "dx1 [m]" into name and unit.
-std::pair<std::string, std::string> split(const std::string& heading) {
-  const std::size_t bracket = heading.find(" [");
-  if (bracket == std::string::npos) return {heading, ""};
-  return {heading.substr(0, bracket), heading.substr(bracket + 2, heading.size() - bracket - 3)};
-}
-
 std::string name_of(const formats::CsvTable& table, const formats::CsvRow& row) {
   const auto cell = [&](const char* column) { return row.cells[formats::csv_column(table, column)]; };
   const std::string name = cell("name");
@@ -62,7 +55,7 @@ void add(Recorded& into, const formats::CsvTable& table, const formats::CsvRow& 
 
 std::optional<Recorded> of_wide(const formats::CsvTable& table, const std::string& name) {
   for (std::size_t column = 0; column < table.header.size(); ++column) {
-    const auto [own, unit] = split(table.header[column]);
+    const auto [own, unit] = formats::csv_heading(table.header[column]);
     if (own != name) continue;
     Recorded found{unit, {}};
     for (const formats::CsvRow& row : table.rows) add(found, table, row, column);
@@ -114,7 +107,7 @@ std::vector<std::string> recorded_names(const fs::path& folder) {
   };
   for (const char* wide : kWideTables)
     if (const auto table = table_in(folder, wide))
-      for (const std::string& heading : table->header) put(split(heading).first);
+      for (const std::string& heading : table->header) put(formats::csv_heading(heading).name);
   if (const auto table = table_in(folder, kLongTable))
     for (const formats::CsvRow& row : table->rows) {
       const std::string name = name_of(*table, row);

@@ -23,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+using formats::CsvHeading;
 using formats::CsvRow;
 using formats::CsvTable;
 using report::PageColumn;
@@ -36,16 +37,11 @@ std::optional<CsvTable> table_in(const fs::path& folder, std::string_view name) 
   return table;
 }
 
-struct Heading {
-  std::string name;
-  std::string unit;
-};
-
 /// Splits "x1 [m]".
-Heading heading_of(const std::string& text, bool has_units) {
-  const std::size_t at = text.find(" [");
-  if (at == std::string::npos || !text.ends_with("]")) return {text, {}};
-  return {text.substr(0, at), has_units ? text.substr(at + 2, text.size() - at - 3) : std::string()};
+CsvHeading heading_of(const std::string& text, bool has_units) {
+  CsvHeading heading = formats::csv_heading(text);
+  if (!has_units) heading.unit.clear();
+  return heading;
 }
 
 /// Returns the number in a cell; NaN if it holds none.
@@ -70,7 +66,7 @@ Json json_of(double number) {
 }
 
 struct Curve {
-  Heading heading;
+  CsvHeading heading;
   std::vector<double> values;
 };
 

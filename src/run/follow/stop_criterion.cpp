@@ -63,6 +63,11 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 }  // namespace
 
+std::string long_quantity(const std::string& name) {
+  const auto found = std::ranges::find(kShort, name, &std::pair<std::string_view, std::string_view>::first);
+  return found == kShort.end() ? name : std::string(found->second);
+}
+
 StopCriterion stop_criterion_of(const std::string& text, const Units& units) {
   const std::size_t sign = text.find_first_of("<>");
   const std::string quantity = trimmed(text.substr(0, sign));
@@ -70,9 +75,7 @@ StopCriterion stop_criterion_of(const std::string& text, const Units& units) {
   if (sign == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 == quantity.size())
     throw std::invalid_argument(fmt::format("expected NAME.QUANTITY>VALUE, such as crest.dx>0.05, found \"{}\"", text));
   StopCriterion criterion{text, quantity.substr(0, dot), quantity.substr(dot + 1), text[sign] == '>', 0};
-  const auto found =
-      std::ranges::find(kShort, criterion.quantity, &std::pair<std::string_view, std::string_view>::first);
-  if (found != kShort.end()) criterion.quantity = found->second;
+  criterion.quantity = long_quantity(criterion.quantity);
   criterion.limit = limit_of(trimmed(text.substr(sign + 1)), criterion.quantity, units);
   return criterion;
 }

@@ -21,6 +21,9 @@ struct StopCriterion {
   std::string met_by(const std::string& rows) const;
 };
 
+/// Returns the name in histories.csv of a short one: "displacement_x" of dx; the name itself if it is not short.
+std::string long_quantity(const std::string& name);
+
 /// Parses `NAME.QUANTITY>VALUE` or `NAME.QUANTITY<VALUE`. QUANTITY is a column value of histories.csv, or short: d, dx,
 /// dy, vx, vy, r. VALUE is a number, or one with a unit for d, dx, dy, vx and vy: `crest.dx>5 cm`. Throws
 /// std::invalid_argument.

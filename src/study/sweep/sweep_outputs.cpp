@@ -11,8 +11,10 @@
 #include <string_view>
 #include <utility>
 
+#include "api/case_values.hpp"
 #include "formats/registry.hpp"
 #include "formats/text/csv.hpp"
+#include "run/follow/stop_criterion.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -30,11 +32,6 @@ constexpr std::array<Named, 6> kOfRecord{{{"displacement", "/extremes/greatest_d
 constexpr std::array<Named, 4> kFactors{
     {{"fos", ""}, {"fos_joints", "joints"}, {"fos_rock", "rock"}, {"fos_both", "both"}}};
 constexpr std::array<Named, 4> kOfTip{{{"k1", "K_I"}, {"k2", "K_II"}, {"j", "J"}, {"kink_deg", "kink_deg"}}};
-constexpr std::array<Named, 5> kShort{{{"dx", "displacement_x"},
-                                       {"dy", "displacement_y"},
-                                       {"vx", "velocity_x"},
-                                       {"vy", "velocity_y"},
-                                       {"r", "rotation"}}};
 constexpr std::array<std::string_view, 3> kTables{"ledger", "history", "step_table"};
 
 template <std::size_t size>
@@ -83,37 +80,30 @@ Json number_in(const std::string& text) {
 std::string names_in(const std::vector<std::string>& header) {
   std::string names;
   for (const std::string& heading : header) {
-    const std::string name = heading.substr(0, heading.find(" ["));
-    names += (names.empty() ? "" : ", ") + name;
+    names += (names.empty() ? "" : ", ") + formats::csv_heading(heading).name;
   }
   return names;
-}
-
-/// Returns the unit in the brackets of a heading: "m" of "dx [m]".
-std::string unit_in(const std::string& heading) {
-  const std::size_t bracket = heading.find(" [");
-  return bracket == std::string::npos ? std::string() : heading.substr(bracket + 2, heading.size() - bracket - 3);
 }
 
 /// Returns the cell of the last row that `is_wanted` takes.
 template <class Wanted>
 SweptValue last_cell(const formats::CsvTable& table, const SweepOutput& output, const std::string& heading,
                      Wanted is_wanted) {
-  const auto column = std::ranges::find_if(
-      table.header, [&](const std::string& h) { return h == heading || h.starts_with(heading + " ["); });
+  const auto column =
+      std::ranges::find_if(table.header, [&](const std::string& h) { return formats::csv_heading(h).name == heading; });
   if (column == table.header.end())
     refuse(output.name,
            fmt::format("a column of {}: {}", fs::path(table.name).filename().string(), names_in(table.header)));
   for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row)
     if (is_wanted(*row))
-      return {number_in(row->cells[static_cast<std::size_t>(column - table.header.begin())]), unit_in(*column)};
+      return {number_in(row->cells[static_cast<std::size_t>(column - table.header.begin())]),
+              formats::csv_heading(*column).unit};
   return {};
 }
 
 SweptValue of_history(const formats::CsvTable& table, const SweepOutput& output, const std::string& owner,
                       const std::string& quantity) {
-  const std::string_view* whole = found_in(kShort, quantity);
-  const std::string wanted(whole != nullptr ? *whole : quantity);
+  const std::string wanted = long_quantity(quantity);
   const std::size_t name = formats::csv_column(table, "name");
   const std::size_t what = formats::csv_column(table, "quantity");
   const auto is_wanted = [&](const formats::CsvRow& row) {
@@ -150,13 +140,8 @@ SweptValue of_table(const SweepOutput& output, const fs::path& folder) {
 /// Returns the unit of a value of run.json, which lists units by paths such as supports[].x.
 std::string unit_of_record(const Json& record, const std::string& pointer) {
   std::string path;
-  for (std::size_t begin = 1; begin <= pointer.size();) {
-    const std::size_t end = std::min(pointer.find('/', begin), pointer.size());
-    const std::string step = pointer.substr(begin, end - begin);
-    const bool is_index = !step.empty() && step.find_first_not_of("0123456789") == std::string::npos;
-    path += is_index ? "[]" : path.empty() ? step : "." + step;
-    begin = end + 1;
-  }
+  for (const std::string& step : pointer_steps(pointer))
+    path += is_list_index(step) ? "[]" : path.empty() ? step : "." + step;
   const Json units = record.value("unit_of", Json::object());
   return units.contains(path) ? units.at(path).get<std::string>() : std::string();
 }
