@@ -11,7 +11,6 @@ import { JointSets } from './edit/joint_sets';
 import { JsonError, line_of, type Node } from './edit/json_text';
 import { SaveAs } from './edit/save_as';
 import { type Polygon, type Scene, scene_of } from './edit/scene';
-import type { Schema } from './edit/schema';
 import { Tables } from './edit/tables';
 import { TextArea } from './edit/text_area';
 import { RunForm } from './runs';
@@ -34,9 +33,6 @@ const MODES: [Mode, string][] = [
 
 const wide = window.matchMedia('(min-width: 900px)');
 const mode = signal<Mode>(wide.matches ? 'both' : 'drawing');
-
-/** Schema of a case file, read once. */
-const schema = signal<Schema | null>(null);
 
 const is_json = (path: string) => /\.json$/i.test(path);
 
@@ -100,16 +96,7 @@ export function CaseView({ paths }: { paths: string[] }) {
     };
   }, [key]);
 
-  useEffect(() => {
-    // Without it there are no tables and no completion; what else is wrong stays on the screen.
-    if (!schema.value && is_json(current))
-      void api
-        .schema()
-        .then(own => {
-          schema.value = own as Schema;
-        })
-        .catch(() => {});
-  }, [current]);
+  useEffect(state.read_schema, []);
 
   // Unsaved text is checked after a pause.
   const is_changed = changed.length > 0;
@@ -270,11 +257,19 @@ export function CaseView({ paths }: { paths: string[] }) {
               />
             )}
             {scene && shown === 'tables' && (
-              <Tables text={text} scene={scene} schema={schema.value} change={change} is_old={!!fault} />
+              <Tables
+                text={text}
+                scene={scene}
+                schema={state.schema.value}
+                latest={() => histories.current.get(current)?.text ?? text}
+                change={change}
+                is_old={!!fault}
+              />
             )}
             {(shown === 'both' || shown === 'text') && (
               <TextArea
                 box={area}
+                path={current}
                 label={`Text of ${leaf_of(current)}`}
                 value={text}
                 is_ready={!!file}
@@ -282,7 +277,7 @@ export function CaseView({ paths }: { paths: string[] }) {
                   .filter(own => own.line && own.file && leaf_of(own.file) === leaf_of(current))
                   .map(own => ({ line: own.line!, is_error: errors.includes(own) || own.level === 'error' }))}
                 set={(next, caret) => change(next, 'typing', caret)}
-                schema={scene ? schema.value : null}
+                schema={scene ? state.schema.value : null}
                 names={{
                   block: scene?.block_materials.map((_, i, all) => material_of(all, i, 'material')) ?? [],
                   joint: scene?.joint_materials.map((_, i, all) => material_of(all, i, 'joint')) ?? [],
