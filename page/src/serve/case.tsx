@@ -4,11 +4,11 @@ import { signal } from '@preact/signals';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import * as api from './api';
 import { index_at, leaf_of, new_result, stem_of } from './cases';
+import { JsonError, line_of, type Node } from './edit/case_text';
 import { Editor } from './edit/editor';
 import { material_of } from './edit/edits';
 import { History } from './edit/history';
 import { JointSets } from './edit/joint_sets';
-import { JsonError, line_of, type Node } from './edit/json_text';
 import { SaveAs } from './edit/save_as';
 import { type Polygon, type Scene, scene_of } from './edit/scene';
 import { Tables } from './edit/tables';
@@ -35,6 +35,9 @@ const wide = window.matchMedia('(min-width: 900px)');
 const mode = signal<Mode>(wide.matches ? 'both' : 'drawing');
 
 const is_json = (path: string) => /\.json$/i.test(path);
+/** True for a case file, JSON or YAML. */
+const is_case = (path: string, text: string) =>
+  is_json(path) || (/\.ya?ml$/i.test(path) && /^keyblock\s*:/m.test(text));
 
 export function CaseView({ paths }: { paths: string[] }) {
   const key = paths.join('\n');
@@ -55,7 +58,7 @@ export function CaseView({ paths }: { paths: string[] }) {
 
   const text = texts[current] ?? '';
   const file = files[current];
-  const { scene, fault } = useScene(text, !!file && is_json(current));
+  const { scene, fault } = useScene(text, !!file && is_case(current, text));
   // A case that names other files is checked as it is saved: a draft would not find them.
   const is_whole = paths.length === 1 && !!scene && scene.geometry !== 'file' && !names_files(scene.root);
   const changed = paths.filter(path => files[path] && texts[path] !== files[path].text);
@@ -224,7 +227,7 @@ export function CaseView({ paths }: { paths: string[] }) {
               ))}
             </fieldset>
           )}
-          {!scene && !is_json(current) && (
+          {!scene && !is_case(current, text) && (
             <button type="button" class="small" disabled={!file} onClick={() => void convert_to_case(paths)}>
               Convert to a case
             </button>
@@ -277,7 +280,7 @@ export function CaseView({ paths }: { paths: string[] }) {
                   .filter(own => own.line && own.file && leaf_of(own.file) === leaf_of(current))
                   .map(own => ({ line: own.line!, is_error: errors.includes(own) || own.level === 'error' }))}
                 set={(next, caret) => change(next, 'typing', caret)}
-                schema={scene ? state.schema.value : null}
+                schema={scene && is_json(current) ? state.schema.value : null}
                 names={{
                   block: scene?.block_materials.map((_, i, all) => material_of(all, i, 'material')) ?? [],
                   joint: scene?.joint_materials.map((_, i, all) => material_of(all, i, 'joint')) ?? [],

@@ -1,7 +1,7 @@
 // Fields of all forms of the window: a label with a box, and a box for a value that the schema describes.
 
 import { useState } from 'preact/hooks';
-import type { Value } from './edit/json_text';
+import type { Value } from './edit/case_text';
 import { value_of } from './edit/scene';
 import { fault_in, limits_of, meaning_of, type Schema, words_of } from './edit/schema';
 

@@ -2,7 +2,7 @@
 
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { find, type Path, parse, plain } from '../../src/serve/edit/json_text';
+import { find, type Path, parse, plain } from '../../src/serve/edit/case_text';
 import { violations } from './axe';
 import { has_browser, launch } from './browser';
 import { type Folder, serve_folder } from './folder';
@@ -27,6 +27,17 @@ const CASE = `{
   "joint_materials": [{"name": "bedding"}, {"name": "cross joint"}],
  },
 }
+`;
+
+const YAML = `# A box.
+keyblock: 2
+units: {length: m, mass: kg, time: s}
+blocks:
+  blocks:
+    - outer: [[0, 0, 1], [5, 0, 1], [5, 6, 1], [0, 6, 1]]  # left
+    - outer: [[5, 0, 1], [10, 0, 1], [10, 6, 1], [5, 6, 1]]
+covers:
+  contact: ignored
 `;
 
 describe.skipIf(!has_browser)('editor', () => {
@@ -71,7 +82,10 @@ describe.skipIf(!has_browser)('editor', () => {
 
   beforeAll(async () => {
     browser = await launch();
-    folder = await serve_folder({ 'box.json': CASE, 'empty.json': '{"keyblock": 2}\n', 'a.dxf': '0\nEOF\n' }, '');
+    folder = await serve_folder(
+      { 'box.json': CASE, 'box.yaml': YAML, 'empty.json': '{"keyblock": 2}\n', 'a.dxf': '0\nEOF\n' },
+      '',
+    );
   });
   afterAll(async () => {
     await browser?.close();
@@ -170,6 +184,24 @@ describe.skipIf(!has_browser)('editor', () => {
     await tool(page, 'Fixed');
     await page.getByRole('button', { name: 'Fix base and sides' }).click();
     expect(((await read(page, 'drawing', 'fixed_lines')) as unknown[]).length).toBe(3);
+    await page.context().close();
+  });
+
+  test('a case in YAML: a corner of two blocks is dragged, a support is drawn, and colours follow', async () => {
+    const page = await open('#/case/box.yaml');
+    expect(await page.locator('.colours .c-comment').allTextContents()).toEqual(['# A box.', '# left']);
+    await page.getByLabel('Item').selectOption('Block 1');
+    await drag(page, [5, 6], [6, 4]);
+    expect(await read(page, 'blocks', 'blocks', 0, 'outer', 2)).toEqual([6, 4, 1]);
+    expect(await read(page, 'blocks', 'blocks', 1, 'outer', 3)).toEqual([6, 4, 1]);
+    await tool(page, 'Support');
+    await page.getByLabel(/Held|Prescribed/).waitFor();
+    await click(page, 0, 0);
+    await click(page, 10, 0);
+    expect(await text(page)).toMatch(
+      / {2}contact: ignored\n {2}displacements: \[\{"along": \[\[0, 0\], \[10, 0\]\], "held": "both"\}\]\n$/,
+    );
+    expect(await text(page)).toContain('# left\n');
     await page.context().close();
   });
 

@@ -1,8 +1,8 @@
 // Numbers of the items that are chosen on the canvas.
 
 import * as state from '../state';
+import { find, type Path, set } from './case_text';
 import * as edits from './edits';
-import { find, type Path, set } from './json_text';
 import { coordinates_of, type Item, length_of, type Scene, title_of, value_of } from './scene';
 import { schema_at, title_of as title_of_key, words_of } from './schema';
 

@@ -1,6 +1,6 @@
 // Finds what can be typed at a place of a case's text: keys, words and examples of the schema.
 
-import type { Path } from './json_text';
+import type { Path } from './case_text';
 import { limits_of, meaning_of, type Schema, schema_at } from './schema';
 
 export interface Place {

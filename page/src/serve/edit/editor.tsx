@@ -3,9 +3,9 @@
 import { type Signal, useSignal } from '@preact/signals';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { Canvas } from './canvas';
+import { find, type Value } from './case_text';
 import { Chosen, Held } from './chosen';
 import * as edits from './edits';
-import { find, type Value } from './json_text';
 import { type Item, loops_of, type Point, type Polygon, quantity_of, type Scene, title_of, value_of } from './scene';
 import { type Snapped, typed_point } from './snap';
 import { is_for, points_of, TOOLS, type Tool, type ToolName, tool_of } from './tools';

@@ -1,6 +1,6 @@
 // Changes of a case's text as they come from the canvas.
 
-import { find, type Path, parse, plain, remove, set, splice, type Value } from './json_text';
+import { find, type Path, parse, plain, remove, set, splice, type Value } from './case_text';
 import { coordinates_of, type Item, is_inside, length_as, loops_of, type Point, type Scene, scene_of } from './scene';
 
 const tidy = (x: number) => Number(x.toPrecision(12));

@@ -1,6 +1,6 @@
 // Drawing of a case file as items that a canvas shows and moves. The text stays the truth: each item knows its path.
 
-import { find, type Node, type Path, parse, plain, type Value } from './json_text';
+import { find, type Node, type Path, parse, plain, type Value } from './case_text';
 
 export type Point = [number, number];
 

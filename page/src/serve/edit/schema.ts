@@ -1,6 +1,6 @@
 // Reads the schema of a case file: what stands at a path, with title, unit, limits and meaning.
 
-import type { Path, Step } from './json_text';
+import type { Path, Step } from './case_text';
 
 export interface Schema {
   type?: string | string[];

@@ -1,8 +1,8 @@
 // Forms of a case beside its text: every section as tables and fields, with titles, units and limits of the schema.
 
 import { ValueBox } from '../fields';
+import { find, type Node, type Path, parse, plain, remove, set, type Value } from './case_text';
 import { append } from './edits';
-import { find, type Node, type Path, parse, plain, remove, set, type Value } from './json_text';
 import type { Scene } from './scene';
 import {
   by_group,
