@@ -4,7 +4,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { find, type Path, parse, plain } from '../../src/serve/edit/case_text';
 import { violations } from './axe';
-import { has_browser, launch } from './browser';
+import { has_browser, launch, open_window } from './browser';
 import { type Folder, serve_folder } from './folder';
 
 const CASE = `{
@@ -46,14 +46,10 @@ describe.skipIf(!has_browser)('editor', () => {
   const errors: string[] = [];
 
   async function open(hash: string, scheme: 'light' | 'dark' = 'light', width = 1280): Promise<Page> {
-    const context = await browser.newContext({ viewport: { width, height: 800 }, colorScheme: scheme });
-    const page = await context.newPage();
-    page.on('dialog', asked => asked.accept());
-    page.on('pageerror', error => errors.push(String(error)));
-    page.on('console', text => {
-      if (text.type() === 'error') errors.push(text.text());
+    const page = await open_window(browser, folder.address + hash, errors, {
+      viewport: { width, height: 800 },
+      colorScheme: scheme,
     });
-    await page.goto(folder.address + hash);
     await page.waitForSelector('canvas');
     await expect.poll(() => page.locator('canvas').getAttribute('data-view')).not.toContain(' 0');
     return page;

@@ -1,12 +1,12 @@
 // The built files with the program itself: set KEYBLOCK to its path. Values on the screen equal those of run.json.
 
-import { type ChildProcess, execFileSync, spawn } from 'node:child_process';
+import { type ChildProcess, execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, mkdtempSync, readFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { has_browser, launch, open } from './browser';
+import { has_browser, launch, open, start_server } from './browser';
 
 const program = process.env.KEYBLOCK ?? '';
 
@@ -32,19 +32,9 @@ describe.skipIf(!has_browser || !program)('program', () => {
 
   /** Serves a folder; returns the address. */
   const serve = (cases: string) => {
-    const own = spawn(program, ['serve', cases]);
-    servers.push(own);
-    return new Promise<string>((resolve, reject) => {
-      let said = '';
-      const read = (data: Buffer) => {
-        said += data;
-        const found = /http:\/\/\S+/.exec(said);
-        if (found) resolve(found[0]);
-      };
-      own.stdout!.on('data', read);
-      own.stderr!.on('data', read);
-      own.on('exit', () => reject(new Error(said)));
-    });
+    const own = start_server(program, cases);
+    servers.push(own.server);
+    return own.address;
   };
 
   test('values on the screen equal the record of the run', async () => {
