@@ -45,7 +45,7 @@ export function RunForm({
   const schema = state.schema.value;
   const known = report?.case?.settings ?? {};
   const cost = report?.case?.cost;
-  const can_run = report !== null && report.exit_code === 0;
+  const can_run = report !== null && report.exit_code === 0 && !report.case?.lacks;
   const start = async (kind: 'run' | 'fos' | 'both') => {
     if (!(await before())) return;
     const ending = kind === 'run' ? 'run' : kind;

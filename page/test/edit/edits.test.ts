@@ -235,6 +235,17 @@ describe('edits', () => {
     expect(edits.remove_items(text, scene, blocks)).toBe(text);
   });
 
+  test('a geometry gets an analysis with the materials that it names', () => {
+    const drawing =
+      '{"keyblock": 1, "units": {"length": "mm"}, "drawing": {"joints": [[0, 0, 1, 0, 1], [0, 0, 1, 1, 3]]}}';
+    const after = edits.add_analysis(drawing, 'granite');
+    expect([read(after, 'keyblock'), read(after, 'units')]).toEqual([2, { length: 'mm', mass: 'kg', time: 's' }]);
+    expect(read(after, 'analysis', 'joint_materials')).toHaveLength(3);
+    expect(read(after, 'analysis', 'block_materials')).toEqual([{ name: 'rock 1', like: 'granite' }]);
+    const blocks = edits.add_analysis(BLOCKS.replace('[2, 0, 1]', '[2, 0, 2]'), 'granite');
+    expect(read(blocks, 'analysis', 'joint_materials')).toHaveLength(2);
+  });
+
   test('supports and tractions of NMM bodies are added and moved; elements carry points', () => {
     const text = '{"keyblock": 2, "blocks": {"blocks": [{"outer": [[0, 0, 1], [2, 0, 1], [2, 1, 1]]}]}, "covers": {}}';
     const held = edits.add_chain(text, 'displacements', [0, 0], [2, 0], { held: 'normal' });

@@ -221,6 +221,39 @@ export function add_chain(
   return append(text, ['covers', name], own);
 }
 
+/** Adds the analysis that a geometry needs to run: usual values, with one entry per material that it names. */
+export function add_analysis(text: string, rock: string): string {
+  const scene = scene_of(text);
+  const count_in = (lists: Path[]) =>
+    Math.max(
+      1,
+      ...lists.flatMap(path =>
+        (find(scene.root, path)?.items ?? []).map(row => {
+          const own = row.kind === 'array' ? row.items.at(-1)?.value : find(row, ['material'])?.value;
+          return typeof own === 'number' ? own : 1;
+        }),
+      ),
+    );
+  const corners = (find(scene.root, ['blocks', 'blocks'])?.items ?? []).flatMap(
+    row => find(row, ['outer'])?.items ?? [],
+  );
+  const joints = Math.max(count_in([['drawing', 'joints']]), ...corners.map(row => Number(row.items[2]?.value) || 1));
+  const rocks = count_in([
+    ['drawing', 'material_lines'],
+    ['blocks', 'blocks'],
+  ]);
+  const length = scene.length || 'm';
+  let result = set(text, ['keyblock'], 2);
+  result = set(result, ['units'], { length, mass: 'kg', time: 's' });
+  return set(result, ['analysis'], {
+    step_count: 1000,
+    time_step: '1 ms',
+    gravity: '9.81 m/s2',
+    block_materials: Array.from({ length: rocks }, (_, i) => ({ name: `rock ${i + 1}`, like: rock })),
+    joint_materials: Array.from({ length: joints }, (_, i) => ({ name: `joint ${i + 1}`, friction_angle_deg: 30 })),
+  });
+}
+
 export interface BoltValues {
   stiffness: Value;
   strength: Value;
