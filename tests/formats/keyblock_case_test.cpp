@@ -228,7 +228,8 @@ void list_faults(const Json& schema, const std::string& path, std::vector<std::s
       faults.push_back(own + " has other limits in its description");
     list_faults(value, own, faults, count);
   };
-  for (const auto& [key, value] : schema.value("properties", Json::object()).items()) check(path + "." + key, value);
+  const Json keys = schema.value("properties", Json::object());
+  for (const auto& [key, value] : keys.items()) check(path + "." + key, value);
   for (const Json& place : schema.value("prefixItems", Json::array()))
     check(path + "[]." + place["x-key"].get<std::string>(), place);
   if (schema.contains("items") && schema["items"].is_object()) list_faults(schema["items"], path, faults, count);
