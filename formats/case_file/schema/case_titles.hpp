@@ -8,7 +8,8 @@
 
 namespace keyblock::formats {
 
-/// Returns a title for people of `key` under `parent`: "Young's modulus". Keys without a row in the table are spelt out.
+/// Returns a title of `key` under `parent` for people: "Young's modulus". Keys without a row in the table are spelt
+/// out.
 std::string title_of(std::string_view parent, std::string_view key);
 
 /// Returns the group of `key` among the keys of `parent`: "Contact".
