@@ -39,9 +39,17 @@ Reply ServedResults::drawn(const fs::path& folder) const {
 }
 
 Reply ServedResults::page(const Parameters& parameters) const {
+  return written_by("view", parameters);
+}
+
+Reply ServedResults::report(const Parameters& parameters) const {
+  return written_by("report", parameters);
+}
+
+Reply ServedResults::written_by(const std::string& command, const Parameters& parameters) const {
   const std::string folder = file_argument(folder_, parameter(parameters, "result"));
   const fs::path file = drafts_.file(".html");
-  const Answer answer = program_({"view", folder, "-o", file.string()});
+  const Answer answer = program_({command, folder, "-o", file.string()});
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return refusal(422, words_of(answer));
   Reply reply{200, "text/html; charset=utf-8", file_bytes(file.string()), page_headers()};

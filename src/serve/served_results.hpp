@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "serve/child.hpp"
 #include "serve/http/http.hpp"
@@ -21,10 +22,13 @@ class ServedResults {
 
   Reply picture(const Parameters& parameters) const;
   Reply page(const Parameters& parameters) const;
+  Reply report(const Parameters& parameters) const;
   nlohmann::ordered_json record(const Parameters& parameters) const;
   nlohmann::ordered_json compare(const Parameters& parameters) const;
 
  private:
+  /// Returns the page that a command writes about a result.
+  Reply written_by(const std::string& command, const Parameters& parameters) const;
   Reply drawn(const std::filesystem::path& folder) const;
 
   const ServedFolder& folder_;

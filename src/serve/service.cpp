@@ -81,6 +81,7 @@ Reply Service::get(const Target& target) {
   if (path == "/api/schema") return printed({"formats", "--schema"});
   if (path == "/api/materials") return printed({"formats", "--materials", "--json"});
   if (path == "/page") return results_.page(parameters);
+  if (path == "/report") return results_.report(parameters);
   if (path == "/") return {200, "text/html; charset=utf-8", std::string(start_page()), page_headers()};
   return refusal(404, "there is no such address");
 }
