@@ -35,6 +35,11 @@ export function data_of(path: string): string {
   return text.slice(from, text.indexOf('</script>', last) + 9);
 }
 
+/** Prints a figure of the acceptance table. */
+export function figure(name: string, value: string | number): void {
+  process.stdout.write(`figure: ${name}: ${value}\n`);
+}
+
 export function launch(): Promise<Browser> {
   return chromium.launch({ executablePath: CHROMIUM, args: ['--no-sandbox', '--hide-scrollbars'] });
 }
@@ -65,7 +70,7 @@ export async function open_window(
   page.on('dialog', asked => asked.accept());
   listen(page, errors);
   await page.goto(address);
-  await page.waitForSelector('nav a', { state: 'attached' });
+  await page.waitForSelector('nav', { state: 'attached' });
   return page;
 }
 

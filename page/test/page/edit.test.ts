@@ -4,7 +4,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { find, type Path, parse, plain } from '../../src/serve/edit/case_text';
 import { violations } from './axe';
-import { has_browser, launch, open_window } from './browser';
+import { figure, has_browser, launch, open_window } from './browser';
 import { type Folder, serve_folder } from './folder';
 
 const CASE = `{
@@ -339,7 +339,7 @@ describe.skipIf(!has_browser)('editor', () => {
           expect(wide, show).toBeLessThanOrEqual(0);
           await page.context().close();
         }
-        process.stdout.write(`figure: axe violations of the editor, ${scheme}, ${width} px: ${found.length}\n`);
+        figure(`axe violations of the editor, ${scheme}, ${width} px`, found.length);
         expect(found).toEqual([]);
       });
 });

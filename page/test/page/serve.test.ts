@@ -4,7 +4,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { make_wall } from '../scenes';
 import { violations } from './axe';
-import { has_browser, launch, open_window } from './browser';
+import { figure, has_browser, launch, open_window } from './browser';
 import { type Folder, serve_folder } from './folder';
 
 describe.skipIf(!has_browser)('window', () => {
@@ -204,7 +204,7 @@ describe.skipIf(!has_browser)('window', () => {
           expect(wide).toBeLessThanOrEqual(0);
           await page.context().close();
         }
-        process.stdout.write(`figure: axe violations of the window, ${scheme}, ${width} px: ${found.length}\n`);
+        figure(`axe violations of the window, ${scheme}, ${width} px`, found.length);
         expect(found).toEqual([]);
       });
     }
