@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { has_browser, launch, open, start_server } from './browser';
+import { figure, has_browser, launch, open, start_server } from './browser';
 
 const program = process.env.KEYBLOCK ?? '';
 
@@ -166,13 +166,18 @@ describe.skipIf(!has_browser || !program)('program', () => {
     await expect
       .poll(() => page.locator('.job', { hasText: 'Factor of safety 1' }).count(), { timeout: 240_000 })
       .toBe(1);
+    await expect.poll(() => page.locator('.job', { hasText: 'finished' }).count()).toBe(1);
     const said = await page.locator('.job', { hasText: 'Factor of safety 1' }).textContent();
     const factor = Number(/Factor of safety ([\d.]+)/.exec(said!)![1]);
-    process.stdout.write(`figure: slope drawn from nothing in ${actions} actions, factor of safety ${factor}\n`);
+    await act(page.locator('.job', { hasText: 'Factor of safety 1' }).getByRole('link', { name: 'Open' }).click());
+    const saved = page.waitForEvent('download');
+    await act(page.getByRole('link', { name: 'Save a report' }).click());
+    expect(readFileSync(await (await saved).path(), 'utf8')).toContain(`Factor of safety ${factor}`);
+    figure('actions: slope from nothing to factor and report', `${actions}, at most 30; factor of safety ${factor}`);
+    expect(actions).toBeLessThanOrEqual(30);
     // The guide finds 1.078 between 1.0625 and 1.09375.
     expect(factor).toBeGreaterThan(1.0625);
     expect(factor).toBeLessThan(1.09375);
-    await expect.poll(() => page.locator('.job', { hasText: 'finished' }).count()).toBe(1);
     expect(errors).toEqual([]);
     await context.close();
   }, 300_000);

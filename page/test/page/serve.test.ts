@@ -18,6 +18,7 @@ describe.skipIf(!has_browser)('window', () => {
       viewport: { width, height: 800 },
       colorScheme: scheme,
     });
+    await page.waitForSelector('nav a', { state: 'attached' });
     return page;
   }
 

@@ -76,36 +76,4 @@ describe.skipIf(!has_browser || !program)('trial', () => {
     expect(actions).toBeLessThanOrEqual(3);
     await page.context().close();
   });
-
-  test('a slope with two joint sets is drawn from nothing, to its factor and a page for the client', async () => {
-    await begin(mkdtempSync(join(tmpdir(), 'keyblock-trial-')));
-    await act(page.getByRole('link', { name: 'New scene' }).first().click());
-    const outline: Record<string, string> = {
-      'Height [m]': '20',
-      'Angle [°]': '60',
-      'Toe [m]': '8',
-      'Crest [m]': '18',
-      'Base [m]': '4',
-    };
-    for (const [label, value] of Object.entries(outline)) await act(page.getByLabel(label).fill(value));
-    for (const [i, values] of [
-      ['35', '3', '40'],
-      ['118', '3', '30'],
-    ].entries()) {
-      const set = page.locator('fieldset.set').nth(i);
-      for (const [j, label] of [/^Dip/, /^Spacing/, /^Friction angle/].entries())
-        await act(set.getByLabel(label).fill(values[j]));
-    }
-    await page.getByText('94 blocks').waitFor();
-    await act(button('Create the case'));
-    await act(button('Factor of safety'));
-    await page.getByText(/Factor of safety 1\.08/).waitFor({ timeout: 120_000 });
-    await act(page.locator('.job').getByRole('link', { name: 'Open' }).click());
-    const saved = page.waitForEvent('download');
-    await act(page.getByRole('link', { name: 'Save a report' }).click());
-    expect(readFileSync(await (await saved).path(), 'utf8')).toContain('Factor of safety 1.08');
-    figure('actions: slope from nothing to factor and report', `${actions}, at most 30`);
-    expect(actions).toBeLessThanOrEqual(30);
-    await page.context().close();
-  });
 });
