@@ -76,4 +76,21 @@ describe.skipIf(!has_browser || !program)('trial', () => {
     expect(actions).toBeLessThanOrEqual(3);
     await page.context().close();
   });
+
+  test('a drawing without analysis says so, gets one, and runs', async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'keyblock-trial-'));
+    copyFileSync(new URL('../../../docs/bench.dxf', import.meta.url), join(folder, 'bench.dxf'));
+    await begin(folder);
+    await act(page.getByRole('navigation').getByRole('link', { name: 'bench.dxf' }).first().click());
+    await page.getByText('an analysis is missing').waitFor();
+    expect(await page.getByText('No problem found').count()).toBe(0);
+    expect(await page.getByRole('button', { name: 'Run', exact: true }).isDisabled()).toBe(true);
+    await act(button('Add an analysis'));
+    await expect.poll(() => page.locator('.edit-state').textContent(), { timeout: 30_000 }).toMatch(/\d+ blocks/);
+    const own = page.getByRole('button', { name: 'Run', exact: true });
+    await expect.poll(() => own.isEnabled(), { timeout: 30_000 }).toBe(true);
+    const text = await page.locator('textarea').inputValue();
+    expect(text.match(/"friction_angle_deg": 30/g)).toHaveLength(2);
+    await page.context().close();
+  });
 });
