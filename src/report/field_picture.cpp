@@ -31,7 +31,7 @@ namespace {
 constexpr double kLargestMove = 0.08;  // of the extent, in the deformed mesh
 constexpr double kBarHeight = 240;
 constexpr double kNarrowCaption = 12;
-constexpr double kNote = 17;          // height of a line of notes in a narrow picture
+constexpr double kNote = 20;          // height of a line of notes in a narrow picture
 constexpr double kNoteBaseline = 10;  // below its upper edge
 constexpr std::string_view kMeshColour = "#333333";
 constexpr std::string_view kPaleMeshColour = "#dddddd";

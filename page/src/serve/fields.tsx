@@ -99,7 +99,9 @@ export function ValueBox({
   clear: () => void;
   placeholder?: string;
 }) {
-  const [fault, set_fault] = useState('');
+  /** Text that was refused, and why; it stays in the box until it is corrected. */
+  const [refused, set_refused] = useState({ text: '', fault: '' });
+  const { fault } = refused;
   const types = Array.isArray(own.type) ? own.type : [own.type];
   if (own.enum)
     return (
@@ -139,20 +141,20 @@ export function ValueBox({
         id={id}
         aria-label={label || undefined}
         type="text"
-        value={value === undefined || typeof value === 'object' ? '' : String(value)}
+        value={fault ? refused.text : value === undefined || typeof value === 'object' ? '' : String(value)}
         placeholder={placeholder ?? (own.default === undefined ? '' : String(own.default))}
         title={hint_of(own)}
         aria-invalid={fault !== ''}
         onChange={event => {
           const typed = event.currentTarget.value.trim();
           if (!typed) {
-            set_fault('');
+            set_refused({ text: '', fault: '' });
             if (value !== undefined) clear();
             return;
           }
           const read = types.length === 1 && types[0] === 'string' ? typed : value_of(typed);
           const wrong = fault_in(own, read);
-          set_fault(wrong);
+          set_refused({ text: typed, fault: wrong });
           if (!wrong && read !== value) put(read);
         }}
       />

@@ -230,7 +230,7 @@ function Setting({
         <p class="note">
           {unit && `[${unit}] `}
           {meaning_of(own)}
-          {limits_of(own) && ` Permitted: ${limits_of(own)}.`}
+          {!own.enum && limits_of(own) && ` Permitted: ${limits_of(own)}.`}
         </p>
       )}
     </div>

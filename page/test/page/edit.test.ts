@@ -218,6 +218,7 @@ describe.skipIf(!has_browser)('editor', () => {
     await ratio.fill('0.7');
     await ratio.press('Enter');
     await page.waitForSelector('text=Expected: 0 to 0.5.');
+    expect(await ratio.inputValue()).toBe('0.7');
     await ratio.fill('0.3');
     await ratio.press('Enter');
     await page.getByLabel('Step count', { exact: true }).fill('250');
