@@ -76,6 +76,53 @@ export function ChoiceField({
   );
 }
 
+/**
+ * Text that counts once it is complete. What is typed stays while other parts of the window are drawn anew, and when
+ * it is refused.
+ */
+export function TypedInput({
+  id,
+  label,
+  value,
+  take,
+  placeholder,
+  title,
+  size,
+  is_wrong,
+  is_off,
+}: {
+  id?: string;
+  /** Name for screen readers, if no label names the box. */
+  label?: string;
+  value: string;
+  /** Takes the text without blanks around it; returns whether it is accepted. */
+  take: (text: string) => boolean;
+  placeholder?: string;
+  title?: string;
+  size?: number;
+  is_wrong?: boolean;
+  is_off?: boolean;
+}) {
+  const [typed, set_typed] = useState<string | null>(null);
+  return (
+    <input
+      id={id}
+      aria-label={label || undefined}
+      type="text"
+      size={size}
+      value={typed ?? value}
+      placeholder={placeholder}
+      title={title}
+      disabled={is_off}
+      aria-invalid={is_wrong || undefined}
+      onInput={event => set_typed(event.currentTarget.value)}
+      onChange={event => {
+        if (take(event.currentTarget.value.trim())) set_typed(null);
+      }}
+    />
+  );
+}
+
 /** Meaning and limits of a value, for a box that shows neither. */
 export const hint_of = (own: Schema) =>
   [meaning_of(own), limits_of(own) && `Permitted: ${limits_of(own)}.`].filter(Boolean).join(' ');
@@ -99,9 +146,7 @@ export function ValueBox({
   clear: () => void;
   placeholder?: string;
 }) {
-  /** Text that was refused, and why; it stays in the box until it is corrected. */
-  const [refused, set_refused] = useState({ text: '', fault: '' });
-  const { fault } = refused;
+  const [fault, set_fault] = useState('');
   const types = Array.isArray(own.type) ? own.type : [own.type];
   if (own.enum)
     return (
@@ -137,25 +182,24 @@ export function ValueBox({
     );
   return (
     <>
-      <input
+      <TypedInput
         id={id}
-        aria-label={label || undefined}
-        type="text"
-        value={fault ? refused.text : value === undefined || typeof value === 'object' ? '' : String(value)}
+        label={label}
+        value={value === undefined || typeof value === 'object' ? '' : String(value)}
         placeholder={placeholder ?? (own.default === undefined ? '' : String(own.default))}
         title={hint_of(own)}
-        aria-invalid={fault !== ''}
-        onChange={event => {
-          const typed = event.currentTarget.value.trim();
+        is_wrong={fault !== ''}
+        take={typed => {
           if (!typed) {
-            set_refused({ text: '', fault: '' });
+            set_fault('');
             if (value !== undefined) clear();
-            return;
+            return true;
           }
           const read = types.length === 1 && types[0] === 'string' ? typed : value_of(typed);
           const wrong = fault_in(own, read);
-          set_refused({ text: typed, fault: wrong });
+          set_fault(wrong);
           if (!wrong && read !== value) put(read);
+          return !wrong;
         }}
       />
       {fault && <span class="fault">Expected: {fault}.</span>}

@@ -222,6 +222,8 @@ describe.skipIf(!has_browser)('editor', () => {
     await ratio.fill('0.3');
     await ratio.press('Enter');
     await page.getByLabel('Step count', { exact: true }).fill('250');
+    // The check of the first change draws the window anew; what is typed stays.
+    await page.waitForTimeout(1200);
     await page.getByLabel('Step count', { exact: true }).press('Enter');
     await page.getByRole('button', { name: 'Add a block material' }).click();
     await page.locator('.modes label', { hasText: /^Text$/ }).click();

@@ -1,5 +1,7 @@
 // Numbers of the items that are chosen on the canvas.
 
+import { useId } from 'preact/hooks';
+import { TypedInput } from '../fields';
 import * as state from '../state';
 import { find, type Path, set } from './case_text';
 import * as edits from './edits';
@@ -198,19 +200,21 @@ function Cell({
   is_off: boolean;
   set: (value: string) => void;
 }) {
+  const id = useId();
   return (
-    <label class="edit-part">
-      {label}
-      <input
-        type="text"
+    <span class="edit-part">
+      <label for={id}>{label}</label>
+      <TypedInput
+        id={id}
         size={Math.max(5, Math.min(11, value.length + 1))}
         value={value}
-        disabled={is_off}
-        onChange={event => {
-          if (event.currentTarget.value !== value) set(event.currentTarget.value);
+        is_off={is_off}
+        take={typed => {
+          if (typed !== value) set(typed);
+          return true;
         }}
       />
-    </label>
+    </span>
   );
 }
 
