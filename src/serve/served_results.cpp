@@ -38,15 +38,8 @@ Reply ServedResults::drawn(const fs::path& folder) const {
   return reply;
 }
 
-Reply ServedResults::page(const Parameters& parameters) const {
-  return written_by("view", parameters);
-}
-
-Reply ServedResults::report(const Parameters& parameters) const {
-  return written_by("report", parameters);
-}
-
-Reply ServedResults::written_by(const std::string& command, const Parameters& parameters) const {
+Reply ServedResults::page(const std::string& path, const Parameters& parameters) const {
+  const std::string command = path == "/page" ? "view" : "report";
   const std::string folder = file_argument(folder_, parameter(parameters, "result"));
   const fs::path file = drafts_.file(".html");
   const Answer answer = program_({command, folder, "-o", file.string()});

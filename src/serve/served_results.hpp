@@ -21,14 +21,12 @@ class ServedResults {
       : folder_(folder), drafts_(drafts), program_(program), copies_(copies) {}
 
   Reply picture(const Parameters& parameters) const;
-  Reply page(const Parameters& parameters) const;
-  Reply report(const Parameters& parameters) const;
+  /// Returns the page of a result, or its report for clients, by the path of the request.
+  Reply page(const std::string& path, const Parameters& parameters) const;
   nlohmann::ordered_json record(const Parameters& parameters) const;
   nlohmann::ordered_json compare(const Parameters& parameters) const;
 
  private:
-  /// Returns the page that a command writes about a result.
-  Reply written_by(const std::string& command, const Parameters& parameters) const;
   Reply drawn(const std::filesystem::path& folder) const;
 
   const ServedFolder& folder_;
