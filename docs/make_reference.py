@@ -178,7 +178,7 @@ def row_of(schema):
     if not fields:
         return None
     least = schema.get("minItems", len(fields))
-    return ", ".join(f.get("title", "number") + ("?" if i >= least else "") for i, f in enumerate(fields))
+    return ", ".join(f.get("x-key", "number") + ("?" if i >= least else "") for i, f in enumerate(fields))
 
 
 def of_key(schema):
@@ -215,6 +215,8 @@ def keys_of(path, schema, out):
         if name in required:
             said.append("Required.")
         inner, _ = members(of)
+        if name == "set":  # settings.md has them
+            inner = {}
         if inner:
             place = f"{path}.{name}" if path else name
             below.append((place, of))

@@ -1,150 +1,98 @@
-// Writes the page: a style, a table, and the few lines of script that sort and sift it.
+// Makes a document of the catalogue: a card, a row and a section per job.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/catalogue_page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "report/drawing/svg.hpp"
+#include "report/document/document.hpp"
 
 namespace keyblock::report {
 namespace {
 
-constexpr std::string_view kStyle = R"(
-body { font: 14px/1.4 "DejaVu Sans", Helvetica, Arial, sans-serif; margin: 1.5em; color: #222 }
-table { border-collapse: collapse; table-layout: fixed; width: 100% }
-th, td { border-bottom: 1px solid #ddd; padding: 4px 6px; text-align: left; vertical-align: top }
-td { overflow-wrap: anywhere }
-td small { color: #666 }
-th { background: #f4f4f4; cursor: pointer; position: sticky; top: 0 }
-td.number { text-align: right; font-variant-numeric: tabular-nums }
-svg { display: block }
-img { display: block; width: 160px; border: 1px solid #ddd }
-tr.failed td.verdict { color: #b03060; font-weight: bold }
-tr.differs td.verdict, tr.no-equilibrium td.verdict { color: #a06000; font-weight: bold }
-tr.ran td.verdict { color: #206030 }
-tr.listed { color: #777 }
-)";
-
-// Fits the window; texts share the width that pictures and numbers leave.
-constexpr std::string_view kColumns =
-    "<colgroup><col style=\"width: 174px\"><col><col style=\"width: 6em\"><col><col>"
-    "<col style=\"width: 5em\"><col style=\"width: 6em\"><col style=\"width: 4em\"><col>"
-    "<col style=\"width: 7em\"></colgroup>";
-
-// Numbers sort as numbers, everything else as text; a second click reverses the order.
-constexpr std::string_view kScript = R"(
-const body = document.querySelector("tbody");
-const sift = document.querySelector("#sift");
-const value = (row, column) => row.cells[column].dataset.value ?? row.cells[column].textContent;
-document.querySelectorAll("th").forEach((heading, column) => heading.onclick = () => {
-  const turn = heading.dataset.turn = heading.dataset.turn === "1" ? -1 : 1;
-  const compare = (a, b) => {
-    const x = value(a, column), y = value(b, column);
-    return turn * (x !== "" && y !== "" && !isNaN(x) && !isNaN(y) ? x - y : x < y ? -1 : x > y ? 1 : 0);
-  };
-  body.append(...[...body.rows].sort(compare));
-});
-sift.oninput = () => {
-  for (const row of body.rows) row.hidden = !row.textContent.toLowerCase().includes(sift.value.toLowerCase());
-};
-)";
-
-std::string number_cell(std::optional<int> number) {
-  return fmt::format("<td class=\"number\">{}</td>", number ? fmt::format("{}", *number) : "");
+std::string text_of(const std::optional<int>& number) {
+  return number ? fmt::format("{}", *number) : std::string();
 }
 
-// Writes the files of a job with their formats, and why they form one case.
-std::string job_cell(const CatalogueRow& row) {
-  std::string text;
-  for (const CatalogueFile& file : row.files) {
-    const std::string format = file.format.empty() ? "" : fmt::format(" [{}]", escape_xml(file.format));
-    const std::string path = file.path == row.name ? "" : escape_xml(file.path);  // the name is said already
-    if (!path.empty() || !format.empty())
-      text += fmt::format("<br><span title=\"SHA-256 {}\">{}{}</span>", file.sha256, path, format);
-  }
-  if (!row.paired_by.empty()) text += fmt::format("<br>{}", escape_xml(row.paired_by));
-  return fmt::format("<td data-value=\"{0}\">{0}<small>{1}</small></td>", escape_xml(row.name), text);
+Verdict verdict_of(const CatalogueRow& row) {
+  const std::string& word = row.verdict.word.empty() ? row.outcome : row.verdict.word;
+  if (word == "failed") return Verdict::bad;
+  return word == "differs" || word == "no equilibrium" ? Verdict::doubtful : Verdict::good;
 }
 
-std::string verdict_cell(const CatalogueRow& row) {
-  const bool is_said = row.outcome == row.verdict.word || row.outcome == "ok";
-  return fmt::format("<td class=\"verdict\" data-value=\"{0}\">{0}<small class=\"outcome\">{1}</small></td>",
-                     row.verdict.word, is_said ? "" : fmt::format("<br>{}", row.outcome));
-}
-
-// The verdict's reason, and the message where that is another.
-std::string why_cell(const CatalogueRow& row) {
-  std::string text = escape_xml(row.verdict.why);
+// The reason of the verdict, and the message if it is another.
+std::vector<std::string> reasons_of(const CatalogueRow& row) {
+  std::vector<std::string> reasons;
+  if (!row.verdict.why.empty()) reasons.push_back(row.verdict.why);
   if (!row.message.empty() && row.message != row.verdict.why) {
     const std::string first = row.warnings > 1 ? fmt::format("first of {} warnings: ", row.warnings) : std::string();
-    text += fmt::format("{}<small>{}{}</small>", text.empty() ? "" : "<br>", first, escape_xml(row.message));
+    reasons.push_back(first + row.message);
   }
-  return fmt::format("<td>{}</td>", text);
+  return reasons;
 }
 
-/// Returns a path below the page as a link, with characters that a URL excludes as %XX.
-std::string url_of(const std::string& path) {
-  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
-  std::string url;
-  for (const char c : path)
-    if (kPlain.find(c) == std::string_view::npos)
-      url += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    else
-      url += c;
-  return url;
-}
-
-bool has_results(const CatalogueAnswer& answer) {
-  return answer.measures.has_value();
-}
-
-// Links each answer to the folder of its run; both lists have the same order.
-std::string answers_cell(const CatalogueRow& row) {
-  std::string text;
-  for (std::size_t i = 0; i < row.answers.size(); ++i) {
+// Both lists of a row have the same order: an answer, and the folder of its run.
+std::vector<DocumentLink> links_of(const CatalogueRow& row) {
+  std::vector<DocumentLink> links;
+  for (std::size_t i = 0; i < std::min(row.answers.size(), row.outputs.size()); ++i) {
     const CatalogueAnswer& answer = row.answers[i];
-    std::string name = escape_xml(answer.profile);
-    if (i < row.outputs.size()) {
-      const std::string url = url_of(row.outputs[i]);
-      name = has_results(answer) ? fmt::format(
-                                       "<a href=\"{0}/picture.svg\">{1}</a> (<a href=\"{0}/run.json\">record</a>, "
-                                       "<a href=\"{0}.log\">log</a>)",
-                                       url, name)
-                                 : fmt::format("{1} (<a href=\"{0}.log\">log</a>)", url, name);
+    const std::string& folder = row.outputs[i];
+    if (answer.measures) {
+      links.push_back({answer.profile, folder + "/picture.svg", true});
+      links.push_back({fmt::format("record of {}", answer.profile), folder + "/run.json"});
     }
-    text += fmt::format("{}{}: {}", text.empty() ? "" : "<br>", name, escape_xml(text_of(answer)));
+    links.push_back({fmt::format("log of {}", answer.profile), folder + ".log"});
   }
-  if (!row.expected.empty()) text += fmt::format("<br>expected values: {}", escape_xml(row.expected));
   if (row.answers.empty())
-    for (const std::string& output : row.outputs)
-      text += fmt::format("{}<a href=\"{}\">{}</a>", text.empty() ? "" : "<br>", url_of(output), escape_xml(output));
-  return fmt::format("<td>{}</td>", text);
+    for (const std::string& output : row.outputs) links.push_back({output, output});
+  return links;
 }
 
-// The start, and the end of each run.
-std::string pictures_cell(const CatalogueRow& row) {
-  std::string text = row.thumbnail;
-  for (std::size_t i = 0; i < std::min(row.answers.size(), row.outputs.size()); ++i)
-    if (has_results(row.answers[i]))
-      text += fmt::format("<a href=\"{0}/picture.svg\"><img loading=\"lazy\" src=\"{0}/picture.svg\" alt=\"{1}\"></a>",
-                          url_of(row.outputs[i]), escape_xml(row.answers[i].profile));
-  return text;
+// A verdict that says the outcome needs no second word.
+std::string verdict_in_words(const CatalogueRow& row) {
+  const bool is_said = row.outcome == row.verdict.word || row.outcome == "ok" || row.outcome.empty();
+  if (row.verdict.word.empty()) return row.outcome;
+  return is_said ? row.verdict.word : fmt::format("{}, {}", row.verdict.word, row.outcome);
 }
 
-std::string class_of(std::string verdict) {
-  std::ranges::replace(verdict, ' ', '-');
-  return verdict;
+std::string anchor_of(std::size_t index) {
+  return fmt::format("job-{}", index + 1);
 }
 
-std::string row_of(const CatalogueRow& row) {
-  return fmt::format("<tr class=\"{}\"><td>{}</td>{}{}{}<td>{}</td>{}{}{}{}<td class=\"number\">{}</td></tr>\n",
-                     class_of(row.verdict.word), pictures_cell(row), job_cell(row), verdict_cell(row), why_cell(row),
-                     escape_xml(row.scene), number_cell(row.blocks), number_cell(row.elements), number_cell(row.steps),
-                     answers_cell(row), row.difference ? fmt::format("{:.6g}", *row.difference) : "");
+DocumentCard card_of(const CatalogueRow& row, std::size_t index) {
+  DocumentCard card{row.name, anchor_of(index), row.thumbnail, verdict_of(row), {verdict_in_words(row)}};
+  for (const std::string& reason : reasons_of(row)) card.lines.push_back(reason);
+  if (!row.scene.empty()) card.lines.push_back(row.scene);
+  card.links = links_of(row);
+  return card;
+}
+
+// Files with their checksums, and what each profile came to.
+DocumentSection section_of(const CatalogueRow& row, std::size_t index) {
+  DocumentSection section{row.name};
+  section.anchor = anchor_of(index);
+  if (!row.paired_by.empty()) section.paragraphs.push_back(row.paired_by);
+  if (!row.expected.empty()) section.paragraphs.push_back("expected values: " + row.expected);
+  DocumentTable answers{{"profile", "answer"}, {}};
+  for (const CatalogueAnswer& answer : row.answers) answers.rows.push_back({answer.profile, text_of(answer)});
+  if (!answers.rows.empty()) section.tables.push_back(std::move(answers));
+  DocumentTable files{{"file", "format", "SHA-256"}, {}};
+  for (const CatalogueFile& file : row.files) files.rows.push_back({file.path, file.format, file.sha256});
+  if (!files.rows.empty()) section.tables.push_back(std::move(files));
+  return section;
+}
+
+DocumentTable table_of(const std::vector<CatalogueRow>& rows) {
+  DocumentTable table{{"job", "verdict", "why", "scene", "blocks", "elements", "steps", "difference"}, {}};
+  for (const CatalogueRow& row : rows)
+    table.rows.push_back({row.name, verdict_in_words(row), fmt::format("{}", fmt::join(reasons_of(row), "; ")),
+                          row.scene, text_of(row.blocks), text_of(row.elements), text_of(row.steps),
+                          row.difference ? fmt::format("{:.6g}", *row.difference) : std::string()});
+  return table;
 }
 
 }  // namespace
@@ -190,16 +138,15 @@ std::string summary_of(const std::vector<CatalogueRow>& rows) {
 }
 
 std::string catalogue_page(const std::string& title, const std::vector<CatalogueRow>& rows) {
-  std::string body;
-  for (const CatalogueRow& row : rows) body += row_of(row);
-  return fmt::format(
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title><style>{1}</style></head>\n"
-      "<body><h1>{0}</h1><p>{2}. A click on a heading sorts; rows with "
-      "<input id=\"sift\" placeholder=\"any text\"> only.</p>\n"
-      "<table>{5}<thead><tr><th></th><th>job</th><th>verdict</th><th>why</th><th>scene</th><th>blocks</th>"
-      "<th>elements</th><th>steps</th><th>answers</th><th>difference</th></tr></thead>\n"
-      "<tbody>\n{3}</tbody></table>\n<script>{4}</script></body></html>\n",
-      escape_xml(title), kStyle, summary_of(rows), body, kScript, kColumns);
+  Document document{title, "Catalogue of an archive", Verdict::good, summary_of(rows) + ".", {}};
+  document.verdict_words = {"no fault", "differs, or no equilibrium", "failed"};
+  document.sections.push_back({"All jobs", {}, {}, {table_of(rows)}});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    document.verdict = std::max(document.verdict, verdict_of(rows[i]));
+    document.cards.push_back(card_of(rows[i], i));
+    document.sections.push_back(section_of(rows[i], i));
+  }
+  return document_page(document);
 }
 
 }  // namespace keyblock::report

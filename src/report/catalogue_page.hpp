@@ -73,8 +73,8 @@ std::string text_of(const CatalogueAnswer& answer);
 /// Returns "26 jobs: 8 ran (31 %), 4 differ (15 %), 1 without equilibrium (4 %), 13 read (50 %)".
 std::string summary_of(const std::vector<CatalogueRow>& rows);
 
-/// Returns one self-contained HTML document with the pictures of runs that `outputs` names, and links to them, to their
-/// records and logs. A click on a heading sorts.
+/// Returns the document of the catalogue: a card per job, a table that a click on a heading sorts, a section per job.
+/// Cards have the small picture, the pictures of runs that `outputs` names, and links to their records and logs.
 std::string catalogue_page(const std::string& title, const std::vector<CatalogueRow>& rows);
 
 }  // namespace keyblock::report

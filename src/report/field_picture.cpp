@@ -31,6 +31,8 @@ namespace {
 constexpr double kLargestMove = 0.08;  // of the extent, in the deformed mesh
 constexpr double kBarHeight = 240;
 constexpr double kNarrowCaption = 12;
+constexpr double kNote = 20;          // height of a line of notes in a narrow picture
+constexpr double kNoteBaseline = 10;  // below its upper edge
 constexpr std::string_view kMeshColour = "#333333";
 constexpr std::string_view kPaleMeshColour = "#dddddd";
 constexpr std::string_view kContourColour = "#555555";
@@ -262,6 +264,25 @@ void draw_meshes(SvgPage& page, const std::array<PageMap, 2>& maps, const FieldP
   caption(1, fmt::format("displacement × {:g}{}", factor, left_out > 0 ? "; " + outside_in_words(left_out) : ""));
 }
 
+/// Writes what a narrow picture, which has no captions of meshes, says of its elements: one line each for those that
+/// are left out and, if they have numbers, for those too small for theirs.
+void write_notes(SvgPage& page, const PageMap& map, const FieldPicture& picture, const CornerPlace& place, double top) {
+  std::vector<std::string> notes;
+  if (!picture.left_out.empty()) notes.push_back(outside_in_words(picture.left_out.size()));
+  if (!picture.numbers.empty())
+    notes.push_back(elements_in_words(picture.end) + number_elements(page, map, picture.end, picture.numbers, place));
+  const double room = picture.wide - 2 * kMargin;
+  for (const std::string& note : notes) {
+    const double size = std::min(1.0, room / text_width(note, kNarrowCaption)) * kNarrowCaption;
+    page.text({kMargin, top + kNoteBaseline}, note, {.size = size});
+    top += kNote;
+  }
+}
+
+double height_of_notes(const FieldPicture& picture) {
+  return kNote * ((picture.left_out.empty() ? 0 : 1) + (picture.numbers.empty() ? 0 : 1));
+}
+
 /// Draws the measured points that lie in the box.
 void draw_measured(SvgPage& page, const PageMap& map, const FieldPicture& picture, const Box& box, bool is_true) {
   page.layer([&] {
@@ -334,7 +355,8 @@ std::string field_picture(const FieldPicture& whole) {
   const double room = picture.wide - 2 * kMargin;
   const PageTitle title = title_of(picture.title, room, is_alone);
   const Panels panels = place_panels(box, picture.wide, title.bottom);
-  SvgPage page(picture.wide, panels.bottom + (is_alone && !held.held.elements.empty() ? 64 : 40));
+  const double foot = panels.bottom + (is_alone && !held.held.elements.empty() ? 64 : 40);
+  SvgPage page(picture.wide, foot + (is_alone ? height_of_notes(picture) : 0));
   draw_title(page, title);
   if (box.empty()) return page.str();
   const auto map = [&](std::size_t k) { return PageMap(box, panels.corners[k], panels.rooms[k]); };
@@ -348,6 +370,7 @@ std::string field_picture(const FieldPicture& whole) {
   caption(2,
           draw_field(page, {large, place, are_blocks(whole.end), beside, std::min(size.y, kBarHeight)}, picture, held));
   draw_measured(page, large, picture, box, is_true);
+  if (is_alone) write_notes(page, large, picture, place, foot);
   draw_scale_bar(page, {kMargin, panels.bottom + 14}, room, large, picture.units);
   draw_key(page, is_alone ? Point{kMargin, panels.bottom + 28} : Point{kMargin + room / 2, panels.bottom + 4},
            held.held);

@@ -38,10 +38,11 @@ Reply ServedResults::drawn(const fs::path& folder) const {
   return reply;
 }
 
-Reply ServedResults::page(const Parameters& parameters) const {
+Reply ServedResults::page(const std::string& path, const Parameters& parameters) const {
+  const std::string command = path == "/page" ? "view" : "report";
   const std::string folder = file_argument(folder_, parameter(parameters, "result"));
   const fs::path file = drafts_.file(".html");
-  const Answer answer = program_({"view", folder, "-o", file.string()});
+  const Answer answer = program_({command, folder, "-o", file.string()});
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return refusal(422, words_of(answer));
   Reply reply{200, "text/html; charset=utf-8", file_bytes(file.string()), page_headers()};

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "serve/child.hpp"
 #include "serve/http/http.hpp"
@@ -20,7 +21,8 @@ class ServedResults {
       : folder_(folder), drafts_(drafts), program_(program), copies_(copies) {}
 
   Reply picture(const Parameters& parameters) const;
-  Reply page(const Parameters& parameters) const;
+  /// Returns the page of a result, or its report for clients, by the path of the request.
+  Reply page(const std::string& path, const Parameters& parameters) const;
   nlohmann::ordered_json record(const Parameters& parameters) const;
   nlohmann::ordered_json compare(const Parameters& parameters) const;
 

@@ -64,6 +64,18 @@ TEST(CheckCommand, files_of_several_cases_are_looked_at_alone_and_that_is_said) 
   EXPECT_TRUE(contains(two.output, "[several_cases]"));
 }
 
+TEST(CheckCommand, a_drawing_alone_cannot_run_and_that_is_said) {
+  const std::string drawing = KEYBLOCK_SOURCE_DIR "/docs/bench.dxf";
+  const Outcome said = run("check " + drawing);
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_TRUE(contains(said.output, "no analysis: a run needs a case file with steps and materials")) << said.output;
+  EXPECT_EQ(nlohmann::json::parse(run("check --json " + drawing).output)["case"]["lacks"], "analysis");
+  const std::string analysis = KEYBLOCK_SOURCE_DIR "/docs/bench.json";
+  EXPECT_EQ(nlohmann::json::parse(run("check --json " + analysis).output)["case"]["lacks"], "geometry");
+  EXPECT_FALSE(nlohmann::json::parse(run("check --json --trial 0 " + drawing + " " + analysis).output)["case"].contains(
+      "lacks"));
+}
+
 TEST(CheckCommand, json_holds_the_same_report) {
   const Outcome run_json =
       run("check --json " + input("06_joint_type_out_of_range_xml.geo") + " " + input("00_control_xml.ana"));

@@ -84,7 +84,7 @@ void list_numbers(const Json& schema, const std::string& parent, const std::stri
       list_numbers(inner, key.empty() ? "case" : key, name, path + "." + name, found);
   if (schema.contains("prefixItems"))
     for (const Json& place : schema["prefixItems"]) {
-      const std::string title = place["title"];
+      const std::string title = place["x-key"];
       list_numbers(place, key, title, path + "[" + title + "]", found);
     }
   if (schema.contains("items") && schema["items"].is_object()) list_numbers(schema["items"], parent, key, path, found);
@@ -101,7 +101,7 @@ void put_units(Json& value, const Json& schema, const std::string& parent, const
   }
   if (value.is_array() && schema.contains("prefixItems")) {
     for (std::size_t i = 0; i < value.size(); ++i)
-      put_units(value[i], schema["prefixItems"][i], key, schema["prefixItems"][i]["title"], put);
+      put_units(value[i], schema["prefixItems"][i], key, schema["prefixItems"][i]["x-key"], put);
     return;
   }
   if (value.is_array() && schema.contains("items")) {

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/case_file/case_meanings.hpp"
+#include "settings/settings_table.hpp"
 #include "tests/formats/reading.hpp"
 
 namespace keyblock::formats::keyblock_case_test {
@@ -190,7 +191,7 @@ void list_descriptions(const Json& schema, const std::string& path, std::map<std
     }
   if (schema.is_object() && schema.contains("prefixItems"))
     for (const Json& place : schema["prefixItems"])
-      all[path + "[]." + place["title"].get<std::string>()] = place.value("description", "");
+      all[path + "[]." + place["x-key"].get<std::string>()] = place.value("description", "");
   if (schema.is_object() && schema.contains("items")) list_descriptions(schema["items"], path, all);
 }
 
@@ -203,6 +204,77 @@ TEST(KeyblockCase, the_schema_says_what_every_key_means) {
   for (const auto& [path, description] : all) EXPECT_NE(description, "") << path;
   EXPECT_EQ(all.at(".analysis.point_loads[].x"), "x component, F");
   EXPECT_EQ(all.at(".analysis.block_materials.density"), "mass per volume, M/L³. Permitted: greater than 0");
+}
+
+namespace {
+
+// Settings may also be texts and words; their limits tell numbers.
+bool needs_unit(const Json& schema) {
+  const std::string types = schema.value("type", Json()).dump();
+  const bool is_setting = types.find("boolean") != std::string::npos;
+  if (is_setting) return schema.value("x-permitted", "").find("number") != std::string::npos;
+  return types.find("number") != std::string::npos || types.find("integer") != std::string::npos;
+}
+
+// Faults of the words on each key, place of a row and setting below `schema`; counts them.
+void list_faults(const Json& schema, const std::string& path, std::vector<std::string>& faults, int& count) {
+  const auto check = [&](const std::string& own, const Json& value) {
+    ++count;
+    for (const char* needed : {"title", "description"})
+      if (value.value(needed, "").empty()) faults.push_back(own + " lacks " + needed);
+    if (needs_unit(value) && value.value("x-unit", "").empty()) faults.push_back(own + " lacks x-unit");
+    if (value.contains("x-permitted") &&
+        !value["description"].get<std::string>().ends_with(". Permitted: " + value["x-permitted"].get<std::string>()))
+      faults.push_back(own + " has other limits in its description");
+    list_faults(value, own, faults, count);
+  };
+  const Json keys = schema.value("properties", Json::object());
+  for (const auto& [key, value] : keys.items()) check(path + "." + key, value);
+  for (const Json& place : schema.value("prefixItems", Json::array()))
+    check(path + "[]." + place["x-key"].get<std::string>(), place);
+  if (schema.contains("items") && schema["items"].is_object()) list_faults(schema["items"], path, faults, count);
+}
+
+}  // namespace
+
+TEST(KeyblockCase, every_key_and_setting_has_a_title_a_meaning_and_a_unit_or_none) {
+  std::vector<std::string> faults;
+  int count = 0;
+  const Json schema = Json::parse(case_schema());
+  list_faults(schema, "", faults, count);
+  EXPECT_EQ(faults, std::vector<std::string>{});
+  EXPECT_GT(count, 400);
+  const Json& analysis = schema["properties"]["analysis"]["properties"];
+  const Json& rock = analysis["block_materials"]["items"]["properties"];
+  EXPECT_EQ(rock["youngs_modulus"]["title"], "Young's modulus");
+  EXPECT_EQ(rock["youngs_modulus"]["x-unit"], "F/L²");
+  EXPECT_EQ(rock["poissons_ratio"]["x-unit"], "none");
+  EXPECT_EQ(analysis["dialect"]["x-group"], "Old files");
+  EXPECT_EQ(analysis["dialect"]["x-words"]["shi"], "Shi's DDA");
+  const Json& settings = schema["properties"]["run"]["properties"]["set"]["properties"];
+  EXPECT_EQ(settings.size(), list(Settings{}).size());
+  EXPECT_EQ(settings["time_step"]["x-unit"], "T");
+  for (const Json& section : schema["x-sections"]) {
+    const Json* own = &schema;
+    for (const std::string key : section["path"]) own = &(*own)["properties"][key];
+    EXPECT_FALSE(own->is_null()) << section;
+  }
+}
+
+TEST(KeyblockCase, the_schema_has_the_limits_of_the_reader) {
+  const Json schema = Json::parse(case_schema());
+  const Json& analysis = schema["properties"]["analysis"]["properties"];
+  EXPECT_EQ(analysis["time_step"]["exclusiveMinimum"], 0);
+  EXPECT_EQ(analysis["step_count"]["minimum"], 1);
+  EXPECT_EQ(analysis["step_count"]["maximum"], 100000000);
+  const Json& rock = analysis["block_materials"]["items"]["properties"];
+  EXPECT_EQ(rock["poissons_ratio"]["minimum"], 0);
+  EXPECT_EQ(rock["poissons_ratio"]["maximum"], 0.5);
+  EXPECT_EQ(rock["strength"]["properties"]["friction_deg"]["exclusiveMaximum"], 90);
+  const Json& settings = schema["properties"]["run"]["properties"]["set"]["properties"];
+  EXPECT_EQ(settings["force_tolerance"]["exclusiveMinimum"], 0);
+  EXPECT_EQ(settings["force_tolerance"]["maximum"], 0.001);
+  EXPECT_EQ(settings["plane"]["enum"], Json({"stress", "strain"}));
 }
 
 TEST(KeyblockCase, every_meaning_belongs_to_a_key) {

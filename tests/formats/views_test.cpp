@@ -34,7 +34,7 @@ bool visit_item(Json* value, const Json& layout, const std::string& item, Visit 
   const std::string key = name.substr(0, name.find_first_of(".["));
   const std::string rest = name.substr(key.size());
   for (std::size_t i = 0; i < layout.value("prefixItems", Json::array()).size(); ++i)
-    if (layout["prefixItems"][i]["title"] == key)
+    if (layout["prefixItems"][i]["x-key"] == key)
       return visit_item(value ? &(*value)[i] : nullptr, layout["prefixItems"][i], rest, visit);
   if (!layout.contains("properties") || !layout["properties"].contains(key)) return false;
   Json* part = value && value->contains(key) ? &(*value)[key] : nullptr;

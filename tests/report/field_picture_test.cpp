@@ -275,6 +275,12 @@ TEST(FieldPicture, it_leaves_out_what_it_is_told_to) {
   FieldPicture picture{"t", field, field, {}, FieldShown::yy};
   picture.left_out = {1};
   EXPECT_TRUE(contains(field_picture(picture), "1 small block lies outside of the picture"));
+  picture.numbers = {1, 2};
+  picture.wide = kLeastForThree - 1;
+  const std::string narrow = field_picture(picture);
+  EXPECT_TRUE(contains(narrow, "1 small block lies outside of the picture")) << "without the panels of the mesh too";
+  EXPECT_TRUE(contains(narrow, ">1 block")) << narrow;
+  EXPECT_TRUE(contains(narrow, ">1</text>") || contains(narrow, "too small for its number")) << narrow;
 }
 
 }  // namespace keyblock::report::field_picture_test

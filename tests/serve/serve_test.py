@@ -138,7 +138,7 @@ class ServeTest(unittest.TestCase):
                    "..%2fsecret.json", "%2e%2e/secret.json", "link.json", ".hidden.json", "./.hidden.json", "",
                    "case.json%00.svg", "....//secret.json", "case.json/../../secret.json"]
         for path in secrets:
-            for target in ("/api/read?path=", "/api/drawing?path=", "/api/thumbnail?path=", "/page?result=", "/api/record?result="):
+            for target in ("/api/read?path=", "/api/drawing?path=", "/api/thumbnail?path=", "/page?result=", "/report?result=", "/api/record?result="):
                 status, text, _ = self.server.ask("GET", target + path)
                 self.assertIn(status, (400, 404), target + path)
                 self.assertNotIn(b"secret\"", text)
@@ -266,6 +266,9 @@ class ServeTest(unittest.TestCase):
         differences = server.json("GET", "/api/compare?first=a&second=b")[1]["differences"]
         steps = next(d for d in differences if d["path"] == "settings.steps")
         self.assertEqual((steps["first"], steps["second"]), (4, 6))
+        status, page, headers = server.ask("GET", "/report?result=a")
+        self.assertEqual(status, 200)
+        self.assertIn(b"Checksums", page)
         status, page, headers = server.ask("GET", "/page?result=a")
         self.assertEqual(status, 200)
         self.assertIn(b'id="keyblock-head"', page)

@@ -84,7 +84,7 @@ void remove_item(Json& value, const Json& layout, const std::string& item) {
     const std::string rest = name.substr(key.size());
     if (value.is_array() && layout.contains("prefixItems")) {
       for (std::size_t i = 0; i < value.size(); ++i)
-        if (layout["prefixItems"][i]["title"] == key) remove_item(value[i], layout["prefixItems"][i], rest);
+        if (layout["prefixItems"][i]["x-key"] == key) remove_item(value[i], layout["prefixItems"][i], rest);
     } else if (value.is_object() && value.contains(key)) {
       if (rest.empty())
         value.erase(key);

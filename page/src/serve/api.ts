@@ -39,6 +39,8 @@ export interface Report {
     size?: string;
     smallest_block?: string;
     requires?: { unknowns: number; basis: string; terms: { term: string; reason: string }[] };
+    /** Part that a run needs and the files do not have. */
+    lacks?: 'analysis' | 'geometry';
     settings?: Record<string, unknown>;
     cost?: { seconds_in_all?: number; step_seconds?: number; failure?: string } | null;
   };

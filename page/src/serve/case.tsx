@@ -4,14 +4,13 @@ import { signal } from '@preact/signals';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import * as api from './api';
 import { index_at, leaf_of, new_result, stem_of } from './cases';
+import { JsonError, line_of, type Node } from './edit/case_text';
 import { Editor } from './edit/editor';
-import { material_of } from './edit/edits';
+import { add_analysis, material_of } from './edit/edits';
 import { History } from './edit/history';
 import { JointSets } from './edit/joint_sets';
-import { JsonError, line_of, type Node } from './edit/json_text';
 import { SaveAs } from './edit/save_as';
 import { type Polygon, type Scene, scene_of } from './edit/scene';
-import type { Schema } from './edit/schema';
 import { Tables } from './edit/tables';
 import { TextArea } from './edit/text_area';
 import { RunForm } from './runs';
@@ -35,10 +34,10 @@ const MODES: [Mode, string][] = [
 const wide = window.matchMedia('(min-width: 900px)');
 const mode = signal<Mode>(wide.matches ? 'both' : 'drawing');
 
-/** Schema of a case file, read once. */
-const schema = signal<Schema | null>(null);
-
 const is_json = (path: string) => /\.json$/i.test(path);
+/** True for a case file, JSON or YAML. */
+const is_case = (path: string, text: string) =>
+  is_json(path) || (/\.ya?ml$/i.test(path) && /^keyblock\s*:/m.test(text));
 
 export function CaseView({ paths }: { paths: string[] }) {
   const key = paths.join('\n');
@@ -59,7 +58,7 @@ export function CaseView({ paths }: { paths: string[] }) {
 
   const text = texts[current] ?? '';
   const file = files[current];
-  const { scene, fault } = useScene(text, !!file && is_json(current));
+  const { scene, fault } = useScene(text, !!file && is_case(current, text));
   // A case that names other files is checked as it is saved: a draft would not find them.
   const is_whole = paths.length === 1 && !!scene && scene.geometry !== 'file' && !names_files(scene.root);
   const changed = paths.filter(path => files[path] && texts[path] !== files[path].text);
@@ -100,16 +99,7 @@ export function CaseView({ paths }: { paths: string[] }) {
     };
   }, [key]);
 
-  useEffect(() => {
-    // Without it there are no tables and no completion; what else is wrong stays on the screen.
-    if (!schema.value && is_json(current))
-      void api
-        .schema()
-        .then(own => {
-          schema.value = own as Schema;
-        })
-        .catch(() => {});
-  }, [current]);
+  useEffect(state.read_schema, []);
 
   // Unsaved text is checked after a pause.
   const is_changed = changed.length > 0;
@@ -237,7 +227,7 @@ export function CaseView({ paths }: { paths: string[] }) {
               ))}
             </fieldset>
           )}
-          {!scene && !is_json(current) && (
+          {!scene && !is_case(current, text) && (
             <button type="button" class="small" disabled={!file} onClick={() => void convert_to_case(paths)}>
               Convert to a case
             </button>
@@ -270,11 +260,19 @@ export function CaseView({ paths }: { paths: string[] }) {
               />
             )}
             {scene && shown === 'tables' && (
-              <Tables text={text} scene={scene} schema={schema.value} change={change} is_old={!!fault} />
+              <Tables
+                text={text}
+                scene={scene}
+                schema={state.schema.value}
+                latest={() => histories.current.get(current)?.text ?? text}
+                change={change}
+                is_old={!!fault}
+              />
             )}
             {(shown === 'both' || shown === 'text') && (
               <TextArea
                 box={area}
+                path={current}
                 label={`Text of ${leaf_of(current)}`}
                 value={text}
                 is_ready={!!file}
@@ -282,7 +280,7 @@ export function CaseView({ paths }: { paths: string[] }) {
                   .filter(own => own.line && own.file && leaf_of(own.file) === leaf_of(current))
                   .map(own => ({ line: own.line!, is_error: errors.includes(own) || own.level === 'error' }))}
                 set={(next, caret) => change(next, 'typing', caret)}
-                schema={scene ? schema.value : null}
+                schema={scene && is_json(current) ? state.schema.value : null}
                 names={{
                   block: scene?.block_materials.map((_, i, all) => material_of(all, i, 'material')) ?? [],
                   joint: scene?.joint_materials.map((_, i, all) => material_of(all, i, 'joint')) ?? [],
@@ -317,7 +315,14 @@ export function CaseView({ paths }: { paths: string[] }) {
             (confirm(`Save the changes of ${changed.join(', ')} before the run?`) && (await save()))
           }
         />
-        <Problems errors={errors} warnings={warnings} is_checked={!!report} go_to={go_to} />
+        <Problems
+          errors={errors}
+          warnings={warnings}
+          is_checked={!!report}
+          go_to={go_to}
+          lacks={report?.case?.lacks}
+          complete={() => void complete(paths[0], text, change)}
+        />
         <Plan report={report} />
       </section>
       {is_saving_as && (
@@ -386,15 +391,31 @@ function useBlocks(path: string, text: string, is_on: boolean): { blocks: Polygo
   return own;
 }
 
+/** Adds an analysis to a geometry: to the case file itself, or to a new one beside files of another format. */
+async function complete(path: string, text: string, change: (text: string) => void): Promise<void> {
+  const rock = (await state.attempt(api.materials))?.block_materials[0]?.like ?? 'limestone';
+  if (is_case(path, text)) return change(add_analysis(text, String(rock)));
+  await convert_to_case([path], own => add_analysis(own, String(rock)));
+}
+
 /** Writes the files of a case as one case file beside them, and opens it. */
-async function convert_to_case(paths: string[]): Promise<void> {
+async function convert_to_case(paths: string[], more?: (text: string) => string): Promise<void> {
   const taken = (state.listing.value?.files ?? []).filter(own => is_json(own.path)).map(own => stem_of(own.path));
   const target = `${new_result(stem_of(paths[0]), taken)}.json`;
   const done = await state.attempt(() => api.convert(paths, target, 'keyblock-case'));
   if (!done) return;
+  if (done.exit_code > 1) {
+    state.trouble.value = done.messages;
+    return;
+  }
+  if (more) {
+    const own = await state.attempt(() => api.read(target));
+    if (!own) return;
+    const text = more(own.text ?? '');
+    if (!(await state.attempt(() => api.save(target, text, { overwrite: true, sha256: own.sha256 })))) return;
+  }
   await state.refresh();
-  if (done.exit_code > 1) state.trouble.value = done.messages;
-  else state.go(state.link('case', target));
+  state.go(state.link('case', target));
 }
 
 /** Drawing of the case's geometry, once it can be read. */
@@ -417,11 +438,15 @@ function Problems({
   warnings,
   is_checked,
   go_to,
+  lacks,
+  complete,
 }: {
   errors: api.Problem[];
   warnings: api.Problem[];
   is_checked: boolean;
   go_to: (problem: api.Problem) => void;
+  lacks?: 'analysis' | 'geometry';
+  complete: () => void;
 }) {
   const shown = warnings
     .filter(own => own.level !== 'silent')
@@ -442,7 +467,22 @@ function Problems({
     <div class="group" aria-live="polite">
       <h2>Check</h2>
       {!is_checked && <p class="note">Checking…</p>}
-      {is_checked && !errors.length && !shown.length && <p class="note">No problem found.</p>}
+      {lacks === 'analysis' && (
+        <div class="lacks">
+          <p>
+            <b>To run it, an analysis is missing:</b> steps, gravity and materials.
+          </p>
+          <button type="button" class="small strong" onClick={complete}>
+            Add an analysis
+          </button>
+        </div>
+      )}
+      {lacks === 'geometry' && (
+        <p class="lacks">
+          <b>To run it, a geometry is missing:</b> a drawing, blocks or a cover in the same case.
+        </p>
+      )}
+      {is_checked && !lacks && !errors.length && !shown.length && <p class="note">No problem found.</p>}
       <ul class="warnings">
         {errors.map((own, i) => item(own, 'error', i))}
         {shown.map((own, i) => item(own, level_of(own), i))}

@@ -3,6 +3,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
 import * as api from './api';
+import { Handouts } from './handouts';
 import * as state from './state';
 import { StrengthView } from './strength';
 import { SweepView } from './study';
@@ -89,6 +90,7 @@ export function ResultView({ path }: { path: string }) {
         <a class="button" href={source} target="_blank" rel="noreferrer">
           Own window
         </a>
+        {!job && <Handouts path={path} />}
       </div>
       <iframe key={stamp} title={`Page of ${path}`} src={source} />
     </div>

@@ -5,6 +5,8 @@ import { useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
 import * as api from './api';
 import { folder_of, leaf_of, new_result, stem_of } from './cases';
+import { dimension_of, limits_of, meaning_of, type Schema, schema_at, unit_in } from './edit/schema';
+import { ChoiceField, TextField, ValueBox } from './fields';
 import * as state from './state';
 
 /** What a run records beside its case, and where it stops. They stay while the window is open. */
@@ -40,9 +42,10 @@ export function RunForm({
     .concat(state.jobs.value.map(own => own.result));
   const [result, set_result] = useState('');
   const suggestion = new_result(`${base}_run`, taken);
+  const schema = state.schema.value;
   const known = report?.case?.settings ?? {};
   const cost = report?.case?.cost;
-  const can_run = report !== null && report.exit_code === 0;
+  const can_run = report !== null && report.exit_code === 0 && !report.case?.lacks;
   const start = async (kind: 'run' | 'fos' | 'both') => {
     if (!(await before())) return;
     const ending = kind === 'run' ? 'run' : kind;
@@ -63,59 +66,32 @@ export function RunForm({
   return (
     <div class="group">
       <h2>Run</h2>
-      <label class="field">
-        <span>Result folder</span>
-        <input
-          type="text"
-          value={result}
-          placeholder={suggestion}
-          onInput={event => set_result(event.currentTarget.value)}
-        />
-      </label>
-      <label class="field">
-        <span>Profile</span>
-        <select value={profile} onChange={event => set_profile(event.currentTarget.value)}>
-          <option value="">of the case{report?.case?.profile ? ` (${report.case.profile})` : ''}</option>
-          <option value="standard">standard</option>
-          <option value="legacy">legacy</option>
-        </select>
-      </label>
+      <TextField label="Result folder" value={result} placeholder={suggestion} set={set_result} />
+      <ChoiceField
+        label="Profile"
+        value={profile}
+        set={set_profile}
+        choices={[
+          ['', `of the case${report?.case?.profile ? ` (${report.case.profile})` : ''}`],
+          ...profiles_in(schema),
+        ]}
+      />
       {settings.map(([name, value], i) => (
-        <div class="setting" key={i}>
-          <input
-            type="text"
-            list="settings"
-            aria-label="Setting"
-            placeholder="setting"
-            value={name}
-            onInput={event => {
-              const own = event.currentTarget.value;
-              set_settings(settings.map((old, j) => (j === i ? [own, old[1]] : old)));
-            }}
-          />
-          <input
-            type="text"
-            aria-label={`Value of ${name || 'the setting'}`}
-            placeholder={name in known ? String(known[name]) : 'value'}
-            value={value}
-            onInput={event => {
-              const own = event.currentTarget.value;
-              set_settings(settings.map((old, j) => (j === i ? [old[0], own] : old)));
-            }}
-          />
-          <button
-            type="button"
-            class="small"
-            aria-label="Remove the setting"
-            onClick={() => set_settings(settings.filter((_, j) => j !== i))}
-          >
-            ×
-          </button>
-        </div>
+        <Setting
+          key={i}
+          schema={schema}
+          name={name}
+          value={value}
+          standard={name in known ? String(known[name]) : 'value'}
+          set={own => set_settings(settings.map((old, j) => (j === i ? own : old)))}
+          remove={() => set_settings(settings.filter((_, j) => j !== i))}
+        />
       ))}
       <datalist id="settings">
-        {Object.keys(known).map(name => (
-          <option value={name} key={name} />
+        {names_of(schema, known).map(name => (
+          <option value={name} key={name}>
+            {setting_in(schema, name)?.title}
+          </option>
         ))}
       </datalist>
       <div class="row wide">
@@ -134,28 +110,22 @@ export function RunForm({
       )}
       <details class="more">
         <summary>Record and stop</summary>
-        <label class="field">
-          <span>Histories</span>
-          <input
-            type="text"
-            value={histories.value}
-            placeholder="crest=point:12,20 block:7"
-            onInput={event => {
-              histories.value = event.currentTarget.value;
-            }}
-          />
-        </label>
-        <label class="field">
-          <span>Stop when</span>
-          <input
-            type="text"
-            value={stop_when.value}
-            placeholder="crest.d>0.05"
-            onInput={event => {
-              stop_when.value = event.currentTarget.value;
-            }}
-          />
-        </label>
+        <TextField
+          label="Histories"
+          value={histories.value}
+          placeholder="crest=point:12,20 block:7"
+          set={own => {
+            histories.value = own;
+          }}
+        />
+        <TextField
+          label="Stop when"
+          value={stop_when.value}
+          placeholder="crest.d>0.05"
+          set={own => {
+            stop_when.value = own;
+          }}
+        />
         <p class="note">
           A history follows a point, block, contact, joint, line or bolt. A run stops behind the step in which a
           quantity of a history passes the limit: d, dx, dy, vx, vy.
@@ -194,6 +164,75 @@ export function RunForm({
         </a>
       </p>
       <CaseJobs paths={paths} />
+    </div>
+  );
+}
+
+const setting_in = (schema: Schema | null, name: string): Schema | undefined => {
+  const all = schema ? schema_at(schema, ['run', 'set']) : undefined;
+  // A setting of one material has its number behind it.
+  return all?.properties?.[name] ?? all?.properties?.[name.replace(/\.\d+$/, '')];
+};
+
+/** Profiles that the schema names. */
+const profiles_in = (schema: Schema | null): string[] =>
+  ((schema ? schema_at(schema, ['run', 'profile'])?.examples : null) ?? ['standard', 'legacy']).map(String);
+
+/** Names of all settings. */
+function names_of(schema: Schema | null, known: Record<string, unknown>): string[] {
+  const all = schema ? schema_at(schema, ['run', 'set'])?.properties : undefined;
+  return Object.keys(all ?? known);
+}
+
+/** One setting of a run: its name, its value, and what the table of settings says of it. */
+function Setting({
+  schema,
+  name,
+  value,
+  standard,
+  set,
+  remove,
+}: {
+  schema: Schema | null;
+  name: string;
+  value: string;
+  /** Value if nothing is set. */
+  standard: string;
+  set: (setting: [string, string]) => void;
+  remove: () => void;
+}) {
+  const own = setting_in(schema, name);
+  const unit = own ? unit_in(dimension_of(own), {}) : '';
+  return (
+    <div class="setting">
+      <input
+        type="text"
+        list="settings"
+        aria-label="Setting"
+        placeholder="setting"
+        value={name}
+        onInput={event => set([event.currentTarget.value, value])}
+      />
+      <ValueBox
+        // Another setting has another box.
+        key={own ? name : ''}
+        label={`Value of ${name || 'the setting'}`}
+        own={own ?? {}}
+        value={value || undefined}
+        placeholder={standard}
+        put={typed => set([name, String(typed)])}
+        clear={() => set([name, ''])}
+      />
+      <button type="button" class="small" aria-label="Remove the setting" onClick={remove}>
+        ×
+      </button>
+      {own && (
+        <p class="note">
+          {unit && `[${unit}] `}
+          {meaning_of(own)}
+          {!own.enum && limits_of(own) && ` Permitted: ${limits_of(own)}.`}
+        </p>
+      )}
     </div>
   );
 }

@@ -3,6 +3,7 @@
 import { computed, signal } from '@preact/signals';
 import * as api from './api';
 import { cases_of } from './cases';
+import type { Schema } from './edit/schema';
 
 export { link, type Route, route_of } from './routes';
 
@@ -12,6 +13,20 @@ export const trouble = signal('');
 export const route = signal(location.hash);
 /** Files with changes that are not saved. */
 export const unsaved = signal<Record<string, boolean>>({});
+
+/** Schema of a case file and of the settings. Without it there are no tables and no completion. */
+export const schema = signal<Schema | null>(null);
+
+/** Reads the schema once. */
+export function read_schema(): void {
+  if (schema.value) return;
+  void api
+    .schema()
+    .then(own => {
+      schema.value = own as Schema;
+    })
+    .catch(() => {});
+}
 
 export const cases = computed(() => cases_of(listing.value?.files ?? []));
 

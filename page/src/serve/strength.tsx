@@ -3,6 +3,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
 import * as api from './api';
+import { Handouts } from './handouts';
 import * as state from './state';
 
 interface Trial {
@@ -43,7 +44,11 @@ export function StrengthView({ path }: { path: string }) {
   const trials = (record.trials ?? []).slice().sort((a, b) => a.factor - b.factor);
   return (
     <div class="strength">
-      <h2>{path}</h2>
+      <div class="bar">
+        <h2>{path}</h2>
+        <span class="space" />
+        <Handouts path={path} has_page={false} />
+      </div>
       {typeof record.factor_of_safety === 'number' ? (
         <p class="factor">
           Factor of safety <b>{show(record.factor_of_safety, 3)}</b>

@@ -4,6 +4,7 @@ import { useEffect, useMemo, useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
 import * as api from './api';
 import { folder_of, leaf_of, new_result, stem_of } from './cases';
+import { ChoiceField, TextField } from './fields';
 import { JobItem, words_of } from './runs';
 import * as state from './state';
 
@@ -12,33 +13,6 @@ export function StudyView({ study, paths }: { study: string; paths: string[] }) 
   if (study === 'element') return <ElementForm paths={paths} />;
   if (study === 'fit') return <FitForm path={paths[0]} />;
   return <p class="note pad">There is no study of this name.</p>;
-}
-
-function Field({
-  label,
-  value,
-  set,
-  placeholder,
-  list,
-}: {
-  label: string;
-  value: string;
-  set: (value: string) => void;
-  placeholder?: string;
-  list?: string;
-}) {
-  return (
-    <label class="field">
-      <span>{label}</span>
-      <input
-        type="text"
-        value={value}
-        placeholder={placeholder}
-        list={list}
-        onInput={event => set(event.currentTarget.value)}
-      />
-    </label>
-  );
 }
 
 /** Number in a field; undefined if there is none. */
@@ -161,14 +135,14 @@ function SweepForm({ paths }: { paths: string[] }) {
         <button type="button" class="small" onClick={() => set_keys([...keys, ['', '']])}>
           Add a parameter
         </button>
-        <Field label="Results" value={out} set={set_out} placeholder="displacement fos crest.dx" list="outputs" />
+        <TextField label="Results" value={out} set={set_out} placeholder="displacement fos crest.dx" list="outputs" />
         <datalist id="outputs">
           {OUTPUTS.map(own => (
             <option value={own} key={own} />
           ))}
         </datalist>
-        <Field label="Histories" value={histories} set={set_histories} placeholder="crest=point:12,20" />
-        <Field label="Result folder" value={result} set={set_result} placeholder={suggestion} />
+        <TextField label="Histories" value={histories} set={set_histories} placeholder="crest=point:12,20" />
+        <TextField label="Result folder" value={result} set={set_result} placeholder={suggestion} />
         <p class="note">
           20:40:5 is a range with both ends; 20,30 is a list. Several parameters give all combinations. A parameter is a
           value of the case file or a setting, such as time_step.
@@ -290,27 +264,18 @@ function ElementForm({ paths }: { paths: string[] }) {
     <div class="study">
       <CaseHead paths={paths} title="Element test" />
       <div class="group">
-        <label class="field">
-          <span>Path</span>
-          <select value={kind} onChange={event => set_kind(event.currentTarget.value)}>
-            {PATHS.map(([word, label]) => (
-              <option value={word} key={word}>
-                {label}
-              </option>
-            ))}
-          </select>
-        </label>
-        <Field label="To strains" value={to} set={set_to} placeholder="-0.01 -0.02" />
+        <ChoiceField label="Path" value={kind} set={set_kind} choices={PATHS} />
+        <TextField label="To strains" value={to} set={set_to} placeholder="-0.01 -0.02" />
         {['triaxial', 'biaxial', 'cyclic'].includes(kind) && (
-          <Field
+          <TextField
             label="Pressure"
             value={confining}
             set={set_confining}
             placeholder="0, in the unit of stress of the case"
           />
         )}
-        {kind === 'cyclic' && <Field label="Cycles" value={cycles} set={set_cycles} placeholder="1" />}
-        <Field label="Material" value={material} set={set_material} placeholder="1, its number" />
+        {kind === 'cyclic' && <TextField label="Cycles" value={cycles} set={set_cycles} placeholder="1" />}
+        <TextField label="Material" value={material} set={set_material} placeholder="1, its number" />
         <button type="button" class="small strong" disabled={busy} onClick={start}>
           {busy ? 'Testing…' : 'Test the material'}
         </button>
@@ -346,18 +311,14 @@ function FitForm({ path }: { path: string }) {
         <h2>Fit parameters: {leaf_of(path)}</h2>
       </div>
       <div class="group">
-        <label class="field">
-          <span>Table holds</span>
-          <select value={kind} onChange={event => set_kind(event.currentTarget.value)}>
-            {FITS.map(([word, label]) => (
-              <option value={word} key={word}>
-                {label}
-              </option>
-            ))}
-          </select>
-        </label>
+        <ChoiceField label="Table holds" value={kind} set={set_kind} choices={FITS} />
         {kind === 'curve' && (
-          <Field label="Friction angle" value={friction} set={set_friction} placeholder="from other tests, degrees" />
+          <TextField
+            label="Friction angle"
+            value={friction}
+            set={set_friction}
+            placeholder="from other tests, degrees"
+          />
         )}
         <button type="button" class="small strong" disabled={busy} onClick={start}>
           {busy ? 'Fitting…' : 'Fit'}

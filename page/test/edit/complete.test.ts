@@ -4,14 +4,16 @@ import { execFileSync } from 'node:child_process';
 import { describe, expect, test } from 'vitest';
 import { choices_at, place_at } from '../../src/serve/edit/complete';
 import {
+  by_group,
   dimension_of,
   fault_in,
   limits_of,
   meaning_of,
   type Schema,
   schema_at,
-  title_of_key,
+  title_of,
   unit_in,
+  words_of,
 } from '../../src/serve/edit/schema';
 
 const SCHEMA: Schema = {
@@ -26,8 +28,8 @@ const SCHEMA: Schema = {
           items: {
             type: 'array',
             prefixItems: [
-              { title: 'x1', type: 'number' },
-              { title: 'joint_material', type: ['integer', 'string'] },
+              { 'x-key': 'x1', type: 'number' },
+              { 'x-key': 'joint_material', type: ['integer', 'string'] },
             ],
           },
         },
@@ -94,37 +96,50 @@ describe('completion', () => {
 });
 
 describe('schema', () => {
-  test('limits in words are enforced', () => {
-    const fault = (permitted: string, value: number, type = 'number') =>
-      fault_in({ type, description: `thing, F/L². Permitted: ${permitted}` }, value) !== '';
-    expect([fault('greater than 0', 0), fault('greater than 0', 1e-9)]).toEqual([true, false]);
-    expect([fault('0 to 0.5', 0.5), fault('0 to 0.5', 0.51), fault('0 to 0.5', -1)]).toEqual([false, true, true]);
-    expect([fault('at least 0 and below 90 degrees', 90), fault('at least 0 and below 90 degrees', 89.9)]).toEqual([
-      true,
-      false,
+  test('limits are enforced, and named in words', () => {
+    const fault = (limits: Schema, value: unknown) => fault_in({ type: 'number', ...limits }, value);
+    expect(fault({ exclusiveMinimum: 0, 'x-permitted': 'greater than 0' }, 0)).toBe('greater than 0');
+    expect(fault({ exclusiveMinimum: 0 }, 1e-9)).toBe('');
+    const share: Schema = { minimum: 0, maximum: 0.5, 'x-permitted': '0 to 0.5' };
+    expect([fault(share, 0.5), fault(share, 0.51), fault(share, -1)]).toEqual(['', '0 to 0.5', '0 to 0.5']);
+    const angle: Schema = { minimum: 0, exclusiveMaximum: 90, 'x-permitted': 'at least 0 and below 90 degrees' };
+    expect([fault(angle, 90), fault(angle, 89.9)]).toEqual([angle['x-permitted'], '']);
+    const whole: Schema = { type: 'integer', minimum: 1, 'x-permitted': 'a whole number, 1 or more' };
+    expect([fault(whole, 0), fault(whole, 1.5), fault(whole, 2)]).toEqual([
+      whole['x-permitted'],
+      whole['x-permitted'],
+      '',
     ]);
-    expect([fault('0 or more', -1), fault('0 or more', 0)]).toEqual([true, false]);
-    expect([fault('a whole number from 1 to 100', 1.5), fault('a whole number from 1 to 100', 101)]).toEqual([
-      true,
-      true,
-    ]);
-    expect(fault('a whole number, 1 or more', 0, 'integer')).toBe(true);
     expect(fault_in({ enum: ['a', 'b'] }, 'c')).toBe('one of a, b');
     expect(fault_in({ type: 'integer' }, 'ten')).toBe('a whole number');
-    expect(fault_in({ type: ['number', 'string'], description: 'x. Permitted: greater than 0' }, '2 ms')).toBe('');
+    expect(fault_in({ type: ['number', 'string'], exclusiveMinimum: 0 }, '2 ms')).toBe('');
   });
 
-  test('titles, dimensions and meanings', () => {
-    expect(title_of_key('youngs_modulus')).toBe("Young's modulus");
-    expect(title_of_key('step_count')).toBe('Step count');
-    const own = { description: 'mass per volume, M/L³. Permitted: greater than 0' };
+  test('titles, dimensions, meanings, words and groups', () => {
+    expect(title_of('youngs_modulus', { title: "Young's modulus" })).toBe("Young's modulus");
+    expect(title_of('step_count', undefined)).toBe('Step count');
+    const own: Schema = {
+      description: 'mass per volume, M/L³. Permitted: greater than 0',
+      'x-permitted': 'greater than 0',
+      'x-unit': 'M/L³',
+    };
     expect([dimension_of(own), meaning_of(own), limits_of(own)]).toEqual([
       'M/L³',
       'Mass per volume, M/L³.',
       'greater than 0',
     ]);
-    expect(dimension_of({ description: 'friction angle, degrees. Permitted: at least 0' })).toBe('°');
-    expect(dimension_of({ description: 'number of time steps' })).toBe('');
+    expect([dimension_of({ 'x-unit': 'deg' }), dimension_of({ 'x-unit': 'none' }), dimension_of({})]).toEqual([
+      '°',
+      '',
+      '',
+    ]);
+    const words: Schema = { enum: ['hoop_stress', 'b'], 'x-words': { hoop_stress: 'largest hoop stress' } };
+    expect([words_of(words, 'hoop_stress'), words_of(words, 'b')]).toEqual(['hoop stress: largest hoop stress', 'b']);
+    const keys = ['Loads', undefined, 'Loads'].map((group, i) => ({ key: i, own: { 'x-group': group } as Schema }));
+    expect(by_group(keys).map(([group, all]) => [group, all.map(one => one.key)])).toEqual([
+      ['Loads', [0, 2]],
+      ['General', [1]],
+    ]);
   });
 
   test('a dimension is written in the units of the case', () => {
@@ -150,7 +165,8 @@ describe('schema', () => {
     const young = schema_at(schema, ['analysis', 'block_materials', 0, 'youngs_modulus'])!;
     expect([dimension_of(young), fault_in(young, 0), fault_in(young, 5e9)]).toEqual(['F/L²', 'greater than 0', '']);
     const stage = schema_at(schema, ['stages', 3, 'bolts', 0, 4])!;
-    expect([stage.title, dimension_of(stage)]).toEqual(['stiffness', 'F/L']);
+    expect([stage['x-key'], stage.title, dimension_of(stage)]).toEqual(['stiffness', 'Stiffness', 'F/L']);
+    expect(schema['x-sections']?.every(one => schema_at(schema, one.path))).toBe(true);
     // No default of the schema breaks its own limits.
     const broken: string[] = [];
     const walk = (own: Schema, path: string) => {

@@ -208,4 +208,70 @@ describe('edits', () => {
     expect(read(after, 'drawing', 'joints', 4)).toEqual([1, 1, 2, 2, 1]);
     expect((read(edits.put_joints(CASE, [[1, 1, 2, 2, 1]], 0), 'drawing', 'joints') as unknown[]).length).toBe(6);
   });
+
+  test('a corner of blocks moves in all blocks that share it; a whole block moves alone', () => {
+    const text = `{"keyblock": 2, "blocks": {
+ "blocks": [
+  {"outer": [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]},  // left
+  {"material": 2, "outer": [[1, 0, 1], ["200 cm", 0, 1], [2, 1, 1], [1, 1, 1]],
+   "holes": [[[1.2, 0.2, 1], [1.2, 0.4, 1], [1.4, 0.2, 1]]]}
+ ],
+ "measured_points": [[0.5, 0.5, 1]]}, "units": {"length": "m", "mass": "kg", "time": "s"}}`;
+    const scene = scene_of(text);
+    const blocks = scene.items.filter(own => own.kind === 'block');
+    expect(blocks.map(title_of)).toEqual(['Block 1', 'Block 2', 'Hole 1 of block 2']);
+    const moved = edits.move_points(text, scene, [{ item: blocks[0], index: 2, to: [1.5, 1.25] }]);
+    expect(read(moved, 'blocks', 'blocks', 0, 'outer', 2)).toEqual([1.5, 1.25, 1]);
+    expect(read(moved, 'blocks', 'blocks', 1, 'outer', 3)).toEqual([1.5, 1.25, 1]);
+    expect(moved).toContain('// left');
+    const whole = edits.move_items(text, scene, [blocks[1]], 1, 0);
+    expect(read(whole, 'blocks', 'blocks', 1, 'outer')).toEqual([
+      [2, 0, 1],
+      ['300 cm', 0, 1],
+      [3, 1, 1],
+      [2, 1, 1],
+    ]);
+    expect(read(whole, 'blocks', 'blocks', 0, 'outer', 1)).toEqual([1, 0, 1]);
+    expect(edits.remove_items(text, scene, blocks)).toBe(text);
+  });
+
+  test('a geometry gets an analysis with the materials that it names', () => {
+    const drawing =
+      '{"keyblock": 1, "units": {"length": "mm"}, "drawing": {"joints": [[0, 0, 1, 0, 1], [0, 0, 1, 1, 3]]}}';
+    const after = edits.add_analysis(drawing, 'granite');
+    expect([read(after, 'keyblock'), read(after, 'units')]).toEqual([2, { length: 'mm', mass: 'kg', time: 's' }]);
+    expect(read(after, 'analysis', 'joint_materials')).toHaveLength(3);
+    expect(read(after, 'analysis', 'block_materials')).toEqual([{ name: 'rock 1', like: 'granite' }]);
+    const blocks = edits.add_analysis(BLOCKS.replace('[2, 0, 1]', '[2, 0, 2]'), 'granite');
+    expect(read(blocks, 'analysis', 'joint_materials')).toHaveLength(2);
+  });
+
+  test('supports and tractions of NMM bodies are added and moved; elements carry points', () => {
+    const text = '{"keyblock": 2, "blocks": {"blocks": [{"outer": [[0, 0, 1], [2, 0, 1], [2, 1, 1]]}]}, "covers": {}}';
+    const held = edits.add_chain(text, 'displacements', [0, 0], [2, 0], { held: 'normal' });
+    expect(read(held, 'covers', 'displacements')).toEqual([
+      {
+        along: [
+          [0, 0],
+          [2, 0],
+        ],
+        held: 'normal',
+      },
+    ]);
+    const scene = scene_of(held);
+    expect(scene.has_covers).toBe(true);
+    const [support] = scene.items.filter(own => own.kind === 'support');
+    const moved = edits.move_points(held, scene, [{ item: support, index: 1, to: [1, 0] }]);
+    expect(read(moved, 'covers', 'displacements', 0, 'along', 1)).toEqual([1, 0]);
+    expect(read(edits.remove_items(held, scene, [support]), 'covers', 'displacements')).toEqual([]);
+
+    const cover = `{"keyblock": 2, "cover": {"elements": [[1, 3, 1, 1, 2, 3], [5, 3, 2, 1, 2, 3]],
+ "vertices": [[0, 0], [1, 0], [0, 1], [0, 0], [1, 0], [1, 1], [0, 1], [1, 0]]}}`;
+    const own = scene_of(cover);
+    expect(own.polygons.map(one => [one.material, one.loops[0].length])).toEqual([
+      [1, 3],
+      [2, 3],
+    ]);
+    expect(read(edits.add_fixed_point(cover, own, [0.8, 0.8]), 'cover', 'fixed_points')).toEqual([[0.8, 0.8, 2]]);
+  });
 });

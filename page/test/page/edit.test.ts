@@ -2,9 +2,9 @@
 
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { find, type Path, parse, plain } from '../../src/serve/edit/json_text';
+import { find, type Path, parse, plain } from '../../src/serve/edit/case_text';
 import { violations } from './axe';
-import { has_browser, launch } from './browser';
+import { figure, has_browser, launch, open_window } from './browser';
 import { type Folder, serve_folder } from './folder';
 
 const CASE = `{
@@ -29,20 +29,27 @@ const CASE = `{
 }
 `;
 
+const YAML = `# A box.
+keyblock: 2
+units: {length: m, mass: kg, time: s}
+blocks:
+  blocks:
+    - outer: [[0, 0, 1], [5, 0, 1], [5, 6, 1], [0, 6, 1]]  # left
+    - outer: [[5, 0, 1], [10, 0, 1], [10, 6, 1], [5, 6, 1]]
+covers:
+  contact: ignored
+`;
+
 describe.skipIf(!has_browser)('editor', () => {
   let browser: Browser;
   let folder: Folder;
   const errors: string[] = [];
 
   async function open(hash: string, scheme: 'light' | 'dark' = 'light', width = 1280): Promise<Page> {
-    const context = await browser.newContext({ viewport: { width, height: 800 }, colorScheme: scheme });
-    const page = await context.newPage();
-    page.on('dialog', asked => asked.accept());
-    page.on('pageerror', error => errors.push(String(error)));
-    page.on('console', text => {
-      if (text.type() === 'error') errors.push(text.text());
+    const page = await open_window(browser, folder.address + hash, errors, {
+      viewport: { width, height: 800 },
+      colorScheme: scheme,
     });
-    await page.goto(folder.address + hash);
     await page.waitForSelector('canvas');
     await expect.poll(() => page.locator('canvas').getAttribute('data-view')).not.toContain(' 0');
     return page;
@@ -71,7 +78,10 @@ describe.skipIf(!has_browser)('editor', () => {
 
   beforeAll(async () => {
     browser = await launch();
-    folder = await serve_folder({ 'box.json': CASE, 'empty.json': '{"keyblock": 2}\n', 'a.dxf': '0\nEOF\n' }, '');
+    folder = await serve_folder(
+      { 'box.json': CASE, 'box.yaml': YAML, 'empty.json': '{"keyblock": 2}\n', 'a.dxf': '0\nEOF\n' },
+      '',
+    );
   });
   afterAll(async () => {
     await browser?.close();
@@ -173,6 +183,24 @@ describe.skipIf(!has_browser)('editor', () => {
     await page.context().close();
   });
 
+  test('a case in YAML: a corner of two blocks is dragged, a support is drawn, and colours follow', async () => {
+    const page = await open('#/case/box.yaml');
+    expect(await page.locator('.colours .c-comment').allTextContents()).toEqual(['# A box.', '# left']);
+    await page.getByLabel('Item').selectOption('Block 1');
+    await drag(page, [5, 6], [6, 4]);
+    expect(await read(page, 'blocks', 'blocks', 0, 'outer', 2)).toEqual([6, 4, 1]);
+    expect(await read(page, 'blocks', 'blocks', 1, 'outer', 3)).toEqual([6, 4, 1]);
+    await tool(page, 'Support');
+    await page.getByLabel(/Held|Prescribed/).waitFor();
+    await click(page, 0, 0);
+    await click(page, 10, 0);
+    expect(await text(page)).toMatch(
+      / {2}contact: ignored\n {2}displacements: \[\{"along": \[\[0, 0\], \[10, 0\]\], "held": "both"\}\]\n$/,
+    );
+    expect(await text(page)).toContain('# left\n');
+    await page.context().close();
+  });
+
   test('a fault in the text stops the drawing and is named; a correction frees it', async () => {
     const page = await open('#/case/box.json');
     await page.locator('textarea').fill(CASE.replace('"keyblock": 2,', '"keyblock": 2'));
@@ -190,9 +218,12 @@ describe.skipIf(!has_browser)('editor', () => {
     await ratio.fill('0.7');
     await ratio.press('Enter');
     await page.waitForSelector('text=Expected: 0 to 0.5.');
+    expect(await ratio.inputValue()).toBe('0.7');
     await ratio.fill('0.3');
     await ratio.press('Enter');
     await page.getByLabel('Step count', { exact: true }).fill('250');
+    // The check of the first change draws the window anew; what is typed stays.
+    await page.waitForTimeout(1200);
     await page.getByLabel('Step count', { exact: true }).press('Enter');
     await page.getByRole('button', { name: 'Add a block material' }).click();
     await page.locator('.modes label', { hasText: /^Text$/ }).click();
@@ -311,7 +342,7 @@ describe.skipIf(!has_browser)('editor', () => {
           expect(wide, show).toBeLessThanOrEqual(0);
           await page.context().close();
         }
-        process.stdout.write(`figure: axe violations of the editor, ${scheme}, ${width} px: ${found.length}\n`);
+        figure(`axe violations of the editor, ${scheme}, ${width} px`, found.length);
         expect(found).toEqual([]);
       });
 });

@@ -26,25 +26,77 @@ const BLOCKS = [
 /** Part of the schema of a case file. */
 const SCHEMA = {
   type: 'object',
+  'x-sections': [
+    { title: 'Block materials', row: 'block material', path: ['analysis', 'block_materials'] },
+    { title: 'Analysis', row: '', path: ['analysis'] },
+    { title: 'Run', row: '', path: ['run'] },
+  ],
   properties: {
-    keyblock: { enum: [1, 2], description: 'version of the layout' },
+    keyblock: { enum: [1, 2], title: 'Version', description: 'version of the layout' },
     analysis: {
       type: 'object',
+      title: 'Analysis',
       description: 'steps and materials',
       properties: {
         step_count: {
           type: 'integer',
+          title: 'Step count',
           description: 'number of time steps. Permitted: a whole number from 1 to 100000000',
+          'x-permitted': 'a whole number from 1 to 100000000',
+          'x-unit': 'none',
+          'x-group': 'Time steps',
+          minimum: 1,
+          maximum: 100000000,
         },
-        rotation: { enum: ['first_order', 'exact'], default: 'first_order', description: 'formula for rotation' },
+        rotation: {
+          enum: ['first_order', 'exact'],
+          title: 'Rotation',
+          default: 'first_order',
+          description: 'formula for rotation',
+          'x-words': { exact: 'sine and cosine' },
+          'x-group': 'Old files',
+        },
         block_materials: {
           type: 'array',
+          title: 'Block materials',
           description: 'materials of blocks',
           items: {
             type: 'object',
             properties: {
-              name: { type: 'string', description: 'name of the material' },
-              poissons_ratio: { type: 'number', default: 0, description: "Poisson's ratio. Permitted: 0 to 0.5" },
+              name: { type: 'string', title: 'Name', description: 'name of the material' },
+              poissons_ratio: {
+                type: 'number',
+                title: "Poisson's ratio",
+                default: 0,
+                description: "Poisson's ratio. Permitted: 0 to 0.5",
+                'x-permitted': '0 to 0.5',
+                'x-unit': 'none',
+                minimum: 0,
+                maximum: 0.5,
+              },
+            },
+          },
+        },
+      },
+    },
+    run: {
+      type: 'object',
+      title: 'Run',
+      description: 'choices of a run',
+      properties: {
+        profile: { type: 'string', title: 'Profile', description: 'preset', examples: ['legacy', 'draft', 'standard'] },
+        set: {
+          type: 'object',
+          title: 'Settings',
+          description: 'settings',
+          properties: {
+            steps: {
+              type: ['string', 'number', 'boolean'],
+              title: 'Steps',
+              description: 'number of time steps. Permitted: a whole number of at least 1',
+              'x-permitted': 'a whole number of at least 1',
+              'x-unit': 'none',
+              minimum: 1,
             },
           },
         },

@@ -6,15 +6,10 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { make_wall } from '../scenes';
 import { violations } from './axe';
-import { built, has_browser, launch, open, write_page } from './browser';
+import { built, figure, has_browser, launch, open, write_page } from './browser';
 
 // biome-ignore lint/suspicious/noExplicitAny: what the page lays open for tests.
 type Open = any;
-
-/** Prints a figure of the acceptance table. */
-function figure(name: string, value: string | number): void {
-  process.stdout.write(`figure: ${name}: ${value}\n`);
-}
 
 async function decoded(page: Page): Promise<void> {
   await page.waitForFunction(() => (window as Open).keyblock_page.state.all_decoded.value, null, { timeout: 60_000 });

@@ -1,12 +1,12 @@
 // The built files with the program itself: set KEYBLOCK to its path. Values on the screen equal those of run.json.
 
-import { type ChildProcess, execFileSync, spawn } from 'node:child_process';
+import { type ChildProcess, execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, mkdtempSync, readFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { has_browser, launch, open } from './browser';
+import { figure, has_browser, launch, open, start_server } from './browser';
 
 const program = process.env.KEYBLOCK ?? '';
 
@@ -32,19 +32,9 @@ describe.skipIf(!has_browser || !program)('program', () => {
 
   /** Serves a folder; returns the address. */
   const serve = (cases: string) => {
-    const own = spawn(program, ['serve', cases]);
-    servers.push(own);
-    return new Promise<string>((resolve, reject) => {
-      let said = '';
-      const read = (data: Buffer) => {
-        said += data;
-        const found = /http:\/\/\S+/.exec(said);
-        if (found) resolve(found[0]);
-      };
-      own.stdout!.on('data', read);
-      own.stderr!.on('data', read);
-      own.on('exit', () => reject(new Error(said)));
-    });
+    const own = start_server(program, cases);
+    servers.push(own.server);
+    return own.address;
   };
 
   test('values on the screen equal the record of the run', async () => {
@@ -176,13 +166,18 @@ describe.skipIf(!has_browser || !program)('program', () => {
     await expect
       .poll(() => page.locator('.job', { hasText: 'Factor of safety 1' }).count(), { timeout: 240_000 })
       .toBe(1);
+    await expect.poll(() => page.locator('.job', { hasText: 'finished' }).count()).toBe(1);
     const said = await page.locator('.job', { hasText: 'Factor of safety 1' }).textContent();
     const factor = Number(/Factor of safety ([\d.]+)/.exec(said!)![1]);
-    process.stdout.write(`figure: slope drawn from nothing in ${actions} actions, factor of safety ${factor}\n`);
+    await act(page.locator('.job', { hasText: 'Factor of safety 1' }).getByRole('link', { name: 'Open' }).click());
+    const saved = page.waitForEvent('download');
+    await act(page.getByRole('link', { name: 'Save a report' }).click());
+    expect(readFileSync(await (await saved).path(), 'utf8')).toContain(`Factor of safety ${factor}`);
+    figure('actions: slope from nothing to factor and report', `${actions}, at most 30; factor of safety ${factor}`);
+    expect(actions).toBeLessThanOrEqual(30);
     // The guide finds 1.078 between 1.0625 and 1.09375.
     expect(factor).toBeGreaterThan(1.0625);
     expect(factor).toBeLessThan(1.09375);
-    await expect.poll(() => page.locator('.job', { hasText: 'finished' }).count()).toBe(1);
     expect(errors).toEqual([]);
     await context.close();
   }, 300_000);

@@ -1,13 +1,13 @@
 // The whole round of an old file in the window: open, edit, run, watch, pause, compare, save, reopen. Set KEYBLOCK to
 // the path of the program.
 
-import { type ChildProcess, spawn } from 'node:child_process';
+import type { ChildProcess } from 'node:child_process';
 import { copyFileSync, mkdtempSync, readFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { has_browser, launch, shot } from './browser';
+import { has_browser, launch, open_window, shot, start_server } from './browser';
 
 const program = process.env.KEYBLOCK ?? '';
 const source = new URL('../../../legacy_cases/sliding_block/a30_p20/', import.meta.url);
@@ -22,11 +22,7 @@ describe.skipIf(!has_browser || !program)('round of an old file', () => {
   const record = (result: string) => JSON.parse(readFileSync(join(folder, result, 'run.json'), 'utf8'));
 
   async function open(): Promise<Page> {
-    const context = await browser.newContext({ viewport: { width: 1280, height: 900 } });
-    const own = await context.newPage();
-    own.on('dialog', asked => asked.accept());
-    own.on('pageerror', error => errors.push(String(error)));
-    await own.goto(address);
+    const own = await open_window(browser, address, errors, { viewport: { width: 1280, height: 900 } });
     await own.getByRole('navigation').getByRole('link', { name: 'a30_p20' }).first().click();
     await own.getByLabel('File', { exact: true }).selectOption('a30_p20.ana');
     await expect.poll(() => own.locator('textarea').inputValue()).toContain('<Friction>');
@@ -56,11 +52,9 @@ describe.skipIf(!has_browser || !program)('round of an old file', () => {
   beforeAll(async () => {
     for (const name of ['a30_p20.geo', 'a30_p20.ana']) copyFileSync(new URL(name, source), join(folder, name));
     browser = await launch();
-    server = spawn(program, ['serve', folder]);
-    address = await new Promise<string>((resolve, reject) => {
-      server.stdout?.once('data', data => resolve(String(data).trim()));
-      server.on('exit', code => reject(new Error(`the server ended with ${code}`)));
-    });
+    const own = start_server(program, folder);
+    server = own.server;
+    address = await own.address;
   });
   afterAll(async () => {
     await browser?.close();

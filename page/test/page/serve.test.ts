@@ -4,7 +4,7 @@ import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { make_wall } from '../scenes';
 import { violations } from './axe';
-import { has_browser, launch } from './browser';
+import { figure, has_browser, launch, open_window } from './browser';
 import { type Folder, serve_folder } from './folder';
 
 describe.skipIf(!has_browser)('window', () => {
@@ -14,14 +14,10 @@ describe.skipIf(!has_browser)('window', () => {
   const errors: string[] = [];
 
   async function open(hash = '', scheme: 'light' | 'dark' = 'light', width = 1280): Promise<Page> {
-    const context = await browser.newContext({ viewport: { width, height: 800 }, colorScheme: scheme });
-    const page = await context.newPage();
-    page.on('dialog', asked => asked.accept());
-    page.on('pageerror', error => errors.push(String(error)));
-    page.on('console', text => {
-      if (text.type() === 'error') errors.push(text.text());
+    const page = await open_window(browser, folder.address + hash, errors, {
+      viewport: { width, height: 800 },
+      colorScheme: scheme,
     });
-    await page.goto(folder.address + hash);
     await page.waitForSelector('nav a', { state: 'attached' });
     return page;
   }
@@ -209,7 +205,7 @@ describe.skipIf(!has_browser)('window', () => {
           expect(wide).toBeLessThanOrEqual(0);
           await page.context().close();
         }
-        process.stdout.write(`figure: axe violations of the window, ${scheme}, ${width} px: ${found.length}\n`);
+        figure(`axe violations of the window, ${scheme}, ${width} px`, found.length);
         expect(found).toEqual([]);
       });
     }

@@ -9,6 +9,9 @@ import { make_wall } from '../scenes';
 const VIEWS: Record<string, string> = {
   home: '',
   case: '#/case/slope.json',
+  tables: '#/case/slope.json',
+  yaml: '#/case/box.yaml',
+  new: '#/new',
   result: '#/result/first',
   strength: '#/result/strength',
   compare: '#/compare/first/second',
@@ -27,6 +30,9 @@ describe.skipIf(!has_browser)('window', () => {
       {
         'slope.json':
           '{\n "keyblock": 2,\n "analysis": {"gravity": 9.81, "joint_materials": [{"friction_angle_deg": 35}]}\n}\n',
+        'box.yaml':
+          '# Two blocks.\nkeyblock: 2\nblocks:\n  blocks:\n    - outer: [[0, 0, 1], [5, 0, 1], [5, 6, 1]]\n' +
+          '    - outer: [[5, 0, 1], [10, 0, 1], [10, 6, 1], [5, 6, 1]]\ncovers: {contact: ignored}\n',
         'old/tips.blk': '2 0\n',
         'old/tips.ana': '<DDA/>\n',
         'tests.csv': 'strain,stress\n0,0\n',
@@ -54,6 +60,7 @@ describe.skipIf(!has_browser)('window', () => {
           await page.goto('about:blank');
           await page.goto(folder.address + hash);
           await page.waitForSelector('nav a', { state: 'attached' });
+          if (name === 'tables') await page.locator('.modes label', { hasText: 'Tables' }).click();
           await page.waitForTimeout(900);
           await shot(page, `window_${name}_${scheme}_${width}`);
         }

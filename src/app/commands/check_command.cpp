@@ -58,8 +58,9 @@ struct CaseReport {
   std::string smallest_block = {};
   std::string size = {};  ///< of the scene
   std::optional<TrialSteps> trial = {};
-  int steps = 0;       ///< requested
-  Json settings = {};  ///< of the plan
+  int steps = 0;           ///< requested
+  Json settings = {};      ///< of the plan
+  std::string lacks = {};  ///< "geometry" or "analysis" if the files have only the other; empty otherwise
 };
 
 Json counts_of(const Drawing& drawing) {
@@ -177,9 +178,13 @@ Json json_of(const TrialSteps& trial, int steps) {
 }
 
 void print(const CaseReport& report) {
-  if (report.warnings.empty() && !report.plan) return;
+  if (report.warnings.empty() && !report.plan && report.lacks.empty()) return;
   fmt::print("the files together:\n");
   print(report.warnings);
+  if (report.lacks == "analysis")
+    fmt::print(
+        "  no analysis: a run needs a case file with steps and materials; `keyblock new block` writes an example\n");
+  if (report.lacks == "geometry") fmt::print("  no geometry: a run needs a drawing, blocks or a cover\n");
   if (report.plan) fmt::print("  profile {}, because {}\n", report.profile.name, printable(report.profile.why));
   if (report.plan) print(*report.plan);
   if (!report.size.empty()) fmt::print("  size: {}\n", report.size);
@@ -244,6 +249,12 @@ Warnings look_at_histories(const Problem& problem, const Prepared& prepared) {
   return Followed(problem.outputs.histories, prepared.scene, joints, problem.units).of_distant_pairs();
 }
 
+std::string lacking_part(const Problem& problem) {
+  const bool has_geometry = !std::holds_alternative<std::monostate>(problem.geometry);
+  if (has_geometry == problem.analysis.has_value()) return {};
+  return has_geometry ? "analysis" : "geometry";
+}
+
 CaseReport report_of(const std::vector<formats::FileReading>& files, const AskedCase& asked, double trial_seconds) {
   std::vector<formats::Content> contents;
   for (const formats::FileReading& file : files)
@@ -255,6 +266,7 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const Asked
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
     if (const auto* cover = std::get_if<Cover>(&checked.problem.geometry); cover && report.errors.empty())
       manifold_of(*cover);  // throws if elements and loops do not fit together
+    if (report.errors.empty()) report.lacks = lacking_part(checked.problem);
     if (!can_prepare(checked.problem) || !report.errors.empty()) return report;
     const PlannedCase plan = planned(asked, checked.problem);
     const Problem& problem = plan.problem;
@@ -287,6 +299,7 @@ void print_json(const std::vector<formats::FileReading>& files, const CaseReport
     json["case"]["requires"] = requirements_json(*report.plan);
     json["case"]["settings"] = report.settings;
   }
+  if (!report.lacks.empty()) json["case"]["lacks"] = report.lacks;
   if (!report.stages.empty()) json["case"]["stages"] = report.stages;
   for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));
   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));

@@ -69,6 +69,31 @@ std::string facts_of(const Document& document) {
   return text.empty() ? text : "<dl class=\"facts\">" + text + "</dl>\n";
 }
 
+/// Returns a path below the page as a link, with characters that a URL excludes as %XX.
+std::string url_of(const std::string& path) {
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  std::string url;
+  for (const char c : path)
+    if (kPlain.find(c) == std::string_view::npos)
+      url += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    else
+      url += c;
+  return url;
+}
+
+std::string links_of(const std::vector<DocumentLink>& links) {
+  std::string pictures, words;
+  for (const DocumentLink& link : links) {
+    const std::string url = url_of(link.path), said = escape_xml(link.words);
+    if (link.is_picture)
+      pictures += fmt::format("<a href=\"{0}\"><img loading=\"lazy\" alt=\"\" src=\"{0}\">{1}</a>", url, said);
+    else
+      words += fmt::format("<a href=\"{}\">{}</a> ", url, said);
+  }
+  if (!pictures.empty()) pictures = "<div class=\"ends\">" + pictures + "</div>";
+  return words.empty() ? pictures : pictures + "<span class=\"links\">" + words + "</span>";
+}
+
 std::string card_of(const DocumentCard& card) {
   std::string text =
       fmt::format("<li class=\"card {}\"><a href=\"#{}\">", class_of(card.verdict), escape_xml(card.anchor));
@@ -77,14 +102,17 @@ std::string card_of(const DocumentCard& card) {
               : fmt::format("<img loading=\"lazy\" alt=\"\" src=\"data:image/svg+xml;base64,{}\">", base64(card.svg));
   text += fmt::format("<b>{}</b></a>", escape_xml(card.title));
   for (const std::string& line : card.lines) text += fmt::format("<span>{}</span>", escape_xml(line));
-  return text + "</li>\n";
+  return text + links_of(card.links) + "</li>\n";
 }
 
-std::string cards_of(const std::vector<DocumentCard>& cards) {
-  if (cards.empty()) return {};
-  std::string text = kCardFilter.data();
+std::string cards_of(const Document& document) {
+  std::string choices;
+  for (const Verdict verdict : {Verdict::good, Verdict::doubtful, Verdict::bad})
+    choices += fmt::format("<option value=\"{}\">{}</option>\n", class_of(verdict),
+                           escape_xml(document.verdict_words[static_cast<std::size_t>(verdict)]));
+  std::string text = fmt::format(kCardFilter, choices);
   text += "<ul class=\"cards\">";
-  for (const DocumentCard& card : cards) text += card_of(card);
+  for (const DocumentCard& card : document.cards) text += card_of(card);
   return text + fmt::format("</ul>\n<script>{}</script>\n", kCardScript);
 }
 
@@ -107,9 +135,8 @@ std::string document_page(const Document& document) {
       "<title>{0}</title><style>{1}</style></head>\n<body{7}><main><h1>{0}</h1><p class=\"subtitle\">{2}</p>\n"
       "{8}<p class=\"verdict {3}\">{4}</p>\n{5}{6}</main></body></html>\n",
       escape_xml(document.title), kDocumentStyle, escape_xml(document.subtitle), class_of(document.verdict),
-      escape_xml(document.verdict_in_words),
-      document.cards.empty() ? links_of(document.sections) : cards_of(document.cards), body,
-      document.cards.empty() ? "" : " class=\"wide\"", facts_of(document));
+      escape_xml(document.verdict_in_words), document.cards.empty() ? links_of(document.sections) : cards_of(document),
+      body, document.cards.empty() ? "" : " class=\"wide\"", facts_of(document));
 }
 
 }  // namespace keyblock::report

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,13 @@ struct DocumentSection {
 
 enum class Verdict { good, doubtful, bad };
 
+/// Link to a file beside the page; `path` is one of its folder, as it stands on the disk.
+struct DocumentLink {
+  std::string words;
+  std::string path;
+  bool is_picture = false;  ///< shown as a picture with the words below it
+};
+
 /// Summary of one result among many: a small picture and a few lines, with a link to a section.
 struct DocumentCard {
   std::string title;
@@ -36,6 +44,7 @@ struct DocumentCard {
   std::string svg;  ///< small picture; empty: none
   Verdict verdict = Verdict::good;
   std::vector<std::string> lines;
+  std::vector<DocumentLink> links = {};
 };
 
 struct Document {
@@ -47,6 +56,8 @@ struct Document {
   std::vector<std::pair<std::string, std::string>> facts = {};  ///< project, program, dates
   std::vector<DocumentCard> cards =
       {};  ///< stand before the sections, with a filter; without any, links to sections do
+  /// Words of the filter for good, doubtful and bad cards.
+  std::array<std::string, 3> verdict_words = {"trusted and at rest", "still moving, or not at the end", "not trusted"};
 };
 
 /// Returns the page. Texts may hold any characters; pictures are embedded as images, so that no script of theirs runs.

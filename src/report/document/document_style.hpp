@@ -42,6 +42,9 @@ td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: 
   border-radius: 4px; margin-bottom: .4rem }
 .card .none { color: #5b6472; padding: .5rem } .card b { overflow-wrap: anywhere }
 .card > span { display: block; font-size: .88em; color: var(--faint); overflow-wrap: anywhere }
+.card .ends { display: grid; grid-template-columns: 1fr 1fr; gap: .5rem; margin: .4rem 0; font-size: .82em }
+.card .ends img { margin-bottom: 0 } .card .links a { text-decoration: underline }
+th button { all: unset; cursor: pointer } th button:focus-visible { outline: 2px solid }
 figure { margin: 1rem 0; break-inside: avoid }
 figure img { width: 100%; background: #fff; border: 1px solid var(--line) }
 figcaption { color: var(--faint); font-size: .9em }
@@ -52,13 +55,11 @@ figcaption { color: var(--faint); font-size: .9em }
   tr { break-inside: avoid } :root { --text: #000; --faint: #444; --line: #bbb; --back: #fff; --head: #f3f3f3 } }
 )";
 
-/// Fields that sift the cards, by words and by verdict.
+/// Fields that sift the cards, by words and by verdict; the choices of verdicts stand at the braces.
 inline constexpr std::string_view kCardFilter = R"(<div class="filter">
 <label>Words <input id="words" type="search"></label>
 <label>Verdict <select id="verdict"><option value="">all</option>
-<option value="good">trusted and at rest</option>
-<option value="doubtful">still moving, or not at the end</option>
-<option value="bad">not trusted</option></select></label>
+{}</select></label>
 <output id="count" aria-live="polite"></output></div>
 )";
 
@@ -76,6 +77,24 @@ function sift() {
 }
 words.oninput = verdict.onchange = sift;
 sift();
+// A click on a heading sorts the rows: numbers as numbers, all else as text; a second click reverses the order.
+for (const table of document.querySelectorAll("table"))
+  table.querySelectorAll("th").forEach((heading, column) => {
+    const button = document.createElement("button");
+    button.append(...heading.childNodes);
+    heading.append(button);
+    button.onclick = () => {
+      const turn = heading.ariaSort === "ascending" ? -1 : 1;
+      for (const other of heading.parentNode.children) other.removeAttribute("aria-sort");
+      heading.ariaSort = turn > 0 ? "ascending" : "descending";
+      const value = row => row.cells[column].textContent;
+      const body = table.tBodies[0];
+      body.append(...[...body.rows].sort((a, b) => {
+        const x = value(a), y = value(b);
+        return turn * (x !== "" && y !== "" && !isNaN(x) && !isNaN(y) ? x - y : x < y ? -1 : x > y ? 1 : 0);
+      }));
+    };
+  });
 )";
 
 }  // namespace keyblock::report

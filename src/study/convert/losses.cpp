@@ -53,7 +53,7 @@ class Walk {
     const Json& items = layout.contains("items") ? layout["items"] : empty_;
     for (std::size_t i = 0; i < a.size(); ++i) {
       const Json& part = is_row ? layout["prefixItems"][i] : items;
-      compare(is_row ? item + '.' + part.value("title", "") : item + "[]", part, a[i], b[i]);
+      compare(is_row ? item + '.' + part.value("x-key", "") : item + "[]", part, a[i], b[i]);
     }
   }
 

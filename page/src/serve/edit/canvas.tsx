@@ -237,6 +237,8 @@ export function Canvas(props: CanvasProps) {
         keys = own;
       } else if (!chosen.has(item.key)) keys = new Set([item.key]);
       props.choose([...keys]);
+      // A block that fills the place is chosen first, and moves with the next press.
+      if (item.kind === 'block' && !chosen.has(item.key)) return;
       const from = snapped(p, new Set(), false).point;
       set_drag({
         kind: 'items',

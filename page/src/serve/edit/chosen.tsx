@@ -1,8 +1,15 @@
 // Numbers of the items that are chosen on the canvas.
 
+import { useId } from 'preact/hooks';
+import { TypedInput } from '../fields';
+import * as state from '../state';
+import { find, type Path, set } from './case_text';
 import * as edits from './edits';
-import { find, type Path, set } from './json_text';
 import { coordinates_of, type Item, length_of, type Scene, title_of, value_of } from './scene';
+import { schema_at, title_of as title_of_key, words_of } from './schema';
+
+/** More corners stand in the text alone. */
+const MOST_CORNERS = 8;
 
 /** Cells of a row behind its coordinates: index and name. */
 const CELLS: Partial<Record<Item['kind'], [number, string][]>> = {
@@ -58,7 +65,7 @@ export function Chosen({
       ))}
     </select>
   );
-  const button = items.length > 0 && (
+  const button = items.some(own => own.kind !== 'block') && (
     <button type="button" class="small" disabled={is_old} onClick={remove} title="Delete (Del)">
       Delete
     </button>
@@ -81,7 +88,10 @@ export function Chosen({
   return (
     <>
       {list}
-      {item.points.map((point, index) =>
+      {item.points.length > MOST_CORNERS && (
+        <span class="note">{item.points.length} corners: drag them, or see the text</span>
+      )}
+      {(item.points.length > MOST_CORNERS ? [] : item.points).map((point, index) =>
         ([0, 1] as const).map(axis => (
           <Cell
             key={`${item.key}${index}${axis}`}
@@ -117,6 +127,26 @@ export function Chosen({
           />
         );
       })}
+      {item.kind === 'support' && (
+        <Held
+          value={String(find(scene.root, [...item.path.slice(0, -1), 'held'])?.value ?? 'both')}
+          is_off={is_old}
+          set={own => change(set(text, [...item.path.slice(0, -1), 'held'], own))}
+        />
+      )}
+      {item.kind === 'traction' &&
+        ['x', 'y', 'pressure'].map(name => {
+          const path: Path = [...item.path.slice(0, -1), name];
+          return (
+            <Cell
+              key={item.key + name}
+              label={name === 'pressure' ? 'Pressure' : `Traction ${name}`}
+              value={String(find(scene.root, path)?.value ?? 0)}
+              is_off={is_old}
+              set={own => change(set(text, path, value_of(own)))}
+            />
+          );
+        })}
       {force &&
         (force.rows > 1 ? (
           <span class="note">force in time: {force.rows} rows, see the text</span>
@@ -140,6 +170,25 @@ export function Chosen({
   );
 }
 
+/** Components that a support prescribes, with the meanings of the schema. */
+export function Held({ value, is_off, set }: { value: string; is_off: boolean; set: (value: string) => void }) {
+  const path = ['covers', 'displacements', 0, 'held'];
+  const own = state.schema.value ? schema_at(state.schema.value, path) : undefined;
+  const words = (own?.enum ?? [value]).map(String);
+  return (
+    <label class="edit-part">
+      {title_of_key('held', own)}
+      <select value={value} disabled={is_off} onChange={event => set(event.currentTarget.value)}>
+        {words.map(word => (
+          <option value={word} key={word}>
+            {own ? words_of(own, word) : word}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
 function Cell({
   label,
   value,
@@ -151,19 +200,21 @@ function Cell({
   is_off: boolean;
   set: (value: string) => void;
 }) {
+  const id = useId();
   return (
-    <label class="edit-part">
-      {label}
-      <input
-        type="text"
+    <span class="edit-part">
+      <label for={id}>{label}</label>
+      <TypedInput
+        id={id}
         size={Math.max(5, Math.min(11, value.length + 1))}
         value={value}
-        disabled={is_off}
-        onChange={event => {
-          if (event.currentTarget.value !== value) set(event.currentTarget.value);
+        is_off={is_off}
+        take={typed => {
+          if (typed !== value) set(typed);
+          return true;
         }}
       />
-    </label>
+    </span>
   );
 }
 

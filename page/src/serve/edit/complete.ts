@@ -1,6 +1,6 @@
 // Finds what can be typed at a place of a case's text: keys, words and examples of the schema.
 
-import type { Path } from './json_text';
+import type { Path } from './case_text';
 import { limits_of, meaning_of, type Schema, schema_at } from './schema';
 
 export interface Place {
@@ -185,10 +185,13 @@ function words_on(own: Schema): string {
 
 function values_of(own: Schema, path: Path, names: Names): Choice[] {
   const meaning = words_on(own);
-  const choice = (value: unknown): Choice => ({ text: JSON.stringify(value), label: String(value), meaning });
+  const choice = (value: unknown): Choice => {
+    const word = own['x-words']?.[String(value)];
+    return { text: JSON.stringify(value), label: String(value), meaning: word ? `${word}. ${meaning}` : meaning };
+  };
   const words = [...(own.enum ?? []), ...(own.anyOf ?? []).flatMap(one => one.enum ?? [])];
-  const is_joint = own.title === 'joint_material' || path.at(-1) === 'joint_material';
-  const is_block = own.title === 'block_material' || path.at(-1) === 'block_material';
+  const is_joint = own['x-key'] === 'joint_material' || path.at(-1) === 'joint_material';
+  const is_block = own['x-key'] === 'block_material' || path.at(-1) === 'block_material';
   const known = is_joint ? names.joint : is_block ? names.block : [];
   const type = Array.isArray(own.type) ? own.type : [own.type];
   return [

@@ -3,12 +3,12 @@
 import { type Signal, useSignal } from '@preact/signals';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { Canvas } from './canvas';
-import { Chosen } from './chosen';
+import { find, type Value } from './case_text';
+import { Chosen, Held } from './chosen';
 import * as edits from './edits';
-import { find, type Value } from './json_text';
 import { type Item, loops_of, type Point, type Polygon, quantity_of, type Scene, title_of, value_of } from './scene';
 import { type Snapped, typed_point } from './snap';
-import { points_of, TOOLS, type Tool, type ToolName, tool_of } from './tools';
+import { is_for, points_of, TOOLS, type Tool, type ToolName, tool_of } from './tools';
 
 export interface EditorProps {
   text: string;
@@ -61,7 +61,7 @@ export function Editor(props: EditorProps) {
   const typed = useRef<HTMLInputElement>(null);
 
   const tool = tool_of(name);
-  const is_usable = (own: Tool) => own.geometries.includes(scene.geometry) && (own.name === 'select' || !props.is_old);
+  const is_usable = (own: Tool) => is_for(own, scene) && (own.name === 'select' || !props.is_old);
   const items = useMemo(() => new Map(scene.items.map(own => [own.key, own])), [scene]);
   const selected = [...chosen].map(key => items.get(key)).filter(own => own !== undefined);
 
@@ -145,7 +145,7 @@ export function Editor(props: EditorProps) {
   return (
     <div class="edit-draw">
       <div class="edit-tools" role="toolbar" aria-label="Drawing tools">
-        {TOOLS.filter(one => one.geometries.includes(scene.geometry)).map(one => (
+        {TOOLS.filter(one => is_for(one, scene)).map(one => (
           <button
             type="button"
             key={one.name}
@@ -349,6 +349,8 @@ interface Choices {
   block: number;
   stage: number;
   force: string;
+  held: string;
+  pressure: string;
   stiffness: string;
   strength: string;
   pretension: string;
@@ -366,6 +368,8 @@ function useOptions(scene: Scene): ToolOptions {
     block: 0,
     stage: -1,
     force: has_units ? '10 kN/m' : '1e4',
+    held: 'both',
+    pressure: has_units ? '100 kPa' : '1e5',
     stiffness: has_units ? '20 MN/m/m' : '2e7',
     strength: '0',
     pretension: has_units ? '50 kN/m' : '5e4',
@@ -412,9 +416,16 @@ function draw(
         words: 'Material line added',
       };
     case 'fixed':
-      return scene.geometry === 'blocks'
+      return scene.geometry !== 'drawing'
         ? { text: edits.add_fixed_point(text, scene, from), words: 'Fixed point added' }
         : { text: edits.add_line(text, 'fixed_lines', from, to), words: 'Fixed line added' };
+    case 'support':
+      return { text: edits.add_chain(text, 'displacements', from, to, { held: options.held }), words: 'Support added' };
+    case 'traction':
+      return {
+        text: edits.add_chain(text, 'tractions', from, to, { pressure: value_of(options.pressure) }),
+        words: 'Traction added',
+      };
     case 'point':
       return { text: edits.add_point(text, scene, from), words: 'History point added' };
     case 'hole':
@@ -451,7 +462,7 @@ function draw(
 /** Choices for the items that a tool makes. */
 function Options({ tool, scene, options }: { tool: Tool; scene: Scene; options: ToolOptions }) {
   const { set } = options;
-  const field = (name: 'force' | 'stiffness' | 'strength' | 'pretension', label: string) => (
+  const field = (name: 'force' | 'pressure' | 'stiffness' | 'strength' | 'pretension', label: string) => (
     <label class="edit-part">
       {label}
       <input type="text" size={9} value={options[name]} onInput={event => set({ [name]: event.currentTarget.value })} />
@@ -479,6 +490,10 @@ function Options({ tool, scene, options }: { tool: Tool; scene: Scene; options: 
       return pick('joint', 'Joint material', joints);
     case 'material':
       return pick('block', 'Block material', rocks);
+    case 'support':
+      return <Held value={options.held} is_off={false} set={held => set({ held })} />;
+    case 'traction':
+      return field('pressure', 'Pressure');
     case 'load':
       return field('force', 'Force');
     case 'bolt':

@@ -1,6 +1,6 @@
 // Changes of a case's text as they come from the canvas.
 
-import { find, type Path, parse, plain, remove, set, splice, type Value } from './json_text';
+import { find, type Path, parse, plain, remove, set, splice, type Value } from './case_text';
 import { coordinates_of, type Item, is_inside, length_as, loops_of, type Point, type Scene, scene_of } from './scene';
 
 const tidy = (x: number) => Number(x.toPrecision(12));
@@ -8,14 +8,15 @@ const row = (...points: Point[]) => points.flat().map(tidy);
 const same = (a: Point, b: Point) =>
   Math.hypot(a[0] - b[0], a[1] - b[1]) <= 1e-9 * (1 + Math.abs(a[0]) + Math.abs(a[1]));
 
-/** Number of the block that carries a point, counted from 1; 0 if none does. */
+/** Number of the block or element that carries a point, counted from 1; 0 if none does. */
 function block_at(scene: Scene, point: Point): number {
   return scene.polygons.findIndex(own => is_inside(own.loops, point)) + 1;
 }
 
-/** Part of the file that holds marks: drawing or blocks. */
-export function part_of(scene: Scene): 'drawing' | 'blocks' | null {
-  return scene.geometry === 'drawing' || scene.geometry === 'blocks' ? scene.geometry : null;
+/** Part of the file that holds marks: drawing, blocks or cover. */
+export function part_of(scene: Scene): 'drawing' | 'blocks' | 'cover' | null {
+  const { geometry } = scene;
+  return geometry === 'drawing' || geometry === 'blocks' || geometry === 'cover' ? geometry : null;
 }
 
 /** Appends a row to a list, which is made if it does not exist. */
@@ -31,15 +32,19 @@ export function material_of(names: string[], index: number, noun: string): strin
   return name && name !== `${noun} ${index + 1}` ? name : index + 1;
 }
 
-/** Moves single points. Corners of the outline at the same place go with them. */
+/** Kinds whose corners at one place move together. */
+const SHARED = ['outline', 'block'];
+
+/** Moves single points. Corners of the outline, or of blocks, at the same place go with them. */
 export function move_points(text: string, scene: Scene, moves: { item: Item; index: number; to: Point }[]): string {
   const all = new Map<string, { item: Item; index: number; to: Point }>();
   for (const move of moves) {
     all.set(`${move.item.key}:${move.index}`, move);
-    if (move.item.kind !== 'outline') continue;
+    // A block that moves as a whole leaves its neighbours.
+    if (!SHARED.includes(move.item.kind) || (move.item.kind === 'block' && moves.length > 1)) continue;
     const from = move.item.points[move.index];
     for (const item of scene.items)
-      if (item.kind === 'outline')
+      if (item.kind === move.item.kind)
         item.points.forEach((own, index) => {
           const key = `${item.key}:${index}`;
           if (same(own, from) && !all.has(key)) all.set(key, { item, index, to: move.to });
@@ -51,7 +56,8 @@ export function move_points(text: string, scene: Scene, moves: { item: Item; ind
       const before = find(scene.root, path)?.value;
       changes.push({ path, value: length_as(before, to[axis], scene.length) });
     });
-    const carried = item.path[0] === 'blocks' ? block_at(scene, to) : 0;
+    const is_carried = (item.path[0] === 'blocks' || item.path[0] === 'cover') && item.kind !== 'block';
+    const carried = is_carried ? block_at(scene, to) : 0;
     if (carried) changes.push({ path: [...item.path, item.kind === 'bolt' ? 4 + index : 2], value: carried });
   }
   return replace_many(text, scene, changes);
@@ -97,6 +103,8 @@ function later(a: Path, b: Path): number {
 /** Deletes items. Loads go with their forces, regions whole. */
 export function remove_items(text: string, scene: Scene, items: Item[]): string {
   let result = text;
+  // Points name blocks by their number: a block is removed in the text, where both can be seen.
+  items = items.filter(own => own.kind !== 'block');
   const outlines = items.filter(own => own.kind === 'outline').length;
   for (const item of [...items].sort((a, b) => later(a.path, b.path))) {
     result = remove(result, item.is_list ? item.path.slice(0, -1) : item.path);
@@ -162,11 +170,11 @@ export function add_line(
   return append(text, ['drawing', name], [...row(from, to), ...(material === undefined ? [] : [material])]);
 }
 
-/** Adds a point to a list of the drawing or of blocks; a point of blocks names the block that carries it. */
+/** Adds a point to a list; a point of blocks or a cover names the block or element that carries it. */
 function add_mark(text: string, scene: Scene, name: string, point: Point): string {
   const part = part_of(scene);
   if (!part) return text;
-  const carried = part === 'blocks' ? [Math.max(1, block_at(scene, point))] : [];
+  const carried = part === 'drawing' ? [] : [Math.max(1, block_at(scene, point))];
   return append(text, [part, name], [...row(point), ...carried]);
 }
 
@@ -199,6 +207,51 @@ export function force_of(scene: Scene, index: number): { rows: number; force: [V
   const list = plain(find(scene.root, ['analysis', 'point_loads', index]));
   const first = Array.isArray(list) && Array.isArray(list[0]) ? list[0] : null;
   return { rows: Array.isArray(list) ? list.length : 0, force: [first?.[1] ?? 0, first?.[2] ?? 0] };
+}
+
+/** Adds a support or a traction along a line of the boundary of NMM bodies. */
+export function add_chain(
+  text: string,
+  name: 'displacements' | 'tractions',
+  from: Point,
+  to: Point,
+  values: Value,
+): string {
+  const own = { along: [row(from), row(to)], ...(values as Record<string, Value>) };
+  return append(text, ['covers', name], own);
+}
+
+/** Adds the analysis that a geometry needs to run: usual values, with one entry per material that it names. */
+export function add_analysis(text: string, rock: string): string {
+  const scene = scene_of(text);
+  const count_in = (lists: Path[]) =>
+    Math.max(
+      1,
+      ...lists.flatMap(path =>
+        (find(scene.root, path)?.items ?? []).map(row => {
+          const own = row.kind === 'array' ? row.items.at(-1)?.value : find(row, ['material'])?.value;
+          return typeof own === 'number' ? own : 1;
+        }),
+      ),
+    );
+  const corners = (find(scene.root, ['blocks', 'blocks'])?.items ?? []).flatMap(
+    row => find(row, ['outer'])?.items ?? [],
+  );
+  const joints = Math.max(count_in([['drawing', 'joints']]), ...corners.map(row => Number(row.items[2]?.value) || 1));
+  const rocks = count_in([
+    ['drawing', 'material_lines'],
+    ['blocks', 'blocks'],
+  ]);
+  const length = scene.length || 'm';
+  let result = set(text, ['keyblock'], 2);
+  result = set(result, ['units'], { length, mass: 'kg', time: 's' });
+  return set(result, ['analysis'], {
+    step_count: 1000,
+    time_step: '1 ms',
+    gravity: '9.81 m/s2',
+    block_materials: Array.from({ length: rocks }, (_, i) => ({ name: `rock ${i + 1}`, like: rock })),
+    joint_materials: Array.from({ length: joints }, (_, i) => ({ name: `joint ${i + 1}`, friction_angle_deg: 30 })),
+  });
 }
 
 export interface BoltValues {

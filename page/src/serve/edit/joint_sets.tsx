@@ -2,8 +2,8 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import * as api from '../api';
+import { find, plain, type Value } from './case_text';
 import { material_of, put_joints } from './edits';
-import { find, plain, type Value } from './json_text';
 import { box_of, loops_of, type Scene, scene_of } from './scene';
 import {
   fault_of_set,

@@ -136,7 +136,7 @@ export function tidy(value: number): number {
 
 const INLINE = 100;
 
-function inline(value: Value): string {
+export function inline(value: Value): string {
   if (Array.isArray(value)) return `[${value.map(inline).join(', ')}]`;
   if (value !== null && typeof value === 'object')
     return `{${Object.entries(value)

@@ -3,11 +3,14 @@
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import * as api from '../api';
 import { new_result, stem_of } from '../cases';
+import { ChoiceField, TextField } from '../fields';
 import * as state from '../state';
 import { Canvas } from './canvas';
+import type { Path } from './case_text';
 import { PlaceBox } from './editor';
 import type { Point, Polygon } from './scene';
 import { scene_of } from './scene';
+import { meaning_of, schema_at, title_of } from './schema';
 import { fault_of, first_form, type SceneForm, scene_text, spec_of } from './sets';
 import { SetsForm } from './sets_form';
 import { tool_of } from './tools';
@@ -87,6 +90,7 @@ export function NewScene() {
   const scene = useMemo(() => scene_of(shown || '{}'), [shown]);
 
   useEffect(() => {
+    state.read_schema();
     void state.attempt(api.materials).then(own => {
       if (own) set_library(own.block_materials.map(rock => String(rock.like)));
     });
@@ -96,17 +100,22 @@ export function NewScene() {
   const suggestion = `${new_result('scene', taken)}.json`;
   const put = (change: Partial<SceneForm>) => set_form(before => ({ ...before, ...change }));
   const field = (key: Texts, label: string, title: string, is_number = true) => (
-    <label title={title} key={key}>
-      <span>{label}</span>
-      <input
-        type="text"
-        inputMode={is_number ? 'decimal' : 'text'}
-        value={form[key]}
-        placeholder={key === 'youngs_modulus' ? 'of the library' : ''}
-        onInput={event => put({ [key]: event.currentTarget.value })}
-      />
-    </label>
+    <TextField
+      key={key}
+      is_small
+      label={label}
+      title={title}
+      is_number={is_number}
+      value={form[key]}
+      placeholder={key === 'youngs_modulus' ? 'of the library' : ''}
+      set={own => put({ [key]: own })}
+    />
   );
+  // Title and meaning of a value of the case that the scene becomes.
+  const of_case = (key: Texts, path: Path, words: string, is_number = false) => {
+    const own = state.schema.value ? schema_at(state.schema.value, path) : undefined;
+    return field(key, title_of(String(path.at(-1)), own), own ? `${meaning_of(own)} ${words}` : words, is_number);
+  };
 
   const create = async (event: Event) => {
     event.preventDefault();
@@ -211,32 +220,26 @@ export function NewScene() {
         <div class="group">
           <h2>Rock and run</h2>
           <div class="pairs">
-            <label title="Entry of the library of materials">
-              <span>Rock</span>
-              <select value={form.rock} onChange={event => put({ rock: event.currentTarget.value })}>
-                {library.map(own => (
-                  <option value={own} key={own}>
-                    {own}
-                  </option>
-                ))}
-              </select>
-            </label>
-            {field('youngs_modulus', "Young's modulus", 'With its unit, such as 5 GPa; empty: of the library', false)}
-            {field('gravity', 'Gravity', 'Acceleration, downward, with its unit', false)}
-            {field('steps', 'Steps', 'Number of time steps')}
-            {field('time_step', 'Time step', 'With its unit, such as 1 ms', false)}
+            <ChoiceField
+              is_small
+              label="Rock"
+              title="Entry of the library of materials"
+              value={form.rock}
+              set={rock => put({ rock })}
+              choices={library}
+            />
+            {of_case(
+              'youngs_modulus',
+              ['analysis', 'block_materials', 0, 'youngs_modulus'],
+              'With its unit, such as 5 GPa; empty: of the library.',
+            )}
+            {of_case('gravity', ['analysis', 'gravity'], 'With its unit.')}
+            {of_case('steps', ['analysis', 'step_count'], '', true)}
+            {of_case('time_step', ['analysis', 'time_step'], 'With its unit, such as 1 ms.')}
           </div>
         </div>
         <div class="group">
-          <label class="field">
-            <span>File</span>
-            <input
-              type="text"
-              value={name}
-              placeholder={suggestion}
-              onInput={event => set_name(event.currentTarget.value)}
-            />
-          </label>
+          <TextField label="File" value={name} placeholder={suggestion} set={set_name} />
           <div class="row wide">
             <span class="space" />
             <button type="submit" class="small strong" disabled={!is_ready}>

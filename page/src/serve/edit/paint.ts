@@ -256,6 +256,10 @@ class Painter {
       case 'outline':
         this.line(points, colour(own.ink), 2 + more);
         return;
+      case 'block':
+        // The block itself is drawn below.
+        if (more || p.moved.has(item.key)) this.line(points, colour(own.ink), 0.6 + more, [], true);
+        return;
       case 'joint':
         this.line(points, colour(joint_colour(p.material(item), own.is_dark)), 1.3 + more);
         return;

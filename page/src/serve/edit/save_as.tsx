@@ -3,6 +3,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import * as api from '../api';
 import { leaf_of, stem_of } from '../cases';
+import { ChoiceField, TextField } from '../fields';
 import * as state from '../state';
 
 /** Formats that a case can be written as: word of the program, name, ending. Pairs of files have no ending. */
@@ -65,21 +66,13 @@ export function SaveAs({
     <dialog class="dialog" ref={dialog} onClose={close} aria-labelledby="save-as">
       <form onSubmit={write}>
         <h2 id="save-as">Save {leaf_of(current)} as</h2>
-        <label class="field">
-          <span>Format</span>
-          <select value={format} onChange={event => choose(event.currentTarget.value)}>
-            <option value="">the same</option>
-            {FORMATS.map(([word, label]) => (
-              <option value={word} key={word}>
-                {label}
-              </option>
-            ))}
-          </select>
-        </label>
-        <label class="field">
-          <span>File</span>
-          <input type="text" required value={name} onInput={event => set_name(event.currentTarget.value)} />
-        </label>
+        <ChoiceField
+          label="Format"
+          value={format}
+          set={choose}
+          choices={[['', 'the same'], ...FORMATS.map(([word, label]): [string, string] => [word, label])]}
+        />
+        <TextField label="File" is_required value={name} set={set_name} />
         {format !== '' && <p class="note">Changes are saved first. The program lists what the format cannot hold.</p>}
         {losses && (
           <pre class="messages" role="status">

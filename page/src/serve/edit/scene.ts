@@ -1,10 +1,11 @@
 // Drawing of a case file as items that a canvas shows and moves. The text stays the truth: each item knows its path.
 
-import { find, type Node, type Path, parse, plain, type Value } from './json_text';
+import { find, type Node, type Path, parse, plain, type Value } from './case_text';
 
 export type Point = [number, number];
 
 export type Kind =
+  | 'block'
   | 'outline'
   | 'joint'
   | 'material_line'
@@ -47,6 +48,8 @@ export interface Scene {
   /** Blocks or elements that the text itself holds. */
   polygons: Polygon[];
   boundary_count: number;
+  /** True if the case has bodies of the manifold method besides blocks. */
+  has_covers: boolean;
   length: string;
   block_materials: string[];
   joint_materials: string[];
@@ -141,6 +144,28 @@ class Reader {
     });
   }
 
+  /** Corners of blocks and of their holes. */
+  blocks(): void {
+    find(this.root, ['blocks', 'blocks'])?.items.forEach((row, i) => {
+      const own: Path = ['blocks', 'blocks', i];
+      this.add('block', [...own, 'outer'], this.corners(find(row, ['outer'])), -1, true);
+      find(row, ['holes'])?.items.forEach((hole, j) => {
+        this.add('block', [...own, 'holes', j], this.corners(hole), -1, true);
+      });
+    });
+  }
+
+  /** Elements of a cover: chains of its vertex slots. */
+  elements(): Polygon[] {
+    const slots = this.corners(find(this.root, ['cover', 'vertices'])) ?? [];
+    const rows = find(this.root, ['cover', 'elements'])?.items ?? [];
+    return rows.flatMap(row => {
+      const [first, size, material] = row.items.map(own => Number(own.value));
+      const loop = slots.slice(first - 1, first - 1 + size);
+      return loop.length > 2 ? [{ material: material || 1, loops: [loop] }] : [];
+    });
+  }
+
   polygons(): Polygon[] {
     const rows = find(this.root, ['blocks', 'blocks'])?.items ?? [];
     const found: Polygon[] = [];
@@ -188,6 +213,7 @@ export function scene_of(text: string): Scene {
     reader.rows('load', [part, 'loading_points'], 1);
     reader.rows('point', [part, 'measured_points'], 1);
   }
+  reader.blocks();
   reader.rows('force', ['covers', 'forces'], 1);
   reader.chains('support', ['covers', 'displacements']);
   reader.chains('traction', ['covers', 'tractions']);
@@ -203,8 +229,9 @@ export function scene_of(text: string): Scene {
   return {
     geometry,
     items: reader.items,
-    polygons: reader.polygons(),
+    polygons: geometry === 'cover' ? reader.elements() : reader.polygons(),
     boundary_count,
+    has_covers: find(root, ['covers']) !== undefined,
     length,
     block_materials: names_of(root, ['analysis', 'block_materials'], 'material'),
     joint_materials: names_of(root, ['analysis', 'joint_materials'], 'joint'),
@@ -283,6 +310,7 @@ export function extent_of(scene: Scene, polygons: Polygon[]): [number, number, n
 }
 
 export const WORDS: Record<Kind, string> = {
+  block: 'Block',
   outline: 'Outline',
   joint: 'Joint',
   material_line: 'Material line',
@@ -302,6 +330,10 @@ export const WORDS: Record<Kind, string> = {
 
 /** Name of an item for people: its kind and number. */
 export function title_of(item: Item): string {
+  if (item.kind === 'block') {
+    const block = `Block ${Number(item.path[2]) + 1}`;
+    return item.path.length > 4 ? `Hole ${Number(item.path[4]) + 1} of block ${Number(item.path[2]) + 1}` : block;
+  }
   const index = item.is_list ? item.path.at(-2) : item.path.at(-1);
   return `${WORDS[item.kind]} ${Number(index) + 1}${item.stage < 0 ? '' : ` of stage ${item.stage + 1}`}`;
 }

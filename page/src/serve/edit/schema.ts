@@ -1,6 +1,6 @@
 // Reads the schema of a case file: what stands at a path, with title, unit, limits and meaning.
 
-import type { Path, Step } from './json_text';
+import type { Path, Step } from './case_text';
 
 export interface Schema {
   type?: string | string[];
@@ -14,6 +14,30 @@ export interface Schema {
   prefixItems?: Schema[];
   anyOf?: Schema[];
   required?: string[];
+  additionalProperties?: Schema | boolean;
+  minimum?: number;
+  maximum?: number;
+  exclusiveMinimum?: number;
+  exclusiveMaximum?: number;
+  /** Key of a place in a row. */
+  'x-key'?: string;
+  /** Letters of the dimension, an angle, or "none". */
+  'x-unit'?: string;
+  /** Permitted values in words. */
+  'x-permitted'?: string;
+  /** Group among the keys of an object. */
+  'x-group'?: string;
+  /** Meanings of permitted words. */
+  'x-words'?: Record<string, string>;
+  /** Sections of a form. */
+  'x-sections'?: Section[];
+}
+
+/** Section of the form of a case; `row` is the noun for one row of a list. */
+export interface Section {
+  title: string;
+  row: string;
+  path: Path;
 }
 
 /** Returns the schema of the value at a path. */
@@ -32,35 +56,17 @@ function below(own: Schema, step: Step): Schema | undefined {
   return typeof own.items === 'object' ? own.items : undefined;
 }
 
-const TITLES: Record<string, string> = {
-  youngs_modulus: "Young's modulus",
-  poissons_ratio: "Poisson's ratio",
-  friction_angle_deg: 'Friction angle',
-  friction_deg: 'Friction angle',
-  dilation_deg: 'Dilation angle',
-  dip_scatter_deg: 'Scatter of the dip',
-  like: 'Library entry',
-  xx: 'xx',
-  yy: 'yy',
-  xy: 'xy',
-  x: 'x',
-  y: 'y',
-};
-
-/** Title of a key for people. */
-export function title_of_key(key: string): string {
-  if (key in TITLES) return TITLES[key];
-  const words = key.replace(/_deg$/, '').replace(/_/g, ' ');
+/** Title of a key for people: that of the schema, else the key in words. */
+export function title_of(key: string, own: Schema | undefined): string {
+  if (own?.title) return own.title;
+  const words = key.replace(/_/g, ' ');
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-/** Dimension or unit that a description names: "F/L²", "degrees". */
+/** Dimension or unit of a number: "F/L²", "°"; empty if it has none. */
 export function dimension_of(own: Schema): string {
-  const text = own.description ?? '';
-  if (/\bdegrees\b/.test(text) && !/^1\b/.test(text)) return '°';
-  const found =
-    /(?:^|, |\. )((?:[MLTF]|1)(?:[¹²³⁴]|\^[\d.]+)?(?:(?: |\/)(?:[MLT]|F)(?:[¹²³]|\^[\d.]+)?)*)(?=[,;.]|$)/.exec(text);
-  return found && found[1] !== '1' ? found[1] : '';
+  const unit = own['x-unit'] ?? 'none';
+  return unit === 'none' ? '' : unit === 'deg' ? '°' : unit;
 }
 
 /** Units of a case file by their keys. */
@@ -83,21 +89,35 @@ export function unit_in(dimension: string, units: Units): string {
 
 /** Words of a description without its limits. */
 export function meaning_of(own: Schema): string {
-  const text = (own.description ?? '').replace(/\.? ?Permitted: [^;]*$/, '').trim();
+  const limits = own['x-permitted'];
+  const text = (own.description ?? '').replace(limits ? `. Permitted: ${limits}` : '', '').trim();
   const sentence = text.charAt(0).toUpperCase() + text.slice(1);
   return sentence && !/[.!?]$/.test(sentence) ? `${sentence}.` : sentence;
 }
 
 /** Words on the permitted values, or the empty text. */
-export function limits_of(own: Schema): string {
-  return /Permitted: ([^;]*)$/.exec(own.description ?? '')?.[1].replace(/\.$/, '') ?? '';
+export const limits_of = (own: Schema): string => own['x-permitted'] ?? '';
+
+/** Title of a permitted word with its meaning: "free: centred on the bodies". */
+export function words_of(own: Schema, word: unknown): string {
+  const text = String(word).replace(/_/g, ' ');
+  const meaning = own['x-words']?.[String(word)];
+  return meaning ? `${text}: ${meaning}` : text;
+}
+
+/** Keys of an object by their groups, in the order of the schema. */
+export function by_group<T extends { own: Schema }>(keys: T[]): [string, T[]][] {
+  const groups = new Map<string, T[]>();
+  for (const key of keys) {
+    const name = key.own['x-group'] ?? 'General';
+    groups.set(name, [...(groups.get(name) ?? []), key]);
+  }
+  return [...groups];
 }
 
 /** True if the value may be a number with a unit. */
 export const takes_unit = (own: Schema) =>
   Array.isArray(own.type) && own.type.includes('string') && own.type.includes('number');
-
-const NUMBER = '(-?[\\d.]+(?:e-?\\d+)?)';
 
 /** Returns what is wrong with a value, or the empty text. Values with units are left to the check of the program. */
 export function fault_in(own: Schema, value: unknown): string {
@@ -109,24 +129,12 @@ export function fault_in(own: Schema, value: unknown): string {
   }
   if (typeof value !== 'number') return '';
   const limits = limits_of(own);
-  if ((types.includes('integer') || /whole number/.test(limits)) && !Number.isInteger(value))
-    return limits || 'a whole number';
-  return is_out_of(limits, value) ? limits : '';
+  if (types.includes('integer') && !Number.isInteger(value)) return limits || 'a whole number';
+  return is_out_of(own, value) ? limits || 'another number' : '';
 }
 
-/** True if a number breaks limits such as "greater than 0", "0 to 0.5", "at least 0 and below 90 degrees", "0 or more". */
-function is_out_of(limits: string, value: number): boolean {
-  const after = (words: string) => {
-    const found = new RegExp(`${words} ${NUMBER}`).exec(limits);
-    return found ? Number(found[1]) : Number.NaN;
-  };
-  const range = new RegExp(`${NUMBER} to ${NUMBER}`).exec(limits);
-  const or_more = new RegExp(`${NUMBER} or more`).exec(limits);
-  return (
-    (range !== null && (value < Number(range[1]) || value > Number(range[2]))) ||
-    (or_more !== null && value < Number(or_more[1])) ||
-    value <= after('greater than') ||
-    value < after('at least') ||
-    value >= after('below')
-  );
-}
+const is_out_of = (own: Schema, value: number): boolean =>
+  value < (own.minimum ?? -Infinity) ||
+  value > (own.maximum ?? Infinity) ||
+  value <= (own.exclusiveMinimum ?? -Infinity) ||
+  value >= (own.exclusiveMaximum ?? Infinity);

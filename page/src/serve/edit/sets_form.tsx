@@ -1,5 +1,6 @@
 // Form of joint sets, for a new scene and for a case.
 
+import { ChoiceField, TextField } from '../fields';
 import { type JointSet, new_set } from './sets';
 
 /** Name and unit of a field, and a sentence on it. */
@@ -43,37 +44,22 @@ export function SetsForm({
         <fieldset class="set" key={i}>
           <legend>Joint set {i + 1}</legend>
           {names ? (
-            <label class="field">
-              <span>Joint material</span>
-              <select value={set.name} onChange={event => put(i, 'name', event.currentTarget.value)}>
-                {names.map(own => (
-                  <option value={own} key={own}>
-                    {own}
-                  </option>
-                ))}
-              </select>
-            </label>
+            <ChoiceField label="Joint material" value={set.name} set={own => put(i, 'name', own)} choices={names} />
           ) : (
-            <label class="field">
-              <span>Name</span>
-              <input type="text" value={set.name} onInput={event => put(i, 'name', event.currentTarget.value)} />
-            </label>
+            <TextField label="Name" value={set.name} set={own => put(i, 'name', own)} />
           )}
           <div class="pairs">
             {[...FIELDS, ...(has_strength ? STRENGTH : [])].map(([key, label, unit, title]) => (
-              <label title={title} key={key}>
-                <span>
-                  {label}
-                  {unit && ` [${unit === 'L' ? length || 'L' : unit}]`}
-                </span>
-                <input
-                  type="text"
-                  inputMode={key === 'cohesion' ? 'text' : 'decimal'}
-                  value={set[key]}
-                  placeholder={key === 'trace' ? 'through' : key === 'gap' || key === 'cohesion' ? '0' : ''}
-                  onInput={event => put(i, key, event.currentTarget.value)}
-                />
-              </label>
+              <TextField
+                key={key}
+                is_small
+                label={`${label}${unit && ` [${unit === 'L' ? length || 'L' : unit}]`}`}
+                title={title}
+                is_number={key !== 'cohesion'}
+                value={set[key]}
+                placeholder={key === 'trace' ? 'through' : key === 'gap' || key === 'cohesion' ? '0' : ''}
+                set={own => put(i, key, own)}
+              />
             ))}
           </div>
           <button

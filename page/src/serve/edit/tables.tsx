@@ -1,39 +1,27 @@
 // Forms of a case beside its text: every section as tables and fields, with titles, units and limits of the schema.
 
-import { useState } from 'preact/hooks';
+import { ValueBox } from '../fields';
+import { find, type Node, type Path, parse, plain, remove, set, type Value } from './case_text';
 import { append } from './edits';
-import { find, type Node, type Path, parse, plain, remove, set, type Value } from './json_text';
-import { type Scene, value_of } from './scene';
+import type { Scene } from './scene';
 import {
+  by_group,
   dimension_of,
-  fault_in,
   limits_of,
   meaning_of,
   type Schema,
+  type Section,
   schema_at,
   takes_unit,
-  title_of_key,
+  title_of,
   type Units,
   unit_in,
 } from './schema';
 
-/** Sections in the order of work; those of results are left out. */
-const SECTIONS: [string, string, Path][] = [
-  ['joints', 'Joint materials', ['analysis', 'joint_materials']],
-  ['rocks', 'Block materials', ['analysis', 'block_materials']],
-  ['analysis', 'Analysis', ['analysis']],
-  ['run', 'Run', ['run']],
-  ['units', 'Units', ['units']],
-  ['stages', 'Stages', ['stages']],
-  ['bolts', 'Bolt properties', ['analysis', 'bolt_properties']],
-  ['covers', 'NMM bodies', ['covers']],
-  ['outputs', 'Outputs', ['outputs']],
-];
-
 /** Keys that a new row begins with. */
 const FIRST: Record<string, (scene: Scene) => Value> = {
-  joints: scene => ({ name: `joint ${scene.joint_materials.length + 1}`, friction_angle_deg: 30 }),
-  rocks: scene => ({
+  joint_materials: scene => ({ name: `joint ${scene.joint_materials.length + 1}`, friction_angle_deg: 30 }),
+  block_materials: scene => ({
     name: `rock ${scene.block_materials.length + 1}`,
     ...(scene.length ? { like: 'limestone' } : { density: 2600, youngs_modulus: 5e9, poissons_ratio: 0.25 }),
   }),
@@ -44,23 +32,27 @@ export function Tables({
   text,
   scene,
   schema,
+  latest,
   change,
   is_old,
 }: {
   text: string;
   scene: Scene;
   schema: Schema | null;
+  latest: () => string;
   change: (text: string) => void;
   is_old: boolean;
 }) {
   if (!schema) return <p class="note pad">Reading the schema…</p>;
-  const edit = (next: () => string) => {
-    if (!is_old) change(next());
+  const sections = schema['x-sections'] ?? [];
+  const edit = (next: (text: string) => string) => {
+    if (!is_old) change(next(latest()));
   };
   return (
     <div class="tables">
       {is_old && <p class="note bad">The text has a fault: correct it before you change the tables.</p>}
-      {SECTIONS.map(([key, title, path]) => {
+      {sections.map(({ title, row, path }) => {
+        const key = String(path.at(-1));
         const own = schema_at(schema, path);
         const node = find(scene.root, path);
         if (!own) return null;
@@ -70,15 +62,17 @@ export function Tables({
             {own.type === 'array' ? (
               <Rows
                 title={title}
+                noun={row}
                 path={path}
                 node={node}
                 schema={own}
                 edit={edit}
                 text={text}
+                sections={sections}
                 first={FIRST[key]?.(scene) ?? {}}
               />
             ) : (
-              <Fields path={path} node={node} schema={own} edit={edit} text={text} />
+              <Fields path={path} node={node} schema={own} edit={edit} text={text} sections={sections} />
             )}
           </section>
         );
@@ -92,7 +86,10 @@ interface Part {
   node: Node | undefined;
   schema: Schema;
   text: string;
-  edit: (next: () => string) => void;
+  /** Changes the text as it is by then: another field may have changed it since it was drawn. */
+  edit: (next: (text: string) => string) => void;
+  /** Sections of the form: what they hold is left out elsewhere. */
+  sections: Section[];
 }
 
 /** Kinds of values that one box can hold. */
@@ -102,15 +99,16 @@ function is_simple(own: Schema): boolean {
 }
 
 /** Keys of an object as fields; those that it lacks can be added. */
-function Fields({ path, node, schema, text, edit }: Part) {
+function Fields({ path, node, schema, text, edit, sections }: Part) {
   // Objects without keys of their own, such as settings, hold values of any name.
-  const of = (name: string): Schema | undefined => (schema.properties ? schema.properties[name] : {});
+  const of = (name: string): Schema | undefined =>
+    (schema.properties ? schema.properties[name] : {}) ?? others_of(schema);
   const given = (node?.keys ?? []).filter(
     (key, i, all) => of(key.name) && all.findIndex(one => one.name === key.name) === i,
   );
   const simple = given.filter(key => is_simple(of(key.name)!));
   const nested = given.filter(
-    key => !is_simple(of(key.name)!) && !SECTIONS.some(([, , own]) => same(own, [...path, key.name])),
+    key => !is_simple(of(key.name)!) && !sections.some(own => same(own.path, [...path, key.name])),
   );
   return (
     <>
@@ -125,6 +123,7 @@ function Fields({ path, node, schema, text, edit }: Part) {
               schema={of(key.name)!}
               text={text}
               edit={edit}
+              sections={sections}
             />
           ))}
         </div>
@@ -137,29 +136,45 @@ function Fields({ path, node, schema, text, edit }: Part) {
         return (
           <details key={key.name}>
             <summary>
-              {title_of_key(key.name)} {is_rows && <span class="note">{size === 1 ? '1 row' : `${size} rows`}</span>}
+              {title_of(key.name, own)} {is_rows && <span class="note">{size === 1 ? '1 row' : `${size} rows`}</span>}
             </summary>
             <p class="note">{meaning_of(own)}</p>
             {is_rows ? (
               <Rows
-                title={title_of_key(key.name)}
+                title={title_of(key.name, own)}
+                noun={noun_of(title_of(key.name, own))}
                 path={[...path, key.name]}
                 node={below}
                 schema={own}
                 text={text}
                 edit={edit}
+                sections={sections}
                 first={{}}
               />
             ) : (
-              <Fields path={[...path, key.name]} node={below} schema={own} text={text} edit={edit} />
+              <Fields
+                path={[...path, key.name]}
+                node={below}
+                schema={own}
+                text={text}
+                edit={edit}
+                sections={sections}
+              />
             )}
           </details>
         );
       })}
-      <AddKey path={path} node={node} schema={schema} text={text} edit={edit} />
+      <AddKey path={path} node={node} schema={schema} text={text} edit={edit} sections={sections} />
     </>
   );
 }
+
+/** Noun for one row of a list. */
+const noun_of = (title: string) => title.toLowerCase().replace(/ies$/, 'y').replace(/s$/, '');
+
+/** Schema of keys that the schema does not name. */
+const others_of = (schema: Schema): Schema | undefined =>
+  typeof schema.additionalProperties === 'object' ? schema.additionalProperties : undefined;
 
 const same = (a: Path, b: Path) => a.length === b.length && a.every((step, i) => step === b[i]);
 
@@ -175,9 +190,9 @@ function start_of(own: Schema): Value {
   return (takes_unit(own) && (own.examples?.[0] as Value)) || 1;
 }
 
-function AddKey({ path, node, schema, text, edit }: Part) {
+function AddKey({ path, node, schema, edit, sections }: Part) {
   const lacking = Object.entries(schema.properties ?? {}).filter(
-    ([key]) => !node?.keys.some(one => one.name === key) && !SECTIONS.some(([, , own]) => same(own, [...path, key])),
+    ([key]) => !node?.keys.some(one => one.name === key) && !sections.some(own => same(own.path, [...path, key])),
   );
   if (!lacking.length) return null;
   return (
@@ -190,14 +205,18 @@ function AddKey({ path, node, schema, text, edit }: Part) {
           const key = event.currentTarget.value;
           event.currentTarget.value = '';
           const own = schema.properties?.[key];
-          if (own) edit(() => set(text, [...path, key], start_of(own)));
+          if (own) edit(text => set(text, [...path, key], start_of(own)));
         }}
       >
         <option value="">choose a value…</option>
-        {lacking.map(([key, own]) => (
-          <option value={key} key={key} title={meaning_of(own)}>
-            {title_of_key(key)}
-          </option>
+        {by_group(lacking.map(([key, own]) => ({ key, own }))).map(([group, keys]) => (
+          <optgroup label={group} key={group}>
+            {keys.map(({ key, own }) => (
+              <option value={key} key={key} title={meaning_of(own)}>
+                {title_of(key, own)}
+              </option>
+            ))}
+          </optgroup>
         ))}
       </select>
     </label>
@@ -205,22 +224,22 @@ function AddKey({ path, node, schema, text, edit }: Part) {
 }
 
 /** One value with its title, unit and meaning. */
-function Field({ name, path, node, schema, text, edit }: Part & { name: string }) {
+function Field({ name, path, node, schema, text, edit, sections }: Part & { name: string }) {
   const unit = unit_in(dimension_of(schema), units_of(text));
   const limits = limits_of(schema);
   const id = path.join('-');
   return (
     <div class="one">
       <label for={id}>
-        {title_of_key(name)} {unit && <span class="note">[{unit}]</span>}
+        {title_of(name, schema)} {unit && <span class="note">[{unit}]</span>}
       </label>
-      <Box id={id} path={path} node={node} schema={schema} text={text} edit={edit} label="" />
+      <Box id={id} path={path} node={node} schema={schema} text={text} edit={edit} sections={sections} label="" />
       <button
         type="button"
         class="small"
-        aria-label={`Remove ${title_of_key(name)}`}
+        aria-label={`Remove ${title_of(name, schema)}`}
         title="Remove: the default counts"
-        onClick={() => edit(() => remove(text, path))}
+        onClick={() => edit(text => remove(text, path))}
       >
         ×
       </button>
@@ -233,69 +252,20 @@ function Field({ name, path, node, schema, text, edit }: Part & { name: string }
   );
 }
 
-/** Box for a value: choices for words, a tick for true and false, text for all else. */
-function Box({ id, label, path, node, schema, text, edit }: Part & { id?: string; label: string }) {
-  const [fault, set_fault] = useState('');
-  const value = plain(node);
-  const types = Array.isArray(schema.type) ? schema.type : [schema.type];
-  const put = (own: Value) => edit(() => set(text, path, own));
-  const name = label || undefined;
-  if (schema.enum)
-    return (
-      <select
-        id={id}
-        aria-label={name}
-        value={value === undefined ? '' : String(value)}
-        onChange={event => {
-          const own = schema.enum!.find(one => String(one) === event.currentTarget.value);
-          if (own === undefined) edit(() => remove(text, path));
-          else put(own as Value);
-        }}
-      >
-        {value === undefined && <option value="" />}
-        {value !== undefined && !schema.enum.includes(value) && <option value={String(value)}>{String(value)}</option>}
-        {schema.enum.map(own => (
-          <option value={String(own)} key={String(own)}>
-            {String(own).replace(/_/g, ' ')}
-          </option>
-        ))}
-      </select>
-    );
-  if (types.includes('boolean'))
-    return (
-      <input
-        id={id}
-        aria-label={name}
-        type="checkbox"
-        checked={value === true}
-        onChange={event => put(event.currentTarget.checked)}
-      />
-    );
+/** Box for the value at a path of the text. */
+function Box({ id, label, path, node, schema, edit }: Part & { id?: string; label: string }) {
   return (
-    <>
-      <input
-        id={id}
-        aria-label={name}
-        type="text"
-        value={value === undefined ? '' : typeof value === 'object' ? '' : String(value)}
-        placeholder={schema.default === undefined ? '' : String(schema.default)}
-        title={[meaning_of(schema), limits_of(schema) && `Permitted: ${limits_of(schema)}.`].filter(Boolean).join(' ')}
-        aria-invalid={fault !== ''}
-        onChange={event => {
-          const typed = event.currentTarget.value.trim();
-          if (!typed) {
-            set_fault('');
-            if (typeof path.at(-1) === 'string' && value !== undefined) edit(() => remove(text, path));
-            return;
-          }
-          const own = types.length === 1 && types[0] === 'string' ? typed : value_of(typed);
-          const wrong = fault_in(schema, own);
-          set_fault(wrong);
-          if (!wrong && own !== value) put(own);
-        }}
-      />
-      {fault && <span class="fault">Expected: {fault}.</span>}
-    </>
+    <ValueBox
+      id={id}
+      label={label}
+      own={schema}
+      value={plain(node)}
+      put={own => edit(text => set(text, path, own))}
+      clear={() => {
+        // Places of a row stay.
+        if (typeof path.at(-1) === 'string') edit(text => remove(text, path));
+      }}
+    />
   );
 }
 
@@ -323,11 +293,21 @@ function Unit({ own, units }: { own: Schema; units: Units }) {
 const MOST_ROWS = 60;
 
 /** A list: objects by their keys, rows by their columns, others as text. */
-function Rows({ title, path, node, schema, text, edit, first }: Part & { title: string; first: Value }) {
+function Rows({
+  title,
+  noun,
+  path,
+  node,
+  schema,
+  text,
+  edit,
+  sections,
+  first,
+}: Part & { title: string; noun: string; first: Value }) {
   const item = typeof schema.items === 'object' ? schema.items : undefined;
   const rows = node?.items ?? [];
   const add = (value: Value) =>
-    edit(() => (find(parse(text), path) ? append(text, path, value) : set(text, path, [value])));
+    edit(text => (find(parse(text), path) ? append(text, path, value) : set(text, path, [value])));
   if (!item) return null;
   const is_rows = !!item.prefixItems;
   const keys = is_rows
@@ -336,10 +316,9 @@ function Rows({ title, path, node, schema, text, edit, first }: Part & { title: 
         key => is_simple(item.properties![key]) && rows.some(row => row.keys.some(one => one.name === key)),
       );
   const columns: [string, Schema, (i: number) => Path][] = is_rows
-    ? item.prefixItems!.map((own, c) => [own.title ?? String(c + 1), own, i => [...path, i, c]])
+    ? item.prefixItems!.map((own, c) => [own['x-key'] ?? String(c + 1), own, i => [...path, i, c]])
     : keys.map(key => [key, item.properties![key], i => [...path, i, key]]);
   const units = units_of(text);
-  const noun = title.toLowerCase().replace(/ies$/, 'y').replace(/s$/, '');
   return (
     <>
       {rows.length > 0 && columns.length > 0 && (
@@ -350,7 +329,7 @@ function Rows({ title, path, node, schema, text, edit, first }: Part & { title: 
                 <th scope="col">#</th>
                 {columns.map(([key, own]) => (
                   <th scope="col" key={key} title={meaning_of(own)}>
-                    {title_of_key(key)} <Unit own={own} units={units} />
+                    {title_of(key, own)} <Unit own={own} units={units} />
                   </th>
                 ))}
                 <th scope="col">
@@ -371,7 +350,8 @@ function Rows({ title, path, node, schema, text, edit, first }: Part & { title: 
                           schema={own}
                           text={text}
                           edit={edit}
-                          label={`${title_of_key(key)} of ${noun} ${i + 1}`}
+                          sections={sections}
+                          label={`${title_of(key, own)} of ${noun} ${i + 1}`}
                         />
                       )}
                     </td>
@@ -381,7 +361,7 @@ function Rows({ title, path, node, schema, text, edit, first }: Part & { title: 
                       type="button"
                       class="small"
                       aria-label={`Remove ${noun} ${i + 1}`}
-                      onClick={() => edit(() => remove(text, [...path, i]))}
+                      onClick={() => edit(text => remove(text, [...path, i]))}
                     >
                       ×
                     </button>
@@ -397,10 +377,10 @@ function Rows({ title, path, node, schema, text, edit, first }: Part & { title: 
         rows.slice(0, MOST_ROWS).map((row, i) => (
           <details key={i}>
             <summary>
-              {String(find(row, ['name'])?.value ?? `${title_of_key(noun.replace(/ /g, '_'))} ${i + 1}`)}{' '}
+              {String(find(row, ['name'])?.value ?? `${title_of(noun, undefined)} ${i + 1}`)}{' '}
               <span class="note">all values</span>
             </summary>
-            <Fields path={[...path, i]} node={row} schema={item} text={text} edit={edit} />
+            <Fields path={[...path, i]} node={row} schema={item} text={text} edit={edit} sections={sections} />
           </details>
         ))}
       <div class="row wide">

@@ -1,6 +1,7 @@
 // Text of a case, with numbers of lines beside it and completion from the schema.
 
-import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { coloured_lines, type Syntax, syntax_of } from './colour_text';
 import { type Choice, choices_at, type Names, type Place, place_at } from './complete';
 import type { Schema } from './schema';
 
@@ -14,8 +15,12 @@ interface Popup {
 
 const MOST = 80;
 
+/** Longer texts stay plain. */
+const MOST_COLOURED = 1_000_000;
+
 export function TextArea({
   box,
+  path,
   label,
   value,
   is_ready,
@@ -25,6 +30,8 @@ export function TextArea({
   names,
 }: {
   box: { current: HTMLTextAreaElement | null };
+  /** Name of the file, which tells its syntax. */
+  path: string;
   label: string;
   value: string;
   is_ready: boolean;
@@ -100,11 +107,13 @@ export function TextArea({
     const mark = kinds.get(l);
     numbers.push(mark === undefined ? `${l}\n` : <b class={mark ? 'bad' : 'warn'}>{`${l}\n`}</b>);
   }
+  const syntax = value.length > MOST_COLOURED ? null : syntax_of(path);
   return (
-    <div class="text">
-      <pre ref={gutter} aria-hidden="true">
+    <div class={syntax ? 'text coloured' : 'text'}>
+      <pre class="lines" ref={gutter} aria-hidden="true">
         {numbers}
       </pre>
+      {syntax && <Colours box={box} value={value} syntax={syntax} />}
       <textarea
         ref={box}
         aria-label={label}
@@ -151,6 +160,62 @@ export function TextArea({
           {popup.choices[popup.at].meaning && <p>{popup.choices[popup.at].meaning}</p>}
         </div>
       )}
+    </div>
+  );
+}
+
+/** Coloured copy of the lines in view, behind the text. */
+function Colours({
+  box,
+  value,
+  syntax,
+}: {
+  box: { current: HTMLTextAreaElement | null };
+  value: string;
+  syntax: Syntax;
+}) {
+  const [view, set_view] = useState({ top: 0, left: 0, height: 900, line: 20 });
+  const lines = useMemo(() => coloured_lines(value, syntax), [value, syntax]);
+  useEffect(() => {
+    const own = box.current;
+    if (!own) return;
+    const look = () =>
+      set_view({
+        top: own.scrollTop,
+        left: own.scrollLeft,
+        height: own.clientHeight,
+        line: Number.parseFloat(getComputedStyle(own).lineHeight) || 20,
+      });
+    look();
+    own.addEventListener('scroll', look);
+    const sizes = new ResizeObserver(look);
+    sizes.observe(own);
+    return () => {
+      own.removeEventListener('scroll', look);
+      sizes.disconnect();
+    };
+  }, []);
+  const first = Math.max(0, Math.floor(view.top / view.line) - 1);
+  const last = first + Math.ceil(view.height / view.line) + 3;
+  return (
+    <div class="colours" aria-hidden="true">
+      <pre style={{ transform: `translate(${-view.left}px, ${first * view.line - view.top}px)` }}>
+        {lines.slice(first, last).map((line, i) => (
+          <div key={first + i}>
+            {line.length === 0
+              ? '\n'
+              : line.map(([kind, part], j) =>
+                  kind ? (
+                    <i class={`c-${kind}`} key={j}>
+                      {part}
+                    </i>
+                  ) : (
+                    part
+                  ),
+                )}
+          </div>
+        ))}
+      </pre>
     </div>
   );
 }

@@ -1,6 +1,6 @@
 // Tools of the canvas: what each draws and when it can be used.
 
-import type { Geometry } from './scene';
+import type { Geometry, Scene } from './scene';
 
 export type ToolName =
   | 'select'
@@ -13,6 +13,8 @@ export type ToolName =
   | 'load'
   | 'bolt'
   | 'excavation'
+  | 'support'
+  | 'traction'
   | 'hole';
 
 export interface Tool {
@@ -22,6 +24,8 @@ export interface Tool {
   /** Points that it takes; 0: a closed chain. */
   points: 0 | 1 | 2;
   geometries: Geometry[];
+  /** True if it is for bodies of the manifold method alone. */
+  is_nmm?: boolean;
   hint: string;
   /** Lines of its icon, in a box of 20 by 20. */
   icon: string;
@@ -62,7 +66,7 @@ export const TOOLS: Tool[] = [
     label: 'Fixed',
     key: 'f',
     points: 2,
-    geometries: ['drawing', 'blocks'],
+    geometries: ['drawing', 'blocks', 'cover'],
     hint: 'Click start and end of the fixed line. It fixes blocks where it crosses their edges.',
     icon: 'M3 8h14M5 8l-2 5M9 8l-2 5M13 8l-2 5M17 8l-2 5',
   },
@@ -71,7 +75,7 @@ export const TOOLS: Tool[] = [
     label: 'Point',
     key: 'p',
     points: 1,
-    geometries: ['drawing', 'blocks'],
+    geometries: ['drawing', 'blocks', 'cover'],
     hint: 'Click a place whose motion is recorded.',
     icon: 'M10 3v14M3 10h14M14 10a4 4 0 1 1-8 0 4 4 0 0 1 8 0',
   },
@@ -80,7 +84,7 @@ export const TOOLS: Tool[] = [
     label: 'Load',
     key: 'l',
     points: 2,
-    geometries: ['drawing', 'blocks'],
+    geometries: ['drawing', 'blocks', 'cover'],
     hint: 'Click the loaded point, then the direction of the force.',
     icon: 'M4 4l11 11M15 9v6H9',
   },
@@ -121,6 +125,26 @@ export const TOOLS: Tool[] = [
     icon: 'M3 14l4-3 4 2 6-7M3 17h14',
   },
   {
+    name: 'support',
+    label: 'Support',
+    key: 'u',
+    points: 2,
+    geometries: ['drawing', 'blocks'],
+    is_nmm: true,
+    hint: 'Click start and end of an edge of an NMM body. Its displacement is prescribed there.',
+    icon: 'M3 6h14M4 6l3 5H1zM16 6l3 5h-6zM1 14h18',
+  },
+  {
+    name: 'traction',
+    label: 'Traction',
+    key: 't',
+    points: 2,
+    geometries: ['drawing', 'blocks'],
+    is_nmm: true,
+    hint: 'Click start and end of an edge of an NMM body. A pressure acts on it.',
+    icon: 'M3 16h14M5 3v9M10 3v9M15 3v9M3 10l2 2 2-2M8 10l2 2 2-2M13 10l2 2 2-2',
+  },
+  {
     name: 'hole',
     label: 'Hole',
     key: 'h',
@@ -133,7 +157,11 @@ export const TOOLS: Tool[] = [
 
 export const tool_of = (name: ToolName): Tool => TOOLS.find(own => own.name === name)!;
 
-/** Number of points of a tool in a scene: blocks are fixed at points. */
+/** True if a scene has the tool. */
+export const is_for = (tool: Tool, scene: Scene): boolean =>
+  tool.geometries.includes(scene.geometry) && (!tool.is_nmm || scene.has_covers);
+
+/** Number of points of a tool in a scene: blocks and elements are fixed at points. */
 export function points_of(tool: Tool, geometry: Geometry): 0 | 1 | 2 {
-  return tool.name === 'fixed' && geometry === 'blocks' ? 1 : tool.points;
+  return tool.name === 'fixed' && geometry !== 'drawing' ? 1 : tool.points;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "formats/case_file/case_fields.hpp"
@@ -10,7 +11,11 @@
 #include "formats/case_file/case_values.hpp"
 #include "formats/case_file/keyblock_case.hpp"
 #include "formats/case_file/material_library.hpp"
+#include "formats/case_file/schema/case_titles.hpp"
+#include "formats/case_file/schema/limits.hpp"
+#include "formats/case_file/schema/setting_schema.hpp"
 #include "problem/units/unit_names.hpp"
+#include "settings/profile.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -45,7 +50,7 @@ class CaseSchema {
   void optional_index(std::string_view name, std::optional<int>&) {
     Json type = "integer";
     if (takes_name(name)) type = {"integer", "string"};
-    add(name, {{"type", type}}, kAtLeastOne.wording);
+    add(name, {{"type", type}}, kAtLeastOne);
   }
   template <class T>
   void optional_row(std::string_view name, std::optional<T>&) {
@@ -76,10 +81,10 @@ class CaseSchema {
     add(name, {{"enum", std::vector<std::string>(words.begin(), words.end())}});
   }
   void optional_real(std::string_view name, std::optional<double>&, const Demand& demand) {
-    add(name, number_of(name, "number"), demand.wording);
+    add(name, number_of(name, "number"), demand);
   }
   void optional_integer(std::string_view name, std::optional<int>&, const Demand& demand) {
-    add(name, {{"type", "integer"}}, demand.wording);
+    add(name, {{"type", "integer"}}, demand);
   }
   template <class T>
   void row(std::string_view name, T&) {
@@ -121,8 +126,9 @@ class CaseSchema {
   void optional_curve(std::string_view name, std::optional<TimeCurve>&) { add(name, list_of(curve_row(name))); }
   void curves(std::string_view name, std::vector<TimeCurve>&) { add(name, list_of(list_of(curve_row(name)))); }
   void pairs(std::string_view name, std::vector<std::pair<std::string, std::string>>&) {
-    const Json value = name == kSettings ? Json::array({"string", "number", "boolean"}) : Json("string");
-    add(name, {{"type", "object"}, {"additionalProperties", {{"type", value}}}});
+    if (name != kSettings) return add(name, {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}});
+    const Json other = {{"type", {"string", "number", "boolean"}}};
+    add(name, {{"type", "object"}, {"properties", setting_properties()}, {"additionalProperties", other}});
   }
 
   /// `parent`: key of this value.
@@ -155,7 +161,7 @@ class CaseSchema {
     Json places = Json::array();
     for (const auto& [name, schema] : parts.keys_.items()) {
       Json place = schema;
-      place["title"] = name;
+      place["x-key"] = name;
       place.erase("default");
       places.push_back(place);
     }
@@ -180,7 +186,7 @@ class CaseSchema {
       number["default"] = value;
     else
       required_.emplace_back(name);
-    add(name, std::move(number), demand.wording == kAny.wording ? std::string_view{} : demand.wording);
+    add(name, std::move(number), demand);
   }
   /// Matches the reader: a number with a unit may be a text with a number and a unit.
   Json number_of(std::string_view name, const char* type) const {
@@ -193,12 +199,32 @@ class CaseSchema {
     if (least.value_or(0) > 0) list["minItems"] = *least;
     add(name, std::move(list));
   }
-  void add(std::string_view name, Json schema, std::string_view demand = {}) {
+  void add(std::string_view name, Json schema, const Demand& demand = kAny) {
     const std::string_view meaning = meaning_of(parent_, name);
-    schema["description"] = demand.empty() ? std::string(meaning) : fmt::format("{}. Permitted: {}", meaning, demand);
+    const bool has_limits = demand.wording != kAny.wording;
+    schema["title"] = title_of(parent_, name);
+    schema["description"] =
+        has_limits ? fmt::format("{}. Permitted: {}", meaning, demand.wording) : std::string(meaning);
+    schema["x-group"] = group_of(parent_, name);
+    if (has_limits) {
+      schema["x-permitted"] = demand.wording;
+      put_limits(schema, demand.wording, demand.holds);
+    }
     if (takes_unit(parent_, name))
       schema["examples"] = Json::array({example_value(measure_of(parent_, name).value_or(measures::kNumber))});
+    if (is_number(schema)) {
+      const std::string unit = unit_of(measure_of(parent_, name).value_or(measures::kNumber), Units{});
+      schema["x-unit"] = unit.empty() ? "none" : unit;
+    }
+    for (const Json& word : schema.value("enum", Json::array()))
+      if (const std::string_view said = meaning_of_word(name, word.get<std::string>()); !said.empty())
+        schema["x-words"][word.get<std::string>()] = said;
     keys_[std::string(name)] = std::move(schema);
+  }
+  static bool is_number(const Json& schema) {
+    const Json types = schema.value("type", Json());
+    const auto is = [](const Json& type) { return type == "number" || type == "integer"; };
+    return types.is_array() ? std::ranges::any_of(types, is) : is(types);
   }
 
   std::string_view parent_;
@@ -231,6 +257,17 @@ void leave_to_version_1(Json& schema, const std::string& key) {
   schema["then"] = {{"properties", {{"analysis", {{"required", Json::array({key})}}}}}};
 }
 
+Json sections() {
+  Json all = Json::array();
+  for (const CaseSection& section : case_sections()) {
+    Json path = Json::array();
+    if (!section.parent.empty()) path.push_back(section.parent);
+    path.push_back(section.key);
+    all.push_back({{"title", section.title}, {"row", section.row}, {"path", path}});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string case_schema() {
@@ -239,10 +276,16 @@ std::string case_schema() {
   name_units(keys["units"]);
   keys["drawing"]["properties"]["edge_node_ratio"]["default"] = kDefaultEdgeNodeRatio;
   keys["keyblock"] = {{"enum", {kCaseVersion, kCaseVersionOfToday}},
-                      {"description", "version of the layout; 2 has the current defaults"}};
+                      {"title", title_of("case", "keyblock")},
+                      {"description", "version of the layout; 2 has the current defaults"},
+                      {"x-group", group_of("case", "keyblock")}};
+  for (Json* own : {&keys["run"], &keys["stages"]["items"]})
+    (*own)["properties"]["profile"]["examples"] = profile_names();
   schema["required"] = {"keyblock"};
   leave_to_version_1(schema, "allowed_displacement_ratio");
-  Json head = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Keyblock case file"}};
+  Json head = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+               {"title", "Keyblock case file"},
+               {"x-sections", sections()}};
   head.update(schema);
   return head.dump(1) + "\n";
 }
