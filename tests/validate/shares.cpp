@@ -12,8 +12,8 @@ namespace keyblock {
 namespace {
 
 constexpr double kShareAsked = 0.999;
-// Residuals over the largest load on a block: the goal of a step, and the value that a step may accept where the goal is
-// out of reach.
+// Residuals over the largest load on a block: the goal of a step, and the value that a step may accept where the goal
+// is out of reach.
 constexpr double kResidualAsked = 1e-6;
 constexpr double kResidualAccepted = 1e-4;
 // Contact forces are known to kResidualAsked: over the travel of a step that is their possible error of energy.

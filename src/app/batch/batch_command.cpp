@@ -196,7 +196,8 @@ bool is_done(const FileTree& archive, const study::Journal& journal, const Shard
   });
 }
 
-/// Returns the rows of the archive in the journals of all shards; rows of other or changed files stay out. Throws UsageError if one belongs to another task.
+/// Returns the rows of the archive in the journals of all shards; rows of other or changed files stay out. Throws
+/// UsageError if one belongs to another task.
 study::Journal merged_journal(const BatchPlan& plan, const FileTree& archive) {
   study::Journal all;
   for (const fs::path& file : journals_in(plan.folder)) {

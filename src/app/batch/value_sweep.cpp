@@ -58,7 +58,8 @@ struct ReadySweep {
   Json inputs = Json::array();    ///< files read, with checksums
 };
 
-/// Returns what a key expects if that is whole numbers alone: of a setting, of the case, or of the statistics of joints.
+/// Returns what a key expects if that is whole numbers alone. The key is of a setting, of the case, or of the
+/// statistics of joints.
 std::string whole_numbers_of(const std::string& key, const std::string& case_text) {
   constexpr std::array<std::string_view, 4> kOfStatistics{"benches", "boundary_joint", "joint", "seed"};
   const bool is_of_joints = key.starts_with(study::kOfJoints);

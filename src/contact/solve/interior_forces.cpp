@@ -67,8 +67,8 @@ class Interior {
     for (std::size_t i = 0; i < problem_.count(); ++i) add_bounds(i);
   }
 
-  // If the path from the current forces leads nowhere, the path from zero is a different one; so is that from half of the
-  // best, for which very many pairs are too dear.
+  // If the path from the current forces leads nowhere, the path from zero is a different one. So is that from half of
+  // the best forces, which is too dear for very many pairs.
   FrictionalSolution run() {
     if (bounds_.empty() || !is_complementary()) return std::move(solution_);
     follow_path(energy_of_change());
