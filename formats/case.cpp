@@ -18,6 +18,7 @@
 #include "formats/shi/dda_analysis.hpp"
 #include "formats/shi/nmm_analysis.hpp"
 #include "formats/text/tokens.hpp"
+#include "problem/checks/check.hpp"
 #include "problem/lines/near_ends.hpp"
 
 namespace keyblock::formats {

@@ -9,11 +9,11 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr std::string_view kDigits = "0123456789";
+constexpr std::string_view kTenDigits = "0123456789";
 constexpr std::size_t kGroup = 3;  // digits of a group of thousands
 
 std::size_t leading_digits(std::string_view text) {
-  return std::min(text.find_first_not_of(kDigits), text.size());
+  return std::min(text.find_first_not_of(kTenDigits), text.size());
 }
 
 bool drop_one_of(std::string_view& text, std::string_view characters) {

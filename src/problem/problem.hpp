@@ -1,4 +1,4 @@
-// Joins geometry and analysis to a whole problem, and collects all its errors at once.
+// Joins geometry and analysis to a whole problem.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -32,17 +32,5 @@ struct Problem {
   bool has_own_case = false;  ///< a case file of Keyblock is among its files, so it is no old program's
   Place place = {};           ///< the first of its files, for errors about missing parts
 };
-
-/// Validated problem: warnings name inputs that were corrected, errors inputs that could not be.
-struct Checked {
-  Problem problem;
-  Warnings warnings;
-  std::vector<InputError> errors;
-};
-
-/// Validates a problem. It brings material numbers into their range (as Shi's analysis programs do, but with a
-/// warning), gives bolts their properties, and accelerates blocks by a ground motion. It reports likely mistakes and
-/// errors: one warning per kind and number, at its first place.
-Checked check(Problem problem);
 
 }  // namespace keyblock

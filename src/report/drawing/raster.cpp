@@ -7,7 +7,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "report/drawing/svg.hpp"
+#include "geometry/box.hpp"
 
 namespace keyblock::report {
 namespace {

@@ -21,10 +21,6 @@ CoverPlan what_is_left_of(CoverPlan plan, const Manifold& bodies, const Blocks& 
 /// Adds point forces and springs to their elements. Throws InputError for one that lies in no body.
 void put_points(Continuum& continuum, const CoverPlan& plan);
 
-/// Returns warnings about the chains and loads of a plan. `scenes`: bodies of a run, in sequence. Throws InputError if
-/// a chain is on no boundary, if a formula is not finite, or if two prescribed displacements contradict each other.
-Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>& scenes);
-
 /// Returns the element that holds the point; of `body`, unless that is -1. Throws InputError that names `noun` if no
 /// element does.
 int element_holding(const Manifold& manifold, int body, Point p, const char* noun, const Place& place);

@@ -13,7 +13,6 @@
 #include "model/setup/choose_basis.hpp"
 #include "step/groups/make_groups.hpp"
 #include "step/scene/enforcement.hpp"
-#include "step/scene/step_constraints.hpp"
 
 namespace keyblock {
 namespace {
@@ -112,7 +111,7 @@ std::string unsupported(const StandardScene& scene) {
 Motion start_motion(const StandardScene& scene) {
   Motion motion;
   for (const auto& group : scene.groups) group->put_start(scene.parts(), motion);
-  motion.constraints = constraint_start(scene);
+  motion.constraints = constraint_start(scene.model.bolts, scene.held.size());
   return motion;
 }
 

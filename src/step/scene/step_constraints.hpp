@@ -52,9 +52,6 @@ class StepConstraints {
   double weight_;
 };
 
-/// Returns bolts at their pretension and points without force.
-ConstraintMemory constraint_start(const StandardScene& scene);
-
 /// Returns the rows of contacts, then of the fixed points: pushes and impacts of supported blocks include their
 /// supports.
 ContactRows rows_with_points(const StandardScene& scene, const UnknownsTable& q, const Touches& touches);

@@ -1,6 +1,6 @@
 // Checks a problem: each function tests one aspect and returns its errors and warnings.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "problem/problem.hpp"
+#include "problem/checks/check.hpp"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,9 @@
 #include "base/counted.hpp"
 #include "base/words/quoted_name.hpp"
 #include "geometry/polygon.hpp"
+#include "problem/checks/magnitudes.hpp"
+#include "problem/checks/shared_ground.hpp"
 #include "problem/ground_motion.hpp"
-#include "problem/magnitudes.hpp"
-#include "problem/shared_ground.hpp"
 
 namespace keyblock {
 namespace {
