@@ -385,6 +385,12 @@ void describe(F& f, In<F, DisplacementPlan>& displacement) {
 }
 
 template <class F>
+void describe(F& f, In<F, LoadList>& loads) {
+  f.objects("tractions", loads.tractions);
+  f.objects("displacements", loads.displacements);
+}
+
+template <class F>
 void describe(F& f, In<F, ForcePlan>& force) {
   describe(f, force.at);
   f.real("force_x", force.force.x);
@@ -619,6 +625,7 @@ void describe(F& f, In<F, Content>& content) {
   f.optional_object("blocks", content.blocks);
   f.optional_object("cover", content.cover);
   f.optional_object("covers", content.covers);
+  f.optional_object("loads", content.loads);
   f.optional_object("analysis", content.analysis, f.start_of_analysis());
   f.optional_curve("motion", content.motion);
   f.objects("frames", content.frames);

@@ -156,12 +156,19 @@ void check(const DisplacementPlan& part) {
   if (part.held != Held::normal) refuse("normal", part.normal, "held is not normal");
 }
 
+void check(const TractionPlan& part) {
+  require_points(part.along, 2, "along a boundary", part.place);
+  for (const Formula* formula : {&part.x, &part.y, &part.pressure}) check(*formula, kOnBoundary);
+}
+
+void check(const LoadList& loads) {
+  for (const TractionPlan& part : loads.tractions) check(part);
+  for (const DisplacementPlan& part : loads.displacements) check(part);
+}
+
 void check(const CoverPlan& covers) {
   check(covers.mesh, covers.place);
-  for (const TractionPlan& part : covers.tractions) {
-    require_points(part.along, 2, "along a boundary", part.place);
-    for (const Formula* formula : {&part.x, &part.y, &part.pressure}) check(*formula, kOnBoundary);
-  }
+  for (const TractionPlan& part : covers.tractions) check(part);
   for (const DisplacementPlan& part : covers.displacements) check(part);
   for (const SpringPlan& spring : covers.springs)
     if (spring.direction == Point{}) throw InputError(spring.place, "expected a direction of the spring, found (0, 0)");
@@ -392,6 +399,7 @@ Reading read_case(const Source& source, const ReadHint&) {
   check(content.blocks);
   check(content.cover);
   check(content.covers);
+  check(content.loads);
   check(content.analysis);
   if (content.covers && content.analysis) check_joints_of_cracks(*content.covers, *content.analysis);
   check(content.stages);
@@ -418,8 +426,8 @@ std::string write_case(const Content& content) {
 }  // namespace
 
 bool fits_a_case(const Content& content) {
-  return content.drawing || content.blocks || content.cover || content.covers || content.analysis || content.motion ||
-         content.units || content.choices || content.outputs || !content.layers.rows.empty() ||
+  return content.drawing || content.blocks || content.cover || content.covers || content.loads || content.analysis ||
+         content.motion || content.units || content.choices || content.outputs || !content.layers.rows.empty() ||
          !content.stages.empty() || !content.frames.empty() || !content.tracks.empty();
 }
 

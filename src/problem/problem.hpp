@@ -12,6 +12,7 @@
 #include "problem/cover.hpp"
 #include "problem/cover_plan.hpp"
 #include "problem/drawing.hpp"
+#include "problem/load_list.hpp"
 #include "problem/output_plan.hpp"
 #include "problem/run_choices.hpp"
 #include "problem/stage.hpp"
@@ -24,6 +25,7 @@ struct Problem {
   std::optional<Analysis> analysis;
   Units units = {};                                ///< as named in a case file
   std::optional<CoverPlan> covers = std::nullopt;  ///< from a case file: its bodies are NMM bodies
+  LoadList loads = {};                             ///< from a case file; after the check also in `covers`, if given
   RunChoices choices = {};                         ///< from a case file
   OutputPlan outputs = {};                         ///< from a case file
   std::vector<Stage> stages = {};                  ///< from a case file; empty: one scene from start to end

@@ -25,17 +25,8 @@ constexpr std::span<const std::string_view> kInBody = std::span(kOnBoundary).fir
 constexpr double kOnEdge = 1e-9;
 
 Traction traction_of(const TractionPlan& plan) {
-  const Compiled x(plan.x, kOnBoundary), y(plan.y, kOnBoundary), pressure(plan.pressure, kOnBoundary);
-  return {plan.along, [=](Point at, Point n) {
-            return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})} - pressure({at.x, at.y, n.x, n.y}) * n;
-          }};
-}
-
-PrescribedDisplacement displacement_of(const DisplacementPlan& plan) {
-  const Compiled x(plan.x, kOnBoundary), y(plan.y, kOnBoundary), normal(plan.normal, kOnBoundary);
-  return {plan.along, plan.held, [=](Point at, Point n) {
-            return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})} + normal({at.x, at.y, n.x, n.y}) * n;
-          }};
+  const TractionOnEdge on_edge = traction_on_edge(plan);
+  return {plan.along, [=](Point at, Point n) { return on_edge.force(at, n) - on_edge.pressure(at, n) * n; }};
 }
 
 double gap_to(const Manifold& manifold, const ManifoldElement& element, Point p) {
@@ -61,6 +52,23 @@ std::vector<Part> in_blocks(const std::vector<Part>& parts, const Blocks& blocks
 }
 
 }  // namespace
+
+TractionOnEdge traction_on_edge(const TractionPlan& plan) {
+  const Compiled x(plan.x, kOnBoundary), y(plan.y, kOnBoundary), pressure(plan.pressure, kOnBoundary);
+  return {[=](Point at, Point n) {
+            return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})};
+          },
+          [=](Point at, Point n) {
+            return pressure({at.x, at.y, n.x, n.y});
+          }};
+}
+
+PrescribedDisplacement displacement_of(const DisplacementPlan& plan) {
+  const Compiled x(plan.x, kOnBoundary), y(plan.y, kOnBoundary), normal(plan.normal, kOnBoundary);
+  return {plan.along, plan.held, [=](Point at, Point n) {
+            return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})} + normal({at.x, at.y, n.x, n.y}) * n;
+          }};
+}
 
 CoverPlan what_is_left_of(CoverPlan plan, const Manifold& bodies, const Blocks& blocks) {
   const auto is_gone = [&](const auto& part) { return sides_along(bodies, part.along).empty(); };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/error.hpp"
@@ -10,6 +11,16 @@
 #include "problem/cover_plan.hpp"
 
 namespace keyblock {
+
+/// Traction along a chain as functions of the position and the outward normal.
+struct TractionOnEdge {
+  std::function<Point(Point x, Point normal)> force;  ///< of a fixed direction
+  std::function<double(Point x, Point normal)> pressure;
+};
+
+/// The functions throw InputError if a formula is not finite.
+TractionOnEdge traction_on_edge(const TractionPlan& plan);
+PrescribedDisplacement displacement_of(const DisplacementPlan& plan);
 
 /// Adds all parts of the plan that do not depend on the mesh. The functions throw InputError if a formula is not
 /// finite.

@@ -58,6 +58,19 @@ void try_formulas(const Continuum& continuum) {
 
 }  // namespace
 
+void look_at_chain(const BoundaryPart& part, const Place& place, std::string_view edges_in_words,
+                   std::span<const Segment> edges, double near, Warnings& warnings) {
+  const OffBoundary found = off_boundary(part, edges, near);
+  if (found.off == found.whole)
+    throw InputError(place, fmt::format("expected a chain on {}, found none of it there: ({:.9g}, {:.9g}), …",
+                                        edges_in_words, part.front().x, part.front().y));
+  if (found.off > kLittleOff * found.whole)
+    warnings.push_back({"chain_off_boundary", place,
+                        fmt::format("{:.6g} of the {:.6g} of this chain lies off the boundary of the bodies, first "
+                                    "from ({:.6g}, {:.6g}) on, and acts on nothing; move its points onto the outline",
+                                    found.off, found.whole, found.first.x, found.first.y)});
+}
+
 Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>& scenes) {
   Warnings warnings;
   // Excavation may expose a boundary later, so that the edges of all scenes count.
@@ -67,21 +80,11 @@ Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>
     for (const ElementSide& side : boundary_sides(scene->manifold)) edges.push_back(side.edge);
     near = std::max(near, reach_of_chains(scene->manifold));
   }
-  const auto look = [&](const BoundaryPart& part, const Place& place) {
-    const OffBoundary found = off_boundary(part, edges, near);
-    if (found.off == found.whole)
-      throw InputError(
-          place,
-          fmt::format("expected a chain on the boundary of NMM bodies, found none of it there: ({:.9g}, {:.9g}), …",
-                      part.front().x, part.front().y));
-    if (found.off > kLittleOff * found.whole)
-      warnings.push_back({"chain_off_boundary", place,
-                          fmt::format("{:.6g} of the {:.6g} of this chain lies off the boundary of the bodies, first "
-                                      "from ({:.6g}, {:.6g}) on, and acts on nothing; move its points onto the outline",
-                                      found.off, found.whole, found.first.x, found.first.y)});
+  const auto look = [&](const auto& part) {
+    if (!part.acts_on_all) look_at_chain(part.along, part.place, "the boundary of NMM bodies", edges, near, warnings);
   };
-  for (const TractionPlan& part : plan.tractions) look(part.along, part.place);
-  for (const DisplacementPlan& part : plan.displacements) look(part.along, part.place);
+  for (const TractionPlan& part : plan.tractions) look(part);
+  for (const DisplacementPlan& part : plan.displacements) look(part);
   for (const Continuum* scene : scenes) try_formulas(*scene);
   require_agreement(plan, scenes);
   return warnings;

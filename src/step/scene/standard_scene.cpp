@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contact/rows/point_motion.hpp"
@@ -48,6 +49,23 @@ double half_width_of(const ConvexPieces& pieces, const std::vector<Point>& verti
   return around > 0 ? twice_area / around : 0;
 }
 
+// A pressure turns and grows with its edge, which stays straight.
+void add_edge_loads(const StandardScene& scene, const UnknownsTable& q, const PointMotions& points,
+                    UnknownsTable& loads) {
+  for (const EdgeLoad& load : scene.model.edge_loads) {
+    if (loads[load.element].size() == 0) continue;
+    Point normal;  // outward, times the present length
+    if (load.pushes != std::array<double, 2>{}) {
+      const auto place = [&](Point start) { return point_at(scene.model, scene.reference, q, load.element, start); };
+      const Point along = place(load.edge.end) - place(load.edge.start);
+      normal = {along.y, -along.x};
+    }
+    const std::array<Point, 2> ends{load.edge.start, load.edge.end};
+    for (std::size_t k = 0; k < 2; ++k)
+      add_force(points.of_point(load.element, ends[k]), load.element, load.forces[k] - load.pushes[k] * normal, loads);
+  }
+}
+
 // Bolts without stiffness pull with their pretension along the line of their ends.
 void add_constant_bolts(const StandardScene& scene, const UnknownsTable& q, UnknownsTable& loads) {
   const auto has_force = [](const Bolt& bolt) { return bolt.constant_force() != 0; };
@@ -81,7 +99,7 @@ StandardScene standard_scene(Model model, Settings settings, std::shared_ptr<con
   const double rounding = choices.impact == ImpactLaw::springs ? 0 : choices.corner_rounding;
   for (const ConvexPieces& pieces : scene.pieces)
     scene.rounding.push_back(rounding * half_width_of(pieces, scene.model.start_vertices));
-  scene.held = held_points(scene.model);
+  scene.held = held_pairs(scene.model);
   scene.mass_centre = mass_centre_of(scene);
   return scene;
 }
@@ -136,6 +154,7 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
   const PointMotions points(scene.model, scene.reference, q);
   for (const CarriedPoint& point : scene.model.loading_points)
     add_force(points.of_point(point.element, point.start), point.element, point.curve.at(time), loads);
+  add_edge_loads(scene, q, points, loads);
   add_constant_bolts(scene, q, loads);
   loads *= scene.load_share;
   for (const FacePull& pull : scene.pulls)

@@ -47,7 +47,7 @@ class StepConstraints {
   const StandardScene& scene_;
   const Motion& start_;
   std::vector<std::size_t> bolts_;
-  const std::vector<CarriedPoint>& points_;
+  const std::vector<HeldPair>& points_;
   double end_time_;
   double weight_;
 };
