@@ -156,15 +156,15 @@ TEST(EdgeLoads, equal_pressure_all_around_moves_no_block_and_turns_with_it) {
   EXPECT_NEAR(end.rotation, 2 * 0.6, 1e-3);
   EXPECT_NEAR(end.centroid.x, 1.5, 1e-9);
   EXPECT_NEAR(end.centroid.y, 0.5, 1e-9);
-  EXPECT_NEAR(end.stress.xx, -kPressure,
-              0.15 * kPressure);  // less the tension of its spin, ρ ω² L²/12 = 6 kPa
-  EXPECT_NEAR(end.stress.yy, -kPressure, 0.05 * kPressure);
-  EXPECT_NEAR(end.stress.xy, 0, 0.02 * kPressure);
+  const double along = 2000 * 4 * 9 / 12.0, across = 2000 * 4 * 1 / 12.0;  // of the spin, ρ ω² L²/12
+  const double c = std::cos(end.rotation), d = std::sin(end.rotation);
+  EXPECT_NEAR(end.stress.xx, -kPressure + c * c * along + d * d * across, 1e-3 * kPressure);
+  EXPECT_NEAR(end.stress.yy, -kPressure + d * d * along + c * c * across, 1e-3 * kPressure);
+  EXPECT_NEAR(end.stress.xy, c * d * (along - across), 1e-3 * kPressure);
 }
 
 TEST(EdgeLoads, a_water_level_within_an_edge_gives_the_force_and_moment_of_a_triangle) {
   const Frame frame;
-  Model model;
   const std::string text =
       case_of(frame, block(frame, {0, 0}, {2, 10}),
               R"("tractions": [{"along": [[0, 10], [0, 0]], "pressure": "y < 7.3 ? 10 * (7.3 - y) : 0"}])", kStatics);
