@@ -46,9 +46,11 @@ std::string case_of(const Frame& frame, const std::string& blocks, const std::st
                     double gravity = 0) {
   const double per_length = frame.unit;
   return fmt::format(
-      R"({{"keyblock": 2, "blocks": {{"blocks": [{}]}}, "loads": {{{}}}, "analysis": {{"step_count": 1, "time_step": 0.01,
-      "velocity_carry_over": 0, "plane_strain": true, "gravity": {}, "joint_materials": [{{"friction_angle_deg": 30}}],
-      "block_materials": [{{"density": {}, "youngs_modulus": {}, "poissons_ratio": {}}}]}}, "run": {{"set": {{{}}}}}}})",
+      R"({{"keyblock": 2, "blocks": {{"blocks": [{}]}}, "loads": {{{}}}, "analysis": {{"step_count": 1,
+      "time_step": 0.01, "velocity_carry_over": 0, "plane_strain": true, "gravity": {},
+      "joint_materials": [{{"friction_angle_deg": 30}}],
+      "block_materials": [{{"density": {}, "youngs_modulus": {}, "poissons_ratio": {}}}]}},
+      "run": {{"set": {{{}}}}}}})",
       blocks, loads, gravity * per_length, 2000 / std::pow(per_length, 3), kModulus / per_length, kPoisson, run);
 }
 

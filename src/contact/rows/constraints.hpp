@@ -30,8 +30,8 @@ struct HeldPair {
   bool is_same_at(double from, double to) const;
 };
 
-/// Returns the supports of elements with unknowns; elements without unknowns are fixed already. Fixed points come first,
-/// then the rows of edges in pairs; the last row of a block with an odd number is repeated.
+/// Returns the supports of elements with unknowns; elements without unknowns are fixed already. Fixed points come
+/// first, then the rows of edges in pairs; the last row of a block with an odd number is repeated.
 std::vector<HeldPair> held_pairs(const Model& model);
 
 /// Returns rows 2i and 2i + 1 for the velocities of pair i along its directions; `of_edge` is zero.
