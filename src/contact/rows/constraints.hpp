@@ -31,7 +31,7 @@ struct HeldPair {
 };
 
 /// Returns the supports of elements with unknowns; elements without unknowns are fixed already. Fixed points come
-/// first, then the rows of edges in pairs; the last row of a block with an odd number is repeated.
+/// first, then the rows of edges in pairs. If a block has a row left over, its pair repeats it.
 std::vector<HeldPair> held_pairs(const Model& model);
 
 /// Returns rows 2i and 2i + 1 for the velocities of pair i along its directions; `of_edge` is zero.
