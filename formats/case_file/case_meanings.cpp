@@ -133,6 +133,11 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"displacements.x", "x component, L; a number or an expression in x, y, nx, ny"},
     {"displacements.y", "y component, L; a number or an expression in x, y, nx, ny"},
     {"normal", "outward component if held is normal, L; a number or an expression in x, y, nx, ny"},
+    {"over_time",
+     "factor of the values over time, linear between the rows; before the first and after the last row it is that of "
+     "the "
+     "nearest. For blocks only. Empty: 1"},
+    {"factor", "factor of the values"},
     {"forces", "forces at points"},
     {"force_x", "x component, F"},
     {"force_y", "y component, F"},

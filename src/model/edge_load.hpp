@@ -6,6 +6,7 @@
 
 #include "base/index.hpp"
 #include "geometry/point.hpp"
+#include "problem/time_curve.hpp"
 
 namespace keyblock {
 
@@ -18,6 +19,7 @@ struct EdgeLoad {
   Segment edge;                  ///< undeformed; the block lies to its left
   std::array<Point, 2> forces;   ///< at start and end, of the traction with a fixed direction
   std::array<double, 2> pushes;  ///< ∫ (1 - s) p ds and ∫ s p ds of a pressure: times normal times length now
+  TimeCurve factor;              ///< of all; its x counts; empty: 1
 };
 
 /// Support of one component of the motion of a point of a block.
@@ -26,6 +28,7 @@ struct SupportRow {
   Point start;       ///< undeformed
   Point direction;   ///< of length 1
   double value = 0;  ///< prescribed displacement along it
+  TimeCurve factor;  ///< of the value; its x counts; empty: 1
 };
 
 }  // namespace keyblock

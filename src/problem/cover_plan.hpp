@@ -189,10 +189,11 @@ inline CoverFunctions functions_of(const CoverPlan& plan, const std::vector<Bloc
   return CoverFunctions::derived;
 }
 
-/// Adds loads that act on all bodies to those of the plan.
+/// Adds loads that act on all bodies to those of the plan. NMM bodies have none that change over time.
 inline void add(CoverPlan& plan, const LoadList& loads) {
   const auto put = [](auto& list, const auto& more) {
     for (auto part : more) {
+      if (!part.over_time.empty()) continue;
       part.acts_on_all = true;
       list.push_back(std::move(part));
     }

@@ -4,7 +4,8 @@
 //   place   chain of points along edges: of an outline, or of a joint, on both of its sides
 //   kind    traction, pressure (along the outward normal), prescribed displacement of both components, of x, of y or
 //           of the normal one
-//   value   number, or expression of x, y and the outward normal, all in the undeformed position
+//   value   number, or expression of x, y and the outward normal, all in the undeformed position; on blocks times a
+//           factor over time
 //   stages  all of them
 // A list passes through five places, each once:
 //   read       formats/case_file: `loads`, in the words of `covers`; `covers` itself lists those of NMM bodies only
@@ -28,10 +29,20 @@ namespace keyblock {
 /// Prescribed component of the displacement; `normal` with the value 0 is a line of symmetry.
 enum class Held { both, normal, x, y };
 
+/// Row of a table of factors over time: linear between rows; before the first and after the last row that of the
+/// nearest.
+struct FactorAt {
+  double time = 0;  ///< times increase strictly
+  double factor = 1;
+
+  bool operator==(const FactorAt&) const = default;
+};
+
 /// Force per length of the boundary along a chain: (x, y) - pressure n, n the normal out of the body.
 struct TractionPlan {
   std::vector<Point> along;
   Formula x, y, pressure;
+  std::vector<FactorAt> over_time;  ///< empty: 1; on blocks only
   Place place;
   bool acts_on_all = false;  ///< on every body; else on NMM bodies only
 };
@@ -40,7 +51,8 @@ struct DisplacementPlan {
   std::vector<Point> along;
   Held held = Held::both;
   Formula x, y;
-  Formula normal;  ///< outward; if `held` is normal
+  Formula normal;                   ///< outward; if `held` is normal
+  std::vector<FactorAt> over_time;  ///< empty: 1; on blocks only
   Place place;
   bool acts_on_all = false;  ///< on every body; else on NMM bodies only
 };

@@ -182,6 +182,40 @@ TEST(EdgeLoads, a_water_level_within_an_edge_gives_the_force_and_moment_of_a_tri
               1e-3 * force);  // about the foot
 }
 
+TEST(EdgeLoads, an_edge_follows_its_table_of_factors) {
+  const Frame frame;
+  constexpr double kLength = 4, kStretch = 0.004;
+  std::string text =
+      case_of(frame, block(frame, {0, 0}, {kLength, 1}),
+              R"("displacements": [{"along": [[0, 0], [0, 1]], "held": "x"}, {"along": [[0, 0], [4, 0]], "held": "y"},
+         {"along": [[4, 0], [4, 1]], "held": "x", "x": 0.004, "over_time": [[0, 0], [0.04, 1]]}])",
+              kStatics);
+  text.replace(text.find(R"("step_count": 1)"), 15, R"("step_count": 4)");
+  const auto stepper = stepper_of(text);
+  for (const double factor : {0.25, 0.5, 0.75, 1.0}) {
+    const auto made = stepper->advance();
+    ASSERT_TRUE(std::holds_alternative<StepReport>(made)) << std::get<StepFailure>(made).reason;
+    const double stress = kModulus / (1 - kPoisson * kPoisson) * factor * kStretch / kLength;
+    EXPECT_NEAR(stress_of(*stepper, 0, frame).xx, stress, 2e-3 * stress);  // first order in the strain, 1e-3
+    EXPECT_NEAR(stepper->state().elements[ElementIndex{0}].centroid.x, (kLength + factor * kStretch) / 2, 1e-9);
+  }
+}
+
+TEST(EdgeLoads, a_pressure_follows_its_table_of_factors) {
+  const Frame frame;
+  std::string text =
+      case_of(frame, block(frame, {0, 0}, {4, 1}),
+              R"("displacements": [{"along": [[0, 0], [0, 1]], "held": "x"}, {"along": [[0, 0], [4, 0]], "held": "y"}],
+         "tractions": [{"along": [[4, 0], [4, 1]], "pressure": 1e5, "over_time": [[0.01, 1], [0.02, 3]]}])",
+              kStatics);
+  text.replace(text.find(R"("step_count": 1)"), 15, R"("step_count": 3)");
+  const auto stepper = stepper_of(text);
+  for (const double stress : {-1e5, -3e5, -3e5}) {
+    ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+    EXPECT_NEAR(stress_of(*stepper, 0, frame).xx, stress, 1e-3 * std::abs(stress));
+  }
+}
+
 TEST(EdgeLoads, a_load_on_a_joint_acts_on_both_of_its_sides) {
   const Frame frame;
   const std::string text = case_of(frame, block(frame, {0, 0}, {1, 1}) + ", " + block(frame, {1, 0}, {2, 1}),
@@ -217,6 +251,12 @@ TEST(EdgeLoads, faults_name_their_place) {
                             R"({"along": [[0, 1], [0, 0]], "held": "y", "y": 0.01}])";
   EXPECT_NE(fault_of(case_of(frame, one, apart, kStatics)).find("expected displacements that block 1 can follow"),
             std::string::npos);
+  const std::string at_other_times =
+      R"("displacements": [{"along": [[0, 0], [2, 0]], "held": "y", "y": 0.01, "over_time": [[0, 0], [1, 1]]}, )"
+      R"({"along": [[0, 1], [0, 0]], "held": "y", "y": 0.01}])";
+  EXPECT_NE(fault_of(case_of(frame, one, at_other_times, kStatics)).find("that block 1 can follow"), std::string::npos);
+  const std::string back = R"("tractions": [{"along": [[0, 0], [2, 0]], "x": 1, "over_time": [[1, 0], [1, 1]]}])";
+  EXPECT_NE(fault_of(case_of(frame, one, back, kStatics)).find("times of over_time that increase"), std::string::npos);
   const std::string unknown = R"("tractions": [{"along": [[0, 0], [2, 0]], "x": "z"}])";
   EXPECT_NE(fault_of(case_of(frame, one, unknown, kStatics)), "");
 }

@@ -43,8 +43,13 @@ Point direction_of(const Segment& bolt) {
   return size == 0 ? Point{} : (1 / size) * (bolt.end - bolt.start);
 }
 
-TimeCurve constant(Point value) {
-  return value == Point{} ? TimeCurve{} : TimeCurve{{0}, {value}, {}};
+TimeCurve motion_of(const SupportRow& row) {
+  const Point value = row.value * row.direction;
+  if (value == Point{}) return {};
+  if (row.factor.times.empty()) return {{0}, {value}, {}};
+  TimeCurve curve = row.factor;
+  for (Point& p : curve.values) p = p.x * value;
+  return curve;
 }
 
 // Returns the component along its direction of a vector per row.
@@ -97,7 +102,7 @@ std::vector<HeldPair> held_pairs(const Model& model) {
     held.push_back({first.element,
                     {first.start, second.start},
                     {first.direction, second.direction},
-                    {constant(first.value * first.direction), constant(second.value * second.direction)}});
+                    {motion_of(first), motion_of(second)}});
   }
   return held;
 }

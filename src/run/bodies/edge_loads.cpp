@@ -71,8 +71,17 @@ double reach_of(const Model& model) {
   return kAlong * length(box.size()) + kRounding * farthest;
 }
 
-EdgeLoad load_on(const BlockSide& side, const TractionOnEdge& traction) {
-  EdgeLoad load{side.element, side.edge, {}, {}};
+TimeCurve curve_of(const std::vector<FactorAt>& rows) {
+  TimeCurve curve;
+  for (const FactorAt& row : rows) {
+    curve.times.push_back(row.time);
+    curve.values.push_back({row.factor, 0});
+  }
+  return curve;
+}
+
+EdgeLoad load_on(const BlockSide& side, const TractionOnEdge& traction, const TimeCurve& factor) {
+  EdgeLoad load{side.element, side.edge, {}, {}, factor};
   const double size = length(side.edge.end - side.edge.start);
   const Point normal = side.normal();
   for (int part = 0; part < kParts; ++part)
@@ -113,11 +122,13 @@ class Choice {
 
   std::vector<SupportRow> rows() {
     std::vector<SupportRow> chosen;
-    Eigen::VectorXd value(static_cast<Eigen::Index>(all_.size()));
+    // One column per table of factors: rows agree at all times if they agree in each.
+    Eigen::MatrixXd value =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(all_.size()), static_cast<Eigen::Index>(all_.size()));
     std::vector<Eigen::VectorXd> rest;
     for (std::size_t i = 0; i < all_.size(); ++i) {
       rest.push_back(all_[i].of_unknowns);
-      value[static_cast<Eigen::Index>(i)] = all_[i].row.value;
+      value(static_cast<Eigen::Index>(i), table_of(all_[i])) = all_[i].row.value;
     }
     for (;;) {
       const auto widest = std::ranges::max_element(rest, {}, [](const Eigen::VectorXd& r) { return r.norm(); });
@@ -125,22 +136,28 @@ class Choice {
       if (norm <= kFollows) break;
       const auto taken = widest - rest.begin();
       const Eigen::VectorXd unit = *widest / norm;
-      const double of_unit = value[taken] / norm;
+      const Eigen::RowVectorXd of_unit = value.row(taken) / norm;
       chosen.push_back(all_[static_cast<std::size_t>(taken)].row);
       for (std::size_t i = 0; i < rest.size(); ++i) {
         const double share = unit.dot(rest[i]);
         rest[i] -= share * unit;
-        value[static_cast<Eigen::Index>(i)] -= share * of_unit;
+        value.row(static_cast<Eigen::Index>(i)) -= share * of_unit;
       }
       rest[static_cast<std::size_t>(taken)].setZero();
-      value[taken] = 0;
+      value.row(taken).setZero();
     }
     for (std::size_t i = 0; i < all_.size(); ++i)
-      if (std::abs(value[static_cast<Eigen::Index>(i)]) > kAgrees * largest_) refuse(all_[i]);
+      if (value.row(static_cast<Eigen::Index>(i)).cwiseAbs().maxCoeff() > kAgrees * largest_) refuse(all_[i]);
     return chosen;
   }
 
  private:
+  /// Returns the index of the first candidate with the same table of factors.
+  Eigen::Index table_of(const Candidate& one) const {
+    const auto is_same = [&](const Candidate& other) { return other.plan->over_time == one.plan->over_time; };
+    return std::ranges::find_if(all_, is_same) - all_.begin();
+  }
+
   [[noreturn]] void refuse(const Candidate& one) const {
     throw InputError(one.plan->place, fmt::format("expected displacements that block {} can follow with one "
                                                   "strain and one rotation, "
@@ -167,6 +184,7 @@ void add_candidates(const Model& model, const BlockSide& side, const Displacemen
                     const PrescribedDisplacement& prescribed, Candidates& candidates) {
   const Basis& basis = *model.elements[side.element].basis;
   const Box box = box_of(model, side.element);
+  const TimeCurve factor = curve_of(plan.over_time);
   const Unknowns none = Unknowns::Zero(basis.unknown_count());
   for (const Point at : {side.edge.start, side.edge.end}) {
     const Point value = prescribed.value(at, side.normal());
@@ -175,7 +193,7 @@ void add_candidates(const Model& model, const BlockSide& side, const Displacemen
       Eigen::VectorXd row = (Eigen::RowVector2d(direction.x, direction.y) * by_unknowns).transpose();
       row.tail(row.size() - 2) /= length(box.size());
       candidates[side.element.value].push_back(
-          {{side.element, at, direction, dot(value, direction)}, std::move(row), &plan});
+          {{side.element, at, direction, dot(value, direction), factor}, std::move(row), &plan});
     }
   }
 }
@@ -188,8 +206,9 @@ void put_edge_loads(Model& model, const LoadList& loads) {
   const std::vector<BlockSide> sides = sides_of(model);
   for (const TractionPlan& plan : loads.tractions) {
     const TractionOnEdge traction = traction_on_edge(plan);
+    const TimeCurve factor = curve_of(plan.over_time);
     visit_sides(sides, plan.along, near,
-                [&](const BlockSide& side) { model.edge_loads.push_back(load_on(side, traction)); });
+                [&](const BlockSide& side) { model.edge_loads.push_back(load_on(side, traction, factor)); });
   }
   Candidates candidates;
   for (const DisplacementPlan& plan : loads.displacements) {
@@ -202,6 +221,17 @@ void put_edge_loads(Model& model, const LoadList& loads) {
     for (const SupportRow& row : Choice(model, std::move(all)).rows()) model.support_rows.push_back(row);
 }
 
+namespace {
+
+// NMM bodies assemble their loads once.
+template <class Part>
+void require_blocks(const Part& part, const Model& model) {
+  if (part.over_time.empty() || !model.continuum || sides_along(model.continuum->manifold, part.along).empty()) return;
+  throw InputError(part.place, "expected over_time only of loads on blocks, found it on an NMM body");
+}
+
+}  // namespace
+
 Warnings look_at_loads(const LoadList& loads, const std::vector<const Model*>& scenes) {
   std::vector<Segment> edges;
   double near = 0;
@@ -212,10 +242,12 @@ Warnings look_at_loads(const LoadList& loads, const std::vector<const Model*>& s
     for (const ElementSide& side : boundary_sides(model->continuum->manifold)) edges.push_back(side.edge);
   }
   Warnings warnings;
-  for (const TractionPlan& part : loads.tractions)
+  const auto look = [&](const auto& part) {
     look_at_chain(part.along, part.place, "edges", edges, near, warnings);
-  for (const DisplacementPlan& part : loads.displacements)
-    look_at_chain(part.along, part.place, "edges", edges, near, warnings);
+    for (const Model* model : scenes) require_blocks(part, *model);
+  };
+  for (const TractionPlan& part : loads.tractions) look(part);
+  for (const DisplacementPlan& part : loads.displacements) look(part);
   return warnings;
 }
 

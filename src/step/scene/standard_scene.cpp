@@ -50,10 +50,11 @@ double half_width_of(const ConvexPieces& pieces, const std::vector<Point>& verti
 }
 
 // A pressure turns and grows with its edge, which stays straight.
-void add_edge_loads(const StandardScene& scene, const UnknownsTable& q, const PointMotions& points,
+void add_edge_loads(const StandardScene& scene, const UnknownsTable& q, const PointMotions& points, double time,
                     UnknownsTable& loads) {
   for (const EdgeLoad& load : scene.model.edge_loads) {
     if (loads[load.element].size() == 0) continue;
+    const double factor = load.factor.times.empty() ? 1 : load.factor.at(time).x;
     Point normal;  // outward, times the present length
     if (load.pushes != std::array<double, 2>{}) {
       const auto place = [&](Point start) { return point_at(scene.model, scene.reference, q, load.element, start); };
@@ -62,7 +63,8 @@ void add_edge_loads(const StandardScene& scene, const UnknownsTable& q, const Po
     }
     const std::array<Point, 2> ends{load.edge.start, load.edge.end};
     for (std::size_t k = 0; k < 2; ++k)
-      add_force(points.of_point(load.element, ends[k]), load.element, load.forces[k] - load.pushes[k] * normal, loads);
+      add_force(points.of_point(load.element, ends[k]), load.element,
+                factor * (load.forces[k] - load.pushes[k] * normal), loads);
   }
 }
 
@@ -154,7 +156,7 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
   const PointMotions points(scene.model, scene.reference, q);
   for (const CarriedPoint& point : scene.model.loading_points)
     add_force(points.of_point(point.element, point.start), point.element, point.curve.at(time), loads);
-  add_edge_loads(scene, q, points, loads);
+  add_edge_loads(scene, q, points, time, loads);
   add_constant_bolts(scene, q, loads);
   loads *= scene.load_share;
   for (const FacePull& pull : scene.pulls)
