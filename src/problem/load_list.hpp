@@ -42,19 +42,19 @@ struct FactorAt {
 struct TractionPlan {
   std::vector<Point> along;
   Formula x, y, pressure;
-  std::vector<FactorAt> over_time;  ///< empty: 1; on blocks only
   Place place;
-  bool acts_on_all = false;  ///< on every body; else on NMM bodies only
+  bool acts_on_all = false;              ///< on every body; else on NMM bodies only
+  std::vector<FactorAt> over_time = {};  ///< empty: 1; on blocks only
 };
 
 struct DisplacementPlan {
   std::vector<Point> along;
   Held held = Held::both;
   Formula x, y;
-  Formula normal;                   ///< outward; if `held` is normal
-  std::vector<FactorAt> over_time;  ///< empty: 1; on blocks only
+  Formula normal;  ///< outward; if `held` is normal
   Place place;
-  bool acts_on_all = false;  ///< on every body; else on NMM bodies only
+  bool acts_on_all = false;              ///< on every body; else on NMM bodies only
+  std::vector<FactorAt> over_time = {};  ///< empty: 1; on blocks only
 };
 
 struct LoadList {
