@@ -35,7 +35,7 @@ bool is_case_file(const FileReading& file) {
 // Names of materials and values with units are lost in content; the analysis of the file has them.
 void keep_sections(Json& merged, const FileReading& own) {
   const Json file = Json::parse(strict_json(own.source));
-  for (const char* section : {"keyblock", "analysis", "covers", "stages", "outputs", "run"})
+  for (const char* section : {"keyblock", "analysis", "covers", "loads", "stages", "outputs", "run"})
     if (file.contains(section) && merged.contains(section)) merged[section] = file[section];
 }
 
@@ -48,6 +48,7 @@ void add_content(Content& all, const Content& content, const std::string& file) 
   put(all.blocks, content.blocks, file, "set of blocks");
   put(all.cover, content.cover, file, "cover");
   put(all.covers, content.covers, file, "set of covers");
+  put(all.loads, content.loads, file, "list of loads");
   put(all.analysis, content.analysis, file, "analysis");
   all.frames.insert(all.frames.end(), content.frames.begin(), content.frames.end());
   all.tracks.insert(all.tracks.end(), content.tracks.begin(), content.tracks.end());

@@ -18,6 +18,7 @@
 #include "formats/shi/dda_analysis.hpp"
 #include "formats/shi/nmm_analysis.hpp"
 #include "formats/text/tokens.hpp"
+#include "problem/checks/check.hpp"
 #include "problem/lines/near_ends.hpp"
 
 namespace keyblock::formats {
@@ -225,6 +226,10 @@ Problem with_content(Problem problem, const Content& content) {
   put_units(units, content.units, content.drawing ? content.drawing->place : Place{});
   problem.units = *units;
   if (content.covers) problem.covers = content.covers;
+  if (content.loads) {
+    if (!problem.loads.empty()) refuse_second(content.loads->place, problem.loads.place, "list of loads");
+    problem.loads = *content.loads;
+  }
   if (content.choices) problem.choices = *content.choices;
   if (content.outputs) problem.outputs = *content.outputs;
   if (!content.stages.empty()) problem.stages = content.stages;

@@ -15,6 +15,7 @@
 #include "problem/cover.hpp"
 #include "problem/cover_plan.hpp"
 #include "problem/drawing.hpp"
+#include "problem/load_list.hpp"
 #include "problem/output_plan.hpp"
 #include "problem/run_choices.hpp"
 #include "problem/stage.hpp"
@@ -56,6 +57,7 @@ struct Content {
   std::optional<TimeCurve> motion = std::nullopt;
   std::optional<Units> units = std::nullopt;
   std::optional<CoverPlan> covers = std::nullopt;
+  std::optional<LoadList> loads = std::nullopt;
   std::optional<RunChoices> choices = std::nullopt;
   std::optional<OutputPlan> outputs = std::nullopt;
   std::vector<Stage> stages = {};

@@ -1,5 +1,5 @@
-# Fails on an include that runs up the house, or across where neighbours may not see each other; on a room of too many files; and on
-# a test that lies in no room. Run: cmake -DROOT=<the repository> -P tests/layers_test.cmake. Every room stands on one floor, and may
+# Fails on an include that runs up the house, or across where neighbours may not see each other; on units that include each other in a
+# ring; on a room of too many files; and on a test that lies in no room. Run: cmake -DROOT=<the repository> -P tests/layers_test.cmake. Every room stands on one floor, and may
 # have floors of its own; a new room is a new word here.
 cmake_policy(SET CMP0057 NEW)
 set(floor_1 geometry base)
@@ -12,12 +12,17 @@ set(floor_7 api)
 set(floor_8 study report job)
 set(floor_9 library serve)
 set(floor_10 app)
-set(closed_floors 3 4)
+set(closed_floors 1 3 4)
+set(steps_of_2 problem,system settings material result)   # lowest first; those of one line (joined by a comma) do not see each other
 set(may_read_files app serve library api study job formats)   # the rooms that may include formats
 
 # Floors within a room, lowest first: sub-rooms, single units, "." for all other files of the room itself. Those of one line (joined by
 # a comma) do not see each other.
-set(inner_problem . units joints,lines)
+set(inner_base words . bytes)
+set(inner_problem . units joints,lines checks)
+set(inner_result rows .)
+set(inner_system linear_factor cholmod .)
+set(inner_terms . yield)
 set(inner_cut lines bodies mesh,covers)
 set(inner_model tips . scene setup)
 set(inner_formats format knowledge tables columns text xml shi,dxf,case_file,views berkeley .)
@@ -25,6 +30,7 @@ set(inner_contact find rows solve)
 set(inner_legacy contact,terms step)
 set(inner_run settings_of bodies stages growth,mesh,ahead,verdict . follow)
 set(inner_step stepper newton bodies groups scene time rest .)
+set(inner_job files,curves folder run_heading,run_record page,verdict .)
 set(inner_report drawing page,document . rock)
 set(inner_serve http . study served_results unsaved service)
 set(inner_study strength cases trade,batch,convert,element,fit,fracture,sweep)
@@ -32,6 +38,17 @@ set(inner_app helpers . run_words,handout input templates,shell strength command
 
 # Shi's rules are fenced off: the standard step does not see them, and they see of it the stepper that both are, and the size of a step.
 set(legacy_sees_of_step step/stepper.hpp step/time/step_size.hpp)
+
+# A unit is a header with its source. These arrows close a ring of units; the list may only shrink.
+set(arrows_of_rings
+  "contact/solve/active_forces -> contact/solve/coupled_forces"
+  "contact/solve/active_forces -> contact/solve/forces_of_blocks"
+  "contact/solve/frictional_problem -> contact/solve/friction_newton"
+  "contact/solve/frictional_problem -> contact/solve/interior_forces"
+  "contact/solve/pair_operator -> contact/solve/pair_system"
+  "material/crack_return -> material/yield_law"
+  "step/time/smooth_contacts -> step/time/smooth_solve"
+  "step/time/strike -> step/time/standard_step")
 set(most_files 25)                      # in a room or sub-room
 set(tests_of_the_whole bench extremes fuzz layers malformed support validate python)
 
@@ -87,6 +104,112 @@ function(look_within file from include to room)
   endif()
 endfunction()
 
+# Remembers that a unit includes another: `sees_U` lists the units that U includes, `seen_by_U` those that include U.
+function(remember_arrow file included)
+  string(REGEX REPLACE "^(src/)?(.*)\\.[^.]*$" "\\2" from ${file})
+  string(REGEX REPLACE "\\.[^.]*$" "" to ${included})
+  if(from STREQUAL to OR "${to}" IN_LIST sees_${from} OR (NOT EXISTS ${ROOT}/src/${included} AND NOT EXISTS ${ROOT}/${included}))
+    return()
+  endif()
+  set(sees_${from} ${sees_${from}} ${to} PARENT_SCOPE)
+  set(seen_by_${to} ${seen_by_${to}} ${from} PARENT_SCOPE)
+  set(units ${units} ${from} ${to} PARENT_SCOPE)
+endfunction()
+
+# True if a path of includes leads from one unit to another.
+function(is_path from to result)
+  set(next ${from})
+  set(${result} FALSE PARENT_SCOPE)
+  while(next)
+    list(POP_FRONT next unit)
+    if(unit STREQUAL to)
+      set(${result} TRUE PARENT_SCOPE)
+      return()
+    endif()
+    if(NOT was_at_${unit})
+      set(was_at_${unit} TRUE)
+      list(APPEND next ${sees_${unit}})
+    endif()
+  endwhile()
+endfunction()
+
+# Complains of each listed arrow that closes no ring, and takes it out of the graph.
+macro(take_out_known_arrows)
+  foreach(arrow IN LISTS arrows_of_rings)
+    string(REPLACE " -> " ";" ends "${arrow}")
+    list(GET ends 0 from)
+    list(GET ends 1 to)
+    is_path(${to} ${from} closes)
+    if(NOT to IN_LIST sees_${from} OR NOT closes)
+      complain("${arrow} closes no ring any more; take it from the list in tests/layers_test.cmake")
+    endif()
+    list(REMOVE_ITEM sees_${from} ${to})
+    list(REMOVE_ITEM seen_by_${to} ${from})
+  endforeach()
+endmacro()
+
+# Takes away units that include none of those left, again and again. What stays holds a ring, which is reported.
+macro(look_for_rings)
+  list(REMOVE_DUPLICATES units)
+  set(left ${units})
+  set(bare "")
+  foreach(unit IN LISTS units)
+    list(LENGTH sees_${unit} arrows_from_${unit})
+    if(arrows_from_${unit} EQUAL 0)
+      list(APPEND bare ${unit})
+    endif()
+  endforeach()
+  while(bare)
+    list(POP_FRONT bare unit)
+    list(REMOVE_ITEM left ${unit})
+    foreach(user IN LISTS seen_by_${unit})
+      math(EXPR arrows_from_${user} "${arrows_from_${user}} - 1")
+      if(arrows_from_${user} EQUAL 0)
+        list(APPEND bare ${user})
+      endif()
+    endforeach()
+  endwhile()
+  if(left)
+    list(GET left 0 unit)
+    set(way "")
+    while(NOT unit IN_LIST way)
+      list(APPEND way ${unit})
+      foreach(to IN LISTS sees_${unit})
+        if(to IN_LIST left)
+          set(unit ${to})
+          break()
+        endif()
+      endforeach()
+    endwhile()
+    list(FIND way ${unit} first)
+    list(SUBLIST way ${first} -1 ring)
+    list(APPEND ring ${unit})
+    string(REPLACE ";" " -> " ring "${ring}")
+    complain("units include each other in a ring: ${ring}")
+  endif()
+endmacro()
+
+# The step of a room within its floor; empty if the floor has none.
+function(step_within floor room result)
+  set(number 0)
+  set(${result} "" PARENT_SCOPE)
+  foreach(line IN LISTS steps_of_${floor})
+    string(REPLACE "," ";" rooms "${line}")
+    if(room IN_LIST rooms)
+      set(${result} ${number} PARENT_SCOPE)
+    endif()
+    math(EXPR number "${number} + 1")
+  endforeach()
+endfunction()
+
+function(look_within_floor file include room target)
+  step_within(${floor_of_${room}} ${room} step)
+  step_within(${floor_of_${target}} ${target} target_step)
+  if(NOT step STREQUAL "" AND NOT target_step LESS step)
+    complain("${file}: ${include} runs up or across within floor ${floor_of_${room}}, from \"${room}\" to \"${target}\"")
+  endif()
+endfunction()
+
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/src/*.hpp ${ROOT}/src/*.cpp ${ROOT}/formats/*.hpp ${ROOT}/formats/*.cpp)
 if(NOT files)
   complain("no source found below ${ROOT}")
@@ -107,6 +230,7 @@ foreach(file IN LISTS files)
   foreach(include IN LISTS includes)
     string(REGEX REPLACE ".*\"([^\"]+)\".*" "\\1" included ${include})
     string(REGEX REPLACE "/.*" "" target ${included})
+    remember_arrow(${file} ${included})
     if(target STREQUAL room)
       look_within(${file} ${path} ${include} ${included} ${room})
     elseif(NOT DEFINED floor_of_${target})
@@ -121,9 +245,14 @@ foreach(file IN LISTS files)
       complain("${file}: ${include}: only \"run\" may include Shi's rules")
     elseif(room STREQUAL "legacy" AND target STREQUAL "step" AND NOT included IN_LIST legacy_sees_of_step)
       complain("${file}: ${include}: of \"step\" Shi's rules may include ${legacy_sees_of_step} alone")
+    elseif(floor_of_${target} EQUAL floor_of_${room})
+      look_within_floor(${file} ${include} ${room} ${target})
     endif()
   endforeach()
 endforeach()
+
+take_out_known_arrows()
+look_for_rings()
 
 list(REMOVE_DUPLICATES folders)
 foreach(folder IN LISTS folders)

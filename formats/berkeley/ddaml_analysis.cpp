@@ -14,7 +14,7 @@
 #include "formats/text/decimal_comma.hpp"
 #include "formats/text/demands.hpp"
 #include "formats/text/tokens.hpp"
-#include "problem/magnitudes.hpp"
+#include "problem/limits.hpp"
 
 namespace keyblock::formats {
 namespace {

@@ -368,11 +368,18 @@ void describe(F& f, In<F, MeshPlan>& mesh) {
 }
 
 template <class F>
+void describe(F& f, In<F, FactorAt>& row) {
+  f.real("time", row.time);
+  f.real("factor", row.factor);
+}
+
+template <class F>
 void describe(F& f, In<F, TractionPlan>& traction) {
   f.rows("along", traction.along);
   f.formula("x", traction.x);
   f.formula("y", traction.y);
   f.formula("pressure", traction.pressure);
+  f.rows("over_time", traction.over_time);
 }
 
 template <class F>
@@ -382,6 +389,13 @@ void describe(F& f, In<F, DisplacementPlan>& displacement) {
   f.formula("x", displacement.x);
   f.formula("y", displacement.y);
   f.formula("normal", displacement.normal);
+  f.rows("over_time", displacement.over_time);
+}
+
+template <class F>
+void describe(F& f, In<F, LoadList>& loads) {
+  f.objects("tractions", loads.tractions);
+  f.objects("displacements", loads.displacements);
 }
 
 template <class F>
@@ -619,6 +633,7 @@ void describe(F& f, In<F, Content>& content) {
   f.optional_object("blocks", content.blocks);
   f.optional_object("cover", content.cover);
   f.optional_object("covers", content.covers);
+  f.optional_object("loads", content.loads);
   f.optional_object("analysis", content.analysis, f.start_of_analysis());
   f.optional_curve("motion", content.motion);
   f.objects("frames", content.frames);

@@ -76,6 +76,10 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"loop_vertices.joint_material", "number of the joint material of the edge that begins at the corner"},
     {"element", "number of the element that carries the point"},
 
+    {"case.loads",
+     "loads and supports along edges of blocks and NMM bodies; needs dynamics standard. covers.tractions and "
+     "covers.displacements act on NMM bodies only"},
+
     {"case.covers",
      "NMM bodies: mesh, functions, supports and loads. The bodies are those of drawing or blocks, their materials "
      "those of analysis"},
@@ -117,7 +121,8 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
      "distance from a tip to the nodes of covers with near-tip functions, L. 0: three sides of the triangles there"},
     {"snap_ratio", "distance, over w, within which nodes are moved onto lines"},
     {"tractions",
-     "force per length of the boundary along a chain of points: (x, y) minus pressure times the outward normal"},
+     "force per length of the boundary along a chain of points: (x, y) minus pressure times the outward normal, which "
+     "turns with a block"},
     {"along", "chain of points on the boundary of bodies; along a joint, on both of its sides"},
     {"tractions.x", "x component, F/L²; a number or an expression in x, y, nx, ny"},
     {"tractions.y", "y component, F/L²; a number or an expression in x, y, nx, ny"},
@@ -128,6 +133,11 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"displacements.x", "x component, L; a number or an expression in x, y, nx, ny"},
     {"displacements.y", "y component, L; a number or an expression in x, y, nx, ny"},
     {"normal", "outward component if held is normal, L; a number or an expression in x, y, nx, ny"},
+    {"over_time",
+     "factor of the values over time, linear between the rows; before the first and after the last row it is that of "
+     "the "
+     "nearest. For blocks only. Empty: 1"},
+    {"factor", "factor of the values"},
     {"forces", "forces at points"},
     {"force_x", "x component, F"},
     {"force_y", "y component, F"},

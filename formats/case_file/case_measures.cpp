@@ -40,6 +40,7 @@ constexpr auto kFields = std::to_array<FieldMeasure>({
     {"tractions.y", measures::kStress},
     {"pressure", measures::kStress},
     {"normal", measures::kLength},
+    {"factor", measures::kNumber},
     {"force_x", measures::kForce},
     {"force_y", measures::kForce},
     {"direction_x", measures::kNumber},

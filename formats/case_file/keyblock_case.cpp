@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/case_file/keyblock_case.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 
@@ -144,8 +146,17 @@ void check(const MeshPlan& mesh, const Place& covers) {
                      fmt::format("expected a snap_ratio of at most {}, found {}", kMostSnapping, mesh.snap_ratio));
 }
 
+void check(const std::vector<FactorAt>& over_time, const Place& place) {
+  const auto is_later = [](const FactorAt& a, const FactorAt& b) { return a.time >= b.time; };
+  const auto found = std::ranges::adjacent_find(over_time, is_later);
+  if (found != over_time.end())
+    throw InputError(place, fmt::format("expected times of over_time that increase, found {} after {}",
+                                        std::next(found)->time, found->time));
+}
+
 void check(const DisplacementPlan& part) {
   require_points(part.along, 2, "along a boundary", part.place);
+  check(part.over_time, part.place);
   for (const Formula* formula : {&part.x, &part.y, &part.normal}) check(*formula, kOnBoundary);
   const auto refuse = [&](const char* name, const Formula& formula, const char* why) {
     if (formula != Formula{})
@@ -156,13 +167,26 @@ void check(const DisplacementPlan& part) {
   if (part.held != Held::normal) refuse("normal", part.normal, "held is not normal");
 }
 
+void check(const TractionPlan& part) {
+  require_points(part.along, 2, "along a boundary", part.place);
+  check(part.over_time, part.place);
+  for (const Formula* formula : {&part.x, &part.y, &part.pressure}) check(*formula, kOnBoundary);
+}
+
+void check(const LoadList& loads) {
+  for (const TractionPlan& part : loads.tractions) check(part);
+  for (const DisplacementPlan& part : loads.displacements) check(part);
+}
+
 void check(const CoverPlan& covers) {
   check(covers.mesh, covers.place);
-  for (const TractionPlan& part : covers.tractions) {
-    require_points(part.along, 2, "along a boundary", part.place);
-    for (const Formula* formula : {&part.x, &part.y, &part.pressure}) check(*formula, kOnBoundary);
-  }
-  for (const DisplacementPlan& part : covers.displacements) check(part);
+  const auto check_constant = [](const auto& part) {
+    check(part);
+    if (!part.over_time.empty())
+      throw InputError(part.place, "expected over_time in `loads`, for blocks, found it in `covers`");
+  };
+  for (const TractionPlan& part : covers.tractions) check_constant(part);
+  for (const DisplacementPlan& part : covers.displacements) check_constant(part);
   for (const SpringPlan& spring : covers.springs)
     if (spring.direction == Point{}) throw InputError(spring.place, "expected a direction of the spring, found (0, 0)");
   for (const Formula* formula : {&covers.body_force.x, &covers.body_force.y, &covers.initial_stress.xx,
@@ -392,6 +416,7 @@ Reading read_case(const Source& source, const ReadHint&) {
   check(content.blocks);
   check(content.cover);
   check(content.covers);
+  check(content.loads);
   check(content.analysis);
   if (content.covers && content.analysis) check_joints_of_cracks(*content.covers, *content.analysis);
   check(content.stages);
@@ -418,8 +443,8 @@ std::string write_case(const Content& content) {
 }  // namespace
 
 bool fits_a_case(const Content& content) {
-  return content.drawing || content.blocks || content.cover || content.covers || content.analysis || content.motion ||
-         content.units || content.choices || content.outputs || !content.layers.rows.empty() ||
+  return content.drawing || content.blocks || content.cover || content.covers || content.loads || content.analysis ||
+         content.motion || content.units || content.choices || content.outputs || !content.layers.rows.empty() ||
          !content.stages.empty() || !content.frames.empty() || !content.tracks.empty();
 }
 

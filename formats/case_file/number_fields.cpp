@@ -13,7 +13,7 @@
 #include "formats/case_file/case_measures.hpp"
 #include "formats/text/numbers.hpp"
 #include "formats/text/tokens.hpp"
-#include "problem/magnitudes.hpp"
+#include "problem/limits.hpp"
 #include "problem/units/unit_conversion.hpp"
 
 namespace keyblock::formats {

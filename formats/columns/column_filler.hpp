@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "formats/columns/frame_columns.hpp"
+#include "formats/columns/frame_part.hpp"
 #include "geometry/point.hpp"
 
 namespace keyblock::formats {

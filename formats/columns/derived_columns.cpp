@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "formats/columns/column_filler.hpp"
+#include "formats/columns/frame_columns.hpp"
 #include "material/stress_invariants.hpp"
 #include "result/extremes.hpp"
 

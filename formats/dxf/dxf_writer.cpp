@@ -8,7 +8,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "formats/dxf/dxf.hpp"
 #include "formats/dxf/dxf_units.hpp"
 #include "formats/text/numbers.hpp"
 

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "base/loop.hpp"
+#include "base/loop_threads.hpp"
 
 namespace keyblock {
 namespace {

@@ -9,7 +9,7 @@
 
 namespace keyblock {
 
-struct LoopThreads;  // base/loop
+struct LoopThreads;  // base/loop_threads
 
 /// Thrown out of unfinished work; the state before it is unchanged.
 class StopRequested : public std::exception {

@@ -5,16 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "base/index.hpp"
 
 namespace keyblock {
-
-/// Threads for the loops of a context; 0: as many as there are processors. They start with the first loop.
-struct LoopThreads;
-std::shared_ptr<LoopThreads> loop_threads_of(int count);
 
 /// Returns the number of threads of the calling thread's context.
 int loop_threads();

@@ -13,6 +13,7 @@
 #include "fracture/near_tip_field.hpp"
 #include "fracture/tip_report.hpp"
 #include "geometry/shared_area.hpp"
+#include "job/verdict/end_of_motion.hpp"
 #include "job/verdict/energy_scale.hpp"
 #include "material/elastic.hpp"
 #include "run/verdict/far_from_drawing.hpp"

@@ -11,6 +11,7 @@
 #include "job/ledger_report.hpp"
 #include "job/run_measures.hpp"
 #include "job/step_tables.hpp"
+#include "job/verdict/end_of_motion.hpp"
 #include "settings/settings_table.hpp"
 
 namespace keyblock {

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.hpp"
 #include "base/words/plain_number.hpp"
 #include "base/words/quoted_name.hpp"
 #include "model/material_choices.hpp"

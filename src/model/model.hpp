@@ -12,6 +12,7 @@
 
 #include "base/index.hpp"
 #include "model/basis.hpp"
+#include "model/edge_load.hpp"
 #include "problem/analysis.hpp"
 #include "problem/blocks.hpp"
 
@@ -127,6 +128,8 @@ struct Model {
   std::vector<CarriedPoint> loading_points;
   std::vector<CarriedPoint> measured_points;
   std::vector<Bolt> bolts;
+  std::vector<EdgeLoad> edge_loads = {};      ///< of DDA blocks
+  std::vector<SupportRow> support_rows = {};  ///< of DDA blocks that can move
   std::shared_ptr<const Continuum>
       continuum;  ///< manifold from which the elements on covers were cut, which come last; null without any
   std::vector<BlockMaterial> block_materials;

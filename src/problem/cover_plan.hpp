@@ -4,12 +4,14 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "geometry/point.hpp"
 #include "problem/analysis.hpp"
 #include "problem/formula.hpp"
+#include "problem/load_list.hpp"
 
 namespace keyblock {
 
@@ -21,9 +23,6 @@ enum class CoverFunctions {
   linear,    ///< with 1, x, y: quadratic, 6 unknowns per cover, some of them dependent
   quadratic,  ///< with 1 to y²: cubic, 12 unknowns, some of them dependent
 };
-
-/// Prescribed component of the displacement; `normal` with the value 0 is a line of symmetry.
-enum class Held { both, normal, x, y };
 
 enum class MeshKind { regular, unstructured };
 
@@ -98,21 +97,6 @@ struct MeshPlan {
   double snap_ratio = 0;  ///< nodes nearer to lines than this share of the mesh's scale move onto them
   std::vector<MeshedMaterial>
       materials;  ///< of the blocks that are given covers, the others stay blocks; empty: all are
-  Place place;
-};
-
-/// Force per length of the boundary along a chain: (x, y) - pressure n, n the normal out of the body.
-struct TractionPlan {
-  std::vector<Point> along;
-  Formula x, y, pressure;
-  Place place;
-};
-
-struct DisplacementPlan {
-  std::vector<Point> along;
-  Held held = Held::both;
-  Formula x, y;
-  Formula normal;  ///< outward; if `held` is normal
   Place place;
 };
 
@@ -203,6 +187,19 @@ inline CoverFunctions functions_of(const CoverPlan& plan, const std::vector<Bloc
   for (const BlockMaterial& material : materials)
     if (material.strength) return CoverFunctions::constant;
   return CoverFunctions::derived;
+}
+
+/// Adds loads that act on all bodies to those of the plan. NMM bodies have none that change over time.
+inline void add(CoverPlan& plan, const LoadList& loads) {
+  const auto put = [](auto& list, const auto& more) {
+    for (auto part : more) {
+      if (!part.over_time.empty()) continue;
+      part.acts_on_all = true;
+      list.push_back(std::move(part));
+    }
+  };
+  put(plan.tractions, loads.tractions);
+  put(plan.displacements, loads.displacements);
 }
 
 }  // namespace keyblock

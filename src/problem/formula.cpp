@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-#include "problem/magnitudes.hpp"
+#include "problem/limits.hpp"
 
 namespace keyblock {
 namespace {

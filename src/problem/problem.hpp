@@ -1,4 +1,4 @@
-// Joins geometry and analysis to a whole problem, and collects all its errors at once.
+// Joins geometry and analysis to a whole problem.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,6 +12,7 @@
 #include "problem/cover.hpp"
 #include "problem/cover_plan.hpp"
 #include "problem/drawing.hpp"
+#include "problem/load_list.hpp"
 #include "problem/output_plan.hpp"
 #include "problem/run_choices.hpp"
 #include "problem/stage.hpp"
@@ -24,6 +25,7 @@ struct Problem {
   std::optional<Analysis> analysis;
   Units units = {};                                ///< as named in a case file
   std::optional<CoverPlan> covers = std::nullopt;  ///< from a case file: its bodies are NMM bodies
+  LoadList loads = {};                             ///< from a case file; after the check also in `covers`, if given
   RunChoices choices = {};                         ///< from a case file
   OutputPlan outputs = {};                         ///< from a case file
   std::vector<Stage> stages = {};                  ///< from a case file; empty: one scene from start to end
@@ -32,17 +34,5 @@ struct Problem {
   bool has_own_case = false;  ///< a case file of Keyblock is among its files, so it is no old program's
   Place place = {};           ///< the first of its files, for errors about missing parts
 };
-
-/// Validated problem: warnings name inputs that were corrected, errors inputs that could not be.
-struct Checked {
-  Problem problem;
-  Warnings warnings;
-  std::vector<InputError> errors;
-};
-
-/// Validates a problem. It brings material numbers into their range (as Shi's analysis programs do, but with a
-/// warning), gives bolts their properties, and accelerates blocks by a ground motion. It reports likely mistakes and
-/// errors: one warning per kind and number, at its first place.
-Checked check(Problem problem);
 
 }  // namespace keyblock

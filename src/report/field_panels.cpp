@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "report/field_picture.hpp"
 #include "report/page.hpp"
 
 namespace keyblock::report {

@@ -10,6 +10,9 @@
 
 namespace keyblock::report {
 
+/// Width of the narrowest page with three panels.
+inline constexpr double kLeastForThree = 700;
+
 /// Places of the mesh, the deformed mesh and the field; a panel without room is not drawn.
 struct Panels {
   std::array<Point, 3> corners;

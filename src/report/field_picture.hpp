@@ -57,9 +57,6 @@ using EachFrame = std::function<void(const std::function<void(const FieldFrame&)
 /// Returns the scale of the field of all frames; `each` is called twice.
 FieldScale common_scale(const FieldFrame& start, FieldShown shown, bool is_of_motion, const EachFrame& each);
 
-/// Width of the narrowest page with three panels.
-inline constexpr double kLeastForThree = 700;
-
 /// Returns the component of the stress that varies most.
 FieldShown most_varied(const FieldFrame& field);
 

@@ -129,6 +129,7 @@ class Blocky {
       ++fixed_[point.element.value];
       held_[static_cast<std::size_t>(point.element.value)].add(point.start);
     }
+    for (const SupportRow& row : model_.support_rows) has_held_edge_.insert(row.element.value);
   }
 
   Warnings warnings(const Problem& problem) const {
@@ -210,7 +211,9 @@ class Blocky {
         named(found.front()));
   }
 
-  bool is_held(std::size_t i) const { return fixed_[i] > 0 || !model_.elements[index(i)].can_move(); }
+  bool is_held(std::size_t i) const {
+    return fixed_[i] > 0 || has_held_edge_.contains(static_cast<int>(i)) || !model_.elements[index(i)].can_move();
+  }
   static ElementIndex index(std::size_t i) { return ElementIndex{static_cast<int>(i)}; }
 
   // Marks blocks connected, by contacts and bolts, to a fixed one.
@@ -348,7 +351,8 @@ class Blocky {
   const Blocks& blocks_;
   std::vector<ElementPair> touching_;
   std::vector<int> fixed_;  ///< number of points per block
-  std::vector<Box> held_;   ///< around the fixed points of each
+  std::set<int> has_held_edge_;
+  std::vector<Box> held_;  ///< around the fixed points of each
   std::vector<std::vector<Point>> loops_;
   std::vector<BlockForm> shapes_;
   double mean_ = 0;

@@ -19,8 +19,9 @@
 #include "model/setup/joint_strength.hpp"
 #include "run/bodies/agreement.hpp"
 #include "run/bodies/cover_model.hpp"
-#include "run/bodies/cover_plan_parts.hpp"
+#include "run/bodies/edge_loads.hpp"
 #include "run/bodies/linear_case.hpp"
+#include "run/bodies/look_at_plan.hpp"
 #include "run/growth/growth_of.hpp"
 #include "run/stages/chain.hpp"
 #include "run/stages/cover_stages.hpp"
@@ -186,8 +187,9 @@ struct Plan {
 
 // Returns the model with the bases of `standard`, and the plan with the enforcement chosen. Throws InputError for a
 // scene that these dynamics cannot run.
-Plan standard_plan(Model model, const Settings& settings, const Place& place) {
+Plan standard_plan(Model model, const Settings& settings, const LoadList& loads, const Place& place) {
   model = with_bases(std::move(model), settings.basis);
+  put_edge_loads(model, loads);
   const StandardScene scene = [&] {
     try {
       return standard_scene(model, settings);
@@ -206,13 +208,14 @@ Plan standard_plan(Model model, const Settings& settings, const Place& place) {
       scene.groundwork};
 }
 
-Plan plan_of(Model model, const Settings& settings, const Place& place, bool is_untouched) {
+Plan plan_of(Model model, const Settings& settings, const LoadList& loads, const Place& place, bool is_untouched) {
   if (is_untouched) {
     model = with_bases(std::move(model), settings.basis);
     Requirements needs = linear_requirements(model, settings);
     return {std::move(model), std::move(needs)};
   }
-  if (settings.dynamics == Dynamics::standard) return standard_plan(std::move(model), settings, place);
+  if (settings.dynamics == Dynamics::standard) return standard_plan(std::move(model), settings, loads, place);
+  if (!loads.empty()) throw InputError(loads.place, "expected profile standard for loads along edges, found legacy");
   model = with_moving_bases(std::move(model), settings.basis);
   Requirements needs = requirements(model, settings);
   return {std::move(model), std::move(needs)};
@@ -226,7 +229,8 @@ struct Staged {
 
 Staged staged_models(const Problem& problem, const Blocks& blocks, const Place& place, bool is_untouched) {
   const auto finished = [=](Model model, const Settings& settings) {
-    return plan_of(with_joint_strength(std::move(model), settings.joint_strength_factor), settings, place, is_untouched)
+    return plan_of(with_joint_strength(std::move(model), settings.joint_strength_factor), settings, problem.loads,
+                   place, is_untouched)
         .model;
   };
   const Stage& first = problem.stages.front();
@@ -303,7 +307,8 @@ Scenes scenes_in(const Asked& asked, Geometry& geometry, Warnings& warnings) {
   } else {
     geometry.model = with_joint_strength(std::move(geometry.model), settings.joint_strength_factor);
   }
-  auto [model, needs, groundwork] = plan_of(std::move(geometry.model), settings, place, asked.is_untouched);
+  auto [model, needs, groundwork] =
+      plan_of(std::move(geometry.model), settings, problem.loads, place, asked.is_untouched);
   Scene scene{std::move(model), settings};
   scene.groundwork = std::move(groundwork);
   scene.is_untouched = asked.is_untouched;
@@ -313,6 +318,12 @@ Scenes scenes_in(const Asked& asked, Geometry& geometry, Warnings& warnings) {
     scene.next = later_scenes(problem, staged->first.rock, scene.model, asked.choices, staged->models, warnings);
   }
   return {std::move(scene), std::move(needs)};
+}
+
+Warnings warnings_of_loads(const Problem& problem, const Scene& first) {
+  std::vector<const Model*> models;
+  for (const Scene* scene : scenes_of(first)) models.push_back(&scene->model);
+  return look_at_loads(problem.loads, models);
 }
 
 Warnings warnings_of_plan(const Problem& problem, const Scene& first) {
@@ -358,6 +369,7 @@ Prepared prepared_as_it_is(const Problem& problem, const std::string& profile, c
   warnings = joined(std::move(warnings), not_modelled(cut.blocks, *problem.analysis, settings));
   auto [scene, needs] = scenes_in(asked, geometry, warnings);
   require_one_path(scene, place_of(problem));
+  warnings = joined(std::move(warnings), warnings_of_loads(problem, scene));
   warnings = joined(std::move(warnings), warnings_of_plan(problem, scene));
   warnings = joined(std::move(warnings), without_effect(problem, overrides, scene));
   const Place place = problem.covers ? problem.covers->place : problem.analysis->place;

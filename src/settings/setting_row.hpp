@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "problem/magnitudes.hpp"
+#include "problem/limits.hpp"
 #include "settings/settings.hpp"
 
 namespace keyblock {

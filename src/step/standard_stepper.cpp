@@ -314,7 +314,7 @@ void StandardStepper::describe_installed(Archive& archive) {
   for (Bolt& bolt : scene_.model.bolts) archive.value("pretension", bolt.pretension);
   archive.value("centre_x", scene_.mass_centre.x);
   archive.value("centre_y", scene_.mass_centre.y);
-  if (archive.is_restoring()) scene_.held = held_points(scene_.model);
+  if (archive.is_restoring()) scene_.held = held_pairs(scene_.model);
 }
 
 // Stored energy and momentum jump with the change of scene; flows continue from `before`.

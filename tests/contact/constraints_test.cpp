@@ -21,7 +21,7 @@ struct Tied {
   Model model;
   Reference reference;
   UnknownsTable q;
-  std::vector<CarriedPoint> held;
+  std::vector<HeldPair> held;
 
   Tied() {
     Blocks blocks;
@@ -36,7 +36,7 @@ struct Tied {
     a << 0.1, -0.05, 0.2, 0.01, -0.02, 0.03;
     b << 0.2, 0.1, 0.3, -0.02, 0.01, 0.02;
     q = {a, b};
-    held = held_points(model);
+    held = held_pairs(model);
   }
 };
 
@@ -150,7 +150,7 @@ TEST(Constraints, a_driven_point_is_off_by_what_its_motion_lacks) {
 TEST(Constraints, points_of_fixed_elements_hold_nothing) {
   Tied tied;
   tied.model.elements[ElementIndex{0}].basis = &fixed_basis();
-  EXPECT_TRUE(held_points(tied.model).empty());
+  EXPECT_TRUE(held_pairs(tied.model).empty());
   tied.q[ElementIndex{0}] = Unknowns::Zero(0);
   EXPECT_EQ(bolt_rows(tied.model, tied.reference, tied.q)[0].of_edge.size(), 0);
 }

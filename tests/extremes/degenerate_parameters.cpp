@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "formats/registry.hpp"
+#include "problem/checks/check.hpp"
 #include "tests/extremes/extreme.hpp"
 #include "tests/extremes/extreme_scenes.hpp"
 

@@ -10,6 +10,7 @@
 #include "formats/case_file/joint_spec.hpp"
 #include "formats/registry.hpp"
 #include "formats/shi/dda_blocks.hpp"
+#include "problem/checks/check.hpp"
 #include "tests/formats/dxf_samples.hpp"
 #include "tests/support/mutated.hpp"
 #include "tests/support/two_triangles.hpp"

@@ -6,6 +6,7 @@
 
 #include "formats/case.hpp"
 #include "geometry/polygon.hpp"
+#include "problem/checks/check.hpp"
 #include "tests/formats/reading.hpp"
 #include "tests/support/two_triangles.hpp"
 

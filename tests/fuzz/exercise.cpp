@@ -9,6 +9,7 @@
 
 #include "formats/case.hpp"
 #include "formats/registry.hpp"
+#include "problem/checks/check.hpp"
 #include "tests/fuzz/meter.hpp"
 
 namespace keyblock::support {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "problem/problem.hpp"
+#include "problem/checks/check.hpp"
 
 namespace keyblock::ground_motion_test {
 namespace {

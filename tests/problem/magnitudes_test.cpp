@@ -1,6 +1,6 @@
 // Overflowing numbers are refused at their place; the infinities of old files, 1e99 and below, are not.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "problem/magnitudes.hpp"
+#include "problem/checks/magnitudes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Blocks in one place and holes outside their blocks are reported; neighbours and joints as wide as the tolerance of a
 // cutter are not.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "problem/shared_ground.hpp"
+#include "problem/checks/shared_ground.hpp"
 
 #include <gtest/gtest.h>
 

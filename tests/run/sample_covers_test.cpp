@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "problem/checks/check.hpp"
 #include "run/prepare.hpp"
 #include "tests/support/held_statics.hpp"
 

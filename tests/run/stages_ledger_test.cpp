@@ -6,6 +6,7 @@
 #include <string>
 
 #include "formats/case.hpp"
+#include "problem/checks/check.hpp"
 #include "tests/support/random_changes.hpp"
 #include "tests/support/staged_runs.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "formats/dxf/dxf_entities.hpp"
+#include "formats/dxf/dxf_shape.hpp"
 #include "formats/dxf/entities/record_values.hpp"
 
 namespace keyblock::formats {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/dxf/dxf_entities.hpp"
 #include "formats/dxf/dxf_groups.hpp"
+#include "formats/dxf/dxf_shape.hpp"
 #include "geometry/point.hpp"
 
 namespace keyblock::formats {

@@ -19,6 +19,7 @@
 #include "app/option_checks.hpp"
 #include "app/stop_request.hpp"
 #include "base/context.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "formats/registry.hpp"

@@ -12,6 +12,7 @@
 #include "api/case_folder.hpp"
 #include "app/batch/logged_child.hpp"
 #include "app/exit_code.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "job/run_report.hpp"

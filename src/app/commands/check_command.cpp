@@ -24,6 +24,7 @@
 #include "cut/covers/from_cover.hpp"
 #include "formats/case.hpp"
 #include "job/run_report.hpp"
+#include "problem/checks/check.hpp"
 #include "run/ahead/plausible_units.hpp"
 #include "run/follow/drawn_joints.hpp"
 #include "run/follow/followed.hpp"

@@ -12,6 +12,7 @@
 #include "app/commands/compare_table.hpp"
 #include "app/helpers/picture_file.hpp"
 #include "app/option_checks.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "job/files.hpp"
 #include "job/run_report.hpp"

@@ -24,7 +24,7 @@
 #include "job/files.hpp"
 #include "job/run_report.hpp"
 #include "material/strength.hpp"
-#include "problem/magnitudes.hpp"
+#include "problem/limits.hpp"
 #include "problem/units/measure.hpp"
 #include "report/rock/element_picture.hpp"
 #include "run/ahead/plausible_units.hpp"

@@ -16,6 +16,7 @@
 #include "app/run_words/first_line.hpp"
 #include "app/run_words/summary.hpp"
 #include "app/stop_request.hpp"
+#include "base/counted.hpp"
 #include "base/words/diagnostics.hpp"
 #include "cut/bodies/slivers.hpp"
 #include "geometry/polygon.hpp"

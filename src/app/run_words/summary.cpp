@@ -8,9 +8,11 @@
 #include <cmath>
 
 #include "app/progress.hpp"
+#include "base/counted.hpp"
 #include "base/words/plain_number.hpp"
 #include "geometry/box.hpp"
 #include "job/run_doubts.hpp"
+#include "job/verdict/end_of_motion.hpp"
 #include "problem/units/readable.hpp"
 
 namespace keyblock {

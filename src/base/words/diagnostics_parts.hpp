@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "base/words/diagnostics.hpp"
+#include "base/words/diagnostic.hpp"
 
 namespace keyblock::diagnostic_rows {
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/rows/constraints.hpp"
 
+#include <algorithm>
+
 #include "contact/rows/point_motion.hpp"
 
 namespace keyblock {
@@ -14,7 +16,6 @@ class MovedPoints {
 
   Point place(ElementIndex e, Point start) const { return point_at(model_, reference_, q_, e, start); }
   PointMotion motion(const MaterialPoint& point) const { return motions_.of_point(point.element, point.start); }
-  PointMotion motion(const CarriedPoint& point) const { return motions_.of_point(point.element, point.start); }
   Segment ends(const Bolt& bolt) const {
     return {place(bolt.first.element, bolt.first.start), place(bolt.second.element, bolt.second.start)};
   }
@@ -42,11 +43,23 @@ Point direction_of(const Segment& bolt) {
   return size == 0 ? Point{} : (1 / size) * (bolt.end - bolt.start);
 }
 
-Eigen::VectorXd pairs_of(const std::vector<Point>& points) {
-  Eigen::VectorXd pairs(2 * static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    pairs.segment<2>(2 * static_cast<Eigen::Index>(i)) << points[i].x, points[i].y;
-  return pairs;
+TimeCurve motion_of(const SupportRow& row) {
+  const Point value = row.value * row.direction;
+  if (value == Point{}) return {};
+  if (row.factor.times.empty()) return {{0}, {value}, {}};
+  TimeCurve curve = row.factor;
+  for (Point& p : curve.values) p = p.x * value;
+  return curve;
+}
+
+// Returns the component along its direction of a vector per row.
+template <class VectorOf>
+Eigen::VectorXd entries_of(const std::vector<HeldPair>& pairs, const VectorOf& vector_of) {
+  Eigen::VectorXd entries(2 * static_cast<Eigen::Index>(pairs.size()));
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      entries[static_cast<Eigen::Index>(2 * i + k)] = dot(pairs[i].directions[k], vector_of(pairs[i], k));
+  return entries;
 }
 
 }  // namespace
@@ -72,39 +85,54 @@ Eigen::VectorXd elongations(const Model& model, const Reference& reference, cons
   return result;
 }
 
-std::vector<CarriedPoint> held_points(const Model& model) {
-  std::vector<CarriedPoint> held;
+bool HeldPair::is_same_at(double from, double to) const {
+  return std::ranges::all_of(curves, [&](const TimeCurve& curve) { return curve.at(from) == curve.at(to); });
+}
+
+std::vector<HeldPair> held_pairs(const Model& model) {
+  std::vector<HeldPair> held;
   for (const CarriedPoint& point : model.fixed_points)
-    if (model.elements[point.element].can_move()) held.push_back(point);
+    if (model.elements[point.element].can_move())
+      held.push_back(
+          {point.element, {point.start, point.start}, {Point{1, 0}, Point{0, 1}}, {point.curve, point.curve}});
+  for (std::size_t i = 0; i < model.support_rows.size(); ++i) {
+    const SupportRow& first = model.support_rows[i];
+    const bool has_second = i + 1 < model.support_rows.size() && model.support_rows[i + 1].element == first.element;
+    const SupportRow& second = model.support_rows[has_second ? ++i : i];
+    held.push_back({first.element,
+                    {first.start, second.start},
+                    {first.direction, second.direction},
+                    {motion_of(first), motion_of(second)}});
+  }
   return held;
 }
 
 ContactRows point_rows(const Model& model, const Reference& reference, const UnknownsTable& q,
-                       const std::vector<CarriedPoint>& points) {
+                       const std::vector<HeldPair>& pairs) {
   const MovedPoints moved(model, reference, q);
   ContactRows rows;
-  for (const CarriedPoint& point : points) {
-    const PointMotion motion = moved.motion(point);
-    rows.push_back(row_of(point.element, motion, {1, 0}));
-    rows.push_back(row_of(point.element, motion, {0, 1}));
+  for (const HeldPair& pair : pairs) {
+    const PointMotion first = moved.motion(MaterialPoint{pair.starts[0], pair.element});
+    rows.push_back(row_of(pair.element, first, pair.directions[0]));
+    const bool is_point = pair.starts[0] == pair.starts[1];
+    const PointMotion second = is_point ? first : moved.motion(MaterialPoint{pair.starts[1], pair.element});
+    rows.push_back(row_of(pair.element, second, pair.directions[1]));
   }
   return rows;
 }
 
 Eigen::VectorXd offsets(const Model& model, const Reference& reference, const UnknownsTable& q,
-                        const std::vector<CarriedPoint>& points, double time) {
+                        const std::vector<HeldPair>& pairs, double time) {
   const MovedPoints moved(model, reference, q);
-  std::vector<Point> result;
-  for (const CarriedPoint& point : points)
-    result.push_back(moved.place(point.element, point.start) - (point.start + point.curve.at(time)));
-  return pairs_of(result);
+  return entries_of(pairs, [&](const HeldPair& pair, std::size_t k) {
+    return moved.place(pair.element, pair.starts[k]) - (pair.starts[k] + pair.curves[k].at(time));
+  });
 }
 
-Eigen::VectorXd wanted_velocities(const std::vector<CarriedPoint>& points, double time, double dt) {
-  std::vector<Point> result;
-  for (const CarriedPoint& point : points)
-    result.push_back((1 / dt) * (point.curve.at(time + dt) - point.curve.at(time)));
-  return pairs_of(result);
+Eigen::VectorXd wanted_velocities(const std::vector<HeldPair>& pairs, double time, double dt) {
+  return entries_of(pairs, [&](const HeldPair& pair, std::size_t k) {
+    return (1 / dt) * (pair.curves[k].at(time + dt) - pair.curves[k].at(time));
+  });
 }
 
 }  // namespace keyblock

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "contact/rows/gap.hpp"
@@ -19,18 +20,29 @@ ContactRows bolt_rows(const Model& model, const Reference& reference, const Unkn
 /// Returns the current length less the initial one, per bolt.
 Eigen::VectorXd elongations(const Model& model, const Reference& reference, const UnknownsTable& q);
 
-/// Returns the fixed points of elements with unknowns; elements without unknowns are fixed already.
-std::vector<CarriedPoint> held_points(const Model& model);
+/// Two rows of a support: a fixed point in x and y, or two rows of one block along edges.
+struct HeldPair {
+  ElementIndex element;
+  std::array<Point, 2> starts;      ///< undeformed
+  std::array<Point, 2> directions;  ///< of length 1
+  std::array<TimeCurve, 2> curves;  ///< displacements; only the component along the direction counts
 
-/// Returns rows 2i and 2i + 1 for the velocity of point i in x and y; `of_edge` is zero.
+  bool is_same_at(double from, double to) const;
+};
+
+/// Returns the supports of elements with unknowns; elements without unknowns are fixed already. Fixed points come
+/// first, then the rows of edges in pairs. If a block has a row left over, its pair repeats it.
+std::vector<HeldPair> held_pairs(const Model& model);
+
+/// Returns rows 2i and 2i + 1 for the velocities of pair i along its directions; `of_edge` is zero.
 ContactRows point_rows(const Model& model, const Reference& reference, const UnknownsTable& q,
-                       const std::vector<CarriedPoint>& points);
+                       const std::vector<HeldPair>& pairs);
 
-/// Returns in entries 2i and 2i + 1 the distance of point i from its target at `time`, in x and y.
+/// Returns in entries 2i and 2i + 1 the distances of pair i from its targets at `time`.
 Eigen::VectorXd offsets(const Model& model, const Reference& reference, const UnknownsTable& q,
-                        const std::vector<CarriedPoint>& points, double time);
+                        const std::vector<HeldPair>& pairs, double time);
 
-/// Returns in entries 2i and 2i + 1 the mean velocity that point i requires from `time` to `time` + dt.
-Eigen::VectorXd wanted_velocities(const std::vector<CarriedPoint>& points, double time, double dt);
+/// Returns in entries 2i and 2i + 1 the mean velocities that pair i requires from `time` to `time` + dt.
+Eigen::VectorXd wanted_velocities(const std::vector<HeldPair>& pairs, double time, double dt);
 
 }  // namespace keyblock

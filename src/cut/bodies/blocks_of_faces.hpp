@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "cut/bodies/body_graph.hpp"
 #include "cut/bodies/cut_notes.hpp"
 #include "cut/lines/faces.hpp"
 

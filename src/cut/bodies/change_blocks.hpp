@@ -5,16 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "cut/bodies/excavate.hpp"
 #include "problem/blocks.hpp"
 #include "problem/drawing.hpp"
 
 namespace keyblock {
-
-/// Region to excavate, bounded by a closed chain. The faces left by the excavation get the joint material.
-struct Region {
-  std::vector<Point> outline;
-  int joint_material = 0;  ///< index from 0
-};
 
 struct ChangedBlocks {
   Blocks blocks;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cut/bodies/cut_blocks.hpp"
+#include "cut/bodies/cut_result.hpp"
 #include "cut/lines/crossings.hpp"
 #include "cut/lines/nodes.hpp"
 

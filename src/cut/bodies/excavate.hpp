@@ -5,10 +5,16 @@
 #include <vector>
 
 #include "cut/bodies/body_graph.hpp"
-#include "cut/bodies/change_blocks.hpp"
+#include "problem/blocks.hpp"
 #include "problem/drawing.hpp"
 
 namespace keyblock {
+
+/// Region to excavate, bounded by a closed chain. The faces left by the excavation get the joint material.
+struct Region {
+  std::vector<Point> outline;
+  int joint_material = 0;  ///< index from 0
+};
 
 /// Returns the edges of blocks as lines, to be cut without merging of crossings. Block materials are not kept.
 Drawing lines_of(const Blocks& blocks);

@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "base/words/plain_number.hpp"
-#include "job/run_report.hpp"
 #include "job/verdict/energy_scale.hpp"
 #include "problem/units/readable.hpp"
+#include "run/prepare.hpp"
 
 namespace keyblock {
 namespace {

@@ -3,47 +3,24 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "job/run_record.hpp"
 #include "result/frame.hpp"
 
 namespace keyblock {
 
 struct Prepared;
-struct RunRecord;
 
 /// Kinetic energy over the largest stored energy, below which a scene is at rest.
 inline constexpr double kRestEnergy = 1e-6;
 /// Fraction of the steps, at the end, during which it must be below.
 inline constexpr double kRestSteps = 0.1;
 
-enum class MotionState {
-  at_rest,          ///< dynamic: came to rest
-  moving,           ///< dynamic: still moves
-  equilibrium,      ///< statics: found
-  no_equilibrium,   ///< statics: the search failed
-  not_equilibrium,  ///< statics from zero velocity: not reached yet
-};
-
 /// Returns the word of run.json: "at_rest", "moving", "equilibrium", "no_equilibrium", "not_equilibrium".
 std::string_view word_for(MotionState state);
-
-/// End of a run. Numbers from 0.
-struct EndOfMotion {
-  MotionState state = MotionState::at_rest;
-  /// Dynamic runs: greatest kinetic energy in the last tenth of the steps over the largest stored energy. Empty without
-  /// an energy balance.
-  std::optional<double> kinetic_share = {};
-  double speed = 0;  ///< greatest of a vertex at the end [length/time]
-  int fastest = 0;   ///< number of its element
-  Point fastest_at = {};
-  double least_share_of_way = 0;                   ///< statics: fraction of the way in the last tenth of the steps
-  std::optional<std::size_t> farthest_point = {};  ///< place of the measured point that moved farthest, in the frame
-  double farthest_point_way = 0;                   ///< its displacement [length]
-};
 
 /// Judges the end of the run; `last` is its last frame. At rest, the kinetic energy was below 1e-6 of the largest
 /// stored energy in the last tenth of the steps. In addition, no block would move by a thousandth of its size in the

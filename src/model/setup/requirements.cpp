@@ -191,6 +191,24 @@ Reason point_load(const Model& model, const Settings&) {
   return fmt::format("{} {} a load", counted(count, "loading point"), count == 1 ? "carries" : "carry");
 }
 
+/// Returns the number of different elements of a list.
+template <class Part>
+std::size_t elements_of(const std::vector<Part>& parts) {
+  std::set<int> elements;
+  for (const Part& part : parts) elements.insert(part.element.value);
+  return elements.size();
+}
+
+Reason edge_load(const Model& model, const Settings&) {
+  if (model.edge_loads.empty()) return std::nullopt;
+  return fmt::format("tractions act on edges of {}", counted(elements_of(model.edge_loads), "block"));
+}
+
+Reason edge_support(const Model& model, const Settings&) {
+  if (model.support_rows.empty()) return std::nullopt;
+  return fmt::format("edges of {} are held", counted(elements_of(model.support_rows), "block"));
+}
+
 Reason fixed_point(const Model& model, const Settings&) {
   if (!has_held_moving_element(model)) return std::nullopt;
   return counted(model.fixed_points.size(), "fixed point");
@@ -276,7 +294,7 @@ struct TermRow {
 };
 
 // In the order of the theory.
-constexpr std::array<TermRow, 16> kRows{{
+constexpr std::array<TermRow, 18> kRows{{
     {TermKind::inertia, "inertia", inertia},
     {TermKind::statics, "statics", statics},
     {TermKind::elastic, "elastic", elastic},
@@ -286,7 +304,9 @@ constexpr std::array<TermRow, 16> kRows{{
     {TermKind::body_force, "body_force", body_force},
     {TermKind::body_acceleration, "body_acceleration", body_acceleration},
     {TermKind::point_load, "point_load", point_load},
+    {TermKind::edge_load, "edge_load", edge_load},
     {TermKind::fixed_point, "fixed_point", fixed_point},
+    {TermKind::edge_support, "edge_support", edge_support},
     {TermKind::bolt, "bolt", bolt},
     {TermKind::contact, "contact", contact},
     {TermKind::friction, "friction", friction},

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "report/drawing/svg.hpp"
+#include "geometry/box.hpp"
 
 namespace keyblock::report {
 namespace {
@@ -49,10 +49,10 @@ std::uint32_t over(std::uint32_t below, std::uint32_t above) {
 double opacity_of(const std::vector<std::vector<Point>>& loops, bool is_closed, const Ink& ink) {
   const double opacity = std::min(1.0, kPixelsPerUnit * ink.width);
   if (opacity == 1 || !is_closed || ink.dash > 0) return opacity;
-  Box box;
+  keyblock::Box box;
   for (const std::vector<Point>& loop : loops)
-    for (const Point p : loop) box.include(p);
-  const double size = kPixelsPerUnit * std::max(box.width(), box.height());
+    for (const Point p : loop) box.add(p);
+  const double size = kPixelsPerUnit * std::max(box.size().x, box.size().y);
   return opacity * std::clamp(size / kLeastCell - 1, 0.0, 1.0);
 }
 

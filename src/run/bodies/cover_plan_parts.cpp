@@ -14,8 +14,6 @@
 #include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
-#include "run/bodies/agreement.hpp"
-#include "terms/cover_loads.hpp"
 
 namespace keyblock {
 namespace {
@@ -27,58 +25,8 @@ constexpr std::span<const std::string_view> kInBody = std::span(kOnBoundary).fir
 constexpr double kOnEdge = 1e-9;
 
 Traction traction_of(const TractionPlan& plan) {
-  const Compiled x(plan.x, kOnBoundary), y(plan.y, kOnBoundary), pressure(plan.pressure, kOnBoundary);
-  return {plan.along, [=](Point at, Point n) {
-            return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})} - pressure({at.x, at.y, n.x, n.y}) * n;
-          }};
-}
-
-PrescribedDisplacement displacement_of(const DisplacementPlan& plan) {
-  const Compiled x(plan.x, kOnBoundary), y(plan.y, kOnBoundary), normal(plan.normal, kOnBoundary);
-  return {plan.along, plan.held, [=](Point at, Point n) {
-            return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})} + normal({at.x, at.y, n.x, n.y}) * n;
-          }};
-}
-
-// Fraction of the length of a chain: less than this off the boundary is rounding.
-constexpr double kLittleOff = 1e-6;
-// Degree of the quadrature on areas and sides at which loads are tried.
-constexpr int kTriedDegree = 2;
-
-/// Length of a chain on none of these edges, and its first point off them.
-struct OffBoundary {
-  double whole = 0;  ///< length of the chain
-  double off = 0;
-  Point first;
-};
-
-OffBoundary off_boundary(const BoundaryPart& part, std::span<const Segment> edges, double near) {
-  OffBoundary found;
-  for (const Segment& piece : pieces_of(part)) {
-    found.whole += distance(piece.start, piece.end);
-    Point at = piece.start;
-    const auto leave_out = [&](Point to) {
-      if (found.off == 0) found.first = at;
-      found.off += distance(at, to);
-    };
-    for (const Segment& covered : parts_along(piece, edges, near)) {
-      leave_out(covered.start);
-      at = covered.end;
-    }
-    leave_out(piece.end);
-  }
-  return found;
-}
-
-// Formulas report their own errors.
-void try_formulas(const Continuum& continuum) {
-  sum_of_loads(continuum, kTriedDegree);
-  for (const PrescribedDisplacement& part : continuum.prescribed)
-    for (const ElementSide& side : sides_along(continuum.manifold, part.along))
-      part.value(0.5 * (side.edge.start + side.edge.end), side.normal());
-  for (std::size_t e = 0; e < continuum.manifold.elements.size(); ++e)
-    continuum.initial_stress_at(static_cast<int>(e),
-                                centroid(continuum.manifold.polygon(continuum.manifold.elements[e]).front()));
+  const TractionOnEdge on_edge = traction_on_edge(plan);
+  return {plan.along, [=](Point at, Point n) { return on_edge.force(at, n) - on_edge.pressure(at, n) * n; }};
 }
 
 double gap_to(const Manifold& manifold, const ManifoldElement& element, Point p) {
@@ -104,6 +52,23 @@ std::vector<Part> in_blocks(const std::vector<Part>& parts, const Blocks& blocks
 }
 
 }  // namespace
+
+TractionOnEdge traction_on_edge(const TractionPlan& plan) {
+  const Compiled x(plan.x, kOnBoundary), y(plan.y, kOnBoundary), pressure(plan.pressure, kOnBoundary);
+  return {[=](Point at, Point n) {
+            return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})};
+          },
+          [=](Point at, Point n) {
+            return pressure({at.x, at.y, n.x, n.y});
+          }};
+}
+
+PrescribedDisplacement displacement_of(const DisplacementPlan& plan) {
+  const Compiled x(plan.x, kOnBoundary), y(plan.y, kOnBoundary), normal(plan.normal, kOnBoundary);
+  return {plan.along, plan.held, [=](Point at, Point n) {
+            return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})} + normal({at.x, at.y, n.x, n.y}) * n;
+          }};
+}
 
 CoverPlan what_is_left_of(CoverPlan plan, const Manifold& bodies, const Blocks& blocks) {
   const auto is_gone = [&](const auto& part) { return sides_along(bodies, part.along).empty(); };
@@ -141,35 +106,6 @@ int element_holding(const Manifold& manifold, int body, Point p, const char* nou
       return element;
   }
   throw InputError(place, fmt::format("expected {} in a body, found none at ({:.9g}, {:.9g})", noun, p.x, p.y));
-}
-
-Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>& scenes) {
-  Warnings warnings;
-  // Excavation may expose a boundary later, so that the edges of all scenes count.
-  std::vector<Segment> edges;
-  double near = 0;
-  for (const Continuum* scene : scenes) {
-    for (const ElementSide& side : boundary_sides(scene->manifold)) edges.push_back(side.edge);
-    near = std::max(near, reach_of_chains(scene->manifold));
-  }
-  const auto look = [&](const BoundaryPart& part, const Place& place) {
-    const OffBoundary found = off_boundary(part, edges, near);
-    if (found.off == found.whole)
-      throw InputError(
-          place,
-          fmt::format("expected a chain on the boundary of NMM bodies, found none of it there: ({:.9g}, {:.9g}), …",
-                      part.front().x, part.front().y));
-    if (found.off > kLittleOff * found.whole)
-      warnings.push_back({"chain_off_boundary", place,
-                          fmt::format("{:.6g} of the {:.6g} of this chain lies off the boundary of the bodies, first "
-                                      "from ({:.6g}, {:.6g}) on, and acts on nothing; move its points onto the outline",
-                                      found.off, found.whole, found.first.x, found.first.y)});
-  };
-  for (const TractionPlan& part : plan.tractions) look(part.along, part.place);
-  for (const DisplacementPlan& part : plan.displacements) look(part.along, part.place);
-  for (const Continuum* scene : scenes) try_formulas(*scene);
-  require_agreement(plan, scenes);
-  return warnings;
 }
 
 void put_points(Continuum& continuum, const CoverPlan& plan) {

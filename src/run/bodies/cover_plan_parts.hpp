@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/error.hpp"
@@ -10,6 +11,16 @@
 #include "problem/cover_plan.hpp"
 
 namespace keyblock {
+
+/// Traction along a chain as functions of the position and the outward normal.
+struct TractionOnEdge {
+  std::function<Point(Point x, Point normal)> force;  ///< of a fixed direction
+  std::function<double(Point x, Point normal)> pressure;
+};
+
+/// The functions throw InputError if a formula is not finite.
+TractionOnEdge traction_on_edge(const TractionPlan& plan);
+PrescribedDisplacement displacement_of(const DisplacementPlan& plan);
 
 /// Adds all parts of the plan that do not depend on the mesh. The functions throw InputError if a formula is not
 /// finite.
@@ -20,10 +31,6 @@ CoverPlan what_is_left_of(CoverPlan plan, const Manifold& bodies, const Blocks& 
 
 /// Adds point forces and springs to their elements. Throws InputError for one that lies in no body.
 void put_points(Continuum& continuum, const CoverPlan& plan);
-
-/// Returns warnings about the chains and loads of a plan. `scenes`: bodies of a run, in sequence. Throws InputError if
-/// a chain is on no boundary, if a formula is not finite, or if two prescribed displacements contradict each other.
-Warnings look_at_plan(const CoverPlan& plan, const std::vector<const Continuum*>& scenes);
 
 /// Returns the element that holds the point; of `body`, unless that is -1. Throws InputError that names `noun` if no
 /// element does.

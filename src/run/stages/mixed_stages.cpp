@@ -59,7 +59,10 @@ bool has_mixed_stages(const Problem& problem) {
 }
 
 MixedStages::MixedStages(const Problem& problem) {
-  if (problem.covers) plan_ = *problem.covers;
+  if (problem.covers)
+    plan_ = *problem.covers;
+  else
+    add(plan_, problem.loads);
   if (!plan_.excavations.empty())
     throw InputError(plan_.excavations.front().place, "expected excavations in stages or in covers, found both");
   if (std::holds_alternative<Cover>(problem.geometry))

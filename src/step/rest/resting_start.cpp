@@ -34,7 +34,7 @@ class Hanging {
       if (!can_move(pair.lower)) is_held_[of(pair.upper)] = true;
       if (!can_move(pair.upper)) is_held_[of(pair.lower)] = true;
     }
-    for (const CarriedPoint& point : scene.held) is_held_[of(point.element)] = true;
+    for (const HeldPair& pair : scene.held) is_held_[of(pair.element)] = true;
     for (ElementIndex e : indices(scene.model.elements))
       if (can_move(e) && scene.groups.of(e).is_supported(e)) is_held_[of(e)] = true;
   }

@@ -230,8 +230,7 @@ class Settling {
     std::vector<bool> held(scene_.bodies().size(), false);
     for (ElementIndex e : indices(scene_.bodies()))
       if (scene_.bodies()[e].mass.rows() == 0) held[static_cast<std::size_t>(groups.find(e.value))] = true;
-    for (const CarriedPoint& point : scene_.held)
-      held[static_cast<std::size_t>(groups.find(point.element.value))] = true;
+    for (const HeldPair& pair : scene_.held) held[static_cast<std::size_t>(groups.find(pair.element.value))] = true;
     for (ElementIndex e : indices(loads_))
       if (!held[static_cast<std::size_t>(groups.find(e.value))]) loads_[e].setZero();
   }

@@ -60,7 +60,7 @@ StandardStep first_equilibrium(StandardScene& scene, const Motion& motion, doubl
 
 StandardStep static_equilibrium(StandardScene& scene, const Motion& motion, const LoadStep& step) {
   const UnknownsTable last = loads_at(scene, motion.q, step.from);
-  const auto stays = [&](const CarriedPoint& point) { return point.curve.at(step.from) == point.curve.at(step.to); };
+  const auto stays = [&](const HeldPair& pair) { return pair.is_same_at(step.from, step.to); };
   const int wanted = scene.settings.standard.load_steps;
   const int growing = std::min(wanted, scene.settings.step_count);  // number of steps
   const auto shares_after = [&](int steps) {

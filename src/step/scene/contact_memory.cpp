@@ -83,4 +83,14 @@ std::span<const ClosedContact> ClosedContacts::at(VertexIndex vertex) const {
   return std::span(by_touch_).subspan(first, end - first);
 }
 
+ConstraintMemory constraint_start(const std::vector<Bolt>& bolts, std::size_t points) {
+  ConstraintMemory memory;
+  for (const Bolt& bolt : bolts) {
+    memory.bolt_forces.push_back(bolt.is_spring() ? bolt.pretension : bolt.constant_force());
+    memory.broken.push_back(!bolt.is_spring() && bolt.pretension >= bolt.strength);
+  }
+  memory.point_forces = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(points));
+  return memory;
+}
+
 }  // namespace keyblock

@@ -73,6 +73,9 @@ struct ConstraintMemory {
   Eigen::VectorXd point_forces;     ///< on the element, 2i in x and 2i + 1 in y
 };
 
+/// Returns bolts at their pretension and points without force.
+ConstraintMemory constraint_start(const std::vector<Bolt>& bolts, std::size_t points);
+
 /// One end of the stretch along which two edges are bonded.
 struct Bond {
   double gap = 0;     ///< initial gap, kept as long as the bond pulls

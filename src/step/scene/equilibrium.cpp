@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 
 #include "base/listed.hpp"
 #include "base/words/plain_number.hpp"
@@ -19,17 +21,24 @@ namespace {
 
 using namespace tolerances;
 
-// A body with two fixed points, or other supports, cannot leave. If it is soft, its equilibrium may be farther from its
+// Share of the size of a body: supports nearer to each other leave it free to rotate.
+constexpr double kApart = 1e-6;
+
+// A body whose supports leave it no rigid motion cannot leave. If it is soft, its equilibrium may be farther from its
 // place than its own size.
 bool is_held(const StandardScene& scene, ElementIndex e) {
   if (scene.groups.of(e).is_supported(e)) return true;
-  const CarriedPoint* first = nullptr;
-  for (const CarriedPoint& point : scene.held) {
-    if (!scene.groups.are_one_body(point.element, e)) continue;
-    if (first && !(first->start == point.start)) return true;
-    first = &point;
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();  // of the squares of all rows, by two translations and a rotation
+  for (const HeldPair& pair : scene.held) {
+    if (!scene.groups.are_one_body(pair.element, e)) continue;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Point arm = (1 / scene.bodies()[e].size) * (pair.starts[k] - scene.reference.centroids[e]);
+      const Point d = pair.directions[k];
+      const Eigen::Vector3d row(d.x, d.y, cross(arm, d));
+      sum += row * row.transpose();
+    }
   }
-  return false;
+  return sum.determinant() > kApart * kApart * std::pow(sum.trace(), 3);
 }
 
 // Returns the distance of each fixed point from its target.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contact/rows/point_motion.hpp"
@@ -13,7 +14,6 @@
 #include "model/setup/choose_basis.hpp"
 #include "step/groups/make_groups.hpp"
 #include "step/scene/enforcement.hpp"
-#include "step/scene/step_constraints.hpp"
 
 namespace keyblock {
 namespace {
@@ -49,6 +49,25 @@ double half_width_of(const ConvexPieces& pieces, const std::vector<Point>& verti
   return around > 0 ? twice_area / around : 0;
 }
 
+// A pressure turns and grows with its edge, which stays straight.
+void add_edge_loads(const StandardScene& scene, const UnknownsTable& q, const PointMotions& points, double time,
+                    UnknownsTable& loads) {
+  for (const EdgeLoad& load : scene.model.edge_loads) {
+    if (loads[load.element].size() == 0) continue;
+    const double factor = load.factor.times.empty() ? 1 : load.factor.at(time).x;
+    Point normal;  // outward, times the present length
+    if (load.pushes != std::array<double, 2>{}) {
+      const auto place = [&](Point start) { return point_at(scene.model, scene.reference, q, load.element, start); };
+      const Point along = place(load.edge.end) - place(load.edge.start);
+      normal = {along.y, -along.x};
+    }
+    const std::array<Point, 2> ends{load.edge.start, load.edge.end};
+    for (std::size_t k = 0; k < 2; ++k)
+      add_force(points.of_point(load.element, ends[k]), load.element,
+                factor * (load.forces[k] - load.pushes[k] * normal), loads);
+  }
+}
+
 // Bolts without stiffness pull with their pretension along the line of their ends.
 void add_constant_bolts(const StandardScene& scene, const UnknownsTable& q, UnknownsTable& loads) {
   const auto has_force = [](const Bolt& bolt) { return bolt.constant_force() != 0; };
@@ -82,7 +101,7 @@ StandardScene standard_scene(Model model, Settings settings, std::shared_ptr<con
   const double rounding = choices.impact == ImpactLaw::springs ? 0 : choices.corner_rounding;
   for (const ConvexPieces& pieces : scene.pieces)
     scene.rounding.push_back(rounding * half_width_of(pieces, scene.model.start_vertices));
-  scene.held = held_points(scene.model);
+  scene.held = held_pairs(scene.model);
   scene.mass_centre = mass_centre_of(scene);
   return scene;
 }
@@ -112,7 +131,7 @@ std::string unsupported(const StandardScene& scene) {
 Motion start_motion(const StandardScene& scene) {
   Motion motion;
   for (const auto& group : scene.groups) group->put_start(scene.parts(), motion);
-  motion.constraints = constraint_start(scene);
+  motion.constraints = constraint_start(scene.model.bolts, scene.held.size());
   return motion;
 }
 
@@ -137,6 +156,7 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
   const PointMotions points(scene.model, scene.reference, q);
   for (const CarriedPoint& point : scene.model.loading_points)
     add_force(points.of_point(point.element, point.start), point.element, point.curve.at(time), loads);
+  add_edge_loads(scene, q, points, time, loads);
   add_constant_bolts(scene, q, loads);
   loads *= scene.load_share;
   for (const FacePull& pull : scene.pulls)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contact/find/touch.hpp"
+#include "contact/rows/constraints.hpp"
 #include "model/material_choices.hpp"
 #include "model/scene/scene.hpp"
 #include "model/state.hpp"
@@ -31,7 +32,7 @@ struct StandardScene {
   Table<ElementIndex, ConvexPieces> pieces;
   Table<ElementIndex, double> rounding;  ///< of corners: the overlap up to which two of them pass each other
   std::vector<ElementIndex> with_faces;  ///< elements that can be in contact
-  std::vector<CarriedPoint> held;        ///< fixed points of elements that have unknowns
+  std::vector<HeldPair> held;            ///< supports of elements that have unknowns, besides those of NMM bodies
   Point mass_centre;                     ///< of the movable blocks, at the start
   double load_share = 1;                 ///< load fraction, below 1 while loads are applied
   ChosenElements unloaded = {};          ///< bodies without load in the search for an initial state; empty: none
@@ -74,8 +75,8 @@ Motion start_motion(const StandardScene& scene);
 /// mean stress ρ ω² L²/12.
 void add_centrifugal_force(const StandardScene& scene, const UnknownsTable& v, UnknownsTable& loads);
 
-/// Returns the loads on the unknowns at `time`, in the configuration q. They are weight, given acceleration, point
-/// loads and bolts of constant force, all times the load fraction, and the pull of faces.
+/// Returns the loads on the unknowns at `time`, in the configuration q. They are weight, given acceleration, loads
+/// of points and edges, and bolts of constant force, all times the load fraction, and the pull of faces.
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time);
 
 /// Returns M v.

@@ -95,16 +95,6 @@ ConstraintMemory StepConstraints::memory(const Eigen::VectorXd& forces, const Un
   return memory;
 }
 
-ConstraintMemory constraint_start(const StandardScene& scene) {
-  ConstraintMemory memory;
-  for (const Bolt& bolt : scene.model.bolts) {
-    memory.bolt_forces.push_back(bolt.is_spring() ? bolt.pretension : bolt.constant_force());
-    memory.broken.push_back(!bolt.is_spring() && bolt.pretension >= bolt.strength);
-  }
-  memory.point_forces = Eigen::VectorXd::Zero(pair(scene.held.size()));
-  return memory;
-}
-
 ContactRows rows_with_points(const StandardScene& scene, const UnknownsTable& q, const Touches& touches) {
   ContactRows rows = contact_rows(scene.model, scene.reference, q, touches);
   if (scene.held.empty()) return rows;

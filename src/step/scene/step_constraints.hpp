@@ -47,13 +47,10 @@ class StepConstraints {
   const StandardScene& scene_;
   const Motion& start_;
   std::vector<std::size_t> bolts_;
-  const std::vector<CarriedPoint>& points_;
+  const std::vector<HeldPair>& points_;
   double end_time_;
   double weight_;
 };
-
-/// Returns bolts at their pretension and points without force.
-ConstraintMemory constraint_start(const StandardScene& scene);
 
 /// Returns the rows of contacts, then of the fixed points: pushes and impacts of supported blocks include their
 /// supports.

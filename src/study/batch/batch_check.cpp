@@ -7,6 +7,7 @@
 
 #include "api/plan.hpp"
 #include "cut/bodies/cut_blocks.hpp"
+#include "problem/checks/check.hpp"
 #include "report/thumbnail.hpp"
 #include "study/batch/batch_files.hpp"
 #include "study/batch/scene_sentence.hpp"

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "problem/magnitudes.hpp"
+#include "problem/limits.hpp"
 #include "problem/units/measure.hpp"
 
 namespace keyblock::study {

@@ -1,6 +1,6 @@
 // Checks a problem: each function tests one aspect and returns its errors and warnings.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "problem/problem.hpp"
+#include "problem/checks/check.hpp"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,9 @@
 #include "base/counted.hpp"
 #include "base/words/quoted_name.hpp"
 #include "geometry/polygon.hpp"
+#include "problem/checks/magnitudes.hpp"
+#include "problem/checks/shared_ground.hpp"
 #include "problem/ground_motion.hpp"
-#include "problem/magnitudes.hpp"
-#include "problem/shared_ground.hpp"
 
 namespace keyblock {
 namespace {
@@ -176,6 +176,7 @@ class Checker {
     if (!checked_.errors.empty()) return std::move(checked_);
     fail(crossed_outlines(checked_.problem.stages));
     if (checked_.problem.covers) fail(crossed_outlines(*checked_.problem.covers));
+    if (checked_.problem.covers) add(*checked_.problem.covers, checked_.problem.loads);
     std::visit([this](auto& geometry) { look_at(geometry); }, checked_.problem.geometry);
     if (checked_.problem.analysis && checked_.problem.motion) take_motion();
     return std::move(checked_);
@@ -183,6 +184,8 @@ class Checker {
 
  private:
   void look_at(std::monostate) {}
+
+  bool has_other_supports() const { return checked_.problem.covers || !checked_.problem.loads.displacements.empty(); }
 
   void take_motion() {
     try {
@@ -197,7 +200,7 @@ class Checker {
     warn(zero_length_lines(drawing));
     drop_zero_length_lines(drawing);
     warn(unusual_ratio(drawing));
-    if (!checked_.problem.covers)
+    if (!has_other_supports())
       warn(no_fixed_points(drawing.fixed_lines.size(), checked_.problem.analysis, drawing.place));
     if (drawing.joints.empty())
       checked_.errors.emplace_back(drawing.place, "expected lines to cut blocks from, found none");
@@ -213,7 +216,7 @@ class Checker {
   void look_at(Blocks& blocks) {
     warn(zero_length_bolts(blocks));
     std::erase_if(blocks.bolts, [](const BlockBolt& bolt) { return is_point(bolt.segment); });
-    if (!checked_.problem.covers)
+    if (!has_other_supports())
       warn(no_fixed_points(blocks.fixed_points.size(), checked_.problem.analysis, blocks.place));
     fail(crossed_outlines(blocks));
     if (!checked_.errors.empty()) return;

@@ -1,6 +1,6 @@
 // Names the first pair in each warning.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "problem/shared_ground.hpp"
+#include "problem/checks/shared_ground.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // Tests, in one pass, all numbers that a calculation uses from a problem.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "problem/magnitudes.hpp"
+#include "problem/checks/magnitudes.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "geometry/box.hpp"
-#include "problem/shared_ground.hpp"
+#include "problem/checks/shared_ground.hpp"
 
 namespace keyblock {
 namespace {

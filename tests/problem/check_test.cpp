@@ -1,10 +1,10 @@
 // check() reports all faults at once, and corrects what it can with a warning.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "problem/problem.hpp"
+#include "problem/checks/check.hpp"
 
 #include <gtest/gtest.h>
 
-namespace keyblock::problem_test {
+namespace keyblock::check_test {
 namespace {
 
 Drawing sound_drawing() {
@@ -176,4 +176,4 @@ TEST(Problem, a_bolt_of_negative_stiffness_is_an_error) {
   EXPECT_EQ(check({blocks, sound_analysis()}).errors.size(), 1U);
 }
 
-}  // namespace keyblock::problem_test
+}  // namespace keyblock::check_test

@@ -1,0 +1,265 @@
+// Tractions, pressures and rollers on edges of blocks, beside closed forms of uniform stress; moved, turned and in mm.
+#include "run/bodies/edge_loads.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "formats/case.hpp"
+#include "run/prepare.hpp"
+#include "run/steppers.hpp"
+#include "tests/support/text_files.hpp"
+
+namespace keyblock::edge_loads_test {
+namespace {
+
+constexpr double kModulus = 1e9, kPoisson = 0.25;
+
+/// Turns and moves the coordinates of a case; `unit`: lengths of the file per metre.
+struct Frame {
+  double angle = 0;
+  Point origin = {};
+  double unit = 1;
+
+  Point vector(Point p) const {
+    return {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
+  }
+  Point at(Point p) const { return unit * (vector(p) + origin); }
+  std::string row(Point p) const { return fmt::format("[{:.17g}, {:.17g}]", at(p).x, at(p).y); }
+  std::string chain(Point a, Point b) const { return fmt::format(R"("along": [{}, {}])", row(a), row(b)); }
+};
+
+std::string block(const Frame& frame, Point low, Point high) {
+  std::string rows;
+  for (const Point p : {low, Point{high.x, low.y}, high, Point{low.x, high.y}})
+    rows += fmt::format("{}[{:.17g}, {:.17g}, 1]", rows.empty() ? "" : ", ", frame.at(p).x, frame.at(p).y);
+  return fmt::format(R"({{"outer": [{}]}})", rows);
+}
+
+/// Units: mass in kg, lengths by the frame; a plain number of stress or density follows from those in metres.
+std::string case_of(const Frame& frame, const std::string& blocks, const std::string& loads, const std::string& run,
+                    double gravity = 0) {
+  const double per_length = frame.unit;
+  return fmt::format(
+      R"({{"keyblock": 2, "blocks": {{"blocks": [{}]}}, "loads": {{{}}}, "analysis": {{"step_count": 1,
+      "time_step": 0.01, "velocity_carry_over": 0, "plane_strain": true, "gravity": {},
+      "joint_materials": [{{"friction_angle_deg": 30}}],
+      "block_materials": [{{"density": {}, "youngs_modulus": {}, "poissons_ratio": {}}}]}},
+      "run": {{"set": {{{}}}}}}})",
+      blocks, loads, gravity * per_length, 2000 / std::pow(per_length, 3), kModulus / per_length, kPoisson, run);
+}
+
+std::unique_ptr<Stepper> stepper_of(const std::string& text) {
+  const std::string file = testing::TempDir() + "edge_loads.json";
+  support::write_text(file, text);
+  return stepper_for(prepare(formats::load_case({file}).problem, "standard", {}).scene);
+}
+
+std::unique_ptr<Stepper> after_one_step(const std::string& text) {
+  std::unique_ptr<Stepper> stepper = stepper_of(text);
+  const auto made = stepper->advance();
+  if (const auto* failure = std::get_if<StepFailure>(&made)) ADD_FAILURE() << failure->reason;
+  return stepper;
+}
+
+std::string fault_of(const std::string& text) {
+  try {
+    stepper_of(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// Stress components along the axes of the frame, in units of metres.
+Stress stress_of(const Stepper& stepper, int element, const Frame& frame) {
+  const Stress s = stepper.state().elements[ElementIndex{element}].stress;
+  const Point x = frame.vector({1, 0}), y = frame.vector({0, 1});
+  const auto of = [&](Point a, Point b) {
+    return frame.unit * (a.x * (s.xx * b.x + s.xy * b.y) + a.y * (s.xy * b.x + s.yy * b.y));
+  };
+  return {of(x, x), of(y, y), of(x, y)};
+}
+
+const std::vector<Frame> kFrames{{}, {0, {1e4, -3e3}, 1}, {0.7, {2, 5}, 1}, {0, {}, 1000}, {-2.1, {30, 40}, 1000}};
+constexpr const char* kStatics = R"("motion": "static")";
+
+TEST(EdgeLoads, a_bar_under_end_traction_has_its_stress_and_stretch) {
+  constexpr double kTraction = 2e5, kLength = 4;
+  for (const Frame& frame : kFrames) {
+    const Point t = (kTraction / frame.unit) * frame.vector({1, 0});
+    const std::string text = case_of(frame, block(frame, {0, 0}, {kLength, 1}),
+                                     fmt::format(R"("tractions": [{{{}, "x": {:.17g}, "y": {:.17g}}}],
+          "displacements": [{{{}, "held": "normal"}}, {{{}, "held": "normal"}}])",
+                                                 frame.chain({kLength, 0}, {kLength, 1}), t.x, t.y,
+                                                 frame.chain({0, 0}, {0, 1}), frame.chain({0, 0}, {kLength, 0})),
+                                     kStatics);
+    const auto stepper = after_one_step(text);
+    const Stress stress = stress_of(*stepper, 0, frame);
+    EXPECT_NEAR(stress.xx, kTraction,
+                1e-3 * kTraction);  // large strain: first order in t/E = 2e-4
+    EXPECT_NEAR(stress.yy, 0, 1e-6 * kTraction);
+    EXPECT_NEAR(stress.xy, 0, 1e-6 * kTraction);
+    const Point moved =
+        (1 / frame.unit) * (stepper->state().elements[ElementIndex{0}].centroid - frame.at({kLength / 2, 0.5}));
+    const double strain = kTraction * (1 - kPoisson * kPoisson) / kModulus;
+    const double across = -kTraction * kPoisson * (1 + kPoisson) / kModulus;
+    EXPECT_NEAR(dot(moved, frame.vector({1, 0})), strain * kLength / 2, 1e-3 * strain);
+    EXPECT_NEAR(dot(moved, frame.vector({0, 1})), across / 2, 1e-3 * strain);
+  }
+}
+
+TEST(EdgeLoads, a_column_between_rollers_keeps_its_width_under_its_weight) {
+  constexpr double kGravity = 10, kHeight = 2, kDensity = 2000;
+  constexpr int kBlocks = 3;
+  for (const Frame& frame : {kFrames[0], kFrames[1], kFrames[3]}) {
+    std::string blocks;
+    for (int i = 0; i < kBlocks; ++i)
+      blocks += (i == 0 ? "" : ", ") + block(frame, {0, i * kHeight}, {1, (i + 1) * kHeight});
+    const double top = kBlocks * kHeight;
+    const std::string text =
+        case_of(frame, blocks,
+                fmt::format(R"("displacements": [{{{}, "held": "normal"}}, {{{}, "held": "x"}}, {{{}, "held": "y"}}])",
+                            frame.chain({0, top}, {0, 0}), frame.chain({1, 0}, {1, top}), frame.chain({0, 0}, {1, 0})),
+                kStatics, kGravity);
+    const auto stepper = after_one_step(text);
+    for (int i = 0; i < kBlocks; ++i) {
+      const double vertical = -kDensity * kGravity * (top - (i + 0.5) * kHeight);
+      const Stress stress = stress_of(*stepper, i, frame);
+      EXPECT_NEAR(stress.yy, vertical, 1e-3 * std::abs(vertical)) << i;
+      EXPECT_NEAR(stress.xx, kPoisson / (1 - kPoisson) * vertical, 1e-3 * std::abs(vertical)) << i;
+      EXPECT_NEAR(stepper->state().elements[ElementIndex{i}].centroid.x, frame.at({0.5, 0}).x, 1e-9 * frame.unit);
+    }
+  }
+}
+
+TEST(EdgeLoads, equal_pressure_all_around_moves_no_block_and_turns_with_it) {
+  constexpr double kPressure = 1e5;
+  const Frame frame;
+  std::string loads;
+  const std::vector<Point> corners{{0, 0}, {3, 0}, {3, 1}, {0, 1}};
+  for (std::size_t i = 0; i < 4; ++i)
+    loads += fmt::format(R"({}{{{}, "pressure": {}}})", i == 0 ? "" : ", ",
+                         frame.chain(corners[i], corners[(i + 1) % 4]), kPressure);
+  std::string text =
+      case_of(frame, block(frame, {0, 0}, {3, 1}), R"("tractions": [)" + loads + "]", R"("start": "sudden")");
+  const auto set = [&](const std::string& was, const std::string& is) { text.replace(text.find(was), was.size(), is); };
+  set(R"("velocity_carry_over": 0)", R"("velocity_carry_over": 1)");
+  set(R"("density")", R"("initial_velocity": [0, 0, 2], "density")");
+  set(R"("step_count": 1)", R"("step_count": 60)");
+  const auto stepper = stepper_of(text);
+  for (int i = 0; i < 60; ++i) ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+  const ElementState& end = stepper->state().elements[ElementIndex{0}];
+  EXPECT_NEAR(end.rotation, 2 * 0.6, 1e-3);
+  EXPECT_NEAR(end.centroid.x, 1.5, 1e-9);
+  EXPECT_NEAR(end.centroid.y, 0.5, 1e-9);
+  const double along = 2000 * 4 * 9 / 12.0, across = 2000 * 4 * 1 / 12.0;  // of the spin, ρ ω² L²/12
+  const double c = std::cos(end.rotation), d = std::sin(end.rotation);
+  EXPECT_NEAR(end.stress.xx, -kPressure + c * c * along + d * d * across, 1e-3 * kPressure);
+  EXPECT_NEAR(end.stress.yy, -kPressure + d * d * along + c * c * across, 1e-3 * kPressure);
+  EXPECT_NEAR(end.stress.xy, c * d * (along - across), 1e-3 * kPressure);
+}
+
+TEST(EdgeLoads, a_water_level_within_an_edge_gives_the_force_and_moment_of_a_triangle) {
+  const Frame frame;
+  const std::string text =
+      case_of(frame, block(frame, {0, 0}, {2, 10}),
+              R"("tractions": [{"along": [[0, 10], [0, 0]], "pressure": "y < 7.3 ? 10 * (7.3 - y) : 0"}])", kStatics);
+  const std::string file = testing::TempDir() + "edge_loads.json";
+  support::write_text(file, text);
+  const Prepared prepared = prepare(formats::load_case({file}).problem, "standard", {});
+  ASSERT_EQ(prepared.scene.model.edge_loads.size(), 1U);
+  const EdgeLoad& load = prepared.scene.model.edge_loads.front();
+  EXPECT_EQ(load.edge.start.y, 10);
+  const double length = 10, force = 10 * 7.3 * 7.3 / 2;
+  EXPECT_NEAR((load.pushes[0] + load.pushes[1]) * length, force, 1e-3 * force);
+  EXPECT_NEAR(load.pushes[0] * length * 10, force * 7.3 / 3,
+              1e-3 * force);  // about the foot
+}
+
+TEST(EdgeLoads, an_edge_follows_its_table_of_factors) {
+  const Frame frame;
+  constexpr double kLength = 4, kStretch = 0.004;
+  std::string text =
+      case_of(frame, block(frame, {0, 0}, {kLength, 1}),
+              R"("displacements": [{"along": [[0, 0], [0, 1]], "held": "x"}, {"along": [[0, 0], [4, 0]], "held": "y"},
+         {"along": [[4, 0], [4, 1]], "held": "x", "x": 0.004, "over_time": [[0, 0], [0.04, 1]]}])",
+              kStatics);
+  text.replace(text.find(R"("step_count": 1)"), 15, R"("step_count": 4)");
+  const auto stepper = stepper_of(text);
+  for (const double factor : {0.25, 0.5, 0.75, 1.0}) {
+    const auto made = stepper->advance();
+    ASSERT_TRUE(std::holds_alternative<StepReport>(made)) << std::get<StepFailure>(made).reason;
+    const double stress = kModulus / (1 - kPoisson * kPoisson) * factor * kStretch / kLength;
+    EXPECT_NEAR(stress_of(*stepper, 0, frame).xx, stress, 2e-3 * stress);  // first order in the strain, 1e-3
+    EXPECT_NEAR(stepper->state().elements[ElementIndex{0}].centroid.x, (kLength + factor * kStretch) / 2, 1e-9);
+  }
+}
+
+TEST(EdgeLoads, a_pressure_follows_its_table_of_factors) {
+  const Frame frame;
+  std::string text =
+      case_of(frame, block(frame, {0, 0}, {4, 1}),
+              R"("displacements": [{"along": [[0, 0], [0, 1]], "held": "x"}, {"along": [[0, 0], [4, 0]], "held": "y"}],
+         "tractions": [{"along": [[4, 0], [4, 1]], "pressure": 1e5, "over_time": [[0.01, 1], [0.02, 3]]}])",
+              kStatics);
+  text.replace(text.find(R"("step_count": 1)"), 15, R"("step_count": 3)");
+  const auto stepper = stepper_of(text);
+  for (const double stress : {-1e5, -3e5, -3e5}) {
+    ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+    EXPECT_NEAR(stress_of(*stepper, 0, frame).xx, stress, 1e-3 * std::abs(stress));
+  }
+}
+
+TEST(EdgeLoads, a_load_on_a_joint_acts_on_both_of_its_sides) {
+  const Frame frame;
+  const std::string text = case_of(frame, block(frame, {0, 0}, {1, 1}) + ", " + block(frame, {1, 0}, {2, 1}),
+                                   R"("tractions": [{"along": [[1, 0], [1, 1]], "pressure": 5}])", kStatics);
+  const std::string file = testing::TempDir() + "edge_loads.json";
+  support::write_text(file, text);
+  const Prepared prepared = prepare(formats::load_case({file}).problem, "standard", {});
+  ASSERT_EQ(prepared.scene.model.edge_loads.size(), 2U);
+  EXPECT_TRUE(prepared.requirements.has(TermKind::edge_load));
+}
+
+TEST(EdgeLoads, rows_that_follow_from_others_are_left_out) {
+  const Frame frame;
+  const std::string text = case_of(
+      frame, R"({"outer": [[0, 0, 1], [1, 0, 1], [2, 0, 1], [4, 0, 1], [4, 1, 1], [0, 1, 1]]})",
+      R"("displacements": [{"along": [[0, 0], [4, 0]], "held": "both"}, {"along": [[0, 1], [0, 0]], "held": "x"}])",
+      kStatics);
+  const std::string file = testing::TempDir() + "edge_loads.json";
+  support::write_text(file, text);
+  const Prepared prepared = prepare(formats::load_case({file}).problem, "standard", {});
+  EXPECT_EQ(prepared.scene.model.support_rows.size(),
+            5U);  // four of the foot; x of the left side above it
+  EXPECT_TRUE(prepared.requirements.has(TermKind::edge_support));
+}
+
+TEST(EdgeLoads, faults_name_their_place) {
+  const Frame frame;
+  const std::string one = block(frame, {0, 0}, {2, 1});
+  const std::string off = R"("tractions": [{"along": [[0, 3], [2, 3]], "x": 1}])";
+  EXPECT_NE(fault_of(case_of(frame, one, off, kStatics)).find("expected a chain on edges, found none of it there"),
+            std::string::npos);
+  const std::string apart = R"("displacements": [{"along": [[0, 0], [2, 0]], "held": "y"}, )"
+                            R"({"along": [[0, 1], [0, 0]], "held": "y", "y": 0.01}])";
+  EXPECT_NE(fault_of(case_of(frame, one, apart, kStatics)).find("expected displacements that block 1 can follow"),
+            std::string::npos);
+  const std::string at_other_times =
+      R"("displacements": [{"along": [[0, 0], [2, 0]], "held": "y", "y": 0.01, "over_time": [[0, 0], [1, 1]]}, )"
+      R"({"along": [[0, 1], [0, 0]], "held": "y", "y": 0.01}])";
+  EXPECT_NE(fault_of(case_of(frame, one, at_other_times, kStatics)).find("that block 1 can follow"), std::string::npos);
+  const std::string back = R"("tractions": [{"along": [[0, 0], [2, 0]], "x": 1, "over_time": [[1, 0], [1, 1]]}])";
+  EXPECT_NE(fault_of(case_of(frame, one, back, kStatics)).find("times of over_time that increase"), std::string::npos);
+  const std::string unknown = R"("tractions": [{"along": [[0, 0], [2, 0]], "x": "z"}])";
+  EXPECT_NE(fault_of(case_of(frame, one, unknown, kStatics)), "");
+}
+
+}  // namespace
+}  // namespace keyblock::edge_loads_test
