@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "report/drawing/field_patches.hpp"
+#include "report/field_panels.hpp"
 
 namespace keyblock::report::field_picture_test {
 namespace {
