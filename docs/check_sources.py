@@ -1,7 +1,8 @@
 """Checks the words of the sources: comments and messages in C++, comments and docstrings in Python.
 
 No comment or message has a word of the never-list. No sentence of a comment has more than 35 words. The first comment
-of a header begins with a verb. make_reference.py --check runs it; `python3 docs/check_sources.py` prints the faults.
+of a header begins with a verb. Subjects of the newest commits have at most 72 characters. make_reference.py --check
+runs it; `python3 docs/check_sources.py` prints the faults.
 With --count it prints figures: first comments without a verb, comments that begin with "Of", median sentences, cells.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -9,11 +10,14 @@ import ast
 import io
 import re
 import statistics
+import subprocess
 import sys
 import tokenize
 from pathlib import Path
 
 import check_pages
+
+LONGEST_SUBJECT = 72
 
 FOLDERS = ("src", "formats", "include", "tests", "examples", "python")
 PYTHON_FOLDERS = ("tests", "examples", "python", "docs")
@@ -116,8 +120,20 @@ def excluded_words(text):
             yield f"the word \"{match.group(0)[:40]}\" is one of the never-list"
 
 
+def long_subjects(root):
+    """Yields a fault for each long subject of the newest commits; none outside a repository."""
+    try:
+        log = subprocess.run(["git", "log", "--first-parent", "-20", "--format=%h %s"], cwd=root, capture_output=True,
+                             text=True, check=False).stdout
+    except OSError:
+        return
+    for name, _, subject in (line.partition(" ") for line in log.splitlines()):
+        if len(subject) > LONGEST_SUBJECT:
+            yield f"commit {name}: the subject has {len(subject)} characters, at most {LONGEST_SUBJECT}"
+
+
 def faults_of(root):
-    faults = []
+    faults = list(long_subjects(root))
     for path in python_sources(root):
         name = path.relative_to(root).as_posix()
         for line, body in python_texts(path.read_text(encoding="utf-8")) if name not in LISTS_OF_WORDS else []:
