@@ -52,13 +52,15 @@ TimeCurve motion_of(const SupportRow& row) {
   return curve;
 }
 
-// Returns the component along its direction of a vector per row.
-template <class VectorOf>
-Eigen::VectorXd entries_of(const std::vector<HeldPair>& pairs, const VectorOf& vector_of) {
+// Returns the components along their directions of two vectors per pair.
+template <class VectorsOf>
+Eigen::VectorXd entries_of(const std::vector<HeldPair>& pairs, const VectorsOf& vectors_of) {
   Eigen::VectorXd entries(2 * static_cast<Eigen::Index>(pairs.size()));
-  for (std::size_t i = 0; i < pairs.size(); ++i)
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::array<Point, 2> vectors = vectors_of(pairs[i]);
     for (std::size_t k = 0; k < 2; ++k)
-      entries[static_cast<Eigen::Index>(2 * i + k)] = dot(pairs[i].directions[k], vector_of(pairs[i], k));
+      entries[static_cast<Eigen::Index>(2 * i + k)] = dot(pairs[i].directions[k], vectors[k]);
+  }
   return entries;
 }
 
@@ -114,8 +116,7 @@ ContactRows point_rows(const Model& model, const Reference& reference, const Unk
   for (const HeldPair& pair : pairs) {
     const PointMotion first = moved.motion(MaterialPoint{pair.starts[0], pair.element});
     rows.push_back(row_of(pair.element, first, pair.directions[0]));
-    const bool is_point = pair.starts[0] == pair.starts[1];
-    const PointMotion second = is_point ? first : moved.motion(MaterialPoint{pair.starts[1], pair.element});
+    const PointMotion second = pair.is_point() ? first : moved.motion(MaterialPoint{pair.starts[1], pair.element});
     rows.push_back(row_of(pair.element, second, pair.directions[1]));
   }
   return rows;
@@ -124,14 +125,17 @@ ContactRows point_rows(const Model& model, const Reference& reference, const Unk
 Eigen::VectorXd offsets(const Model& model, const Reference& reference, const UnknownsTable& q,
                         const std::vector<HeldPair>& pairs, double time) {
   const MovedPoints moved(model, reference, q);
-  return entries_of(pairs, [&](const HeldPair& pair, std::size_t k) {
-    return moved.place(pair.element, pair.starts[k]) - (pair.starts[k] + pair.curves[k].at(time));
+  return entries_of(pairs, [&](const HeldPair& pair) -> std::array<Point, 2> {
+    const Point first = moved.place(pair.element, pair.starts[0]);
+    const Point second = pair.is_point() ? first : moved.place(pair.element, pair.starts[1]);
+    return {first - (pair.starts[0] + pair.curves[0].at(time)), second - (pair.starts[1] + pair.curves[1].at(time))};
   });
 }
 
 Eigen::VectorXd wanted_velocities(const std::vector<HeldPair>& pairs, double time, double dt) {
-  return entries_of(pairs, [&](const HeldPair& pair, std::size_t k) {
-    return (1 / dt) * (pair.curves[k].at(time + dt) - pair.curves[k].at(time));
+  return entries_of(pairs, [&](const HeldPair& pair) -> std::array<Point, 2> {
+    const auto velocity = [&](const TimeCurve& curve) { return (1 / dt) * (curve.at(time + dt) - curve.at(time)); };
+    return {velocity(pair.curves[0]), velocity(pair.curves[1])};
   });
 }
 

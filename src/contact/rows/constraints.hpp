@@ -27,6 +27,7 @@ struct HeldPair {
   std::array<Point, 2> directions;  ///< of length 1
   std::array<TimeCurve, 2> curves;  ///< displacements; only the component along the direction counts
 
+  bool is_point() const { return starts[0] == starts[1]; }
   bool is_same_at(double from, double to) const;
 };
 

@@ -29,7 +29,8 @@ constexpr int kGaussPoints = 3;  // of each part: exact to degree 4 times the sh
 constexpr double kFollows = 1e-6;
 // Difference of a prescribed displacement from that of the rows it follows from, over the largest of the block.
 constexpr double kAgrees = 1e-6;
-// As for chains on NMM bodies: part of the extent, and of the largest coordinate.
+// A chain follows an edge if it is no farther off than this fraction of the extent, plus kRounding of the largest
+// coordinate. Chains on NMM bodies have the same limits.
 constexpr double kAlong = 1e-10;
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
@@ -159,10 +160,10 @@ class Choice {
   }
 
   [[noreturn]] void refuse(const Candidate& one) const {
-    throw InputError(one.plan->place, fmt::format("expected displacements that block {} can follow with one "
-                                                  "strain and one rotation, "
-                                                  "found others at ({:.9g}, {:.9g}); a mesh (covers) bends",
-                                                  model_.number_of(one.row.element), one.row.start.x, one.row.start.y));
+    throw InputError(one.plan->place,
+                     fmt::format("expected displacements that block {} can follow with one "
+                                 "strain and one rotation, found others at ({:.9g}, {:.9g}); a mesh (covers) bends",
+                                 model_.number_of(one.row.element), one.row.start.x, one.row.start.y));
   }
 
   const Model& model_;

@@ -45,6 +45,7 @@ class Settling {
     if (const double longest = dissolve(of_settled_start::kLongest); longest > 0) {
       motion_ = glued;
       found_ = faces;
+      moved_ = {};
       searches_anew_ = false;
       dissolve(longest);
     }
