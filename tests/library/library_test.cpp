@@ -38,7 +38,8 @@ kb::Case wall(int bricks, int courses) {
       const double left = i + (course % 2) * 0.5;
       add(left, 0.5 * course, left + 1, 0.5 * course + 0.5);
     }
-  const std::string path = ::testing::TempDir() + "keyblock_api_wall.json";
+  const std::string path = ::testing::TempDir() + "keyblock_api_wall_" +
+                           ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
   std::ofstream(path)
       << R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"}, "blocks": {"blocks": [)" << blocks
       << R"(], "fixed_points": [[-0.5, -0.5, 1], [)" << bricks << R"(, -0.5, 1]]},

@@ -18,6 +18,11 @@
 namespace keyblock::edge_loads_test {
 namespace {
 
+// Tests run side by side, each with a file of its own.
+std::string own_file() {
+  return testing::TempDir() + "edge_loads_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
+}
+
 constexpr double kModulus = 1e9, kPoisson = 0.25;
 
 /// Turns and moves the coordinates of a case; `unit`: lengths of the file per metre.
@@ -55,7 +60,7 @@ std::string case_of(const Frame& frame, const std::string& blocks, const std::st
 }
 
 std::unique_ptr<Stepper> stepper_of(const std::string& text) {
-  const std::string file = testing::TempDir() + "edge_loads.json";
+  const std::string file = own_file();
   support::write_text(file, text);
   return stepper_for(prepare(formats::load_case({file}).problem, "standard", {}).scene);
 }
@@ -170,7 +175,7 @@ TEST(EdgeLoads, a_water_level_within_an_edge_gives_the_force_and_moment_of_a_tri
   const std::string text =
       case_of(frame, block(frame, {0, 0}, {2, 10}),
               R"("tractions": [{"along": [[0, 10], [0, 0]], "pressure": "y < 7.3 ? 10 * (7.3 - y) : 0"}])", kStatics);
-  const std::string file = testing::TempDir() + "edge_loads.json";
+  const std::string file = own_file();
   support::write_text(file, text);
   const Prepared prepared = prepare(formats::load_case({file}).problem, "standard", {});
   ASSERT_EQ(prepared.scene.model.edge_loads.size(), 1U);
@@ -220,7 +225,7 @@ TEST(EdgeLoads, a_load_on_a_joint_acts_on_both_of_its_sides) {
   const Frame frame;
   const std::string text = case_of(frame, block(frame, {0, 0}, {1, 1}) + ", " + block(frame, {1, 0}, {2, 1}),
                                    R"("tractions": [{"along": [[1, 0], [1, 1]], "pressure": 5}])", kStatics);
-  const std::string file = testing::TempDir() + "edge_loads.json";
+  const std::string file = own_file();
   support::write_text(file, text);
   const Prepared prepared = prepare(formats::load_case({file}).problem, "standard", {});
   ASSERT_EQ(prepared.scene.model.edge_loads.size(), 2U);
@@ -233,7 +238,7 @@ TEST(EdgeLoads, rows_that_follow_from_others_are_left_out) {
       frame, R"({"outer": [[0, 0, 1], [1, 0, 1], [2, 0, 1], [4, 0, 1], [4, 1, 1], [0, 1, 1]]})",
       R"("displacements": [{"along": [[0, 0], [4, 0]], "held": "both"}, {"along": [[0, 1], [0, 0]], "held": "x"}])",
       kStatics);
-  const std::string file = testing::TempDir() + "edge_loads.json";
+  const std::string file = own_file();
   support::write_text(file, text);
   const Prepared prepared = prepare(formats::load_case({file}).problem, "standard", {});
   EXPECT_EQ(prepared.scene.model.support_rows.size(),
