@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <initializer_list>
+#include <span>
 #include <string_view>
 
 #include "base/printable.hpp"
@@ -40,18 +42,27 @@ std::string contacts_csv_header(const Units& units) {
   return headings(kContactsTable, units) + '\n';
 }
 
-std::string contacts_csv_rows(int step, double time, const ContactFrames& contacts) {
-  const std::string first = opening(step, time);
+std::string contacts_csv_rows(const FrameColumns& frame) {
+  const FramePart& contacts = frame.part("contacts");
+  if (contacts.rows == 0) return {};
+  const std::array integers{contacts.at("block").integers(), contacts.at("other").integers(),
+                            contacts.at("joint_material").integers(), contacts.at("joint").integers()};
+  const std::span<const int> states = contacts.at("state").integers();
+  const std::array pairs{contacts.at("place").reals(), contacts.at("normal").reals()};
+  const std::array reals{contacts.at("gap").reals(), contacts.at("slip").reals(), contacts.at("normal_force").reals(),
+                         contacts.at("shear_force").reals()};
+  const std::span<const double> force = contacts.at("force").reals();
+  const std::string first = opening(frame.step, frame.time);
   std::string text;
-  text.reserve(kRow * contacts.size());
-  for (const ContactFrame& c : contacts) {
+  text.reserve(kRow * contacts.rows);
+  for (std::size_t i = 0; i < contacts.rows; ++i) {
     text += first;
-    append_integers(text, {c.element + 1, c.other + 1, c.joint_material + 1, c.joint_line + 1});
+    for (const std::span<const int> column : integers) append_integers(text, {column[i]});
     text += ',';
-    text += word_for(c.condition);
-    const Point force = c.force();
-    append(text, {c.position.x, c.position.y, c.normal.x, c.normal.y, c.gap, c.slip, c.normal_force, c.shear_force,
-                  force.x, force.y});
+    text += word_for(static_cast<ContactCondition>(states[i]));
+    for (const std::span<const double> column : pairs) append(text, {column[2 * i], column[2 * i + 1]});
+    for (const std::span<const double> column : reals) append(text, {column[i]});
+    append(text, {force[2 * i], force[2 * i + 1]});
     text += '\n';
   }
   return text;
@@ -94,14 +105,17 @@ std::string bolts_csv_header(const Units& units) {
   return headings(kBoltsTable, units) + '\n';
 }
 
-std::string bolts_csv_rows(const Frame& frame) {
+std::string bolts_csv_rows(const FrameColumns& frame, const std::vector<BoltFrame>& named) {
+  const FramePart& bolts = frame.part("bolts");
+  if (bolts.rows == 0) return {};
+  const std::span<const int> numbers = bolts.at("bolt").integers(), broken = bolts.at("is_broken").integers();
+  const std::span<const double> ends = bolts.at("ends").reals(), forces = bolts.at("force").reals();
   const std::string first = opening(frame.step, frame.time);
   std::string text;
-  for (std::size_t i = 0; i < frame.bolts.size(); ++i) {
-    const BoltFrame& bolt = frame.bolts[i];
-    text += fmt::format("{},{}", first, (bolt.number < 0 ? static_cast<int>(i) : bolt.number) + 1);
-    append(text, {bolt.first.x, bolt.first.y, bolt.second.x, bolt.second.y, bolt.force});
-    text += fmt::format(",{:d},{}\n", bolt.is_broken, csv_cell(bolt.name));
+  for (std::size_t i = 0; i < bolts.rows; ++i) {
+    text += fmt::format("{},{}", first, numbers[i]);
+    append(text, {ends[4 * i], ends[4 * i + 1], ends[4 * i + 2], ends[4 * i + 3], forces[i]});
+    text += fmt::format(",{},{}\n", broken[i], csv_cell(named[i].name));
   }
   return text;
 }

@@ -21,21 +21,25 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "formats/columns/frame_columns.hpp"
 #include "problem/run_choices.hpp"
 #include "result/contact_frame.hpp"
 #include "result/frame.hpp"
 
 namespace keyblock::formats {
 
-/// Header of a table that grows, and the lines of one instant.
+/// Header of a table that grows, and the lines of one instant. Sums of joints count all contacts, and columns only those
+/// that tables and viewers show.
 std::string contacts_csv_header(const Units& units = {});
-std::string contacts_csv_rows(int step, double time, const ContactFrames& contacts);
+std::string contacts_csv_rows(const FrameColumns& frame);
 std::string joints_csv_header(const Units& units = {});
 std::string joints_csv_rows(int step, double time, const ContactFrames& contacts);
 std::string joint_lines_csv_header(const Units& units = {});
 std::string joint_lines_csv_rows(int step, double time, const ContactFrames& contacts);
 std::string bolts_csv_header(const Units& units = {});
-std::string bolts_csv_rows(const Frame& frame);
+/// `named`: the same bolts, for their names.
+std::string bolts_csv_rows(const FrameColumns& frame, const std::vector<BoltFrame>& named);
 
 }  // namespace keyblock::formats

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "formats/columns/frame_columns.hpp"
 #include "formats/dxf/dxf_writer.hpp"
 #include "formats/tables/run_tables.hpp"
 #include "formats/text/csv.hpp"
@@ -208,9 +209,10 @@ void RunFolder::describe(Archive& archive) {
 }
 
 void RunFolder::add(const Frame& frame, FieldFrame field, const ContactFrames& contacts) {
-  const ContactFrames shown = frame_tables_.shown(contacts);
-  frame_files_.write(frame, std::move(field), shown, units_);
-  frame_tables_.append(frame, shown, contacts);
+  const formats::FrameColumns columns = formats::columns_of(frame, frame_tables_.shown(contacts), field);
+  field = {};  // in the columns; large bodies need the room
+  frame_files_.write(columns, units_);
+  frame_tables_.append(frame, columns, contacts);
   if (const auto now = std::chrono::steady_clock::now(); now - listed_ > kListEvery) {
     files_.write(kFrameList, frame_files_.list());
     listed_ = now;

@@ -69,9 +69,8 @@ fs::path frame_part(const fs::path& folder, std::string_view part, int step) {
   return folder / kFrameFolder / fmt::format("{}_{:08}.vtp", part, step);
 }
 
-void FrameFiles::write(const Frame& frame, FieldFrame field, const ContactFrames& contacts, const Units& units) {
-  const formats::FrameColumns columns = formats::with_derived(formats::columns_of(frame, contacts, field), materials_);
-  field = {};  // in the columns; large bodies need the room
+void FrameFiles::write(const formats::FrameColumns& frame, const Units& units) {
+  const formats::FrameColumns columns = formats::with_derived(frame, materials_);
   const auto& [blocks, points, lines, cracks] = kParts;
   const auto has = [&](std::string_view part) { return columns.part(part).rows > 0; };
   write(frame_file(blocks, frame.step), frame.time, formats::vtu(columns, units, coding_));

@@ -11,12 +11,10 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "formats/columns/frame_columns.hpp"
 #include "formats/views/vtk_file.hpp"
 #include "job/folder/made_by.hpp"
 #include "problem/run_choices.hpp"
-#include "result/contact_frame.hpp"
-#include "result/field_frame.hpp"
-#include "result/frame.hpp"
 
 namespace keyblock {
 
@@ -35,8 +33,8 @@ class FrameFiles {
 
   std::set<std::filesystem::path> paths() const;
 
-  /// Writes the bodies, with `field` if that has elements, and files of contacts, bolts and cracks if there are any.
-  void write(const Frame& frame, FieldFrame field, const ContactFrames& contacts, const Units& units);
+  /// Writes the bodies, and files of contacts, bolts and cracks if there are any.
+  void write(const formats::FrameColumns& frame, const Units& units);
   /// Sets the materials of the bodies, which elastic strain needs. Call it before the first frame.
   void choose(std::vector<BlockMaterial> materials, formats::VtkCoding coding) {
     materials_ = std::move(materials);

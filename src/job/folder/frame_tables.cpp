@@ -23,24 +23,25 @@ ContactFrames FrameTables::shown(const ContactFrames& contacts) const {
   return shown;
 }
 
-void FrameTables::append(const Frame& frame, const ContactFrames& shown, const ContactFrames& contacts) {
-  if (is_asked()) append_contacts(frame, shown, contacts);
-  bolts_.append(formats::bolts_csv_rows(frame));
+void FrameTables::append(const Frame& frame, const formats::FrameColumns& columns, const ContactFrames& contacts) {
+  if (is_asked()) append_contacts(columns, contacts);
+  bolts_.append(formats::bolts_csv_rows(columns, frame.bolts));
   ++framed_;
 }
 
 // The first frame with contacts determines the expected length of the tables.
-void FrameTables::append_contacts(const Frame& frame, const ContactFrames& shown, const ContactFrames& contacts) {
+void FrameTables::append_contacts(const formats::FrameColumns& columns, const ContactFrames& contacts) {
+  const std::size_t shown = columns.part("contacts").rows;
   const int every = output_.every;
-  if (thinned_every_ == 0 && !shown.empty()) {
-    expected_rows_ = static_cast<double>(shown.size()) * ((output_.frames + every - 1) / every);
+  if (thinned_every_ == 0 && shown > 0) {
+    expected_rows_ = static_cast<double>(shown) * ((output_.frames + every - 1) / every);
     const bool is_thinned = output_.which == ContactTables::automatic && expected_rows_ > kMostContactRows;
     thinned_every_ = is_thinned ? static_cast<int>(std::ceil(expected_rows_ / kMostContactRows)) : 1;
   }
   if (framed_ / every % thinned_every() != 0) return;
-  contacts_.append(formats::contacts_csv_rows(frame.step, frame.time, shown));
-  joints_.append(formats::joints_csv_rows(frame.step, frame.time, contacts));
-  joint_lines_.append(formats::joint_lines_csv_rows(frame.step, frame.time, contacts));
+  contacts_.append(formats::contacts_csv_rows(columns));
+  joints_.append(formats::joints_csv_rows(columns.step, columns.time, contacts));
+  joint_lines_.append(formats::joint_lines_csv_rows(columns.step, columns.time, contacts));
 }
 
 void FrameTables::drop_what_followed() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "formats/columns/frame_columns.hpp"
 #include "job/folder/growing_table.hpp"
 #include "problem/output_plan.hpp"
 #include "problem/run_choices.hpp"
@@ -38,8 +39,8 @@ class FrameTables {
   void choose(ContactOutput output) { output_ = std::move(output); }
   /// Returns the contacts of the next frame that viewers and contacts.csv get.
   ContactFrames shown(const ContactFrames& contacts) const;
-  /// Appends the rows of a frame; `shown` are the requested ones of `contacts`.
-  void append(const Frame& frame, const ContactFrames& shown, const ContactFrames& contacts);
+  /// Appends the rows of a frame. `columns` have its requested contacts, `contacts` all.
+  void append(const Frame& frame, const formats::FrameColumns& columns, const ContactFrames& contacts);
 
   /// Returns n if the tables have the contacts of every n-th frame only, because all frames would need `expected_rows`.
   int thinned_every() const { return std::max(thinned_every_, 1); }
@@ -55,7 +56,7 @@ class FrameTables {
  private:
   bool is_asked() const { return output_.which != ContactTables::none && framed_ % output_.every == 0; }
   std::array<GrowingTable*, 4> all() { return {&contacts_, &joints_, &joint_lines_, &bolts_}; }
-  void append_contacts(const Frame& frame, const ContactFrames& shown, const ContactFrames& contacts);
+  void append_contacts(const formats::FrameColumns& columns, const ContactFrames& contacts);
 
   GrowingTable contacts_;
   GrowingTable joints_;
