@@ -44,6 +44,7 @@ struct CatalogueAnswer {
   std::string doubt = {};  ///< why a finished run is unreliable; empty if it is not
   /// Why it ended before, as `outcome.failure` of run.json: "no_equilibrium", "undecided", …; empty where not known.
   std::string failure = {};
+  std::string reason = {};  ///< of the failure
 };
 
 struct CatalogueRow {

@@ -111,7 +111,7 @@ ExitCode convert_files(const ConvertOptions& options) {
   } else {
     for (const std::string& output : outputs) fmt::print("{}\n", output);
     for (const study::Loss& loss : conversion.losses)
-      fmt::print("{}: {}{}: {}\n", loss.sentence.starts_with("nothing → ") ? "added" : "lost", loss.item,
+      fmt::print("{}: {}{}: {}\n", loss.is_added ? "added" : "lost", loss.item,
                  loss.times > 1 ? fmt::format(" ({} times, the first)", loss.times) : "", loss.sentence);
   }
   if (is_refused) spdlog::error("keyblock: error: {} cannot hold all; nothing is written (--strict)", target.name);

@@ -73,7 +73,8 @@ CatalogueAnswer answer_in(const std::filesystem::path& folder, const std::string
     const Json record = read_json(folder / "run.json");
     const Json& outcome = record.at("outcome");
     answer.end = outcome.at("end");
-    if (outcome.contains("reason")) answer.end += ": " + outcome.at("reason").get<std::string>();
+    answer.reason = outcome.value("reason", "");
+    if (!answer.reason.empty()) answer.end += ": " + answer.reason;
     answer.failure = outcome.value("failure", "");
     if (const Json doubts = outcome.value("doubts", Json::array()); !doubts.empty()) answer.doubt = doubts.front();
     answer.steps = outcome.at("steps");

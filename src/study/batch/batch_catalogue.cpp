@@ -53,7 +53,8 @@ Json json_of(const CatalogueAnswer& a) {
           {"steps", a.steps},     {"time", a.time},
           {"of_what", a.of_what}, {"dx", a.dx},
           {"dy", a.dy},           {"measures", a.measures ? json_of(*a.measures) : Json()},
-          {"doubt", a.doubt},     {"failure", a.failure}};
+          {"doubt", a.doubt},     {"failure", a.failure},
+          {"reason", a.reason}};
 }
 
 CatalogueAnswer answer_of(const Json& json) {
@@ -61,7 +62,8 @@ CatalogueAnswer answer_of(const Json& json) {
           json.at("steps"),        json.at("time"),
           json.at("of_what"),      json.at("dx"),
           json.at("dy"),           measures_of(json.at("measures")),
-          json.value("doubt", ""), json.value("failure", "")};
+          json.value("doubt", ""), json.value("failure", ""),
+          json.value("reason", "")};
 }
 
 std::string cell(const std::string& text) {

@@ -15,7 +15,6 @@ namespace {
 // Times that differ by less than this fraction are the same end; runs with cut steps end earlier.
 constexpr double kSameEnd = 0.01;
 // Prefix that `answer_in` puts before the reason.
-constexpr std::string_view kFailed = "failed: ";
 
 using report::CatalogueAnswer;
 using report::CatalogueVerdict;
@@ -60,8 +59,7 @@ std::string without_equilibrium(const report::CatalogueRow& row) {
     if (!falls && !is_finished(answer)) return {};
     has_none = has_none || falls;
     why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", answer.profile,
-                       falls ? answer.end.substr(answer.end.starts_with(kFailed) ? kFailed.size() : 0)
-                             : fmt::format("came to its end, {} steps", answer.steps));
+                       falls ? answer.reason : fmt::format("came to its end, {} steps", answer.steps));
   }
   return has_none ? why : std::string();
 }

@@ -73,12 +73,12 @@ class Walk {
         note(child(key), shown(value) + " → nothing");
     }
     for (const auto& [key, value] : b.items())
-      if (!a.contains(key)) note(child(key), "nothing → " + shown(value));
+      if (!a.contains(key)) note(child(key), "nothing → " + shown(value), true);
   }
 
-  void note(const std::string& item, const std::string& sentence) {
+  void note(const std::string& item, const std::string& sentence, bool is_added = false) {
     const auto [at, is_new] = index_.try_emplace(item, found_.size());
-    if (is_new) found_.push_back({item, 0, sentence});
+    if (is_new) found_.push_back({item, 0, sentence, is_added});
     ++found_[at->second].times;
   }
 

@@ -12,9 +12,10 @@ namespace keyblock::study {
 
 /// One kind of item that is missing or changed in the target.
 struct Loss {
-  std::string item;      ///< "drawing.bolts[].stiffness", as a case file names it
-  int times = 0;         ///< number of such items
-  std::string sentence;  ///< change of the first: "3 → nothing"
+  std::string item;       ///< "drawing.bolts[].stiffness", as a case file names it
+  int times = 0;          ///< number of such items
+  std::string sentence;   ///< change of the first: "3 → nothing"
+  bool is_added = false;  ///< the first was not there before
 
   bool operator==(const Loss&) const = default;
 };

@@ -33,6 +33,10 @@ constexpr long long kTimesLongest = 10;
 
 using Trials = std::map<double, TrialOutcome>;  // by factor
 
+std::string growth_in_words(const StrengthTrial& told) {
+  return fmt::format("{:.3g} times those at {:.4g}", told.growth, told.growth_from);
+}
+
 class FactorSearch {
  public:
   FactorSearch(const StrengthTrials& trials, const SearchOptions& options) : trials_(trials), options_(options) {
@@ -153,8 +157,11 @@ class FactorSearch {
       told.is_past_knee = told.displacement > kKnee * still;
       told.verdict = told.is_far ? Verdict::falls : Verdict::stands;
       told.why.clear();
-      if (told.is_past_knee)
-        told.why = fmt::format("displacements {:.3g} times those at {:.4g}", told.displacement / still, least.factor);
+      if (told.is_past_knee) {
+        told.growth = told.displacement / still;
+        told.growth_from = least.factor;
+        told.why = "displacements " + growth_in_words(told);
+      }
       if (told.is_far)
         told.why =
             fmt::format("in equilibrium, but far from the drawing: {} {} has moved by {:.3g}, {:.2g} of its width",
@@ -247,8 +254,7 @@ void add_notes(FactorOfSafety& result) {
     notes.push_back(
         fmt::format("serviceability: displacements grow from F = {:.4g} on, where they are {} ({:.3g}); equilibrium "
                     "exists up to {:.4g}{}",
-                    *result.service.falls, after.why.substr(std::string_view("displacements ").size()),
-                    after.displacement, *result.bracket.stands,
+                    *result.service.falls, growth_in_words(after), after.displacement, *result.bracket.stands,
                     result.has_bolts ? "; joints slip there until stretched bolts carry the remaining load" : ""));
   }
   if (result.has_bolts)

@@ -31,6 +31,8 @@ struct StrengthTrial {
   bool is_balanced = false;   ///< an equilibrium under all loads was found
   bool is_far = false;        ///< a body is too far from the drawing in it: see factor_of_safety.hpp
   bool is_past_knee = false;  ///< displacements have grown, in equilibrium or not: see factor_of_safety.hpp
+  double growth = 1;          ///< displacement over that of the first equilibrium, if it is past the knee
+  double growth_from = 1;     ///< factor of that equilibrium
   std::string why;            ///< in a sentence, if it does not stand or is past the knee
   /// Largest displacement of a corner since the start; without an equilibrium, at the end of the search.
   double displacement = 0;
