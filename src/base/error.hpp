@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/words/finding.hpp"
+
 namespace keyblock {
 
 /// Name of a file, stored once for all places in it: a problem has one for every line of its drawing.
@@ -54,11 +56,12 @@ class InputError : public std::runtime_error {
 };
 
 /// Usable input that is likely a mistake. `name` is a stable identifier (snake_case) by which warnings are counted and
-/// tested.
+/// tested; `facts` are the values behind the sentence.
 struct Warning {
   std::string name;
   Place place;
   std::string sentence;
+  Facts facts = {};
 
   bool operator==(const Warning&) const = default;
 };

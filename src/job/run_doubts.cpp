@@ -1,15 +1,15 @@
-// Compares a run with each of its limits and writes one sentence per exceeded limit.
+// Compares a run with each of its limits and reports one finding per exceeded limit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_doubts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "base/counted.hpp"
-#include "base/words/plain_number.hpp"
+#include "base/words/sentences.hpp"
 #include "fracture/near_tip_field.hpp"
 #include "fracture/tip_report.hpp"
 #include "geometry/shared_area.hpp"
@@ -21,57 +21,52 @@
 namespace keyblock {
 namespace {
 
-std::string law_of(const Prepared& prepared, int number) {
-  const Model& first = prepared.scene.model;
-  if (number >= first.elements.end_index().value || !first.elements[ElementIndex{number}].is_on_covers()) return {};
-  const int material = first.elements[ElementIndex{number}].material;
-  if (prepared.scene.settings.standard.elastic_law.of(material) != ElasticLaw::st_venant_kirchhoff) return {};
-  return fmt::format(
-      "; the St. Venant-Kirchhoff law softens below a stretch of {:.2g}, elastic_law=logarithmic does not",
-      kSofteningStretch);
+using Numbers = std::vector<std::pair<std::string, double>>;
+
+void add(Warnings& list, const Place& place, Finding finding) {
+  list.push_back(warning_of(std::move(finding), place));
 }
 
-/// Names a possible cause of spurious energy. Strains of blocks are damped; those of NMM bodies only if the case
+std::array<double, 2> spot(Point at) {
+  return {at.x, at.y};
+}
+
+bool softens(const Prepared& prepared, int number) {
+  const Model& first = prepared.scene.model;
+  if (number >= first.elements.end_index().value || !first.elements[ElementIndex{number}].is_on_covers()) return false;
+  const int material = first.elements[ElementIndex{number}].material;
+  return prepared.scene.settings.standard.elastic_law.of(material) == ElasticLaw::st_venant_kirchhoff;
+}
+
+/// Finds a possible cause of spurious energy. Strains of blocks are damped; those of NMM bodies only if the case
 /// requests it.
-std::string undamped_covers(const Prepared& prepared) {
+bool has_undamped_covers(const Prepared& prepared) {
   const Settings& settings = prepared.scene.settings;
   for (const Scene* scene : scenes_of(prepared.scene))
     for (const Element& element : scene->model.elements)
-      if (element.is_on_covers() && settings.stiffness_damping.of(element.material).value_or(0) == 0)
-        return fmt::format("; sliding NMM bodies may flutter, stiffness_damping={:.2g} (two steps) damps them",
-                           2 * settings.time_step);
-  return {};
+      if (element.is_on_covers() && settings.stiffness_damping.of(element.material).value_or(0) == 0) return true;
+  return false;
 }
 
-std::string name_of(const Model& model, int number) {
-  return fmt::format("{} {}", model.nodes.empty() ? "block" : "element", number + 1);
+/// Returns facts about a block or element, counted from 0.
+Facts about(const Model& model, int number, Numbers numbers) {
+  return {std::move(numbers), {{"noun", model.nodes.empty() ? "block" : "element"}}, {number + 1}};
 }
 
 void add_penetration(Judgement& judgement, const Prepared& prepared, double share, const Frame& last,
                      const Place& place) {
-  Warnings& found = judgement.doubts;
   const double limit = prepared.scene.settings.trust.penetration;
-  if (!(share <= limit)) {
-    found.push_back(
-        {"sunk_beyond_limit", place,
-         fmt::format("blocks overlapped by {:.3g} of the size of the smaller; limit {:.3g} (penetration_limit)", share,
-                     limit)});
-    return;
-  }
+  if (!(share <= limit))
+    return add(judgement.doubts, place, {"sunk_beyond_limit", {{{"share", share}, {"limit", limit}}}});
   std::vector<Loops> bodies;
   for (const ElementFrame& element : last.elements) bodies.push_back(element.loops);
   const SharedArea shared = shared_area(bodies, limit);
-  if (shared.pairs == 0 && !shared.is_complete)
-    judgement.remarks.push_back(
-        {"overlaps_not_looked_for", place,
-         "so many corners lie close together that not all were checked for overlaps at the end"});
+  if (shared.pairs == 0 && !shared.is_complete) add(judgement.remarks, place, {"overlaps_not_looked_for"});
   if (shared.pairs == 0) return;
-  const Model& model = prepared.scene.model;
-  found.push_back(
-      {"sunk_beyond_limit", place,
-       fmt::format("{} and {} share {:.3g} of the smaller one's area at the end; limit {:.3g} (penetration_limit)",
-                   name_of(model, number_of(last, static_cast<std::size_t>(shared.first))),
-                   name_of(model, number_of(last, static_cast<std::size_t>(shared.second))), shared.share, limit)});
+  Facts facts = about(prepared.scene.model, number_of(last, static_cast<std::size_t>(shared.first)),
+                      {{"share", shared.share}, {"limit", limit}});
+  facts.elements.push_back(number_of(last, static_cast<std::size_t>(shared.second)) + 1);
+  add(judgement.doubts, place, {"sunk_beyond_limit:at_end", std::move(facts)});
 }
 
 // An initial state closes gaps and strains blocks. A displacement as large as this has lifted a block out of another.
@@ -82,10 +77,9 @@ void add_start(Warnings& found, const Prepared& prepared, const Frame& first, co
     const double way = length(first.elements[e].displacement);
     const double size = std::sqrt(first.elements[e].area);
     if (way <= limit * size || prepared.scene.model.elements[{static_cast<int>(e)}].is_on_covers()) continue;
-    found.push_back(
-        {"moved_by_start", place,
-         fmt::format("the initial state moves {} by {:.3g}, {:.3g} of its size; limit {:.3g} (penetration_limit)",
-                     name_of(prepared.scene.model, number_of(first, e)), way, way / size, limit)});
+    add(found, place,
+        {"moved_by_start", about(prepared.scene.model, number_of(first, e),
+                                 {{"displacement", way}, {"share", way / size}, {"limit", limit}})});
     return;
   }
 }
@@ -96,16 +90,14 @@ void add_crushing(Warnings& found, const Prepared& prepared, const StepTotals& t
   const int number = totals.crushed_element;
   if (prepared.scene.is_untouched && !may_yield(prepared.scene)) {
     if (!(totals.area_share > 0))
-      found.push_back(
-          {"crushed_beyond_limit", place,
-           fmt::format("{} is turned inside out: the loads are too large for linear statics", name_of(model, number))});
+      add(found, place, {"crushed_beyond_limit:turned", about(model, number, {{"share", totals.area_share}})});
     return;
   }
-  if (!(totals.area_share >= limit))
-    found.push_back(
-        {"crushed_beyond_limit", place,
-         fmt::format("{} was compressed to {:.4g} of its area{}; limit {:.4g} (crushing_limit)", name_of(model, number),
-                     totals.area_share, may_yield(prepared.scene) ? "" : law_of(prepared, number), limit)});
+  if (totals.area_share >= limit) return;
+  Numbers numbers{{"share", totals.area_share}, {"limit", limit}};
+  if (!may_yield(prepared.scene) && softens(prepared, number))
+    numbers.emplace_back("softening_stretch", kSofteningStretch);
+  add(found, place, {"crushed_beyond_limit", about(model, number, std::move(numbers))});
 }
 
 // rad: linear statics stretches a rotating body by half the square of the angle, 0.5 % here.
@@ -117,11 +109,10 @@ void add_rotation(Warnings& remarks, const Prepared& prepared, const Frame& last
   const auto most = std::ranges::max_element(last.elements, {}, angle);
   if (angle(*most) <= kLinearRotation) return;
   const int number = number_of(last, static_cast<std::size_t>(most - last.elements.begin()));
-  remarks.push_back(
-      {"rotated_beyond_linear", place,
-       fmt::format("{} rotates by {:.3g} rad; linear statics stretches it by {:.2g} %, and results hold for small "
-                   "displacements only",
-                   name_of(prepared.scene.model, number), angle(*most), 50 * angle(*most) * angle(*most))});
+  add(remarks, place,
+      {"rotated_beyond_linear",
+       about(prepared.scene.model, number,
+             {{"rotation", angle(*most)}, {"stretch_percent", 50 * angle(*most) * angle(*most)}})});
 }
 
 // Linear statics neglects the square of a strain, which is a tenth of the strain here.
@@ -138,11 +129,7 @@ void add_strain(Warnings& remarks, const Prepared& prepared, const Frame& last, 
   const auto most = std::ranges::max_element(last.elements, {}, strain);
   if (!(strain(*most) > kLinearStrain)) return;
   const int number = number_of(last, static_cast<std::size_t>(most - last.elements.begin()));
-  remarks.push_back(
-      {"strained_beyond_linear", place,
-       fmt::format(
-           "{} carries a stress of {:.2g} of its modulus; in linear statics, results hold for small strains only",
-           name_of(prepared.scene.model, number), strain(*most))});
+  add(remarks, place, {"strained_beyond_linear", about(prepared.scene.model, number, {{"strain", strain(*most)}})});
 }
 
 // Returns the created energy over the largest stored energy. The divisor is at least the work of weight along a small
@@ -164,12 +151,12 @@ void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& reco
   if (share <= limit) return;
   const double least = work_of_weight(prepared, first);
   const double largest = record.ledger_sums.largest_stored;
-  found.push_back(
-      {"energy_beyond_limit", place,
-       fmt::format("energy came from nothing: {:.3g} of {}; limit {:.3g} (energy_limit){}", share,
-                   largest < least ? fmt::format("the work of all weights over {:g} of a block's size", kWayOfWeight)
-                                   : "the largest stored energy",
-                   limit, undamped_covers(prepared))});
+  const bool is_of_weight = largest < least;
+  Facts facts{{{"share", share}, {"limit", limit}}};
+  if (is_of_weight) facts.numbers.emplace_back("way", kWayOfWeight);
+  if (has_undamped_covers(prepared))
+    facts.numbers.emplace_back("stiffness_damping", 2 * prepared.scene.settings.time_step);
+  add(found, place, {is_of_weight ? "energy_beyond_limit:of_weight" : "energy_beyond_limit", std::move(facts)});
 }
 
 // Fraction of the plastic work that the forces of steps did not do. In a step the force has the mean stress of its
@@ -185,10 +172,11 @@ void add_plastic_work(Warnings& remarks, const RunRecord& record, const Place& p
   const EnergyFlow& flow = last->flow;
   if (flow.plastic < kLittlePlasticWork * record.ledger_sums.largest_energy()) return;
   if (!(-flow.algorithmic > kMissedPlasticWork * flow.plastic)) return;
-  remarks.push_back({"plastic_work_overstated", place,
-                     fmt::format("steps are long for elastoplastic rock: `algorithmic` of ledger.csv is {:.3g}, {:.2g} "
-                                 "% of the plastic work {:.4g}",
-                                 flow.algorithmic, -100 * flow.algorithmic / flow.plastic, flow.plastic)});
+  add(remarks, place,
+      {"plastic_work_overstated",
+       {{{"algorithmic", flow.algorithmic},
+         {"percent", -100 * flow.algorithmic / flow.plastic},
+         {"plastic_work", flow.plastic}}}});
 }
 
 // Fraction of the largest energy that closing contacts of NMM bodies may dissipate. These bodies rebound by their own
@@ -204,11 +192,7 @@ void add_closing(Warnings& remarks, const Prepared& prepared, const RunRecord& r
   const double taken = flow.closing + flow.clean_up;
   const double largest = record.ledger_sums.largest_energy();
   if (!(taken > kTakenByClosing * largest)) return;
-  remarks.push_back(
-      {"energy_lost_in_closing", place,
-       fmt::format("contacts took {:.2g} of the largest energy as they closed (closing and clean_up of ledger.csv); in "
-                   "impacts of NMM bodies this depends on the step, and later motion is too small",
-                   taken / largest)});
+  add(remarks, place, {"energy_lost_in_closing", {{{"share", taken / largest}}}});
 }
 
 // Fraction of steps that may be out of balance before a run is not trusted.
@@ -220,11 +204,13 @@ void add_imbalance(Warnings& found, const Prepared& prepared, const StepTotals& 
   if (prepared.scene.settings.dynamics != Dynamics::standard) return;
   if (totals.unbalanced_steps < kFewestUnbalanced) return;
   if (!(totals.unbalanced_steps > kUnbalancedSteps * totals.steps)) return;
-  found.push_back({"unbalanced_steps", place,
-                   fmt::format("forces are out of balance by more than {:.0e} of the load in {} of {} steps, the worst "
-                               "by {:.1e}; limit {:g} % of the steps",
-                               kUnbalanced, totals.unbalanced_steps, totals.steps, totals.greatest_residual,
-                               100 * kUnbalancedSteps)});
+  add(found, place,
+      {"unbalanced_steps",
+       {{{"tolerance", kUnbalanced},
+         {"concerned", totals.unbalanced_steps},
+         {"steps", totals.steps},
+         {"residual", totals.greatest_residual},
+         {"limit_percent", 100 * kUnbalancedSteps}}}});
 }
 
 // In statics an equilibrium answers a question about the drawing only if it lies near the drawing.
@@ -235,28 +221,23 @@ void add_distance(Judgement& judgement, const Prepared& prepared, const RunRecor
                                  settings.standard.motion != MotionRule::dynamic && !prepared.scene.is_untouched;
   if (!seeks_equilibrium || record.outcome.end != RunEnd::finished) return;
   const Model& model = scenes_of(prepared.scene).back()->model;
-  const auto in_words = [&](const CarriedBlock& block) {
-    return fmt::format(
-        "{} near ({}, {}) moved by {}, {:.2g} of its width {}",
-        block.is_body ? fmt::format("the body of element {}", block.number + 1) : name_of(model, block.number),
-        plain(block.drawn.x), plain(block.drawn.y), plain(block.way, 3), block.share(), plain(block.width, 3));
+  const auto put = [&](Warnings& list, const char* form, const CarriedBlock& block, double limit) {
+    const char* const noun = block.is_body ? "the body of element" : model.nodes.empty() ? "block" : "element";
+    add(list, place,
+        {form,
+         {{{"displacement", block.way}, {"share", block.share()}, {"width", block.width}, {"limit", limit}},
+          {{"noun", noun}},
+          {block.number + 1},
+          {spot(block.drawn)}}});
   };
   const auto farthest = farthest_carried(model, last, record.outcome.field);
-  if (farthest && farthest->share() > kFarFromDrawing) {
-    judgement.doubts.push_back({"equilibrium_far_away", place,
-                                fmt::format("the equilibrium lies far from the drawing: {}; limit {:g}",
-                                            in_words(*farthest), kFarFromDrawing)});
-    return;
-  }
+  if (farthest && farthest->share() > kFarFromDrawing)
+    return put(judgement.doubts, "equilibrium_far_away", *farthest, kFarFromDrawing);
   const auto loose = farthest_carried(model, last, record.outcome.field, true);
   if (farthest && farthest->share() > kSeenFromDrawing)
-    judgement.remarks.push_back({"equilibrium_moved", place,
-                                 fmt::format("the equilibrium is not quite that of the drawing: {}; gaps closed, parts "
-                                             "are soft, or the scene is near its limit",
-                                             in_words(*farthest))});
+    put(judgement.remarks, "equilibrium_moved", *farthest, kSeenFromDrawing);
   else if (loose && loose->share() > kFarFromDrawing)
-    judgement.remarks.push_back(
-        {"equilibrium_moved", place, fmt::format("a small loose block found another place: {}", in_words(*loose))});
+    put(judgement.remarks, "equilibrium_moved:small", *loose, kFarFromDrawing);
 }
 
 // Warns of stages that did not reach the equilibrium required before the next stage.
@@ -264,9 +245,9 @@ void add_stages(Warnings& found, const RunOutcome& outcome, const Place& place) 
   for (std::size_t i = 0; i < outcome.scenes.size(); ++i) {
     const SceneReport& scene = outcome.scenes[i];
     if (!scene.asks_equilibrium || scene.is_balanced) continue;
-    found.push_back({"stage_not_balanced", place,
-                     fmt::format("stage {}{} ends after step {} without the required equilibrium", i + 1,
-                                 scene.name.empty() ? "" : fmt::format(" ({})", scene.name), scene.last_step)});
+    Facts facts{{{"stage", i + 1}, {"step", scene.last_step}}};
+    if (!scene.name.empty()) facts.texts.emplace_back("name", scene.name);
+    add(found, place, {"stage_not_balanced", std::move(facts)});
   }
 }
 
@@ -275,21 +256,13 @@ void add_tips(Judgement& judgement, const Prepared& prepared, const Frame& last,
   const CrackGrowth* growth = prepared.scene.growth.get();
   if (growth == nullptr || growth->plan.loads != GrowthLoads::given) return;
   const bool is_at_rest = is_statics(prepared.scene.settings);
-  const auto number_of = [&](const TipState& tip) { return &tip - last.tips.data() + 1; };
+  const auto number_of = [&](const TipState& tip) { return static_cast<double>(&tip - last.tips.data() + 1); };
+  const auto put = [&](const char* form, const TipState& tip) {
+    add(judgement.doubts, place, {form, {{{"tip", number_of(tip)}}, {}, {}, {spot(tip.at)}}});
+  };
   for (const TipState& tip : last.tips) {
-    if (!tip.has_room && !tip.goes_on && tip.toughness > 0) {
-      judgement.doubts.push_back({"tip_without_room", place,
-                                  fmt::format("tip {} at {}, {} has no stress intensity factors, because every domain "
-                                              "about it contains other lines; whether it extends is unknown",
-                                              number_of(tip), plain(tip.at.x), plain(tip.at.y))});
-      return;
-    }
-    if (is_at_rest && tip.goes_on) {
-      judgement.doubts.push_back({"tips_still_go_on", place,
-                                  fmt::format("tip {} at {}, {} still extends under the loads of the last step",
-                                              number_of(tip), plain(tip.at.x), plain(tip.at.y))});
-      return;
-    }
+    if (!tip.has_room && !tip.goes_on && tip.toughness > 0) return put("tip_without_room", tip);
+    if (is_at_rest && tip.goes_on) return put("tips_still_go_on", tip);
   }
 }
 
@@ -298,58 +271,55 @@ void add_tips(Judgement& judgement, const Prepared& prepared, const Frame& last,
 void add_factors(Warnings& remarks, const Prepared& prepared, const Frame& last, const Place& place) {
   const auto& continuum = prepared.scene.model.continuum;
   if (last.tips.empty() || !continuum || continuum->cracks.empty()) return;  // no table has their factors
-  const auto put = [&](const char* name, const std::string& sentence) {
-    if (std::ranges::count(remarks, name, &Warning::name) == 0) remarks.push_back({name, place, sentence});
+  const auto put = [&](const char* name, Facts facts) {
+    if (std::ranges::count(remarks, name, &Warning::name) == 0) add(remarks, place, {name, std::move(facts)});
   };
   for (const CrackTip& tip : continuum->manifold.tips) {
     const int element = element_of(continuum->manifold, tip);
     if (element < 0 || continuum->material(element).is_nonlinear()) continue;
     const auto state = std::ranges::find(last.tips, tip.at, &TipState::at);
     if (state != last.tips.end() && !state->has_room) {
-      if (!prepared.scene.growth)
-        put("tip_without_factors",
-            fmt::format(
-                "tip {} at {}, {} has no K and no J: every domain about it contains other lines, loads or edges",
-                state - last.tips.begin() + 1, plain(tip.at.x), plain(tip.at.y)));
+      const auto number = static_cast<double>(state - last.tips.begin() + 1);
+      if (!prepared.scene.growth) put("tip_without_factors", {{{"tip", number}}, {}, {}, {spot(state->at)}});
       continue;
     }
     if (const std::string why = coarse_mesh_at(*continuum, tip); !why.empty())
-      put("coarse_tip", fmt::format("at the tip {}, {} the mesh is coarse for the factors of tips.csv: {}",
-                                    plain(tip.at.x), plain(tip.at.y), why));
+      put("coarse_tip", {{}, {{"why", why}}, {}, {spot(tip.at)}});
   }
 }
 
 // Warns of cracks that start where the mesh does not resolve the stress over the length of the rock.
 void add_coarse_starts(Warnings& found, const CrackNotes::Start& start, const Place& place) {
   if (start.count == 0) return;
-  found.push_back(
-      {"crack_start_on_coarse_mesh", place,
-       fmt::format(
-           "{} started in a mesh too coarse for the stress, the first at {}, {} in step {}: sides are {:.3g} there, "
-           "the length (K_Ic/strength)²/π is {:.3g}, with a strength of {:.4g}, {}; refine to sides of {:.3g}",
-           counted(static_cast<std::size_t>(start.count), "crack"), plain(start.at.x), plain(start.at.y), start.step,
-           start.side, start.length, start.strength,
-           start.strength == start.of_rock
-               ? "that of the rock"
-               : fmt::format("for a corner that is near and the rock's {:.4g}", start.of_rock),
-           start.length / 2)});
+  add(found, place,
+      {start.strength == start.of_rock ? "crack_start_on_coarse_mesh" : "crack_start_on_coarse_mesh:at_corner",
+       {{{"count", start.count},
+         {"step", start.step},
+         {"side", start.side},
+         {"length", start.length},
+         {"strength", start.strength},
+         {"of_rock", start.of_rock},
+         {"needed", start.length / 2}},
+        {},
+        {},
+        {spot(start.at)}}});
 }
 
 // Warns of tips whose faces overlap, at the end or when they extended.
 void add_overlapping(Warnings& found, const Prepared& prepared, const CrackNotes::AtTip& went_on, const Frame& last,
                      const Place& place) {
-  const auto put = [&](Point at, const std::string& when, double ratio) {
-    found.push_back({"faces_overlap_at_tip", place,
-                     fmt::format("the faces overlap at the tip {}, {}{}: K_I is {:.2g} of K, below 0", plain(at.x),
-                                 plain(at.y), when, ratio)});
-  };
-  if (went_on.step > 0) return put(went_on.at, fmt::format(", which extended in step {}", went_on.step), went_on.ratio);
+  if (went_on.step > 0)
+    return add(found, place,
+               {"faces_overlap_at_tip:extended",
+                {{{"step", went_on.step}, {"share", went_on.ratio}}, {}, {}, {spot(went_on.at)}}});
   // Joints that end in a body are cracks too; contact closes the faces of those.
   const auto& continuum = prepared.scene.model.continuum;
   if (!prepared.scene.is_untouched && (!continuum || continuum->cracks.empty())) return;
   const auto overlaps = [](const TipState& tip) { return tip.has_room && faces_overlap({tip.mode_1, tip.mode_2}); };
   const auto tip = std::ranges::find_if(last.tips, overlaps);
-  if (tip != last.tips.end()) put(tip->at, " at the end", tip->mode_1 / std::hypot(tip->mode_1, tip->mode_2));
+  if (tip == last.tips.end()) return;
+  const double share = tip->mode_1 / std::hypot(tip->mode_1, tip->mode_2);
+  add(found, place, {"faces_overlap_at_tip", {{{"share", share}}, {}, {}, {spot(tip->at)}}});
 }
 
 // Largest K_II over K_I behind an increment. In benchmark fra-06 it reaches 0.10 with increments of 0.3, whose path
@@ -358,11 +328,16 @@ constexpr double kMostBend = 0.08;
 
 void add_bend(Warnings& remarks, const CrackNotes::AtTip& bent, const Place& place) {
   if (!(std::abs(bent.ratio) > kMostBend)) return;
-  remarks.push_back(
-      {"increments_too_long", place,
-       fmt::format("crack {}: behind the increment of {:.3g} to {}, {} (step {}) K_II is {:.2g} of K_I; limit {:g}",
-                   bent.crack + 1, bent.increment, plain(bent.at.x), plain(bent.at.y), bent.step, bent.ratio,
-                   kMostBend)});
+  add(remarks, place,
+      {"increments_too_long",
+       {{{"crack", bent.crack + 1},
+         {"increment", bent.increment},
+         {"step", bent.step},
+         {"ratio", bent.ratio},
+         {"limit", kMostBend}},
+        {},
+        {},
+        {spot(bent.at)}}});
 }
 
 }  // namespace

@@ -34,20 +34,6 @@ const char* word_for(RunEnd end) {
   return "";
 }
 
-const char* word_for(FailureKind kind) {
-  switch (kind) {
-    case FailureKind::undecided:
-    case FailureKind::inside_out:
-      return "undecided";
-    case FailureKind::no_equilibrium:
-    case FailureKind::accelerates:
-      return "no_equilibrium";
-    case FailureKind::cracks:
-      return "cracks";
-  }
-  return "";
-}
-
 Json steps_by_passes_json(const StepTotals& totals) {
   Json bins = Json::array();
   for (std::size_t i = 0; i < totals.steps_by_passes.size(); ++i) {
@@ -103,6 +89,14 @@ Json start_json(const StartReport& start) {
           {"unbalanced", start.unbalanced}};
 }
 
+Json facts_json(const Facts& facts) {
+  Json json = Json::object();
+  for (const auto& [name, value] : facts.numbers) json["numbers"][name] = value;
+  if (!facts.elements.empty()) json["blocks"] = facts.elements;
+  if (!facts.points.empty()) json["points"] = facts.points;
+  return json;
+}
+
 Json outcome_json(const RunRecord& record, const Prepared& prepared) {
   const RunOutcome& outcome = record.outcome;
   Json contacts = Json::array();
@@ -113,6 +107,8 @@ Json outcome_json(const RunRecord& record, const Prepared& prepared) {
   if (outcome.end == RunEnd::failed) {
     json["reason"] = outcome.reason;
     json["failure"] = word_for(outcome.failure);
+    json["cause"] = {{"code", outcome.cause.code()}};
+    json["cause"].update(facts_json(outcome.cause.facts));
     json["contacts"] = contacts;
     json["blocks"] = Json::array();
     for (const int number : outcome.numbers) json["blocks"].push_back(number);
@@ -206,6 +202,20 @@ std::vector<Remedy> what_to_try_under_loads(const Scene& scene) {
 
 }  // namespace
 
+const char* word_for(FailureKind kind) {
+  switch (kind) {
+    case FailureKind::undecided:
+    case FailureKind::inside_out:
+      return "undecided";
+    case FailureKind::no_equilibrium:
+    case FailureKind::accelerates:
+      return "no_equilibrium";
+    case FailureKind::cracks:
+      return "cracks";
+  }
+  return "";
+}
+
 std::vector<Remedy> what_to_try(const Prepared& prepared, const RunOutcome& outcome) {
   const Settings& settings = prepared.scene.settings;
   if (settings.dynamics == Dynamics::shi) {
@@ -251,6 +261,7 @@ Json warning_list_json(const Warnings& warnings) {
                    {"line", w.place.line},
                    {"column", w.place.column},
                    {"sentence", w.sentence}});
+    all.back().update(facts_json(w.facts));
   }
   return all;
 }
@@ -261,6 +272,7 @@ Json warnings_json(const Warnings& warnings) {
     const auto known = std::ranges::find_if(all, [&](const Json& w) { return w["name"] == warning.name; });
     if (known == all.end()) {
       all.push_back({{"name", warning.name}, {"count", 1}, {"first", to_string(warning)}});
+      all.back().update(facts_json(warning.facts));
       continue;
     }
     (*known)["count"] = (*known)["count"].get<int>() + 1;

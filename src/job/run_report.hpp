@@ -11,6 +11,9 @@
 
 namespace keyblock {
 
+/// "no_equilibrium", "undecided" or "cracks".
+const char* word_for(FailureKind kind);
+
 /// Option of `run`, and its effect with the verb first: "shows the motion".
 struct Remedy {
   std::string option;
@@ -22,10 +25,10 @@ std::vector<Remedy> what_to_try(const Prepared& prepared, const RunOutcome& outc
 
 nlohmann::ordered_json inputs_json(const std::vector<InputRecord>& inputs);
 
-/// Returns every warning with its place.
+/// Returns every warning with its place and its values.
 nlohmann::ordered_json warning_list_json(const Warnings& warnings);
 
-/// Returns name, count and first occurrence of each kind of warning.
+/// Returns name, count and first occurrence of each kind of warning, with the values of the first.
 nlohmann::ordered_json warnings_json(const Warnings& warnings);
 
 /// Returns every setting by its name.

@@ -1,4 +1,4 @@
-// Table of step warnings: for each kind of step, its condition and its message.
+// Table of step warnings: for each kind of step, its condition and its values.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_warnings.hpp"
 
@@ -11,9 +11,8 @@
 #include <string>
 #include <utility>
 
-#include "base/counted.hpp"
-#include "base/words/plain_number.hpp"
 #include "base/words/quoted_name.hpp"
+#include "base/words/sentences.hpp"
 #include "model/material_choices.hpp"
 #include "result/describe.hpp"
 
@@ -35,25 +34,13 @@ constexpr int kManyParts = 4;
 // A step below this fraction of the way before it is round-off: it need not shrink any more.
 constexpr double kNoStep = 1e-9;
 
-std::vector<std::string> start_complaints(const StartReport& start) {
-  std::vector<std::string> sentences;
+std::vector<Finding> start_complaints(const StartReport& start) {
+  std::vector<Finding> found;
   if (!start.why.empty())
-    sentences.push_back(fmt::format("the initial contact forces are one of several possible sets, {}, because {}",
-                                    start.made, start.why));
-  if (start.misfit > kLargeMisfit)
-    sentences.push_back(fmt::format("the initial state leaves {:.1e} of the gaps that it should close", start.misfit));
-  if (start.unsolved_steps > 0)
-    sentences.push_back(fmt::format("{} of the initial state found no contact forces",
-                                    counted(static_cast<std::size_t>(start.unsolved_steps), "step")));
-  return sentences;
-}
-
-/// Names the contact with the largest imbalance, and the number of contacts.
-std::string worst_contact(const StepReport& step, const char* noun) {
-  if (step.residual_element == 0) return {};
-  return fmt::format(", at the contact of {} {} with {} {} near {}, {} ({} contacts in all, {} closed)", noun,
-                     step.residual_element, noun, step.residual_other, plain(step.residual_at.x),
-                     plain(step.residual_at.y), step.contacts, step.closed);
+    found.push_back({"start_settled:one_of_several", {{}, {{"made", start.made}, {"why", start.why}}}});
+  if (start.misfit > kLargeMisfit) found.push_back({"start_settled:gaps_left", {{{"misfit", start.misfit}}}});
+  if (start.unsolved_steps > 0) found.push_back({"start_settled:no_forces", {{{"steps", start.unsolved_steps}}}});
+  return found;
 }
 
 /// Limits that the steps of a run are compared with.
@@ -95,89 +82,93 @@ StepLimits limits_of(const Scene& first, bool balances) {
 std::vector<StepKind> kinds_by_length(const StepLimits& l) {
   return {
       {"step_cut", [l](const StepReport& s) { return l.constant && s.dt < l.time_step; },
-       [l](const StepReport& s, int, int) {
-         return fmt::format(
-             "step {}: cut from {:.6g} to {:.6g}, because blocks moved too far or contacts did not settle{}", s.step,
-             l.time_step, s.dt, l.cut_stays ? "; the cut stays" : "");
+       [l](const StepReport& s, Facts& facts) {
+         facts.numbers.insert(facts.numbers.end(), {{"time_step", l.time_step}, {"dt", s.dt}});
+         return l.cut_stays ? "step_cut:stays" : "step_cut";
        }},
       {"step_moves_far", [l](const StepReport& s) { return l.is_moving && l.constant && s.displacement_ratio > 1; },
-       [](const StepReport& s, int concerned, int steps) {
-         return fmt::format(
-             "step {}: a block moves {:.3g} times the displacement allowed in a step, as in {} of {} steps", s.step,
-             s.displacement_ratio, concerned, steps);
+       [](const StepReport& s, Facts& facts) {
+         facts.numbers.emplace_back("ratio", s.displacement_ratio);
+         return "step_moves_far";
        }},
       {"step_passes_blocks",
        [l](const StepReport& s) { return l.searches_pairs && s.displacement_ratio * l.allowed > l.block_size; },
-       [l](const StepReport& s, int concerned, int steps) {
-         return fmt::format(
-             "step {}: a block moves {}, further than blocks are wide ({}), as in {} of {} steps; it may have passed "
-             "through others",
-             s.step, plain(s.displacement_ratio * l.allowed, 3), plain(l.block_size, 3), concerned, steps);
+       [l](const StepReport& s, Facts& facts) {
+         facts.numbers.insert(facts.numbers.end(),
+                              {{"displacement", s.displacement_ratio * l.allowed}, {"width", l.block_size}});
+         return "step_passes_blocks";
        }},
       {"step_above_limit", [l](const StepReport& s) { return !l.constant && s.dt > l.longest_step; },
-       [l](const StepReport& s, int, int) {
-         return fmt::format(
-             "step {}: the automatic step, {:.6g}, exceeds the limit of the file, {:.6g}, as in the Berkeley program",
-             s.step, s.dt, l.longest_step);
+       [l](const StepReport& s, Facts& facts) {
+         facts.numbers.insert(facts.numbers.end(), {{"dt", s.dt}, {"limit", l.longest_step}});
+         return "step_above_limit";
        }},
       {"step_unresolved", [](const StepReport& s) { return s.unresolved_parts > 0; },
-       [](const StepReport& s, int concerned, int steps) {
-         return fmt::format(
-             "step {}: {} of its parts have the least size (least_step_share) and still exceed the permitted "
-             "displacement or error, as in {} of {} steps",
-             s.step, s.unresolved_parts, concerned, steps);
+       [](const StepReport& s, Facts& facts) {
+         facts.numbers.emplace_back("parts", s.unresolved_parts);
+         return "step_unresolved";
        }},
   };
 }
 
-std::string out_of_balance(const StepLimits& l, const StepReport& s, double limit, int concerned, int steps) {
-  return fmt::format(
-      "forces are out of balance by more than {:.0e} of the load in {} of {} steps; the worst is step {} (time "
-      "{:.6g}), "
-      "by {:.1e}{}",
-      limit, concerned, steps, s.step, s.time, s.residual, worst_contact(s, l.noun));
+void put_imbalance(const StepLimits& l, const StepReport& s, double limit, Facts& facts) {
+  facts.numbers.insert(facts.numbers.end(), {{"tolerance", limit}, {"residual", s.residual}});
+  if (s.residual_element == 0) return;
+  facts.numbers.insert(facts.numbers.end(), {{"contacts", s.contacts}, {"closed", s.closed}});
+  facts.texts.emplace_back("noun", l.noun);
+  facts.elements = {s.residual_element, s.residual_other};
+  facts.points = {{s.residual_at.x, s.residual_at.y}};
 }
 
-/// Returns the kinds of steps whose contacts or equations are not solved well enough.
-std::vector<StepKind> kinds_by_solution(const StepLimits& l) {
+/// Returns the kinds of steps whose forces or equations are not solved well enough.
+std::vector<StepKind> kinds_by_residual(const StepLimits& l) {
   return {
-      {"unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
-       [](const StepReport& s, int, int) {
-         return fmt::format("step {}: {} still opened or closed after the last open-close iteration", s.step,
-                            counted(static_cast<std::size_t>(s.unsettled_contacts), "contact"));
-       }},
-      {"deep_penetration", [l](const StepReport& s) { return s.greatest_penetration > l.deep; },
-       [l](const StepReport& s, int, int) {
-         return fmt::format("step {}: blocks overlap by {:.3g}, {:.0f} times the allowed penetration", s.step,
-                            s.greatest_penetration, kDeepPenetrations * s.greatest_penetration / l.deep);
-       }},
       {"residual_above_goal",
        [l](const StepReport& s) { return l.is_standard && s.residual > kImbalance && s.residual <= kLargeImbalance; },
-       [l](const StepReport& s, int concerned, int steps) {
-         return out_of_balance(l, s, kImbalance, concerned, steps);
+       [l](const StepReport& s, Facts& facts) {
+         put_imbalance(l, s, kImbalance, facts);
+         return "residual_above_goal";
        },
        [](const StepReport& s) { return s.residual; }},
       {"large_residual",
        [l](const StepReport& s) { return s.residual > (l.is_standard ? kLargeImbalance : kLargeResidual); },
-       [l](const StepReport& s, int concerned, int steps) {
-         return l.is_standard ? out_of_balance(l, s, kLargeImbalance, concerned, steps)
-                              : fmt::format(
-                                    "the equations of {} of {} steps are solved to a relative residual of more than "
-                                    "{:.0e}; the worst is step {} (time {:.6g}), to {:.1e}",
-                                    concerned, steps, kLargeResidual, s.step, s.time, s.residual);
+       [l](const StepReport& s, Facts& facts) {
+         put_imbalance(l, s, l.is_standard ? kLargeImbalance : kLargeResidual, facts);
+         return l.is_standard ? "large_residual:of_forces" : "large_residual";
        },
        [](const StepReport& s) { return s.residual; }},
+  };
+}
+
+/// Returns the kinds of steps whose contacts are not solved well enough, or that needed parts.
+std::vector<StepKind> kinds_by_contacts(const StepLimits& l) {
+  return {
+      {"unsettled_step_accepted", [](const StepReport& s) { return s.unsettled_contacts > 0; },
+       [](const StepReport& s, Facts& facts) {
+         facts.numbers.emplace_back("contacts", s.unsettled_contacts);
+         return "unsettled_step_accepted";
+       }},
+      {"deep_penetration", [l](const StepReport& s) { return s.greatest_penetration > l.deep; },
+       [l](const StepReport& s, Facts& facts) {
+         facts.numbers.insert(facts.numbers.end(),
+                              {{"penetration", s.greatest_penetration},
+                               {"times_allowed", kDeepPenetrations * s.greatest_penetration / l.deep}});
+         return "deep_penetration";
+       }},
+  };
+}
+
+std::vector<StepKind> kinds_by_parts() {
+  return {
       {"step_in_parts", [](const StepReport& s) { return s.parts >= kManyParts; },
-       [](const StepReport& s, int concerned, int steps) {
-         return fmt::format(
-             "step {} was made in {} parts, near a limit load or too long for elastoplastic rock; as in {} of {} steps",
-             s.step, s.parts, concerned, steps);
+       [](const StepReport& s, Facts& facts) {
+         facts.numbers.emplace_back("parts", s.parts);
+         return "step_in_parts";
        }},
       {"overlaps_locked", [](const StepReport& s) { return s.locked_overlaps > 0; },
-       [](const StepReport& s, int concerned, int steps) {
-         return fmt::format(
-             "step {}: overlaps left at impacts, because other contacts block them: {}; as in {} of {} steps", s.step,
-             s.locked_overlaps, concerned, steps);
+       [](const StepReport& s, Facts& facts) {
+         facts.numbers.emplace_back("overlaps", s.locked_overlaps);
+         return "overlaps_locked";
        }},
   };
 }
@@ -202,7 +193,8 @@ StepWatch::StepWatch(const Prepared& prepared) {
     return balances(scene) || keyblock::is_static(scene->settings, scene->model);
   });
   const StepLimits limits = limits_of(prepared.scene, balances_);
-  for (const std::vector<StepKind>& kinds : {kinds_by_length(limits), kinds_by_solution(limits)})
+  for (const std::vector<StepKind>& kinds :
+       {kinds_by_length(limits), kinds_by_contacts(limits), kinds_by_residual(limits), kinds_by_parts()})
     kinds_.insert(kinds_.end(), kinds.begin(), kinds.end());
   seen_.resize(kinds_.size());
 }
@@ -233,9 +225,13 @@ void StepWatch::describe(Archive& archive) {
 
 Warnings StepWatch::warnings(const Place& place) const {
   Warnings warnings;
-  for (std::size_t i = 0; i < kinds_.size(); ++i)
-    if (seen_[i].count > 0)
-      warnings.push_back({kinds_[i].name, place, kinds_[i].sentence(seen_[i].told, seen_[i].count, steps_)});
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    const auto& [step, count] = seen_[i];
+    if (count == 0) continue;
+    Facts facts{{{"step", step.step}, {"time", step.time}, {"concerned", count}, {"steps", steps_}}};
+    const char* const form = kinds_[i].describe(step, facts);
+    warnings.push_back(warning_of({form, std::move(facts)}, place));
+  }
   return joined(std::move(warnings), far_from_equilibrium(place));
 }
 
@@ -253,31 +249,25 @@ std::optional<EquilibriumWay> StepWatch::equilibrium_way() const {
 Warnings StepWatch::far_from_equilibrium(const Place& place) const {
   const std::optional<EquilibriumWay> way = equilibrium_way();
   if (!way || way->share.value_or(0) > kNearEquilibrium) return {};
-  const std::string how_far = way->share ? fmt::format("about {:.2g} % of the way to equilibrium", 100 * *way->share)
-                                         : "no sign of an equilibrium";
-  return {
-      {"far_from_equilibrium", place,
-       fmt::format("static, each step from zero velocity: after {} steps the last, {:.3g} of the one before, shows {}",
-                   steps_, way->last_step_ratio, how_far)}};
+  Facts facts{{{"steps", steps_}, {"ratio", way->last_step_ratio}}};
+  if (way->share) facts.numbers.emplace_back("percent", 100 * *way->share);
+  const char* const form = way->share ? "far_from_equilibrium" : "far_from_equilibrium:no_sign";
+  return {warning_of({form, std::move(facts)}, place)};
 }
 
 Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, const Place& place) {
   Warnings warnings;
-  for (const std::string& sentence : start_complaints(outcome.start))
-    warnings.push_back({"start_settled", place, sentence});
-  if (!outcome.start.unbalanced.empty()) warnings.push_back({"start_without_rest", place, outcome.start.unbalanced});
-  const auto warn_held = [&](const char* name, const char* what, const TimeCurve& curve) {
+  for (Finding& found : start_complaints(outcome.start)) warnings.push_back(warning_of(std::move(found), place));
+  if (!outcome.start.unbalanced.empty())
+    warnings.push_back(warning_of({"start_without_rest", {{}, {{"why", outcome.start.unbalanced}}}}, place));
+  const auto warn_held = [&](const char* name, const TimeCurve& curve) {
     if (curve.times.empty() || curve.times.back() >= outcome.time || curve.values.back() == Point{}) return;
-    warnings.push_back({name, curve.place,
-                        fmt::format("the table of {}s ends at time {:.6g}, the run at {:.6g}; the last {} stays", what,
-                                    curve.times.back(), outcome.time, what)});
+    warnings.push_back(warning_of({name, {{{"table_end", curve.times.back()}, {"time", outcome.time}}}}, curve.place));
   };
   if (prepared.scene.settings.ledger == Bookkeeping::off && !prepared.scene.is_untouched)
-    warnings.push_back({"energy_not_judged", place,
-                        "ledger=off: the run does not check whether energy came from nothing (energy_limit)"});
-  for (const CarriedPoint& point : prepared.scene.model.loading_points)
-    warn_held("load_held_after_table", "load", point.curve);
-  warn_held("acceleration_held_after_table", "acceleration", prepared.scene.settings.body_acceleration.curve);
+    warnings.push_back(warning_of({"energy_not_judged"}, place));
+  for (const CarriedPoint& point : prepared.scene.model.loading_points) warn_held("load_held_after_table", point.curve);
+  warn_held("acceleration_held_after_table", prepared.scene.settings.body_acceleration.curve);
   return warnings;
 }
 
@@ -297,9 +287,9 @@ Warnings broken_bolts(const Frame& first, const Frame& last, const Place& place)
   constexpr std::size_t kNamed = 10;
   const std::size_t all = broken.size(), more = all - std::min(kNamed, all);
   broken.resize(broken.size() - more);
-  return {{"bolts_broke", place,
-           fmt::format("{} of {} broke: {}{}; bolts.csv has the frame", all, counted(last.bolts.size(), "bolt"),
-                       fmt::join(broken, ", "), more > 0 ? fmt::format(" and {} more", more) : "")}};
+  Facts facts{{{"broken", all}, {"bolts", last.bolts.size()}}, {{"names", fmt::format("{}", fmt::join(broken, ", "))}}};
+  if (more > 0) facts.numbers.emplace_back("more", more);
+  return {warning_of({"bolts_broke", std::move(facts)}, place)};
 }
 
 }  // namespace keyblock

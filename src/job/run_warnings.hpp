@@ -19,7 +19,8 @@ namespace keyblock {
 struct StepKind {
   const char* name;
   std::function<bool(const StepReport&)> concerns;
-  std::function<std::string(const StepReport& told, int concerned, int steps)> sentence;
+  /// Adds values of the reported step, beside its number, its time and the counts of steps. Returns the form.
+  std::function<const char*(const StepReport& told, Facts& facts)> describe;
   std::function<double(const StepReport&)> measure = {};  ///< empty: the first one counts
 };
 

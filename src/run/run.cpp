@@ -60,6 +60,7 @@ bool StepLoop::step() {
 void StepLoop::fail(const StepFailure& failure) {
   outcome_.end = RunEnd::failed;
   outcome_.reason = failure.reason;
+  outcome_.cause = failure.cause;
   outcome_.contacts = failure.contacts;
   outcome_.failure = failure.kind;
   outcome_.elements = failure.elements;

@@ -40,6 +40,7 @@ enum class RunEnd { finished, failed, stopped };
 struct RunOutcome {
   RunEnd end = RunEnd::finished;
   std::string reason;                 ///< reason of a failure; empty otherwise
+  Finding cause;                      ///< the values behind it; empty if the failure has none
   std::vector<std::size_t> contacts;  ///< contacts (from 0) that did not settle
   FailureKind failure = FailureKind::undecided;
   std::vector<ElementIndex> elements;  ///< that move away, or too far for a step, if that is the failure

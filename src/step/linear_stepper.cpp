@@ -55,10 +55,10 @@ std::variant<StepReport, StepFailure> LinearStepper::advance() {
     if (std::optional<StepFailure> unheld = unheld_pieces()) return *unheld;
     try {
       ContinuumSolution found = solve_static(continuum(), model().joint_materials);
-      if (!found.faces_settled) return failure("the forces between the faces of cracks do not settle");
+      if (!found.faces_settled) return failure({"crack_faces_do_not_settle"});
       solution_ = std::move(found);
     } catch (const NotPositiveDefinite& error) {
-      return failure(error.what());
+      return failure({"not_positive_definite", {{}, {{"system", error.what()}}}});
     }
     put_places();
   }

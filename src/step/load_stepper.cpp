@@ -37,25 +37,19 @@ std::optional<double> share_further_on(const LoadedBodies& bodies, const LastEqu
 }
 
 // Explains why no equilibrium was found. A limit load is claimed only if the path of equilibria leads to no larger
-// loads. If edges are driven, weakening rock is still pushed on, so that the end need not be a limit load. `search`:
+// loads. If edges are driven, weakening rock is still pushed on, so that the end need not be a limit load. `facts`:
 // effort spent.
-std::string no_equilibrium_beyond(const LoadedBodies& bodies, const LastEquilibrium& last, const std::string& search) {
-  const bool is_driven = std::ranges::any_of(bodies.driven(1), [](double way) { return way != 0; });
-  const std::string where = fmt::format("no equilibrium beyond {:.4g} of the {} of this scene was found ({})",
-                                        last.share, is_driven ? "displacements and loads" : "loads", search);
-  if (is_driven)
-    return "stopped: " + where +
-           ": edges are driven, so that this need not be a limit load: more steps may go on, unless an element is "
-           "turned over";
+Finding no_equilibrium_beyond(const LoadedBodies& bodies, const LastEquilibrium& last, Facts facts) {
+  facts.numbers.emplace_back("load_share", last.share);
+  if (std::ranges::any_of(bodies.driven(1), [](double way) { return way != 0; }))
+    return {"no_equilibrium_beyond:driven", std::move(facts)};
   PlasticTotals rock;
   bodies.yield().add_totals(last.at.points, rock);
-  if (rock.yielded == 0 && last.share > 0)
-    return "stopped: " + where + ": this is no limit load, for no rock has yielded";
+  if (rock.yielded == 0 && last.share > 0) return {"no_equilibrium_beyond:elastic", std::move(facts)};
   const std::optional<double> further = share_further_on(bodies, last);
-  if (further && *further <= last.tried)
-    return fmt::format("limit load of this mesh: {}; with displacements {:g} % larger it carries {:.4g}", where,
-                       100 * kFurtherOn, *further);
-  return "stopped: " + where + ": whether the rock carries more is not known";
+  if (!further || *further > last.tried) return {"no_equilibrium_beyond", std::move(facts)};
+  facts.numbers.insert(facts.numbers.end(), {{"more_percent", 100 * kFurtherOn}, {"share_further_on", *further}});
+  return {"limit_load", std::move(facts)};
 }
 
 }  // namespace
@@ -146,9 +140,13 @@ int LoadStepper::steps_of_scene() const {
   return std::max(1, scene_.end.steps > 0 ? scene_.end.steps : scene_.settings.step_count - first_step_);
 }
 
+Facts LoadStepper::effort_of(const Work& work) {
+  return {{{"iterations", work.rounds}, {"cuts", work.cuts}}, {{"cut_by", std::string(in_words(work.cut_by))}}};
+}
+
 // Halves the remaining way if the whole of it finds no equilibrium, and doubles the part after each success. A failed
 // step leaves no trace in the state.
-std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
+std::optional<Finding> LoadStepper::advance_to(double share, Work& work) {
   const double whole = share - share_;
   const double least = std::ldexp(whole, -scene_.load_cuts);  // resolution of a limit load
   LoadedState at = now_;
@@ -174,10 +172,7 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
     ++work.cuts;
     work.cut_by = rounds.end;
     part = (to - reached) / 2;
-    if (part < least)
-      return no_equilibrium_beyond(*bodies_, {at, reached, to, speed},
-                                   fmt::format("{} Newton iterations, {} cuts of the step, the last by {}", work.rounds,
-                                               work.cuts, in_words(work.cut_by)));
+    if (part < least) return no_equilibrium_beyond(*bodies_, {at, reached, to, speed}, effort_of(work));
   }
   now_ = std::move(at);
   speed_ = std::move(speed);
@@ -188,12 +183,12 @@ std::optional<std::string> LoadStepper::advance_to(double share, Work& work) {
 
 // Tries the length of the last step, or twice that after a cut. If a step passes the full loads, it ends at them
 // instead.
-std::optional<std::string> LoadStepper::advance_along(Work& work) {
+std::optional<Finding> LoadStepper::advance_along(Work& work) {
   const PathPoint from{now_, share_, way_, share_change_};
   if (length_ == 0) {
     const double of_loads = path_->length_of_loads(from);
     if (of_loads == 0) return advance_to(1, work);
-    if (!std::isfinite(of_loads)) return "bodies give way to the loads without resistance";
+    if (!std::isfinite(of_loads)) return Finding{"no_resistance"};
     length_ = scene_.settings.standard.path_step * of_loads / steps_of_scene();
     part_ = length_;
   }
@@ -211,10 +206,9 @@ std::optional<std::string> LoadStepper::advance_along(Work& work) {
     ++work.cuts;
     work.cut_by = rounds.end;
   }
-  return fmt::format(
-      "no equilibrium was found further along the path, at {:.4g} of the loads of this scene ({} Newton iterations, {} "
-      "cuts of the step, the last by {})",
-      share_, work.rounds, work.cuts, in_words(work.cut_by));
+  Facts facts = effort_of(work);
+  facts.numbers.emplace_back("load_share", share_);
+  return Finding{"no_equilibrium_along_path", std::move(facts)};
 }
 
 void LoadStepper::accept(PathPoint found, Work& work) {
@@ -235,9 +229,9 @@ std::variant<StepReport, StepFailure> LoadStepper::advance() {
     }
   Work work;
   const double share = std::min(1.0, static_cast<double>(made + 1) / steps_of_scene());
-  if (const std::optional<std::string> why = path_ ? advance_along(work) : advance_to(share, work)) {
+  if (std::optional<Finding> why = path_ ? advance_along(work) : advance_to(share, work)) {
     keep_attempt(path_ ? path_->last() : by_share_.last());
-    StepFailure found = failure(*why);
+    StepFailure found = failure(std::move(*why));
     found.kind = FailureKind::no_equilibrium;
     found.passes = work.rounds;
     return found;

@@ -51,8 +51,9 @@ class LoadStepper : public StaticStepper {
   /// Transfers the state of the bodies to the next scene, which uses the same mesh.
   LoadedState carried(const LoadedBodies& next, const SceneChange& change) const;
   int steps_of_scene() const;
-  std::optional<std::string> advance_to(double share, Work& work);
-  std::optional<std::string> advance_along(Work& work);
+  std::optional<Finding> advance_to(double share, Work& work);
+  std::optional<Finding> advance_along(Work& work);
+  static Facts effort_of(const Work& work);
   void accept(PathPoint found, Work& work);
   /// Stores the end point of the last search, which found no equilibrium, in `attempted_`.
   void keep_attempt(const Eigen::VectorXd& d);

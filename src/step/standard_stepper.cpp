@@ -10,6 +10,7 @@
 
 #include "base/context.hpp"
 #include "base/counted.hpp"
+#include "base/words/sentences.hpp"
 #include "contact/rows/constraints.hpp"
 #include "model/body_load.hpp"
 #include "result/describe.hpp"
@@ -139,11 +140,7 @@ First first_motion(const StandardScene& scene) {
   First first = asked_motion(scene);
   const std::optional<ElementIndex> bad = impossible(state_of(scene, first.motion));
   if (!first.failure.empty() || !bad) return first;
-  return {{},
-          fmt::format("no start under the first loads: {} is turned inside out or no longer finite",
-                      part_name(scene, *bad)),
-          {},
-          bad};
+  return {{}, sentence_of({"no_start", {{}, {{"block", part_name(scene, *bad)}}}}), {}, bad};
 }
 
 ControlledStep whole(const StandardScene& scene, const UnknownsTable& from, StandardStep step, double dt) {
@@ -194,22 +191,24 @@ std::optional<CoverDisplacement> displacement_of(const StandardScene& scene, con
   return std::nullopt;
 }
 
-// Describes an element that is impossible at the end of a step.
-std::string in_words(const StandardScene& scene, ElementIndex e, const State& before, const State& end) {
+// Reports an element that is impossible at the end of a step.
+Finding turned_inside_out(const StandardScene& scene, ElementIndex e, const State& before, const State& end) {
+  const Point at = before.elements[e].centroid;
+  Facts facts{{}, {{"block", part_name(scene, e)}}, {scene.model.number_of(e)}, {{{at.x, at.y}}}};
   const bool is_in_time = scene.settings.standard.motion == MotionRule::dynamic;
-  return fmt::format(
-      "{} is turned inside out or no longer finite{}{}", part_name(scene, e),
-      is_in_time || scene.groups.of(e).shared_basis() == nullptr
-          ? ""
-          : ": its body may snap through or buckle under this load (more steps show at which load it does)",
-      crushed_before(scene, state_of(scene, start_motion(scene)), before, end));
+  if (!is_in_time && scene.groups.of(e).shared_basis() != nullptr) facts.texts.emplace_back("may_buckle", "");
+  const bool softens = add_crushed_before(scene, state_of(scene, start_motion(scene)), before, end, facts);
+  return {softens ? "turned_inside_out:softened" : "turned_inside_out", std::move(facts)};
 }
 
-StepFailure failure_of_start(const std::string& why, const std::optional<ElementIndex>& turned) {
+StepFailure failure_of_start(const StandardScene& scene, const std::string& why,
+                             const std::optional<ElementIndex>& turned) {
   StepFailure failure{why, {}};
+  failure.cause.form = "no_start";
   if (turned) {
     failure.kind = FailureKind::inside_out;
     failure.elements = {*turned};
+    failure.cause.facts.elements = {scene.model.number_of(*turned)};
   }
   return failure;
 }
@@ -376,7 +375,7 @@ auto StandardStepper::contacts_later() const -> std::function<ContactFrames()> {
 }
 
 std::variant<StepReport, StepFailure> StandardStepper::advance(const BetterPulls& better) {
-  if (!start_failure_.empty()) return failure_of_start(start_failure_, turned_at_start_);
+  if (!start_failure_.empty()) return failure_of_start(scene_, start_failure_, turned_at_start_);
   const double load_share = scene_.load_share;
   const std::vector<FacePull> pulls = scene_.pulls;
   ControlledStep made;
@@ -393,7 +392,7 @@ std::variant<StepReport, StepFailure> StandardStepper::advance(const BetterPulls
   }
   State end = state_of(scene_, made.step.motion);
   made.step.turned = impossible(end);
-  if (made.step.turned) made.step.failure = in_words(scene_, *made.step.turned, state_, end);
+  if (made.step.turned) made.step.failure = turned_inside_out(scene_, *made.step.turned, state_, end);
   if (made.step.failure.empty()) made.step.failure = too_deep(scene_, made.step.motion, end);
   if (!made.step.failure.empty()) return failure_of(scene_, motion_, state_, made.step);
   end.step = state_.step + 1;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/static_stepper.hpp"
 
-#include <fmt/format.h>
-
+#include <utility>
 #include <vector>
 
 #include "model/kinematics.hpp"
@@ -51,14 +50,17 @@ void StaticStepper::describe_time(Archive& archive) {
   archive.value("dt", state_.dt);
 }
 
-StepFailure StaticStepper::failure(const std::string& why) const {
-  return {fmt::format("load step {}: {}", state_.step + 1, why), {}};
+StepFailure StaticStepper::failure(Finding why) const {
+  return failed("in_load_step", {{{"step", state_.step + 1}}}, std::move(why));
 }
 
 std::optional<StepFailure> StaticStepper::unheld_pieces() const {
   const std::vector<FreePiece> free = free_pieces(continuum());
   if (free.empty()) return std::nullopt;
-  return failure(to_string(free.front()) + (free.size() > 1 ? fmt::format(" (and {} more)", free.size() - 1) : ""));
+  const FreePiece& first = free.front();
+  Facts facts{{{"body", first.body + 1}}, {{"piece", to_string(first)}}, {}, {{{first.middle.x, first.middle.y}}}};
+  if (free.size() > 1) facts.numbers.emplace_back("more", free.size() - 1);
+  return failure({"piece_without_support", std::move(facts)});
 }
 
 StepReport StaticStepper::end_step(int passes, int redos, double residual) {

@@ -38,7 +38,7 @@ class StaticStepper : public SceneStepper {
   void describe_time(Archive& archive);
   /// Returns the failure of the next step if pieces have no support.
   std::optional<StepFailure> unheld_pieces() const;
-  StepFailure failure(const std::string& why) const;
+  StepFailure failure(Finding why) const;
   /// Counts the next step as made and returns its report.
   StepReport end_step(int passes, int redos, double residual);
 

@@ -1,4 +1,4 @@
-// Writes the reason of a failed step and the counts of an accepted one; see step_outcome.hpp.
+// Reports the reason of a failed step and the counts of an accepted one; see step_outcome.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/step_outcome.hpp"
 
@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "base/words/sentences.hpp"
 #include "contact/rows/gap.hpp"
 #include "material/elastic.hpp"
 #include "step/scene/equilibrium.hpp"
@@ -26,6 +28,20 @@ bool rock_yields(const StandardScene& scene, const BodiesMotion& motion) {
   PlasticTotals totals;
   for (const auto& group : scene.groups) group->add_plastic(motion, totals);
   return totals.yielding > 0;
+}
+
+/// Returns the first contacts that did not settle; those beyond the list are of bolts and fixed points.
+std::string undecided_in_words(const StandardScene& scene, const StandardStep& step) {
+  std::string names;
+  std::size_t named = 0;
+  for (std::size_t i : step.undecided) {
+    if (i >= step.touches.size() || ++named > kMostNamed) continue;
+    const Touch& touch = step.touches[i];
+    names += fmt::format("{}{} ({} on {})", names.empty() ? "" : ", ", i + 1,
+                         part_name(scene, scene.model.vertices[touch.vertex].element),
+                         part_name(scene, scene.model.vertices[touch.start].element));
+  }
+  return named > kMostNamed ? fmt::format("{} and {} more", names, named - kMostNamed) : names;
 }
 
 }  // namespace
@@ -66,64 +82,57 @@ StepFailure failure_of(const StandardScene& scene, const Motion& motion, const S
   const bool yields =
       scene.settings.standard.motion != MotionRule::dynamic &&
       (rock_yields(scene, motion) || (has_points_of(step.motion, motion) && rock_yields(scene, step.motion)));
-  if (!step.failure.empty())
-    return {fmt::format("step {} (time {}): {}", state.step + 1, state.time, step.failure),
-            {},
-            step.turned           ? FailureKind::inside_out
-            : step.moving.empty() ? FailureKind::undecided
-                                  : FailureKind::accelerates,
-            step.solves,
-            yields,
-            step.turned ? std::vector{*step.turned} : step.moving};
-  std::string names;
-  std::size_t named = 0;
-  for (std::size_t i : step.undecided) {
-    if (i >= step.touches.size() || ++named > kMostNamed) continue;  // beyond the contacts: bolts and fixed points
-    const Touch& touch = step.touches[i];
-    names += fmt::format("{}{} ({} on {})", names.empty() ? "" : ", ", i + 1,
-                         part_name(scene, scene.model.vertices[touch.vertex].element),
-                         part_name(scene, scene.model.vertices[touch.start].element));
+  const Facts values{{{"step", state.step + 1}, {"time", state.time}}};
+  if (!step.failure.empty()) {
+    const FailureKind kind = step.turned           ? FailureKind::inside_out
+                             : step.moving.empty() ? FailureKind::undecided
+                                                   : FailureKind::accelerates;
+    StepFailure found = failed("in_step", values, step.failure, kind);
+    found.passes = step.solves;
+    found.rock_yields = yields;
+    found.elements = step.turned ? std::vector{*step.turned} : step.moving;
+    return found;
   }
   const bool of_contact = step.end == RoundsEnd::no_contact_forces || !step.touches.empty();
-  const std::string why =
-      of_contact ? fmt::format("contact forces do not settle, residual {:.3g} of the largest load", step.residual)
-                 : fmt::format("no motion balances the step, in which nothing touches: {}; try a shorter time_step",
-                               in_words(step.end));
-  return {fmt::format("step {} (time {}): {}{}{}", state.step + 1, state.time, why,
-                      names.empty() ? "" : "; undecided contacts: ",
-                      named > kMostNamed ? fmt::format("{} and {} more", names, named - kMostNamed) : names),
-          step.undecided, FailureKind::undecided, step.solves, yields};
+  Facts facts{{{"residual", step.residual}}, {{"end", std::string(in_words(step.end))}}};
+  if (const std::string names = undecided_in_words(scene, step); !names.empty())
+    facts.texts.emplace_back("undecided", names);
+  StepFailure found =
+      failed("in_step", values, {of_contact ? "contacts_do_not_settle" : "no_motion_balances", std::move(facts)});
+  found.contacts = step.undecided;
+  found.passes = step.solves;
+  found.rock_yields = yields;
+  return found;
 }
 
-std::string crushed_before(const StandardScene& scene, const State& drawn, const State& before, const State& end) {
+bool add_crushed_before(const StandardScene& scene, const State& drawn, const State& before, const State& end,
+                        Facts& facts) {
   for (ElementIndex e : indices(end.elements)) {
     const double area = end.elements[e].moments.area;
     const std::optional<ElasticLaw> law = scene.groups.of(e).law_of_large_strain(scene.parts(), e);
     if (!std::isfinite(area) || area > 0 || !law) continue;
-    const double first = drawn.elements[e].moments.area;
-    const std::string share = fmt::format("{:.2g}", before.elements[e].moments.area / first);
-    if (law != ElasticLaw::st_venant_kirchhoff)
-      return fmt::format("; one step earlier it was compressed to {} of its area", share);
-    return fmt::format(
-        "; a step before it had been compressed to {} of its area, and the St. Venant-Kirchhoff law softens below a "
-        "stretch of {:.2g} (elastic_law = logarithmic does not)",
-        share, kSofteningStretch);
+    facts.numbers.emplace_back("share_before", before.elements[e].moments.area / drawn.elements[e].moments.area);
+    if (law != ElasticLaw::st_venant_kirchhoff) return false;
+    facts.numbers.emplace_back("softening_stretch", kSofteningStretch);
+    return true;
   }
-  return {};
+  return false;
 }
 
-std::string too_deep(const StandardScene& scene, const Motion& motion, const State& end) {
+Finding too_deep(const StandardScene& scene, const Motion& motion, const State& end) {
   for (const auto& [touch, memory] : motion.closed.all()) {
     const ElementIndex vertex = scene.model.vertices[touch.vertex].element;
     const ElementIndex edge = scene.model.vertices[touch.start].element;
     if (scene.groups.of(vertex).resolves_impacts() || scene.groups.of(edge).resolves_impacts()) continue;
     const double size = std::min(scene.bodies()[vertex].size, scene.bodies()[edge].size);
     const double depth = -gap_of(touch, end.vertices) - memory.compression;
-    if (!(depth > scene.settings.trust.penetration * size)) continue;
-    return fmt::format(
-        "{} and {} overlap by {:.3g}, {:.2g} of the size of the smaller; beyond {:.2g} (penetration_limit) later "
-        "results are unreliable",
-        part_name(scene, vertex), part_name(scene, edge), depth, depth / size, scene.settings.trust.penetration);
+    const double limit = scene.settings.trust.penetration;
+    if (!(depth > limit * size)) continue;
+    return {"blocks_overlap_deeply",
+            {{{"depth", depth}, {"share", depth / size}, {"limit", limit}},
+             {{"one", part_name(scene, vertex)}, {"two", part_name(scene, edge)}},
+             {scene.model.number_of(vertex), scene.model.number_of(edge)},
+             {{{end.vertices[touch.vertex].x, end.vertices[touch.vertex].y}}}}};
   }
   return {};
 }

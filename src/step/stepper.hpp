@@ -6,10 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "base/archive.hpp"
+#include "base/words/finding.hpp"
 #include "model/cover_basis.hpp"
 #include "model/scene/scene.hpp"
 #include "model/state.hpp"
@@ -43,7 +45,12 @@ struct StepFailure {
   /// by statics only.
   bool rock_yields = false;
   std::vector<ElementIndex> elements = {};  ///< that move away, move too far for a step, or turned inside out
+  Finding cause = {};                       ///< the values behind the reason
 };
+
+/// Returns a failure whose reason is the sentence of `cause`, within that of the form `frame` with its values.
+StepFailure failed(std::string_view frame, const Facts& values, Finding cause,
+                   FailureKind kind = FailureKind::undecided);
 
 /// Steps made in one of several scenes.
 struct SceneReport {

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/words/sentences.hpp"
+
 namespace keyblock::support {
 namespace {
 
@@ -165,6 +167,8 @@ std::map<std::string, std::string> warning_codes() {
     });
     add_defaults(text, file, codes);
   });
+  for (const Sentence& row : sentences_of_runs())
+    codes.emplace(Finding{std::string(row.form)}.code(), "base/words/sentences_of_runs.cpp");
   return codes;
 }
 

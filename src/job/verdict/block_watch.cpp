@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/verdict/block_watch.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
 
-#include "base/words/plain_number.hpp"
+#include "base/words/sentences.hpp"
 #include "model/body_load.hpp"
 #include "model/scene/scene.hpp"
 
@@ -233,25 +231,29 @@ void BlockWatch::describe(Archive& archive) {
 Warnings BlockWatch::doubts(const Settings& settings, bool keeps_energy, const Place& place) const {
   Warnings found;
   if (keeps_energy && std::isfinite(settings.trust.energy) && worst_.excess > 1)
-    found.push_back(
-        {"block_thrown", place,
-         fmt::format("energy of one block came from nothing: in step {} block {} near ({}, {}) moves at {}, "
-                     "while weight, loads and strains of all account for {} at most",
-                     worst_.step, worst_.number + 1, plain(worst_.at.x), plain(worst_.at.y), plain(worst_.speed, 3),
-                     plain(worst_.accounted, 3))});
+    found.push_back(warning_of({"block_thrown",
+                                {{{"step", worst_.step}, {"speed", worst_.speed}, {"accounted", worst_.accounted}},
+                                 {},
+                                 {worst_.number + 1},
+                                 {{worst_.at.x, worst_.at.y}}}},
+                               place));
+  constexpr double kDegrees = 180 / std::numbers::pi;
   if (turned_.angle > kTurned)
-    found.push_back(
-        {"turned_in_a_step", place,
-         fmt::format("contacts turned block {} near ({}, {}) by {:.3g} degrees in step {}; beyond {:.2g} the step does "
-                     "not resolve the impact or overlap",
-                     turned_.number + 1, plain(turned_.at.x), plain(turned_.at.y),
-                     turned_.angle * 180 / std::numbers::pi, turned_.step, kTurned * 180 / std::numbers::pi)});
+    found.push_back(warning_of(
+        {"turned_in_a_step",
+         {{{"step", turned_.step}, {"degrees", turned_.angle * kDegrees}, {"limit_degrees", kTurned * kDegrees}},
+          {},
+          {turned_.number + 1},
+          {{turned_.at.x, turned_.at.y}}}},
+        place));
   if (last_.share > kHangs && last_.fall > kFall)
-    found.push_back({"tension_without_strength", place,
-                     fmt::format("block {} near ({}, {}) hangs on block {}: contacts without tensile strength carry "
-                                 "{:.2g} of its weight as tension in {} of {} frames, which Shi's rules permit",
-                                 last_.number + 1, plain(last_.at.x), plain(last_.at.y), last_.other + 1, last_.share,
-                                 hung_[static_cast<std::size_t>(last_.number)], frames_)});
+    found.push_back(warning_of(
+        {"tension_without_strength",
+         {{{"share", last_.share}, {"concerned", hung_[static_cast<std::size_t>(last_.number)]}, {"frames", frames_}},
+          {},
+          {last_.number + 1, last_.other + 1},
+          {{last_.at.x, last_.at.y}}}},
+        place));
   return found;
 }
 

@@ -28,7 +28,6 @@ constexpr double kUnsettledCut = 0.3;    // automatic step: cut after passes wit
 constexpr double kSmallestShare = 0.01;  // smallest fraction of the given step after a cut
 
 // In the published source only acceptance leaves the loop around a step.
-constexpr const char* kRepeatedWithoutEnd = "Shi's programs repeat such a step without end";
 
 // The Berkeley program updates its contact count only for contacts that were not exchanged. A step that finds none of
 // these keeps the last list, as open contacts (legacy-rules 3, stale list).
@@ -125,15 +124,17 @@ class Attempts {
   std::variant<StepReport, StepFailure> run() {
     for (report_.redos = 0; report_.redos <= settings_.redo_limit; ++report_.redos) {
       const OpenCloseOutcome outcome = attempt();
-      if (!outcome.failure.empty()) return StepFailure{failure(outcome.failure), {}};
+      if (!outcome.failure.empty()) return failure(outcome.failure);
       contacts_ = outcome.contacts;
       unsettled_ = outcome.still_changing;
       verdict_ = judge_step(outcome);
       if (verdict_ == Verdict::accepted) return accept(outcome);
-      if (at_floor_again_) return moved_too_far("even at the smallest step");
+      if (at_floor_again_) return moved_too_far("blocks_move_too_far");
     }
-    if (verdict_ == Verdict::moved_too_far) return moved_too_far(fmt::format("in {} redone attempts", report_.redos));
-    return StepFailure{failure(why_no_end()), unsettled_};
+    if (verdict_ == Verdict::moved_too_far) return moved_too_far("blocks_move_too_far:in_attempts");
+    StepFailure found = failure(why_no_end());
+    found.contacts = unsettled_;
+    return found;
   }
 
  private:
@@ -196,49 +197,41 @@ class Attempts {
     return report_;
   }
 
-  std::string why_no_end() const {
-    switch (verdict_) {
-      case Verdict::contacts_unsettled:
-        return fmt::format("{} of {} contacts open and close without end: {}; {}", unsettled_.size(), contacts_.size(),
-                           unsettled_in_words(), kRepeatedWithoutEnd);
-      default:
-        return fmt::format("contacts stay too deep in {} redone attempts", report_.redos);
-    }
+  Finding why_no_end() const {
+    if (verdict_ != Verdict::contacts_unsettled) return {"contacts_stay_deep", {{{"attempts", report_.redos}}}};
+    return {"contacts_without_end",
+            {{{"unsettled", unsettled_.size()}, {"contacts", contacts_.size()}}, {{"names", unsettled_in_words()}}}};
   }
-  std::string failure(const std::string& what) const {
-    return fmt::format("step {} (time {}, dt {}): {}", stepping_.state.step + 1, stepping_.state.time, dt_, what);
+
+  StepFailure failure(Finding cause, FailureKind kind = FailureKind::undecided) const {
+    return failed("in_step:shi", {{{"step", stepping_.state.step + 1}, {"time", stepping_.state.time}, {"dt", dt_}}},
+                  std::move(cause), kind);
   }
+
   // Reports Shi's limit on the displacement of a step, with the block that exceeds it.
-  StepFailure moved_too_far(const std::string& when) const {
-    StepFailure told{failure(fmt::format("blocks move too far {}: {} by {}; a step may move {} ({:g} times "
-                                         "allowed_displacement_ratio times half the size of the scene){}; {}",
-                                         when, in_words(farthest_), plain(ratio_ * allowed(), 3),
-                                         plain(kGreatestRatio * allowed(), 3), kGreatestRatio,
-                                         why_no_step_is_short_enough(), kRepeatedWithoutEnd)),
-                     {}};
-    told.elements = {farthest_};
-    return told;
+  StepFailure moved_too_far(const char* form) const {
+    Facts facts = facts_of(farthest_);
+    facts.numbers.insert(facts.numbers.end(), {{"displacement", ratio_ * allowed()},
+                                               {"limit", kGreatestRatio * allowed()},
+                                               {"limit_ratio", kGreatestRatio},
+                                               {"attempts", report_.redos}});
+    if (no_step_is_short_enough()) facts.numbers.emplace_back("last_ratio", stepping_.history.displacement_ratio);
+    StepFailure found = failure({form, std::move(facts)});
+    found.elements = {farthest_};
+    return found;
   }
 
   // Bodies without forces move by D = v0 dt, with v0 = 2 D'/dt - v' from the last displacement D' (legacy-rules 7.4). D
   // tends to 2 D' as dt vanishes.
-  std::string why_no_step_is_short_enough() const {
-    const double last = stepping_.history.displacement_ratio;
-    if (!settings_.quirks.velocity_from_coming_step || start_.step == 0 || 2 * last <= kGreatestRatio) return {};
-    return fmt::format(
-        "; the step before moved {:.3g} times allowed_displacement_ratio, and velocities from the next step size let "
-        "free blocks move twice as far in it, however short it is",
-        last);
+  bool no_step_is_short_enough() const {
+    return settings_.quirks.velocity_from_coming_step && start_.step != 0 &&
+           2 * stepping_.history.displacement_ratio > kGreatestRatio;
   }
 
   StepFailure gone_wrong(ElementIndex bad) const {
-    StepFailure told{failure(fmt::format("block {} is turned inside out or no longer finite; before the step it was "
-                                         "{}; Shi's programs have no such test, and continue",
-                                         bad.value + 1, in_words(bad))),
-                     {},
-                     FailureKind::inside_out};
-    told.elements = {bad};
-    return told;
+    StepFailure found = failure({"turned_inside_out:shi", facts_of(bad)}, FailureKind::inside_out);
+    found.elements = {bad};
+    return found;
   }
 
   double drawn_area(ElementIndex e) const {
@@ -250,12 +243,15 @@ class Attempts {
   }
 
   // Areas change as blocks rotate under Shi's rules, so that only the drawn area shows whether a block is a sliver.
-  std::string in_words(ElementIndex e) const {
+  Facts facts_of(ElementIndex e) const {
     const ElementState& block = stepping_.state.elements[e];
     const double drawn = drawn_area(e);
-    return fmt::format("block {} at {}, {} (area {}; drawn with {}, {:.2g} % of the mean)", e.value + 1,
-                       plain(block.centroid.x), plain(block.centroid.y), plain(block.moments.area, 3), plain(drawn, 3),
-                       100 * drawn / scene_.model.mean_area);
+    return {{{"area", block.moments.area},
+             {"drawn_area", drawn},
+             {"percent_of_mean", 100 * drawn / scene_.model.mean_area}},
+            {},
+            {e.value + 1},
+            {{{block.centroid.x, block.centroid.y}}}};
   }
 
   double allowed() const { return settings_.allowed_displacement_ratio * scene_.model.scale; }

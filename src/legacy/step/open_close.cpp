@@ -52,13 +52,12 @@ OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, co
     add_friction(outcome.contacts, model, state, system);
     const std::optional<Solution> solution = covers.solve(system, kind, solver);
     if (!solution) {
-      outcome.failure = "the system of equations could not be solved";
+      outcome.failure = {"system_not_solved"};
       return outcome;
     }
     outcome.residual = std::max(outcome.residual, solution->residual);
     if (outcome.residual > kUselessResidual) {
-      outcome.failure =
-          fmt::format("the solution leaves forces out of balance by {:.1e} of the load", outcome.residual);
+      outcome.failure = {"solution_out_of_balance", {{{"residual", outcome.residual}}}};
       return outcome;
     }
     outcome.increments = covers.increments(*solution);

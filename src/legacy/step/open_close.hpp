@@ -35,7 +35,7 @@ struct OpenCloseOutcome {
   int passes = 0;
   double residual = 0;                      ///< largest relative residual of its solves
   std::vector<std::size_t> still_changing;  ///< contacts that changed in the last pass; empty if the iteration ended
-  std::string failure;                      ///< reason why a solve was unusable; empty if none was
+  Finding failure;                          ///< reason why a solve was unusable; empty if none was
 };
 
 OpenCloseOutcome open_close(const System& without_contact, Contacts contacts, const Model& model, const State& state,

@@ -59,11 +59,8 @@ Next next_of(const std::vector<TipState>& tips, const std::vector<CrackStart>& s
   return next;
 }
 
-std::string why_none(const std::vector<TipState>& tips) {
-  const auto is_pressed = [](const TipState& tip) { return tip.has_room && tip.mode_1 < 0; };
-  if (std::ranges::any_of(tips, is_pressed))
-    return "the faces of cracks are pressed together (K_I below 0), and slide by no more than the error of K";
-  return "nothing pulls at any, or the rock there has no toughness";
+bool are_pressed(const std::vector<TipState>& tips) {
+  return std::ranges::any_of(tips, [](const TipState& tip) { return tip.has_room && tip.mode_1 < 0; });
 }
 
 }  // namespace
@@ -109,7 +106,7 @@ std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved(const std
   try {
     result.stepper = scene_stepper(scene_with(cracks, factor));
   } catch (const InputError& error) {
-    return failure(fmt::format("cracks cannot go on so: {}", error.what()));
+    return failure({"cracks_cannot_go_on", {{}, {{"input", error.what()}}}});
   }
   std::variant<StepReport, StepFailure> made = result.stepper->advance();
   if (const auto* why = std::get_if<StepFailure>(&made)) return *why;
@@ -129,10 +126,11 @@ std::optional<StepFailure> GrowthStepper::unfit_tip(const Stepper& solved, std::
       tips[i].goes_on = true;
       continue;
     }
-    return failure(
-        fmt::format("{} cannot go on: {} is {:.4g} away, and no domain of elements of the size there fits "
-                    "before it: a smaller tip_side, or another increment",
-                    words_of(tips[i], i), tip.nearest, tip.room));
+    return failure({"tip_cannot_go_on",
+                    {{{"tip", i + 1}, {"room", tip.room}},
+                     {{"name", words_of(tips[i], i)}, {"nearest", tip.nearest}},
+                     {},
+                     {{{tips[i].at.x, tips[i].at.y}}}}});
   }
   return std::nullopt;
 }
@@ -197,7 +195,7 @@ std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved_at_toughn
     if (!(greatest > 0)) break;
     factor /= greatest;
   }
-  return failure(fmt::format("no factor of the loads brings a tip to its toughness within {} %", 100 * kNearEnough));
+  return failure({"no_load_factor", {{{"percent", 100 * kNearEnough}}}});
 }
 
 std::variant<StepReport, StepFailure> GrowthStepper::advance() {
@@ -208,7 +206,7 @@ std::variant<StepReport, StepFailure> GrowthStepper::advance() {
   const bool goes_through = std::ranges::any_of(under_unit.tips, &TipState::goes_on);
   Next next = next_of(under_unit.tips, under_unit.starts);
   if (!goes_through && next.tips.empty() && next.starts.empty())
-    return failure(fmt::format("no tip extends and no crack starts: {}", why_none(under_unit.tips)));
+    return failure({are_pressed(under_unit.tips) ? "no_tip_extends:pressed" : "no_tip_extends"});
   const bool is_loaded = !next.tips.empty() || !next.starts.empty();
   double factor = is_loaded ? next.factor : load_factor_;
   auto loaded = solved_at_toughness(factor, next.tips);

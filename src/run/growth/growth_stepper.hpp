@@ -59,7 +59,7 @@ class GrowthStepper : public StepperOfScenes {
   std::vector<double> corrections(const std::vector<CrackPlan>& trial) const;
   /// Sets the cracks of the next step, or the end of the run.
   void put_next();
-  StepFailure failure(const std::string& why) const { return {why, {}, FailureKind::cracks, 0}; }
+  StepFailure failure(Finding why) const { return failed("alone", {}, std::move(why), FailureKind::cracks); }
 
   Scene first_;
   std::unique_ptr<Stepper> now_;

@@ -174,8 +174,8 @@ void place_on(const Manifold& manifold, std::vector<PartingFaces>& parting, cons
 }
 
 StepFailure cannot_go_on(int step, const std::exception& error) {
-  const std::string why = fmt::format("step {}: cracks cannot go on so: {}", step, error.what());
-  return {why, {}, FailureKind::cracks};
+  return failed("in_step_alone", {{{"step", step}}}, {"cracks_cannot_go_on", {{}, {{"input", error.what()}}}},
+                FailureKind::cracks);
 }
 
 /// If the accelerating part was cut off by a crack, naming that cut is more helpful than numbers of elements.
@@ -188,12 +188,16 @@ StepFailure parted(StepFailure failure, const StandardStepper& now) {
   for (const FreePiece& piece : pieces)
     if (piece.cut && (!nearest || distance(piece.middle, moving.middle()) < distance(nearest->middle, moving.middle())))
       nearest = &piece;
-  if (nearest)
-    failure.reason = fmt::format(
-        "step {}: cracks part a body, and there is no equilibrium under the given loads: the piece about ({:.6g}, "
-        "{:.6g}), cut off along the way from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}), moves away",
-        now.state().step + 1, nearest->middle.x, nearest->middle.y, nearest->cut->start.x, nearest->cut->start.y,
-        nearest->cut->end.x, nearest->cut->end.y);
+  if (!nearest) return failure;
+  const Point middle = nearest->middle, start = nearest->cut->start, end = nearest->cut->end;
+  StepFailure named = failed("in_step_alone", {{{"step", now.state().step + 1}}},
+                             {"cracks_part_body",
+                              {{{"start_x", start.x}, {"start_y", start.y}, {"end_x", end.x}, {"end_y", end.y}},
+                               {},
+                               {},
+                               {{{middle.x, middle.y}}}}});
+  failure.reason = std::move(named.reason);
+  failure.cause = std::move(named.cause);
   return failure;
 }
 

@@ -27,7 +27,7 @@ class BlockBodies : public BodyGroup {
   bool takes_holes() const override { return true; }
   bool has_compatible_start() const override { return true; }
   std::optional<ElasticLaw> law_of_large_strain(const SceneParts&, ElementIndex) const override { return {}; }
-  std::string_view why_unheld() const override { return {}; }
+  bool needs_fixed_points() const override { return false; }
   void add_to(MassRange& range, double contact_stiffness) const override;
 
   void carry_over(const SceneParts& scene, UnknownsTable& v) const override;

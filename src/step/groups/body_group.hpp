@@ -149,8 +149,8 @@ class BodyGroup {
   virtual std::optional<ElasticLaw> law_of_large_strain(const SceneParts& scene, ElementIndex e) const = 0;
   /// Returns the displacement functions that the bodies share; null if each has unknowns of its own.
   virtual const CoverBasis* shared_basis() const { return nullptr; }
-  /// Returns text to append to the report of a body without equilibrium.
-  virtual std::string_view why_unheld() const = 0;
+  /// Returns true if two fixed points must support a body.
+  virtual bool needs_fixed_points() const = 0;
   /// Adds the masses and frequencies of the bodies. `contact_stiffness`: of springs that may hold bodies; 0 without
   /// springs.
   virtual void add_to(MassRange& range, double contact_stiffness) const = 0;

@@ -31,7 +31,7 @@ class CoverGroup final : public BodyGroup {
   bool has_compatible_start() const override { return false; }
   std::optional<ElasticLaw> law_of_large_strain(const SceneParts& scene, ElementIndex e) const override;
   const CoverBasis* shared_basis() const override { return &bodies_->basis(); }
-  std::string_view why_unheld() const override { return "; its body has fewer than two fixed points"; }
+  bool needs_fixed_points() const override { return true; }
   void add_to(MassRange& range, double contact_stiffness) const override;
 
   void put_start(const SceneParts& scene, BodiesMotion& motion) const override;

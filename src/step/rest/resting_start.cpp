@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/union_find.hpp"
+#include "base/words/sentences.hpp"
 #include "model/shared_covers.hpp"
 #include "step/newton/tolerances.hpp"
 #include "step/rest/static_shares.hpp"
@@ -140,7 +141,7 @@ class RestSearch {
   }
 
   static std::string why_not(const StandardStep& made) {
-    return made.failure.empty() ? "no equilibrium: the search for contact forces does not converge" : made.failure;
+    return sentence_of(made.failure.empty() ? Finding{"no_contact_forces_found"} : made.failure);
   }
 
   void tell(const std::string& why) { result_.unbalanced += (result_.unbalanced.empty() ? "" : "; ") + why; }

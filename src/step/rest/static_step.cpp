@@ -41,7 +41,7 @@ class StaticSolve {
     if (!choose_scales()) return finished();
     if (!std::isfinite(load_)) {
       result_.residual = 1;
-      result_.failure = "the loads are too great to be calculated with";
+      result_.failure = {"loads_not_finite"};
       return finished();
     }
     const Balance at_start = balance_of(scene_, start_, time_, load_);
@@ -63,9 +63,7 @@ class StaticSolve {
       if (!result_.moving.empty()) result_.failure = no_equilibrium(scene_, result_.moving);
     }
     if (result_.converged && result_.failure.empty())
-      result_.failure =
-          fmt::format("no equilibrium found in {} iterations, forces out of balance by {:.1e} of the load", iterations_,
-                      result_.residual);
+      result_.failure = {"no_equilibrium_found", {{{"iterations", iterations_}, {"residual", result_.residual}}}};
     return finished();
   }
 

@@ -61,14 +61,18 @@ std::string_view noun_of(const StandardScene& scene, const std::vector<ElementIn
 }
 
 // Slivers are the most frequent blocks without equilibrium.
+ElementIndex smallest_of(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
+  return *std::ranges::min_element(blocks, {}, [&](ElementIndex e) { return scene.reference.moments[e].area; });
+}
+
 std::string smallest_in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
-  const auto area_of = [&](ElementIndex e) { return scene.reference.moments[e].area; };
-  const ElementIndex smallest = *std::ranges::min_element(blocks, {}, area_of);
+  const ElementIndex smallest = smallest_of(scene, blocks);
+  const double area = scene.reference.moments[smallest].area;
   const Point at = scene.reference.centroids[smallest];
   const std::string which =
       blocks.size() > 1 ? fmt::format("the smallest, {}, ", scene.model.number_of(smallest)) : std::string();
-  return fmt::format("{}at {}, {}; area {}, {:.3g} % of the mean", which, plain(at.x), plain(at.y),
-                     plain(area_of(smallest), 3), 100 * area_of(smallest) / scene.model.mean_area);
+  return fmt::format("{}at {}, {}; area {}, {:.3g} % of the mean", which, plain(at.x), plain(at.y), plain(area, 3),
+                     100 * area / scene.model.mean_area);
 }
 
 }  // namespace
@@ -127,14 +131,19 @@ std::string in_words(const StandardScene& scene, const std::vector<ElementIndex>
                      listed(numbers_of(scene, blocks)), smallest_in_words(scene, blocks));
 }
 
-std::string no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
-  const std::vector<int> numbers = numbers_of(scene, blocks);
-  const bool several = numbers.size() > 1;
-  std::string_view why;
-  for (const ElementIndex e : blocks)
-    if (why.empty()) why = scene.groups.of(e).why_unheld();
-  return fmt::format("no equilibrium: {}{} {} accelerate{} ({}){}", noun_of(scene, blocks), several ? "s" : "",
-                     listed(numbers), several ? "" : "s", smallest_in_words(scene, blocks), why);
+Finding no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks) {
+  const ElementIndex smallest = smallest_of(scene, blocks);
+  const double area = scene.reference.moments[smallest].area;
+  const Point at = scene.reference.centroids[smallest];
+  Facts facts{{{"smallest", scene.model.number_of(smallest)},
+               {"area", area},
+               {"percent_of_mean", 100 * area / scene.model.mean_area}},
+              {{"noun", std::string(noun_of(scene, blocks))}},
+              numbers_of(scene, blocks),
+              {{{at.x, at.y}}}};
+  if (std::ranges::any_of(blocks, [&](ElementIndex e) { return scene.groups.of(e).needs_fixed_points(); }))
+    facts.numbers.emplace_back("least_fixed_points", 2);
+  return {blocks.size() > 1 ? "no_equilibrium:several" : "no_equilibrium", std::move(facts)};
 }
 
 }  // namespace keyblock

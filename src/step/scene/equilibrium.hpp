@@ -41,9 +41,9 @@ std::string part_name(const StandardScene& scene, ElementIndex e);
 /// Names blocks and their initial places, as in "block 3 (at 2.5, 1; area 0.04, 0.312 % of the mean)".
 std::string in_words(const StandardScene& scene, const std::vector<ElementIndex>& blocks);
 
-/// Returns "no equilibrium: block 3 accelerates (at 2.5, 1; area 0.04, 0.312 % of the mean)". Place and area are
-/// initial values, of the smallest block if there are several. For an NMM element the text adds that its body has no
-/// support.
-std::string no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks);
+/// Reports "no equilibrium: block 3 accelerates (at 2.5, 1; area 0.04, 0.312 % of the mean)". Place and area are
+/// initial values, of the smallest block if there are several. For an NMM element the sentence adds that its body has
+/// no support.
+Finding no_equilibrium(const StandardScene& scene, const std::vector<ElementIndex>& blocks);
 
 }  // namespace keyblock

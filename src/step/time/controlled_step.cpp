@@ -82,7 +82,7 @@ class Parts {
     StandardStep made = standard_step(scene_, result_.step.motion, time_, dt);
     const Verdict verdict =
         made.converged ? judged(made.motion, dt) : Verdict{false, of_step_control::kUnsolvedCut * dt};
-    if (made.converged && is_least && !std::isfinite(moved(made.motion))) made.failure = "blocks move without bound";
+    if (made.converged && is_least && !std::isfinite(moved(made.motion))) made.failure = {"blocks_move_without_bound"};
     made.solves += result_.step.solves;
     made.fallbacks += result_.step.fallbacks;
     made.halvings += result_.step.halvings;

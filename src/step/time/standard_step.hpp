@@ -26,7 +26,7 @@ struct StandardStep {
   RoundsEnd end = RoundsEnd::no_contact_forces;  ///< reason of the end of its iterations without convergence
   Touches touches;                               ///< all that were considered
   std::vector<std::size_t> undecided;            ///< of the contacts: those that cycled
-  std::string failure;                           ///< other reason for the failure of the step; empty without failure
+  Finding failure;                               ///< other reason for the failure of the step; empty without failure
   std::vector<ElementIndex> moving;              ///< statics: the step failed because these move away
   std::optional<ElementIndex> turned;            ///< the step failed because this one turned inside out
 };
