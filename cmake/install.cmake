@@ -15,7 +15,7 @@ add_custom_target(keyblock_pages ALL DEPENDS ${pages}/keyblock.1 ${pages}/keyblo
 
 install(TARGETS keyblock RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS keyblock_library EXPORT keyblock LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/include/keyblock/keyblock.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/keyblock)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/keyblock DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
 install(FILES ${pages}/keyblock.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${pages}/keyblock DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 

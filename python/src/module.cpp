@@ -1,5 +1,5 @@
 // Binds the public library to Python: the module keyblock._keyblock, which the package wraps. Includes nothing of the
-// project but keyblock.hpp, so that another binding could replace this file.
+// project but the public headers, so that another binding could replace this file.
 //
 // Columns become NumPy views without copies: a capsule keeps their owner. Computations run without Python's lock. A
 // call from the main thread computes on a thread of its own, so that Ctrl-C takes effect. It stops the context, and
@@ -18,6 +18,8 @@
 #include <exception>
 #include <functional>
 #include <keyblock/keyblock.hpp>
+#include <keyblock/record.hpp>
+#include <keyblock/studies.hpp>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -302,10 +304,23 @@ void bind_errors(py::module_& m) {
   });
 }
 
+py::dict dict_of(const std::vector<std::pair<std::string, double>>& numbers) {
+  py::dict found;
+  for (const auto& [name, value] : numbers) found[py::str(name)] = value;
+  return found;
+}
+
 void bind_values(py::module_& m) {
   py::class_<kb::Warning>(m, "Warning", "A likely mistake or a doubt, with a stable code and its place.")
       .def_readonly("code", &kb::Warning::code)
       .def_readonly("sentence", &kb::Warning::sentence)
+      .def_readonly("level", &kb::Warning::level, "error, warning, note or silent.")
+      .def_property_readonly(
+          "numbers", [](const kb::Warning& w) { return dict_of(w.facts.numbers); },
+          "Values behind the sentence, by name.")
+      .def_property_readonly(
+          "blocks", [](const kb::Warning& w) { return w.facts.blocks; }, "Blocks or elements, from 1.")
+      .def_property_readonly("points", [](const kb::Warning& w) { return w.facts.points; })
       .def_property_readonly("file", [](const kb::Warning& w) { return w.place.file; })
       .def_property_readonly("line", [](const kb::Warning& w) { return w.place.line; })
       .def_property_readonly("column", [](const kb::Warning& w) { return w.place.column; })
@@ -313,7 +328,8 @@ void bind_values(py::module_& m) {
            [](const kb::Warning& w) {
              std::string place = w.place.file;
              if (w.place.line > 0) place += ":" + std::to_string(w.place.line) + ":" + std::to_string(w.place.column);
-             return (place.empty() ? "" : place + ": ") + "warning: " + w.sentence + " [" + w.code + "]";
+             const std::string level = w.level == "silent" ? "note" : w.level;
+             return (place.empty() ? "" : place + ": ") + level + ": " + w.sentence + " [" + w.code + "]";
            })
       .def("__repr__", [](const kb::Warning& w) { return "<Warning " + w.code + ">"; });
   py::class_<kb::Step>(m, "Step", "An accepted step.")
@@ -331,6 +347,14 @@ void bind_values(py::module_& m) {
           "end", [](const kb::Outcome& o) { return name_of(o.end); },
           "running, finished, stopped, failed, or doubtful: it finished, and its results are unreliable.")
       .def_readonly("reason", &kb::Outcome::reason, "Reason of a failure.")
+      .def_readonly("failure", &kb::Outcome::failure, "no_equilibrium, undecided or cracks; empty without a failure.")
+      .def_readonly("cause", &kb::Outcome::cause, "Code of the reason, such as contacts_do_not_settle.")
+      .def_property_readonly(
+          "numbers", [](const kb::Outcome& o) { return dict_of(o.facts.numbers); },
+          "Values behind the reason, by name.")
+      .def_property_readonly(
+          "blocks", [](const kb::Outcome& o) { return o.facts.blocks; }, "Blocks or elements that failed, from 1.")
+      .def_property_readonly("points", [](const kb::Outcome& o) { return o.facts.points; })
       .def_readonly("steps", &kb::Outcome::steps)
       .def_readonly("time", &kb::Outcome::time)
       .def_readonly("displacement", &kb::Outcome::displacement, "The largest of any point at the end.")

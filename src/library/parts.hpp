@@ -15,6 +15,7 @@
 #include "api/plan.hpp"
 #include "base/context.hpp"
 #include "base/error.hpp"
+#include "base/words/diagnostics.hpp"
 #include "formats/case.hpp"
 #include "formats/columns/frame_columns.hpp"
 
@@ -75,10 +76,15 @@ inline Place place_of(const keyblock::Place& place) {
   return {place.file.text(), place.line, place.column};
 }
 
+inline Facts public_facts(const keyblock::Facts& facts) {
+  return {facts.numbers, facts.elements, facts.points};
+}
+
 inline std::vector<Warning> public_warnings(const Warnings& warnings) {
   std::vector<Warning> all;
   for (const keyblock::Warning& warning : warnings)
-    all.push_back({warning.name, warning.sentence, place_of(warning.place)});
+    all.push_back({warning.name, warning.sentence, place_of(warning.place),
+                   std::string(word_of(level_of(warning.name))), public_facts(warning.facts)});
   return all;
 }
 

@@ -3,11 +3,13 @@
 #include "run/run.hpp"
 
 #include <functional>
+#include <keyblock/record.hpp>
 #include <memory>
 #include <optional>
 
 #include "job/recorded_run.hpp"
 #include "job/run_doubts.hpp"
+#include "job/run_report.hpp"
 #include "job/run_warnings.hpp"
 #include "job/verdict/end_of_motion.hpp"
 #include "library/kept_histories.hpp"
@@ -18,13 +20,22 @@
 namespace keyblock::api {
 namespace {
 
+void put_failure(Outcome& outcome, const RunOutcome& run) {
+  if (run.end != RunEnd::failed) return;
+  outcome.reason = run.reason;
+  outcome.failure = word_for(run.failure);
+  outcome.cause = run.cause.code();
+  outcome.facts = public_facts(run.cause.facts);
+  outcome.facts.blocks = run.numbers.empty() ? run.cause.facts.elements : run.numbers;
+}
+
 Outcome outcome_of(const Prepared& prepared, const RunRecord& record) {
   Outcome outcome;
   outcome.end = record.outcome.end == RunEnd::failed    ? End::failed
                 : record.outcome.end == RunEnd::stopped ? End::stopped
                 : record.doubts.empty()                 ? End::finished
                                                         : End::doubtful;
-  outcome.reason = record.outcome.reason;
+  put_failure(outcome, record.outcome);
   outcome.steps = record.outcome.steps;
   outcome.time = record.outcome.time;
   outcome.displacement = record.extremes.displacement;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <keyblock/studies.hpp>
 #include <numbers>
 
 #include "library/parts.hpp"

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <keyblock/keyblock.hpp>
+#include <keyblock/studies.hpp>
 #include <numbers>
 #include <thread>
 
@@ -116,6 +118,21 @@ TEST(Api, errors_name_their_place) {
   EXPECT_THROW(kb::Plan(slide(), {"no_profile", {}}), kb::SettingError);
   EXPECT_THROW(kb::Plan(slide(), {"", {{"no_setting", "1"}}}), kb::SettingError);
   EXPECT_THROW(kb::Case::read({}), kb::SettingError);
+}
+
+// A block on a plane steeper than its friction has no equilibrium.
+TEST(Api, a_failure_is_told_by_values) {
+  kb::Run run(kb::Plan(slide(), {"standard", {{"motion", "static"}}}));
+  const kb::Outcome& outcome = run.go_on();
+  ASSERT_EQ(outcome.end, kb::End::failed);
+  EXPECT_EQ(outcome.failure, "no_equilibrium");
+  EXPECT_EQ(outcome.cause, "no_equilibrium");
+  EXPECT_EQ(outcome.facts.blocks, std::vector<int>{2});
+  EXPECT_EQ(outcome.facts.points.size(), 1U);
+  const auto area = std::ranges::find(outcome.facts.numbers, "area", &std::pair<std::string, double>::first);
+  ASSERT_NE(area, outcome.facts.numbers.end());
+  EXPECT_NE(outcome.reason.find("block 2 accelerates"), std::string::npos) << outcome.reason;
+  for (const kb::Warning& warning : outcome.warnings) EXPECT_FALSE(warning.level.empty()) << warning.code;
 }
 
 TEST(Api, a_run_left_by_its_caller_goes_on_to_the_same_bits) {

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <keyblock/keyblock.hpp>
+#include <keyblock/record.hpp>
 #include <set>
 #include <string>
 

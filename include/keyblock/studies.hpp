@@ -1,0 +1,65 @@
+// Declares studies of many runs: factor of safety, stress intensity factors, rows of a random sweep.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <keyblock/keyblock.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace keyblock::api {
+inline namespace v1 {
+
+/// A trial of a strength reduction.
+struct Trial {
+  double factor = 1;
+  std::string verdict;  ///< "stands", "falls", "undecided"
+  std::string why;
+  double displacement = 0;  ///< the largest
+};
+
+struct Strength {
+  std::optional<double> stands, falls;  ///< the bracket of the factor of safety
+  std::string end;                      ///< "bracketed", "falls", "stands", "undecided", "stopped"
+  std::vector<Trial> trials;
+  std::vector<std::string> notes;
+  std::vector<Warning> warnings;  ///< of reading, preparing and looking ahead
+};
+
+/// Divides the strength of "joints", "rock" or "both" until the case no longer stands: the search of `keyblock fos`,
+/// without its second one on a coarser mesh. If `what` is empty or `within` 0, it is that of the `case.json` of a
+/// folder, else "joints" or 0.01. The range of the search and its exemptions are always those of `case.json`. Throws
+/// SettingError for another word, or a width below 0.
+KEYBLOCK_API Strength factor_of_safety(const Case& of, std::string_view what = {}, double within = 0,
+                                       const Choices& choices = {}, const Context& context = Context());
+
+/// A crack tip at the end of the loads.
+struct Tip {
+  double x = 0, y = 0;              ///< undeformed
+  double ahead_x = 0, ahead_y = 0;  ///< of length 1, along the crack into the rock
+  double k1 = 0, k2 = 0;            ///< stress intensity, force over length^1.5
+  double j = 0;                     ///< energy release rate, force over length
+  double kink_deg = 0;              ///< where it would go on, from straight ahead to the left
+  double k_equivalent = 0;
+  double spread = 0;  ///< of K_I between integration domains, as a share of K
+  std::string doubt;  ///< why it cannot be trusted; empty where nothing speaks against it
+};
+
+struct Intensity {
+  std::vector<Tip> tips;
+  std::vector<Warning> warnings;
+};
+
+/// Stress intensity factors of all tips, as `keyblock sif`. Throws InputError for a case without cracks.
+KEYBLOCK_API Intensity stress_intensity(const Case& of, const Choices& choices = {},
+                                        const Context& context = Context());
+
+/// Rows of a Latin hypercube over "KEY=VALUES", as `keyblock sweep --over --random`: a JSON list of objects. The same
+/// seed gives the same rows. Throws SettingError.
+KEYBLOCK_API std::string random_rows(const std::vector<std::string>& keys, std::size_t count, std::uint64_t seed = 1);
+
+}  // namespace v1
+}  // namespace keyblock::api
