@@ -107,8 +107,10 @@ Json outcome_json(const RunRecord& record, const Prepared& prepared) {
   if (outcome.end == RunEnd::failed) {
     json["reason"] = outcome.reason;
     json["failure"] = word_for(outcome.failure);
-    json["cause"] = {{"code", outcome.cause.code()}};
-    json["cause"].update(facts_json(outcome.cause.facts));
+    if (!outcome.cause.empty()) {
+      json["cause"] = {{"code", outcome.cause.code()}};
+      json["cause"].update(facts_json(outcome.cause.facts));
+    }
     json["contacts"] = contacts;
     json["blocks"] = Json::array();
     for (const int number : outcome.numbers) json["blocks"].push_back(number);

@@ -84,6 +84,9 @@ TEST(RunWarnings, a_kind_is_told_once_with_its_first_step_and_its_place) {
   EXPECT_EQ(found[0].name, "step_moves_far");
   EXPECT_EQ(found[0].place, (Place{"in.ana", 7, 0}));
   EXPECT_TRUE(tells(found[0].sentence, {"step 2", "1.23 times", "2 of 4 steps"}));
+  const std::vector<std::pair<std::string, double>> values{
+      {"step", 2}, {"time", 0.02}, {"concerned", 2}, {"steps", 4}, {"ratio", 1.2345}};
+  EXPECT_EQ(found[0].facts.numbers, values);
 }
 
 // A ratio of 2 is a displacement of 1.5 m; blocks are 1 m wide.

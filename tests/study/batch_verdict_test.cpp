@@ -71,6 +71,7 @@ TEST(BatchVerdict, a_mechanism_under_statics_has_no_equilibrium_and_did_not_fail
   row.message = "standard: exit code 4: keyblock: error: step 1";
   report::CatalogueAnswer& standard = row.answers.back();
   standard.end = "failed: step 1 (time 0): no equilibrium: block 2 accelerates (at 4, 3; area 2)";
+  standard.reason = "step 1 (time 0): no equilibrium: block 2 accelerates (at 4, 3; area 2)";
   standard.failure = "no_equilibrium";
   const auto verdict = verdict_of(row, BatchAim::run);
   EXPECT_EQ(verdict.word, "no equilibrium");

@@ -49,8 +49,8 @@ TEST(Losses, what_is_gone_or_came_is_said) {
   EXPECT_EQ(losses(scene(), other), (Losses{{"units", 1, "{length, mass, time} → nothing"},
                                             {"drawing.joints", 1, "2 items → 1 item"},
                                             {"drawing.measured_points", 1, "1 item → nothing"},
-                                            {"analysis.contact_penalty", 1, "nothing → 0.5"},
-                                            {"run", 1, "nothing → {profile}"}}));
+                                            {"analysis.contact_penalty", 1, "nothing → 0.5", true},
+                                            {"run", 1, "nothing → {profile}", true}}));
 }
 
 TEST(Losses, everything_is_lost_to_nothing_part_by_part) {
