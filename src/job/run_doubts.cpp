@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 #include "fracture/near_tip_field.hpp"
 #include "fracture/tip_report.hpp"
 #include "geometry/shared_area.hpp"

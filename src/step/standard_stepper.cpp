@@ -10,7 +10,7 @@
 
 #include "base/context.hpp"
 #include "base/counted.hpp"
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 #include "contact/rows/constraints.hpp"
 #include "model/body_load.hpp"
 #include "result/describe.hpp"
