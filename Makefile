@@ -102,8 +102,9 @@ install: packages ## use | 1 s | puts program, library, header, man page and com
 	cp build/install_manifest.txt build/installed.txt
 	[ -n "$(DESTDIR)" ] || [ "$$(id -u)" != 0 ] || ldconfig
 
+INSTALLED ?= build/installed.txt
 uninstall: ## use | 1 s | removes what `make install` put there last
-	xargs -d '\n' -I {} rm -f "$(DESTDIR){}" <build/installed.txt
+	xargs -d '\n' -I {} rm -f "$(DESTDIR){}" <"$(INSTALLED)"
 
 # For any machine of this architecture, not for this one alone.
 deb: packages ## use | 16 min | makes Debian packages of what `make install` puts there and of the Python package, in build-deb

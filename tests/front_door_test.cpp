@@ -1,4 +1,5 @@
-// One way in: only api prepares a case, and no decision reads a sentence of the program.
+// One way in: only api prepares a case, no decision reads a sentence of the program, and below the program nothing
+// prints or changes the process.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -51,6 +52,22 @@ bool is_in(std::string_view file, std::string_view room) {
   return file.starts_with("src/" + std::string(room) + "/");
 }
 
+// Output to the terminal, working directory, environment, signals, end of the process.
+const std::regex& prints_or_changes_the_process() {
+  static const std::regex kDoes(
+      R"(std::(cout|cerr|clog)\b|\bspdlog::|\bfmt::print\(|\b(printf|fprintf|puts|fputs|perror)\()"
+      R"(|\b(chdir|fchdir|setenv|putenv|unsetenv|setlocale|umask|signal|sigaction|exit|_exit|abort)\()"
+      R"(|\bcurrent_path\([^e)])");
+  return kDoes;
+}
+
+// Variables that live as long as the process and may change: static members and locals, variables of a thread.
+const std::regex& keeps_state() {
+  static const std::regex kKeeps(R"(^\s*(inline )?(static|thread_local) (?!(inline )?(constexpr|consteval)\b))"
+                                 R"((?!.*\bconst [a-z_]+ *[={;])(?!const [^*;={<]*(<[^>]*>)?[^*;={]*[;={])[^(]*[;={])");
+  return kKeeps;
+}
+
 }  // namespace
 
 // Codes and values decide: `Warning::name`, `Facts`, `FailureKind`.
@@ -93,6 +110,42 @@ TEST(FrontDoor, only_api_reads_case_json_and_prepares) {
       ADD_FAILURE() << file << ":" << line << ": " << code;
   });
   EXPECT_GE(in_api, 3) << "the search finds what api does";
+}
+
+// The library is called by programs that own terminal, folder and signals, and that make many runs at once.
+TEST(FrontDoor, only_the_program_prints_or_changes_the_process) {
+  // Contexts of threads; numbers in the names of temporary files; one factorisation of CHOLMOD at a time.
+  constexpr std::array<std::string_view, 3> kKeep{"src/base/context.cpp", "src/job/files.cpp",
+                                                  "src/system/cholmod/sparse_factor.cpp"};
+  int kept = 0;
+  each_line([&](const std::string& file, const std::string& code, int line) {
+    if (is_in(file, "app") || is_in(file, "serve")) return;
+    if (code.find('(') != std::string::npos || code.find("std::c") != std::string::npos) {
+      EXPECT_FALSE(std::regex_search(code, prints_or_changes_the_process())) << file << ":" << line << ": " << code;
+    }
+    if (code.find("static ") == std::string::npos && code.find("thread_local ") == std::string::npos) return;
+    if (!std::regex_search(code, keeps_state())) return;
+    ++kept;
+    EXPECT_TRUE(std::ranges::find(kKeep, file) != kKeep.end()) << file << ":" << line << ": " << code;
+  });
+  EXPECT_EQ(kept, 3);
+}
+
+TEST(FrontDoor, the_search_for_output_and_state_finds_them) {
+  for (const char* const code :
+       {R"(std::cerr << "lost";)", R"(spdlog::warn("lost");)", R"(fmt::print("{}", 1);)", R"(if (chdir(folder) != 0))",
+        R"(fs::current_path(folder);)", R"(std::signal(SIGINT, SIG_DFL);)", R"(std::exit(1);)"})
+    EXPECT_TRUE(std::regex_search(code, prints_or_changes_the_process())) << code;
+  for (const char* const code : {R"(snprintf(text, 3, "%d", 1);)", R"(fs::current_path();)",
+                                 R"(fs::current_path(error);)", R"(file << "text";)", R"(run.exit_code();)"})
+    EXPECT_FALSE(std::regex_search(code, prints_or_changes_the_process())) << code;
+  for (const char* const code : {"  static int count = 0;", "static std::vector<double> rows;",
+                                 "thread_local int depth;", "  static std::atomic<unsigned> count{0};"})
+    EXPECT_TRUE(std::regex_search(code, keeps_state())) << code;
+  for (const char* const code :
+       {"static constexpr int kMost = 3;", "static const auto call = found;", "static double area(const Loop& loop) {",
+        "static void* const handle = open();", "  static const EVP_MD* const found = fetch();"})
+    EXPECT_FALSE(std::regex_search(code, keeps_state())) << code;
 }
 
 }  // namespace keyblock::front_door_test

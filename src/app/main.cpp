@@ -140,6 +140,12 @@ std::vector<std::string> as_asked(std::vector<std::string> arguments) {
   return arguments;
 }
 
+// Returns true for commands among the arguments; `shell` prints the options of all. The options of the others would take
+// a third of the start-up time.
+bool needs_options(const Command& command, const std::vector<std::string>& arguments) {
+  return std::ranges::any_of(arguments, [&](std::string_view word) { return word == command.name || word == "shell"; });
+}
+
 int run_program(const std::vector<std::string>& arguments) {
   CLI::App program{
       "Keyblock: discontinuous deformation analysis (DDA) and numerical manifold method (NMM) in two dimensions"};
@@ -155,6 +161,7 @@ int run_program(const std::vector<std::string>& arguments) {
     CLI::App* options = program.add_subcommand(command.name, command.sentence);
     options->fallthrough();
     options->footer(with_examples(command.examples));
+    if (!needs_options(command, arguments)) continue;
     const auto action = std::make_shared<Action>(command.configure(*options));
     options->callback([&chosen, action] { chosen = *action; });
   }

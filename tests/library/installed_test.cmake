@@ -30,4 +30,29 @@ expect(0 "step [0-9]+, time 0.[0-9]+" ${examples}/stop 0.2 ${cases}/sliding_bloc
 expect(0 "10 1.7.*15 .*20 0.9.*25 0.4" ${examples}/sweep ${cases}/sliding_block/a30_p20)
 expect(0 "1 crack 1 at .*K_I" ${examples}/crack ${cases}/crack_growth/cantilever_straight)
 expect(0 "keyblock" ${folder}/usr/bin/keyblock version)
-expect(0 "-lkeyblock" ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder}/usr/lib/pkgconfig cat ${folder}/usr/lib/pkgconfig/keyblock.pc)
+
+# By pkg-config alone, without CMake.
+find_program(pkg_config pkg-config)
+if(pkg_config)
+  run(${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder}/usr/lib/pkgconfig ${pkg_config} --cflags --libs keyblock)
+  string(STRIP "${told}" told)
+  separate_arguments(flags UNIX_COMMAND "${told}")
+  expect(0 "" c++ ${ROOT}/examples/slope.cpp ${flags} -o ${folder}/slope_by_pkg_config)
+  expect(0 "block 2 moved 0.9" ${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${folder}/usr/lib ${folder}/slope_by_pkg_config
+    ${cases}/sliding_block/a30_p20)
+else()
+  message("skipped: pkg-config is not installed")
+endif()
+
+# Removed as it came.
+file(GLOB_RECURSE installed ${folder}/usr/*)
+list(LENGTH installed count)
+if(count LESS 15)
+  message(FATAL_ERROR "expected program, library, headers, man page, completion and packages, found ${installed}")
+endif()
+file(COPY_FILE ${BUILD}/install_manifest.txt ${folder}/installed.txt)
+expect(0 "" make -C ${ROOT} uninstall INSTALLED=${folder}/installed.txt)
+file(GLOB_RECURSE left ${folder}/usr/*)
+if(left)
+  message(FATAL_ERROR "expected no file after make uninstall, found ${left}")
+endif()
