@@ -51,16 +51,16 @@ describe.skipIf(!has_browser)('editor', () => {
       colorScheme: scheme,
     });
     await page.waitForSelector('canvas');
-    await expect.poll(() => page.locator('canvas').getAttribute('data-view')).not.toContain(' 0');
+    await expect.poll(() => page.locator('canvas').getAttribute('data-view')).not.toBe('');
     return page;
   }
 
   /** Place on the screen of a point of the drawing. */
   async function at(page: Page, x: number, y: number): Promise<[number, number]> {
     const canvas = page.locator('canvas');
-    const [cx, cy, scale] = (await canvas.getAttribute('data-view'))!.split(' ').map(Number);
+    const [left, top, scale] = (await canvas.getAttribute('data-view'))!.split(' ').map(Number);
     const box = (await canvas.boundingBox())!;
-    return [box.x + box.width / 2 + (x - cx) * scale, box.y + box.height / 2 - (y - cy) * scale];
+    return [box.x + (x - left) * scale, box.y + (top - y) * scale];
   }
   const click = async (page: Page, x: number, y: number) => page.mouse.click(...(await at(page, x, y)));
   const drag = async (page: Page, from: [number, number], to: [number, number]) => {
@@ -162,6 +162,33 @@ describe.skipIf(!has_browser)('editor', () => {
     await click(page, 3, 2);
     await click(page, 3, 5);
     expect(await read(page, 'stages', 1, 'bolts')).toEqual([[3, 2, 3, 5, '20 MN/m/m', 0, '50 kN/m', 1]]);
+    await page.context().close();
+  });
+
+  test('places of the drawing stay put in the frame in which a tool changes the height of the canvas', async () => {
+    const page = await open('#/case/box.json');
+    // Script of the page sees the new layout before the canvas measures itself.
+    const seen = await page.evaluate(async () => {
+      const canvas = document.querySelector('canvas')!;
+      const look = () => {
+        const box = canvas.getBoundingClientRect();
+        const [left, top, scale] = canvas.dataset.view!.split(' ').map(Number);
+        return { height: box.height, x: box.x - left * scale, y: box.y + top * scale };
+      };
+      const before = look();
+      [...document.querySelectorAll<HTMLButtonElement>('.edit-tool')]
+        .find(own => own.textContent?.trim() === 'Excavation')!
+        .click();
+      for (let i = 0; i < 20; i++) await Promise.resolve();
+      const at_once = look();
+      await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 50))));
+      return { before, at_once, after: look() };
+    });
+    expect(seen.at_once.height).toBeLessThan(seen.before.height - 15);
+    for (const own of [seen.at_once, seen.after]) {
+      expect(Math.abs(own.x - seen.before.x)).toBeLessThan(0.6);
+      expect(Math.abs(own.y - seen.before.y)).toBeLessThan(0.6);
+    }
     await page.context().close();
   });
 
