@@ -280,7 +280,7 @@ export function CaseView({ paths }: { paths: string[] }) {
                   .filter(own => own.line && own.file && leaf_of(own.file) === leaf_of(current))
                   .map(own => ({ line: own.line!, is_error: errors.includes(own) || own.level === 'error' }))}
                 set={(next, caret) => change(next, 'typing', caret)}
-                schema={scene && is_json(current) ? state.schema.value : null}
+                schema={scene ? state.schema.value : null}
                 names={{
                   block: scene?.block_materials.map((_, i, all) => material_of(all, i, 'material')) ?? [],
                   joint: scene?.joint_materials.map((_, i, all) => material_of(all, i, 'joint')) ?? [],

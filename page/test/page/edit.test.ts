@@ -279,6 +279,28 @@ describe.skipIf(!has_browser)('editor', () => {
     await page.context().close();
   });
 
+  test('keys, sections and words of YAML are completed', async () => {
+    const page = await open('#/case/box.yaml');
+    const box = page.locator('textarea');
+    await box.fill('keyblock: 2\n');
+    await box.evaluate((own: HTMLTextAreaElement) => own.setSelectionRange(12, 12));
+    await box.pressSequentially('ana');
+    await page.getByRole('option', { name: 'analysis' }).waitFor();
+    await box.press('Enter');
+    await expect.poll(() => text(page)).toBe('keyblock: 2\nanalysis:\n  ');
+    await box.pressSequentially('ro');
+    await page.getByRole('option', { name: 'rotation' }).waitFor();
+    expect(await page.locator('.choices p').textContent()).toContain('Formula for rotation');
+    await box.press('Tab');
+    await expect.poll(() => text(page)).toBe('keyblock: 2\nanalysis:\n  rotation: first_order');
+    await box.pressSequentially('\n  ');
+    await box.press('Control+Space');
+    await expect
+      .poll(() => page.locator('.choices [role=option]').allTextContents())
+      .toEqual(['step_count', 'block_materials']);
+    await page.context().close();
+  });
+
   test('a new scene is saved as a case', async () => {
     const page = await open('#/new');
     await page.getByText('Drawn by hand').click();
