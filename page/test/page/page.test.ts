@@ -248,6 +248,30 @@ describe.skipIf(!has_browser)('page', () => {
       });
     }
 
+    test('the faster of WebGL2 and canvas is chosen by measurement, and named', async () => {
+      const big = make_wall({ columns: 50, rows: 40, frames: 50 });
+      const { page } = await open(browser, write_page('big', big.writer.scripts(big.head)), {}, '?draw=measure');
+      await decoded(page);
+      await page.evaluate(() => (window as Open).keyblock_page.state.go_to(3));
+      await expect
+        .poll(() => page.evaluate(() => (window as Open).keyblock_page.timing.cost?.webgl))
+        .toBeGreaterThan(0);
+      const { cost, renderer } = await page.evaluate(() => (window as Open).keyblock_page.timing);
+      expect(renderer).toBe(cost.webgl <= 1.3 * cost.canvas ? 'WebGL2' : 'canvas');
+      await page.keyboard.press('?');
+      expect(await page.locator('.renderer').textContent()).toContain(
+        `${renderer === 'WebGL2' ? 'WebGL2' : 'a canvas'} (WebGL2 takes ${cost.webgl.toFixed(0)} ms`,
+      );
+      await page.keyboard.press('Escape');
+      // The same picture as that of a page which draws on a canvas from the start.
+      if (renderer === 'canvas') expect(await page.locator('canvas.under').isHidden()).toBe(true);
+      figure(
+        'chosen by measurement',
+        `${renderer}: WebGL2 ${cost.webgl.toFixed(1)} ms, canvas ${cost.canvas.toFixed(1)} ms for a picture; ${(await rate(page)).toFixed(0)} fps`,
+      );
+      await page.context().close();
+    });
+
     test('2,000 blocks in 500 frames', async () => {
       const long = make_wall({ columns: 50, rows: 40, frames: 500 });
       const scripts = long.writer.scripts(long.head);
