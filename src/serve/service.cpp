@@ -79,6 +79,7 @@ Reply Service::get(const Target& target) {
   if (path == "/api/compare") return json_reply(results_.compare(parameters));
   if (path == "/api/jobs") return json_reply({{"jobs", jobs_.list()}});
   if (path == "/api/schema") return printed({"formats", "--schema"});
+  if (path == "/api/joint_schema") return printed({"formats", "--joint-schema"});
   if (path == "/api/materials") return printed({"formats", "--materials", "--json"});
   if (path == "/page" || path == "/report") return results_.page(path, parameters);
   if (path == "/") return {200, "text/html; charset=utf-8", std::string(start_page()), page_headers()};

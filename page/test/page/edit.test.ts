@@ -325,6 +325,15 @@ describe.skipIf(!has_browser)('editor', () => {
       .poll(() => page.locator('.edit-state').textContent())
       .toContain('The dip of bedding must be a number.');
     await page.getByLabel('Dip [°]').first().fill('30');
+    const spacing = page.getByLabel('Spacing [m]').first();
+    expect(await page.locator('label', { has: spacing }).first().getAttribute('title')).toBe(
+      'Mean distance between rows of joints. Permitted: greater than 0.',
+    );
+    await spacing.fill('-1');
+    await expect
+      .poll(() => page.locator('.edit-state').textContent())
+      .toContain('The spacing of bedding: expected greater than 0.');
+    await spacing.fill('3');
     await page.getByLabel('File').fill('own.json');
     await expect.poll(() => page.locator('.edit-state').textContent()).toContain('1 block');
     await page.getByRole('button', { name: 'Create the case' }).click();
