@@ -51,7 +51,8 @@ std::string last_folder;  // of the latest run
 /// Two walls of two blocks each, between them a bed and a cross joint, in metres.
 const char* const kJointed = R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"},
   "drawing": {"boundary_count": 4, "fixed_lines": [[0, 0, 10, 0]],
-    "joints": [[0, 0, 10, 0, 1], [10, 0, 10, 6, 1], [10, 6, 0, 6, 1], [0, 6, 0, 0, 1], [0, 3, 10, 3, 1], [5, 0, 5, 6, 2]]},
+    "joints": [[0, 0, 10, 0, 1], [10, 0, 10, 6, 1], [10, 6, 0, 6, 1], [0, 6, 0, 0, 1],
+               [0, 3, 10, 3, 1], [5, 0, 5, 6, 2]]},
   "analysis": {"step_count": 20, "time_step": 0.001, "gravity": 9.81,
     "joint_materials": [{"friction_angle_deg": 30}, {"friction_angle_deg": 20}],
     "block_materials": [{"density": 2500, "youngs_modulus": 5e9, "poissons_ratio": 0.25}]}})";
