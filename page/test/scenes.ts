@@ -131,7 +131,7 @@ export function make_wall(options: WallOptions): Wall {
     ],
     chunks: [],
     materials: ['granite <b>', 'marl'],
-    joints: ['rough'],
+    joints: ['rough', 'smooth <i>'],
     tables: [
       {
         name: 'history.csv',
@@ -248,7 +248,7 @@ export function make_wall(options: WallOptions): Wall {
                 [(row + Math.round(dx * 10)) % 5 === 0 ? 2 : 1],
                 [row],
                 [level === 0 ? (row === 1 ? NO_ROW : 0) : below],
-                [0],
+                [level % 2],
               ];
             });
           }),
