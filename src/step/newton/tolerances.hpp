@@ -266,7 +266,8 @@ inline constexpr double kEvenly = 1e-3;
 inline constexpr double kFarthestSlide = 1e-4;
 // Residual of the start, over the largest load on a block. All steps of the run inherit it. The goal is far below what
 // moves the lightest block: at 1e-6, noise of a nanometre in the drawing moved slivers by 3e-6 m. The second value is
-// accepted if the goal is out of reach, the third for wedged blocks under multipliers, which may have many solutions.
+// accepted if the goal is out of reach, and the goal of very many pairs, which pay twice the time for the first. The
+// third is accepted for wedged blocks under multipliers, which may have many solutions.
 inline constexpr double kForceGoal = 1e-9;
 inline constexpr double kForceTolerance = 1e-6;
 inline constexpr double kForceTolerated = 1e-3;

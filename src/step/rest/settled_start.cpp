@@ -177,8 +177,9 @@ class Settling {
       found_ = touches_of(scene_, motion_, scales_, scene_.settings.time_step);
       leave_overlaps(scene_, motion_, scales_, found_);
     }
-    const ForceTolerance tolerance{of_settled_start::kForceGoal * scales_.force,
-                                   of_settled_start::kForceTolerance * scales_.force,
+    const bool are_very_many = found_.size() > FrictionalProblem::kVeryManyPairs;
+    const double goal = are_very_many ? of_settled_start::kForceTolerance : of_settled_start::kForceGoal;
+    const ForceTolerance tolerance{goal * scales_.force, of_settled_start::kForceTolerance * scales_.force,
                                    of_settled_start::kForceTolerated * scales_.force};
     SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -1, 1, rule);
     for (int search = 1; search < of_settled_start::kMostSearches && made.converged; ++search) {
