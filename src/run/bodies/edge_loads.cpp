@@ -202,6 +202,8 @@ void add_candidates(const Model& model, const BlockSide& side, const Displacemen
 }  // namespace
 
 void put_edge_loads(Model& model, const LoadList& loads) {
+  model.edge_loads.clear();
+  model.support_rows.clear();
   if (loads.empty()) return;
   const double near = reach_of(model);
   const std::vector<BlockSide> sides = sides_of(model);
