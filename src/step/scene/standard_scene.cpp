@@ -201,6 +201,10 @@ Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const U
   return scales;
 }
 
+Scales scales_at(const StandardScene& scene, const BodiesMotion& motion, double time) {
+  return scales_of(scene, loads_at(scene, motion.q, time), motion.q, motion.v);
+}
+
 bool may_yield(const StandardScene& scene) {
   return std::ranges::any_of(scene.groups, [](const BodyGroups::Group& group) { return group->may_yield(); });
 }
