@@ -278,6 +278,21 @@ TEST(EdgeLoads, stages_switch_a_load_on_and_off) {
   expect(R"(, "first_stage": 1, "last_stage": 2)", 1, 2);
 }
 
+TEST(EdgeLoads, a_stage_with_equilibrium_lasts_as_long_as_its_loads_change) {
+  std::string text = case_of({}, block({}, {0, 0}, {4, 1}),
+                             R"("tractions": [{"along": [[4, 0], [4, 1]], "x": 2e5, "over_time": [[0, 1], [0.03, 2]]},
+                           {"along": [[4, 0], [4, 1]], "x": 1e5, "first_stage": 2}],
+          "displacements": [{"along": [[0, 0], [0, 1]], "held": "x"}, {"along": [[0, 0], [4, 0]], "held": "y"}])",
+                             kStatics);
+  text = text.substr(0, text.rfind('}')) +
+         R"(, "stages": [{"name": "a", "steps": 10, "equilibrium": 1e-3}, {"name": "b", "steps": 1}]})";
+  const auto stepper = stepper_of(text);
+  for (const double factor : {4 / 3.0, 5 / 3.0, 2.0, 2.5}) {
+    ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+    EXPECT_NEAR(stress_of(*stepper, 0, {}).xx, 2e5 * factor, 1e-3 * 2e5 * factor);
+  }
+}
+
 TEST(EdgeLoads, a_roller_of_the_first_stage_lets_go_in_the_second) {
   const std::string load = R"("pressure": 4000}], "displacements": [{"along": [[2, 0], [2, 1]], "held": "x", )"
                            R"("last_stage": 1)";
