@@ -45,10 +45,7 @@ set(arrows_of_rings
   "contact/solve/active_forces -> contact/solve/forces_of_blocks"
   "contact/solve/frictional_problem -> contact/solve/friction_newton"
   "contact/solve/frictional_problem -> contact/solve/interior_forces"
-  "contact/solve/pair_operator -> contact/solve/pair_system"
-  "material/crack_return -> material/yield_law"
-  "step/time/smooth_contacts -> step/time/smooth_solve"
-  "step/time/strike -> step/time/standard_step")
+  "contact/solve/pair_operator -> contact/solve/pair_system")
 set(most_files 25)                      # in a room or sub-room
 set(tests_of_the_whole bench extremes fuzz layers malformed support validate python)
 

@@ -374,12 +374,19 @@ void describe(F& f, In<F, FactorAt>& row) {
 }
 
 template <class F>
+void describe(F& f, In<F, ActiveStages>& stages) {
+  f.optional_index("first_stage", stages.first);
+  f.optional_index("last_stage", stages.last);
+}
+
+template <class F>
 void describe(F& f, In<F, TractionPlan>& traction) {
   f.rows("along", traction.along);
   f.formula("x", traction.x);
   f.formula("y", traction.y);
   f.formula("pressure", traction.pressure);
   f.rows("over_time", traction.over_time);
+  describe(f, traction.stages);
 }
 
 template <class F>
@@ -390,6 +397,7 @@ void describe(F& f, In<F, DisplacementPlan>& displacement) {
   f.formula("y", displacement.y);
   f.formula("normal", displacement.normal);
   f.rows("over_time", displacement.over_time);
+  describe(f, displacement.stages);
 }
 
 template <class F>

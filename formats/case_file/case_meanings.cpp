@@ -124,9 +124,9 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
      "force per length of the boundary along a chain of points: (x, y) minus pressure times the outward normal, which "
      "turns with a block"},
     {"along", "chain of points on the boundary of bodies; along a joint, on both of its sides"},
-    {"tractions.x", "x component, F/L²; a number or an expression in x, y, nx, ny"},
-    {"tractions.y", "y component, F/L²; a number or an expression in x, y, nx, ny"},
-    {"pressure", "pressure, F/L²; a number or an expression in x, y, nx, ny"},
+    {"tractions.x", "x component, F/L²; a number or an expression in x, y, nx, ny, of blocks also t"},
+    {"tractions.y", "y component, F/L²; a number or an expression in x, y, nx, ny, of blocks also t"},
+    {"pressure", "pressure, F/L²; a number or an expression in x, y, nx, ny, of blocks also t"},
     {"displacements", "prescribed displacement along a chain of points"},
     {"held",
      "prescribed components: both, x, y, or the one along the normal. normal with value 0 is a line of symmetry"},
@@ -138,6 +138,8 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
      "the "
      "nearest. For blocks only. Empty: 1"},
     {"factor", "factor of the values"},
+    {"first_stage", "number of the first stage in which the load acts; if absent, the first of all"},
+    {"last_stage", "number of the last stage in which the load acts; if absent, the last of all"},
     {"forces", "forces at points"},
     {"force_x", "x component, F"},
     {"force_y", "y component, F"},

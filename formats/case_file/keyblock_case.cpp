@@ -114,8 +114,9 @@ void check(const Formula& formula, std::span<const std::string_view> variables) 
   if (!is_number(formula)) Compiled(formula, variables);
 }
 
-constexpr std::array<std::string_view, 4> kOnBoundary{"x", "y", "nx", "ny"};
-constexpr auto kInBody = std::span(kOnBoundary).first<2>();
+constexpr std::array<std::string_view, 5> kInTime{"x", "y", "nx", "ny", "t"};
+constexpr auto kOnBoundary = std::span(kInTime).first<4>();
+constexpr auto kInBody = std::span(kInTime).first<2>();
 
 void require_points(const std::vector<Point>& points, std::size_t fewest, std::string_view noun, const Place& place) {
   if (points.size() < fewest)
@@ -167,26 +168,27 @@ void check(const DisplacementPlan& part) {
   if (part.held != Held::normal) refuse("normal", part.normal, "held is not normal");
 }
 
-void check(const TractionPlan& part) {
+void check(const TractionPlan& part, std::span<const std::string_view> variables) {
   require_points(part.along, 2, "along a boundary", part.place);
   check(part.over_time, part.place);
-  for (const Formula* formula : {&part.x, &part.y, &part.pressure}) check(*formula, kOnBoundary);
+  for (const Formula* formula : {&part.x, &part.y, &part.pressure}) check(*formula, variables);
 }
 
 void check(const LoadList& loads) {
-  for (const TractionPlan& part : loads.tractions) check(part);
+  for (const TractionPlan& part : loads.tractions) check(part, kInTime);
   for (const DisplacementPlan& part : loads.displacements) check(part);
 }
 
 void check(const CoverPlan& covers) {
   check(covers.mesh, covers.place);
-  const auto check_constant = [](const auto& part) {
-    check(part);
+  const auto require_constant = [](const auto& part) {
     if (!part.over_time.empty())
       throw InputError(part.place, "expected over_time in `loads`, for blocks, found it in `covers`");
   };
-  for (const TractionPlan& part : covers.tractions) check_constant(part);
-  for (const DisplacementPlan& part : covers.displacements) check_constant(part);
+  for (const TractionPlan& part : covers.tractions) check(part, kOnBoundary);
+  for (const DisplacementPlan& part : covers.displacements) check(part);
+  std::ranges::for_each(covers.tractions, require_constant);
+  std::ranges::for_each(covers.displacements, require_constant);
   for (const SpringPlan& spring : covers.springs)
     if (spring.direction == Point{}) throw InputError(spring.place, "expected a direction of the spring, found (0, 0)");
   for (const Formula* formula : {&covers.body_force.x, &covers.body_force.y, &covers.initial_stress.xx,
@@ -213,6 +215,23 @@ void check(const std::vector<Stage>& stages) {
     for (const StageRelease& part : stage.released)
       require_points(part.outline, kFewestCorners, "around released points", part.place);
   }
+}
+
+/// `count`: of the stages of the case.
+template <class Loads>
+void check_stages_of(const Loads& loads, int count) {
+  const auto look = [&](const auto& part) {
+    const auto [first, last] = part.stages;
+    for (const auto& stage : {first, last})
+      if (stage && *stage >= count)
+        fail(part.place,
+             count == 0 ? std::string("stages for a load with first_stage or last_stage")
+                        : fmt::format("a stage of a load from 1 to {}", count),
+             *stage + 1LL);
+    if (first && last && *first > *last) fail(part.place, fmt::format("a last_stage from {}", *first + 1), *last + 1LL);
+  };
+  std::ranges::for_each(loads.tractions, look);
+  std::ranges::for_each(loads.displacements, look);
 }
 
 void check_joints_of_cracks(const CoverPlan& covers, const Analysis& analysis) {
@@ -420,6 +439,9 @@ Reading read_case(const Source& source, const ReadHint&) {
   check(content.analysis);
   if (content.covers && content.analysis) check_joints_of_cracks(*content.covers, *content.analysis);
   check(content.stages);
+  const int stages = static_cast<int>(content.stages.size());
+  if (content.covers) check_stages_of(*content.covers, stages);
+  if (content.loads) check_stages_of(*content.loads, stages);
   if (!content.frames.empty()) check(content.frames, *text.root().member("frames"));
   name_file(content.drawing, source.name);
   name_file(content.blocks, source.name);

@@ -245,8 +245,9 @@ std::vector<int> held_blocks(const Frame& end) {
   return {numbers.begin(), numbers.end()};
 }
 
-// Returns fixed points and loading points before the first step; of more than `kMostSupports` of a kind every n-th.
-std::vector<SupportRecord> supports_of(const Frame& start) {
+// Returns fixed points, loading points and held edges of blocks before the first step; of more than `kMostSupports` of
+// a kind every n-th.
+std::vector<SupportRecord> supports_of(const Frame& start, const Model& model) {
   constexpr std::size_t kMostSupports = 500;
   std::vector<SupportRecord> supports;
   const auto add = [&](const char* kind, const std::vector<PointFrame>& points) {
@@ -256,6 +257,9 @@ std::vector<SupportRecord> supports_of(const Frame& start) {
   };
   add("fixed_point", start.fixed_points);
   add("loading_point", start.loading_points);
+  const std::vector<SupportRow>& rows = model.support_rows;
+  for (std::size_t i = 0; i < rows.size(); i += 1 + rows.size() / kMostSupports)
+    supports.push_back({"held_edge", rows[i].start, model.number_of(rows[i].element), rows[i].direction});
   return supports;
 }
 
@@ -278,7 +282,7 @@ std::string RunJob::finish(const std::string& title, double seconds) {
   judge();
   record_.held = held_blocks(folder_.last_frame());
   record_.names = options_.names;
-  record_.supports = supports_of(folder_.first_frame());
+  record_.supports = supports_of(folder_.first_frame(), prepared_.scene.model);
   record_.left_out = folder_.finish({title,
                                      tables(record_.outcome.ledger_scope),
                                      record_.traced,

@@ -27,9 +27,10 @@ struct InputRecord {
 
 /// Support or load of the scene before the first step.
 struct SupportRecord {
-  std::string kind;  ///< fixed_point, loading_point
+  std::string kind;  ///< fixed_point, loading_point, held_edge
   Point at;
-  int block = 0;  ///< its number, from 1
+  int block = 0;         ///< its number, from 1
+  Point direction = {};  ///< of the component that a held edge prescribes there; of points (0, 0)
 };
 
 /// Wall time of each phase [s].

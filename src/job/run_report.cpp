@@ -335,9 +335,11 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
   if (!record.names.rocks.empty()) json["names"]["materials"] = record.names.rocks;
   if (!record.names.joints.empty()) json["names"]["joints"] = record.names.joints;
   json["supports"] = Json::array();
-  for (const SupportRecord& support : record.supports)
-    json["supports"].push_back(
-        {{"kind", support.kind}, {"x", support.at.x}, {"y", support.at.y}, {"block", support.block}});
+  for (const SupportRecord& support : record.supports) {
+    Json row{{"kind", support.kind}, {"x", support.at.x}, {"y", support.at.y}, {"block", support.block}};
+    if (support.direction != Point{}) row["direction"] = {support.direction.x, support.direction.y};
+    json["supports"].push_back(std::move(row));
+  }
   if (record.units != Units{}) json["units"] = json_of(record.units);
   if (record.outcome.forces) json["forces"] = json_of(*record.outcome.forces);
   if (record.plastic) json["plastic"] = json_of(*record.plastic);

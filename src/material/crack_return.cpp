@@ -51,8 +51,8 @@ struct CrackSearch {
     p.cracks = cracks;
     YieldState state = before;
     state.elastic << strain(0) - cracks(0), strain(1) - cracks(1), 0, strain(2) - cracks(2);
-    p.answer = is_plane_stress ? respond_plane_stress(intact, Eigen::Vector3d::Zero(), state, size)
-                               : respond(intact, Eigen::Vector4d::Zero(), state, size);
+    p.answer = is_plane_stress ? respond_intact_plane_stress(intact, Eigen::Vector3d::Zero(), state, size)
+                               : respond_intact(intact, Eigen::Vector4d::Zero(), state, size);
     const Eigen::Vector3d s = stress(p.answer);
     p.missing.setZero();
     for (int i = 0; i < axes(); ++i) p.missing(i) = cracks(i) - rock.crack_strain(s(i));
@@ -182,8 +182,6 @@ struct CrackSearch {
   int axes() const { return is_plane_stress ? 2 : 3; }
 };
 
-}  // namespace
-
 Response respond_with_cracks(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before,
                              double size, bool is_plane_stress) {
   const CrackedElasticity rock = law.cracked();
@@ -226,6 +224,19 @@ Response respond_with_cracks(const YieldLaw& law, const Eigen::Vector4d& increme
   r.after.plastic += r.plastic;
   r.stored = cracked_response(rock, r.after.elastic, is_plane_stress).stored;
   return r;
+}
+
+}  // namespace
+
+Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before, double size) {
+  return law.closure ? respond_with_cracks(law, increment, before, size, false)
+                     : respond_intact(law, increment, before, size);
+}
+
+Response respond_plane_stress(const YieldLaw& law, const Eigen::Vector3d& increment, const YieldState& before,
+                              double size) {
+  if (!law.closure) return respond_intact_plane_stress(law, increment, before, size);
+  return respond_with_cracks(law, {increment(0), increment(1), increment(2), 0}, before, size, true);
 }
 
 }  // namespace keyblock

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "material/crack_return.hpp"
+
 namespace keyblock {
 namespace {
 

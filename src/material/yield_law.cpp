@@ -8,7 +8,6 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
-#include "material/crack_return.hpp"
 #include "material/principal_axes.hpp"
 #include "material/strength.hpp"
 
@@ -166,8 +165,7 @@ YieldLaw yield_law(const BlockMaterial& material) {
           material.strength != nullptr};
 }
 
-Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before, double size) {
-  if (law.closure) return respond_with_cracks(law, increment, before, size, false);
+Response respond_intact(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before, double size) {
   const Eigen::Matrix4d modulus = law.modulus();
   const Eigen::Vector4d strain = before.elastic + increment;
   Response r;
@@ -200,16 +198,15 @@ Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const Yi
   return r;
 }
 
-Response respond_plane_stress(const YieldLaw& law, const Eigen::Vector3d& increment, const YieldState& before,
-                              double size) {
-  if (law.closure) return respond_with_cracks(law, {increment(0), increment(1), increment(2), 0}, before, size, true);
+Response respond_intact_plane_stress(const YieldLaw& law, const Eigen::Vector3d& increment, const YieldState& before,
+                                     double size) {
   const Eigen::Matrix4d modulus = law.modulus();
   Eigen::Vector4d all(increment(0), increment(1), increment(2), 0);
   const Eigen::Vector4d elastic = modulus * (before.elastic + all);
   double across = -elastic(3) / modulus(3, 3);  // of an elastic point
   const auto at = [&](double zz) {
     all(3) = zz;
-    return respond(law, all, before, size);
+    return respond_intact(law, all, before, size);
   };
   Response r = at(across);
   const SurfaceOfKappa surface{law.strength, strain_of_change(law.strength, size)};

@@ -57,16 +57,16 @@ struct Response {
   bool is_found = true;  ///< false: the search for the crack strain failed, and no value here is valid
 };
 
-/// Returns the response, with the return in principal stresses (`principal_return`) at the end of the increment. It is
-/// implicit in κ, the one scalar unknown, which is bracketed. The tangent is the exact derivative. The rotation of the
-/// axes in the plane gives G (σ1 - σ2)/(σ1ᵗʳ - σ2ᵗʳ) (de Souza Neto, Perić & Owen 2008, app. A). Pure. `size`: √area of
-/// the point, for softening by fracture energy. Cracks that close: `respond_with_cracks`.
-Response respond(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before, double size);
+/// Returns the response of rock without cracks that close, with the return in principal stresses (`principal_return`)
+/// at the end of the increment. It is implicit in κ, the one scalar unknown, which is bracketed. The tangent is the
+/// exact derivative. The rotation of the axes in the plane gives G (σ1 - σ2)/(σ1ᵗʳ - σ2ᵗʳ) (de Souza Neto, Perić & Owen
+/// 2008, app. A). Pure. `size`: √area of the point, for softening by fracture energy. All laws: `respond`.
+Response respond_intact(const YieldLaw& law, const Eigen::Vector4d& increment, const YieldState& before, double size);
 
 /// Returns the response under plane stress: the zz of the increment makes the stress zz zero. The tangent is that of
 /// the three strains in the plane (row and column of zz are 0). Stress zz is zero up to rounding of the strength. If no
 /// zz reaches that, it is zero up to rounding of the greatest stress at the last try.
-Response respond_plane_stress(const YieldLaw& law, const Eigen::Vector3d& increment, const YieldState& before,
-                              double size);
+Response respond_intact_plane_stress(const YieldLaw& law, const Eigen::Vector3d& increment, const YieldState& before,
+                                     double size);
 
 }  // namespace keyblock

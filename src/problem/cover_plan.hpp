@@ -193,7 +193,7 @@ inline CoverFunctions functions_of(const CoverPlan& plan, const std::vector<Bloc
 inline void add(CoverPlan& plan, const LoadList& loads) {
   const auto put = [](auto& list, const auto& more) {
     for (auto part : more) {
-      if (!part.over_time.empty()) continue;
+      if (part.changes_over_time()) continue;
       part.acts_on_all = true;
       list.push_back(std::move(part));
     }

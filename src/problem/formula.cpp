@@ -8,6 +8,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <mutex>
 #include <optional>
 
 #include "problem/limits.hpp"
@@ -61,6 +62,7 @@ struct Compiled::Expression {
   std::vector<std::string> names;
   std::vector<double> values;
   mu::Parser parser;
+  std::mutex in_use;
 
   [[noreturn]] void refuse(std::size_t character, const std::string& found) const {
     throw InputError(place_in(formula, character),
@@ -94,6 +96,17 @@ bool is_number(const Formula& formula) {
   return number_in(formula.text).has_value();
 }
 
+bool uses(const Formula& formula, const std::string& variable) {
+  if (is_number(formula) || formula.text.size() > kLongest) return false;
+  mu::Parser parser;
+  try {
+    parser.SetExpr(formula.text);
+    return parser.GetUsedVar().contains(variable);
+  } catch (const mu::Parser::exception_type&) {
+    return false;
+  }
+}
+
 Compiled::Compiled(const Formula& formula, std::span<const std::string_view> variables) {
   if (const auto number = number_in(formula.text)) {
     number_ = *number;
@@ -111,6 +124,7 @@ Compiled::Compiled(const Formula& formula, std::span<const std::string_view> var
 
 double Compiled::operator()(std::initializer_list<double> values) const {
   if (!expression_) return number_;
+  const std::lock_guard alone(expression_->in_use);
   std::copy(values.begin(), values.end(), expression_->values.begin());
   const double value = expression_->parser.Eval();
   if (std::abs(value) <= kGreatestQuantity) return value;

@@ -26,7 +26,10 @@ struct Formula {
 /// Returns true if the text is one finite number and nothing else.
 bool is_number(const Formula& formula);
 
-/// Compiled formula. Copies share it: not for two threads at once.
+/// Returns true if the text uses the variable. An invalid text uses none.
+bool uses(const Formula& formula, const std::string& variable);
+
+/// Compiled formula. Copies share it; a lock admits one thread at a time.
 class Compiled {
  public:
   /// Throws InputError at the first invalid character of the formula.

@@ -4,9 +4,9 @@
 //   place   chain of points along edges: of an outline, or of a joint, on both of its sides
 //   kind    traction, pressure (along the outward normal), prescribed displacement of both components, of x, of y or
 //           of the normal one
-//   value   number, or expression of x, y and the outward normal, all in the undeformed position; on blocks times a
-//           factor over time
-//   stages  all of them
+//   value   number, or expression of x, y and the outward normal, all in the undeformed position; of tractions on
+//           blocks also of the time t; on blocks times a factor over time
+//   stages  all of them, or those from a first to a last one
 // A list passes through five places, each once:
 //   read       formats/case_file: `loads`, in the words of `covers`; `covers` itself lists those of NMM bodies only
 //   gathered   problem/checks hands the list to the plan of NMM bodies; run/bodies/edge_loads finds the edges of blocks
@@ -18,6 +18,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "base/error.hpp"
@@ -38,6 +40,15 @@ struct FactorAt {
   bool operator==(const FactorAt&) const = default;
 };
 
+/// Stages in which a load acts, from 0; without a first from the start, without a last to the end.
+struct ActiveStages {
+  std::optional<int> first;
+  std::optional<int> last;
+
+  bool are_all() const { return !first && !last; }
+  bool hold(int stage) const { return stage >= first.value_or(stage) && stage <= last.value_or(stage); }
+};
+
 /// Force per length of the boundary along a chain: (x, y) - pressure n, n the normal out of the body.
 struct TractionPlan {
   std::vector<Point> along;
@@ -45,6 +56,10 @@ struct TractionPlan {
   Place place;
   bool acts_on_all = false;              ///< on every body; else on NMM bodies only
   std::vector<FactorAt> over_time = {};  ///< empty: 1; on blocks only
+  ActiveStages stages = {};
+
+  bool uses_time() const { return uses(x, "t") || uses(y, "t") || uses(pressure, "t"); }
+  bool changes_over_time() const { return !over_time.empty() || uses_time(); }
 };
 
 struct DisplacementPlan {
@@ -55,6 +70,9 @@ struct DisplacementPlan {
   Place place;
   bool acts_on_all = false;              ///< on every body; else on NMM bodies only
   std::vector<FactorAt> over_time = {};  ///< empty: 1; on blocks only
+  ActiveStages stages = {};
+
+  bool changes_over_time() const { return !over_time.empty(); }
 };
 
 struct LoadList {
@@ -64,5 +82,14 @@ struct LoadList {
 
   bool empty() const { return tractions.empty() && displacements.empty(); }
 };
+
+/// Returns the list, or the plan of NMM bodies, without the loads that do not act in this stage.
+template <class Loads>
+Loads acting_in(Loads loads, int stage) {
+  const auto is_off = [stage](const auto& part) { return !part.stages.hold(stage); };
+  std::erase_if(loads.tractions, is_off);
+  std::erase_if(loads.displacements, is_off);
+  return loads;
+}
 
 }  // namespace keyblock

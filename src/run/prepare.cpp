@@ -228,9 +228,9 @@ struct Staged {
 };
 
 Staged staged_models(const Problem& problem, const Blocks& blocks, const Place& place, bool is_untouched) {
-  const auto finished = [=](Model model, const Settings& settings) {
-    return plan_of(with_joint_strength(std::move(model), settings.joint_strength_factor), settings, problem.loads,
-                   place, is_untouched)
+  const auto finished = [=](Model model, int stage, const Settings& settings) {
+    return plan_of(with_joint_strength(std::move(model), settings.joint_strength_factor), settings,
+                   acting_in(problem.loads, stage), place, is_untouched)
         .model;
   };
   const Stage& first = problem.stages.front();
@@ -238,18 +238,20 @@ Staged staged_models(const Problem& problem, const Blocks& blocks, const Place& 
     const auto stages = std::make_shared<const MixedStages>(problem);
     return {changed(rock_of(blocks, *problem.analysis), first),
             {[=](const Rock& rock, int stage, const Settings& settings) {
-               return finished(stages->model(rock, stage, settings), settings);
+               return finished(stages->model(rock, stage, settings), stage, settings);
              },
              mixed_parents, false}};
   }
   if (!has_covers(problem))
     return {changed(rock_of(blocks, *problem.analysis), first),
-            {[=](const Rock& rock, int, const Settings& settings) { return finished(model_of(rock), settings); },
+            {[=](const Rock& rock, int stage, const Settings& settings) {
+               return finished(model_of(rock), stage, settings);
+             },
              block_parents, false}};
   const auto stages = std::make_shared<const CoverStages>(problem);
   return {changed(rock_of(stages->bodies(), *problem.analysis), first),
           {[=](const Rock& rock, int stage, const Settings& settings) {
-             return finished(stages->model(rock, stage, settings), settings);
+             return finished(stages->model(rock, stage, settings), stage, settings);
            },
            [](const Model& before, const Model& after, const Descent&) { return cover_parents(before, after); },
            is_untouched}};
@@ -308,7 +310,7 @@ Scenes scenes_in(const Asked& asked, Geometry& geometry, Warnings& warnings) {
     geometry.model = with_joint_strength(std::move(geometry.model), settings.joint_strength_factor);
   }
   auto [model, needs, groundwork] =
-      plan_of(std::move(geometry.model), settings, problem.loads, place, asked.is_untouched);
+      plan_of(std::move(geometry.model), settings, acting_in(problem.loads, 0), place, asked.is_untouched);
   Scene scene{std::move(model), settings};
   scene.groundwork = std::move(groundwork);
   scene.is_untouched = asked.is_untouched;

@@ -106,7 +106,7 @@ First resting_first(const StandardScene& scene, Motion motion) {
 
 First asked_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
-  const Scales scales = scales_of(scene, loads_at(scene, motion.q, 0), motion.q, motion.v);
+  const Scales scales = scales_at(scene, motion, 0);
   motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
   const StandardChoices& choices = scene.settings.standard;
   const bool is_in_time = choices.motion == MotionRule::dynamic;
@@ -336,7 +336,7 @@ std::unique_ptr<SceneStepper> StandardStepper::in_next(const SceneChange& change
 bool StandardStepper::is_at_rest(double share) const {
   if (scene_.load_share != 1 || balance_of(scene_, motion_, state_.time).share > share) return false;
   if (scene_.settings.standard.motion != MotionRule::dynamic) return true;
-  const Scales scales = scales_of(scene_, loads_at(scene_, motion_.q, state_.time), motion_.q, motion_.v);
+  const Scales scales = scales_at(scene_, motion_, state_.time);
   const double slow = share * std::sqrt(scales.acceleration * scales.size);
   return std::ranges::all_of(state_.elements, [&](const ElementState& element) {
     const double own = element.velocity.size() > 0 ? element.velocity.head<2>().norm() : 0;

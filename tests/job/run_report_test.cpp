@@ -204,6 +204,14 @@ TEST(RunReport, declared_units_stand_beside_the_numbers) {
   EXPECT_EQ(json["forces"]["unbalanced"], 0);
 }
 
+TEST(RunReport, a_held_edge_is_a_support_with_its_direction) {
+  RunRecord made = record();
+  made.supports = {{"fixed_point", {1, 2}, 1}, {"held_edge", {3, 4}, 2, {0, 1}}};
+  const Json supports = read(made)["supports"];
+  EXPECT_EQ(supports[0], Json({{"kind", "fixed_point"}, {"x", 1}, {"y", 2}, {"block", 1}}));
+  EXPECT_EQ(supports[1], Json({{"kind", "held_edge"}, {"x", 3}, {"y", 4}, {"block", 2}, {"direction", {0, 1}}}));
+}
+
 TEST(RunReport, stages_say_their_steps_and_whether_they_came_to_rest) {
   RunRecord made = record();
   SceneReport first, second;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <random>
 
+#include "material/crack_return.hpp"
 #include "material/principal_axes.hpp"
 #include "material/rock_point.hpp"
 #include "material/strength.hpp"

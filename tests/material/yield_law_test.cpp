@@ -12,6 +12,7 @@
 #include <limits>
 #include <random>
 
+#include "material/crack_return.hpp"
 #include "material/strength.hpp"
 
 namespace keyblock::yield_law_test {

@@ -179,8 +179,8 @@ TEST(EdgeLoads, a_water_level_within_an_edge_gives_the_force_and_moment_of_a_tri
   support::write_text(file, text);
   const Prepared prepared = prepare(formats::load_case({file}).problem, "standard", {});
   ASSERT_EQ(prepared.scene.model.edge_loads.size(), 1U);
-  const EdgeLoad& load = prepared.scene.model.edge_loads.front();
-  EXPECT_EQ(load.edge.start.y, 10);
+  EXPECT_EQ(prepared.scene.model.edge_loads.front().edge.start.y, 10);
+  const EdgeForces load = prepared.scene.model.edge_loads.front().at(0);
   const double length = 10, force = 10 * 7.3 * 7.3 / 2;
   EXPECT_NEAR((load.pushes[0] + load.pushes[1]) * length, force, 1e-3 * force);
   EXPECT_NEAR(load.pushes[0] * length * 10, force * 7.3 / 3,
@@ -219,6 +219,116 @@ TEST(EdgeLoads, a_pressure_follows_its_table_of_factors) {
     ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
     EXPECT_NEAR(stress_of(*stepper, 0, frame).xx, stress, 1e-3 * std::abs(stress));
   }
+}
+
+// A free block of mass m, pushed along x on the area A of its left side.
+struct Pushed {
+  double mass = 2000 * 2 * 1, area = 1;
+
+  static std::string text(const std::string& load, const std::string& stages) {
+    std::string text = case_of({}, block({}, {0, 0}, {2, 1}),
+                               R"("tractions": [{"along": [[0, 1], [0, 0]], )" + load + "}]", R"("start": "sudden")");
+    text.replace(text.find(R"("velocity_carry_over": 0)"), 24, R"("velocity_carry_over": 1)");
+    text.replace(text.find(R"("step_count": 1)"), 15, R"("step_count": 20)");
+    return stages.empty() ? text : text.substr(0, text.rfind('}')) + R"(, "stages": [)" + stages + "]}";
+  }
+  /// Returns the velocity after each of 20 steps of 10 ms.
+  static std::vector<double> velocities(const std::string& load, const std::string& stages = {}) {
+    const auto stepper = stepper_of(text(load, stages));
+    std::vector<double> v;
+    for (int i = 0; i < 20; ++i) {
+      const auto made = stepper->advance();
+      if (const auto* failure = std::get_if<StepFailure>(&made)) ADD_FAILURE() << failure->reason;
+      v.push_back(stepper->state().elements[ElementIndex{0}].velocity[0]);
+    }
+    return v;
+  }
+};
+
+constexpr const char* kTwoStages = R"({"name": "first", "steps": 10}, {"name": "second", "steps": 10})";
+
+TEST(EdgeLoads, a_block_under_a_ramp_of_pressure_has_the_velocity_of_theory) {
+  constexpr double kRate = 4e4;  // dp/dt; v = p' t² A / (2 m)
+  const Pushed pushed;
+  const std::vector<double> by_formula = Pushed::velocities(R"("pressure": "4e4 * t")");
+  const std::vector<double> by_table = Pushed::velocities(R"("pressure": 8000, "over_time": [[0, 0], [0.2, 1]])");
+  for (std::size_t i = 0; i < by_formula.size(); ++i) {
+    const double t = 0.01 * static_cast<double>(i + 1);
+    const double theory = kRate * t * t * pushed.area / (2 * pushed.mass);
+    EXPECT_NEAR(by_formula[i], theory, 1e-3 * theory) << i;
+    EXPECT_NEAR(by_formula[i], by_table[i], 1e-12 * theory) << i;
+  }
+}
+
+TEST(EdgeLoads, stages_switch_a_load_on_and_off) {
+  constexpr double kForce = 4000, kStage = 0.1;
+  const double gain = kForce * kStage / Pushed().mass;
+  const auto after = [](const std::string& stages) {
+    const std::vector<double> v = Pushed::velocities(R"("pressure": 4000)" + stages, kTwoStages);
+    return std::pair(v[9], v[19]);
+  };
+  const auto expect = [&](const std::string& stages, double first, double second) {
+    const auto [v1, v2] = after(stages);
+    EXPECT_NEAR(v1, first * gain, 1e-3 * gain) << stages;
+    EXPECT_NEAR(v2, second * gain, 1e-3 * gain) << stages;
+  };
+  expect("", 1, 2);
+  expect(R"(, "last_stage": 1)", 1, 1);
+  expect(R"(, "first_stage": 2)", 0, 1);
+  expect(R"(, "first_stage": 1, "last_stage": 2)", 1, 2);
+}
+
+TEST(EdgeLoads, a_stage_with_equilibrium_lasts_as_long_as_its_loads_change) {
+  std::string text = case_of({}, block({}, {0, 0}, {4, 1}),
+                             R"("tractions": [{"along": [[4, 0], [4, 1]], "x": 2e5, "over_time": [[0, 1], [0.03, 2]]},
+                           {"along": [[4, 0], [4, 1]], "x": 1e5, "first_stage": 2}],
+          "displacements": [{"along": [[0, 0], [0, 1]], "held": "x"}, {"along": [[0, 0], [4, 0]], "held": "y"}])",
+                             kStatics);
+  text = text.substr(0, text.rfind('}')) +
+         R"(, "stages": [{"name": "a", "steps": 10, "equilibrium": 1e-3}, {"name": "b", "steps": 1}]})";
+  const auto stepper = stepper_of(text);
+  for (const double factor : {4 / 3.0, 5 / 3.0, 2.0, 2.5}) {
+    ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+    EXPECT_NEAR(stress_of(*stepper, 0, {}).xx, 2e5 * factor, 1e-3 * 2e5 * factor);
+  }
+}
+
+TEST(EdgeLoads, a_roller_of_the_first_stage_lets_go_in_the_second) {
+  const std::string load = R"("pressure": 4000}], "displacements": [{"along": [[2, 0], [2, 1]], "held": "x", )"
+                           R"("last_stage": 1)";
+  const std::vector<double> v = Pushed::velocities(load, kTwoStages);
+  EXPECT_NEAR(v[9], 0, 2e-4);
+  EXPECT_NEAR(v[19], 4000 * 0.1 / Pushed().mass, 2e-3);
+}
+
+TEST(EdgeLoads, a_traction_on_an_NMM_body_ends_with_its_stage) {
+  constexpr double kEnds = 2e5, kStays = 2e3;
+  std::string text = case_of({}, block({}, {0, 0}, {4, 1}),
+                             R"("tractions": [{"along": [[4, 0], [4, 1]], "x": 2e5, "last_stage": 1},
+                           {"along": [[4, 0], [4, 1]], "x": 2e3}],
+          "displacements": [{"along": [[0, 0], [0, 1]], "held": "normal"},
+                            {"along": [[0, 0], [4, 0]], "held": "normal"}])",
+                             kStatics);
+  text.replace(text.find(R"("loads")"), 7, R"("covers": {"mesh": {"side": 1}}, "loads")");
+  text = text.substr(0, text.rfind('}')) + R"(, "stages": [{"name": "a", "steps": 1}, {"name": "b", "steps": 1}]})";
+  const auto stepper = stepper_of(text);
+  for (const double stress : {kEnds + kStays, kStays}) {
+    const auto made = stepper->advance();
+    ASSERT_TRUE(std::holds_alternative<StepReport>(made)) << std::get<StepFailure>(made).reason;
+    for (ElementIndex e : indices(stepper->state().elements))
+      EXPECT_NEAR(stress_of(*stepper, e.value, {}).xx, stress, 1e-3 * kEnds);
+  }
+}
+
+TEST(EdgeLoads, faults_of_stages_and_of_time_name_their_place) {
+  const auto fault = [](const std::string& load, const std::string& stages) {
+    return fault_of(Pushed::text(R"("pressure": 1, )" + load, stages));
+  };
+  EXPECT_NE(fault(R"("last_stage": 1)", "").find("expected stages for a load with first_stage"), std::string::npos);
+  EXPECT_NE(fault(R"("first_stage": 3)", kTwoStages).find("a stage of a load from 1 to 2, found 3"), std::string::npos);
+  EXPECT_NE(fault(R"("first_stage": 2, "last_stage": 1)", kTwoStages).find("a last_stage from 2, found 1"),
+            std::string::npos);
+  EXPECT_NE(fault(R"("x": "1 / 0 * t")", "").find("expected a finite value"), std::string::npos);
 }
 
 TEST(EdgeLoads, a_load_on_a_joint_acts_on_both_of_its_sides) {

@@ -13,6 +13,7 @@
 
 #include "geometry/polygon.hpp"
 #include "geometry/quadrature.hpp"
+#include "material/crack_return.hpp"
 #include "step/bodies/elastic_bodies.hpp"
 #include "terms/cover_elasticity.hpp"
 #include "tests/support/continuum_scenes.hpp"

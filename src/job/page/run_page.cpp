@@ -84,7 +84,7 @@ Json supports_json(const Json& record, Point origin) {
   for (const Json& support : known)
     if (support.is_object() && support.value("x", Json()).is_number() && support.value("y", Json()).is_number()) {
       const double x = support["x"], y = support["y"];
-      still.push_back({{"kind", support.value("kind", Json()) == "fixed_point" ? "fixed_point" : "load"},
+      still.push_back({{"kind", support.value("kind", Json()) == "loading_point" ? "load" : "fixed_point"},
                        {"at", {x - origin.x, y - origin.y}}});
     }
   return still;

@@ -90,8 +90,16 @@ class Agreement {
     return kSameValue * std::max(largest_[a.number], largest_[b.number]);
   }
 
+  /// Returns true if no stage has both.
+  bool are_apart(const HeldPart& a, const HeldPart& b) const {
+    const ActiveStages& of_a = plan_.displacements[a.number].stages;
+    const ActiveStages& of_b = plan_.displacements[b.number].stages;
+    return (of_a.last && of_b.first && *of_a.last < *of_b.first) ||
+           (of_b.last && of_a.first && *of_b.last < *of_a.first);
+  }
+
   void require_at(const HeldPart& a, const HeldPart& b, Point x) const {
-    if (a.number == b.number || are_one(a, b, x)) return;
+    if (a.number == b.number || are_apart(a, b) || are_one(a, b, x)) return;
     const PrescribedDisplacement& of_a = prescribed_[a.number];
     const PrescribedDisplacement& of_b = prescribed_[b.number];
     const Eigen::Matrix2d both =

@@ -18,15 +18,16 @@
 namespace keyblock {
 namespace {
 
-constexpr std::array<std::string_view, 4> kOnBoundary{"x", "y", "nx", "ny"};
-constexpr std::span<const std::string_view> kInBody = std::span(kOnBoundary).first<2>();
+constexpr std::array<std::string_view, 5> kInTime{"x", "y", "nx", "ny", "t"};
+constexpr std::span<const std::string_view> kOnBoundary = std::span(kInTime).first<4>();
+constexpr std::span<const std::string_view> kInBody = kOnBoundary.first<2>();
 
 // Tolerance relative to the extent of all bodies: cutting rounds, and a point on an edge belongs to the body.
 constexpr double kOnEdge = 1e-9;
 
 Traction traction_of(const TractionPlan& plan) {
   const TractionOnEdge on_edge = traction_on_edge(plan);
-  return {plan.along, [=](Point at, Point n) { return on_edge.force(at, n) - on_edge.pressure(at, n) * n; }};
+  return {plan.along, [=](Point at, Point n) { return on_edge.force(at, n, 0) - on_edge.pressure(at, n, 0) * n; }};
 }
 
 double gap_to(const Manifold& manifold, const ManifoldElement& element, Point p) {
@@ -54,12 +55,12 @@ std::vector<Part> in_blocks(const std::vector<Part>& parts, const Blocks& blocks
 }  // namespace
 
 TractionOnEdge traction_on_edge(const TractionPlan& plan) {
-  const Compiled x(plan.x, kOnBoundary), y(plan.y, kOnBoundary), pressure(plan.pressure, kOnBoundary);
-  return {[=](Point at, Point n) {
-            return Point{x({at.x, at.y, n.x, n.y}), y({at.x, at.y, n.x, n.y})};
+  const Compiled x(plan.x, kInTime), y(plan.y, kInTime), pressure(plan.pressure, kInTime);
+  return {[=](Point at, Point n, double t) {
+            return Point{x({at.x, at.y, n.x, n.y, t}), y({at.x, at.y, n.x, n.y, t})};
           },
-          [=](Point at, Point n) {
-            return pressure({at.x, at.y, n.x, n.y});
+          [=](Point at, Point n, double t) {
+            return pressure({at.x, at.y, n.x, n.y, t});
           }};
 }
 

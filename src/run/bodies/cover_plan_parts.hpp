@@ -12,10 +12,10 @@
 
 namespace keyblock {
 
-/// Traction along a chain as functions of the position and the outward normal.
+/// Traction along a chain as functions of the position, the outward normal and the time.
 struct TractionOnEdge {
-  std::function<Point(Point x, Point normal)> force;  ///< of a fixed direction
-  std::function<double(Point x, Point normal)> pressure;
+  std::function<Point(Point x, Point normal, double time)> force;  ///< of a fixed direction
+  std::function<double(Point x, Point normal, double time)> pressure;
 };
 
 /// The functions throw InputError if a formula is not finite.

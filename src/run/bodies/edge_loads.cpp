@@ -81,8 +81,8 @@ TimeCurve curve_of(const std::vector<FactorAt>& rows) {
   return curve;
 }
 
-EdgeLoad load_on(const BlockSide& side, const TractionOnEdge& traction, const TimeCurve& factor) {
-  EdgeLoad load{side.element, side.edge, {}, {}, factor};
+EdgeForces forces_on(const BlockSide& side, const TractionOnEdge& traction, double time) {
+  EdgeForces load;
   const double size = length(side.edge.end - side.edge.start);
   const Point normal = side.normal();
   for (int part = 0; part < kParts; ++part)
@@ -90,14 +90,27 @@ EdgeLoad load_on(const BlockSide& side, const TractionOnEdge& traction, const Ti
       const double s = (part + g.at) / kParts;
       const double weight = g.weight / kParts;
       const Point at = point_at(side.edge, s);
-      const Point force = (weight * size) * traction.force(at, normal);
-      const double push = weight * traction.pressure(at, normal);
+      const Point force = (weight * size) * traction.force(at, normal, time);
+      const double push = weight * traction.pressure(at, normal, time);
       load.forces[0] = load.forces[0] + (1 - s) * force;
       load.forces[1] = load.forces[1] + s * force;
       load.pushes[0] += (1 - s) * push;
       load.pushes[1] += s * push;
     }
   return load;
+}
+
+EdgeLoad load_on(const BlockSide& side, const TractionPlan& plan, const TractionOnEdge& traction) {
+  const EdgeForces first = forces_on(side, traction, 0);
+  const TimeCurve factor = curve_of(plan.over_time);
+  const bool is_fixed = !plan.uses_time();
+  return {side.element, side.edge,
+          [=](double time) {
+            EdgeForces now = is_fixed ? first : forces_on(side, traction, time);
+            if (!factor.times.empty()) now.factor = factor.at(time).x;
+            return now;
+          },
+          is_fixed ? factor.last_change() : std::numeric_limits<double>::infinity()};
 }
 
 std::vector<Point> directions_of(Held held, Point normal) {
@@ -202,14 +215,15 @@ void add_candidates(const Model& model, const BlockSide& side, const Displacemen
 }  // namespace
 
 void put_edge_loads(Model& model, const LoadList& loads) {
+  model.edge_loads.clear();
+  model.support_rows.clear();
   if (loads.empty()) return;
   const double near = reach_of(model);
   const std::vector<BlockSide> sides = sides_of(model);
   for (const TractionPlan& plan : loads.tractions) {
     const TractionOnEdge traction = traction_on_edge(plan);
-    const TimeCurve factor = curve_of(plan.over_time);
     visit_sides(sides, plan.along, near,
-                [&](const BlockSide& side) { model.edge_loads.push_back(load_on(side, traction, factor)); });
+                [&](const BlockSide& side) { model.edge_loads.push_back(load_on(side, plan, traction)); });
   }
   Candidates candidates;
   for (const DisplacementPlan& plan : loads.displacements) {
@@ -227,8 +241,9 @@ namespace {
 // NMM bodies assemble their loads once.
 template <class Part>
 void require_blocks(const Part& part, const Model& model) {
-  if (part.over_time.empty() || !model.continuum || sides_along(model.continuum->manifold, part.along).empty()) return;
-  throw InputError(part.place, "expected over_time only of loads on blocks, found it on an NMM body");
+  if (!part.changes_over_time() || !model.continuum || sides_along(model.continuum->manifold, part.along).empty())
+    return;
+  throw InputError(part.place, "expected over_time and the time t only of loads on blocks, found one on an NMM body");
 }
 
 }  // namespace

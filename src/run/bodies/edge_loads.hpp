@@ -9,9 +9,10 @@
 
 namespace keyblock {
 
-/// Gives the model the loads and supports of its DDA blocks; their bases are chosen already. A block has as many rows
-/// of support as its motion has components: rows that follow from others are left out. Throws InputError if a formula
-/// is not finite, or if a block of uniform strain cannot follow the prescribed displacements of its edges.
+/// Gives the model the loads and supports of its DDA blocks, instead of those it has. Their bases are chosen already. A
+/// block has as many rows of support as its motion has components: rows that follow from others are left out. Throws
+/// InputError if a formula is not finite, or if a block of uniform strain cannot follow the prescribed displacements of
+/// its edges.
 void put_edge_loads(Model& model, const LoadList& loads);
 
 /// Returns warnings of chains that lie partly off all edges. `scenes`: models of a run, in sequence. Throws InputError

@@ -11,10 +11,14 @@
 namespace keyblock {
 namespace {
 
-// Returns true if tables of loads, driven points and accelerations no longer change: only then is rest an equilibrium.
+// Returns true if loads, driven points and edges, and accelerations no longer change: only then is rest an equilibrium.
 bool loads_are_constant(const Scene& scene, double time) {
   const auto ends_later = [&](const CarriedPoint& point) { return point.curve.last_change() > time; };
+  const auto changes_later = [&](const EdgeLoad& load) { return load.last_change > time; };
+  const auto moves_later = [&](const SupportRow& row) { return row.factor.last_change() > time; };
   return std::ranges::none_of(scene.model.loading_points, ends_later) &&
+         std::ranges::none_of(scene.model.edge_loads, changes_later) &&
+         std::ranges::none_of(scene.model.support_rows, moves_later) &&
          std::ranges::none_of(scene.model.fixed_points, ends_later) &&
          scene.settings.body_acceleration.curve.last_change() <= time;
 }

@@ -76,8 +76,8 @@ CoverStages::CoverStages(const Problem& problem) : problem_(with_excavations(pro
     for (const StageExcavation& excavation : stage.excavations) dug_materials_.push_back(excavation.joint_material);
 }
 
-Continuum CoverStages::continuum_at(Manifold manifold, const Rock& rock, const Settings& settings) const {
-  const CoverPlan plan = what_is_left_of(*problem_.covers, manifold, rock.blocks);
+Continuum CoverStages::continuum_at(Manifold manifold, const Rock& rock, int stage, const Settings& settings) const {
+  const CoverPlan plan = what_is_left_of(acting_in(*problem_.covers, stage), manifold, rock.blocks);
   Continuum continuum = continuum_of(std::move(manifold), rock.analysis.block_materials, settings,
                                      functions_of(*problem_.covers, rock.analysis.block_materials));
   put_loads(continuum, plan);
@@ -116,7 +116,7 @@ Model CoverStages::model(const Rock& rock, int stage, const Settings& settings) 
     model.bolts.push_back(bolt_between(bolt, end(bolt.segment.start), end(bolt.segment.end)));
   }
   name_points(model, rock);
-  model.continuum = std::make_shared<Continuum>(continuum_at(std::move(manifold), rock, settings));
+  model.continuum = std::make_shared<Continuum>(continuum_at(std::move(manifold), rock, stage, settings));
   return model;
 }
 

@@ -24,7 +24,7 @@ class CoverStages {
 
  private:
   int joint_material_at(int stage, int first) const;
-  Continuum continuum_at(Manifold manifold, const Rock& rock, const Settings& settings) const;
+  Continuum continuum_at(Manifold manifold, const Rock& rock, int stage, const Settings& settings) const;
 
   Problem problem_;                 ///< with the excavations of the stages in its plan
   std::vector<int> dug_materials_;  ///< joint materials of those excavations

@@ -82,7 +82,7 @@ MixedStages::MixedStages(const Problem& problem) {
 }
 
 Model MixedStages::model(const Rock& rock, int stage, const Settings& settings) const {
-  CoverPlan plan = plan_;
+  CoverPlan plan = acting_in(plan_, stage);
   plan.mesh = meshes_[static_cast<std::size_t>(stage)];
   Model model = mixed_model(rock.blocks, rock.analysis, plan, settings);
   name_points(model, rock);

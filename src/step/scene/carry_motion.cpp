@@ -162,7 +162,7 @@ Bonds carried_bonds(const Bonds& bonds, const Names& names, const SceneMap& map,
   for (const auto& [was, bond] : bonds)
     if (Facing facing = was; names.rename(facing) && !is_other_joint(facing, map, before, after))
       kept.emplace(facing, bond);
-  const Scales scales = scales_of(after, loads_at(after, carried.q, time), carried.q, carried.v);
+  const Scales scales = scales_at(after, carried, time);
   for (const auto& [facing, bond] : bonds_at(after, carried.q, resting_touches(after, carried, scales)))
     if (is_other_joint(facing, map, before, after)) {
       kept.emplace(facing, bond);

@@ -36,7 +36,7 @@ ContactCondition condition_of(const StandardScene& scene, const Motion& motion, 
 std::vector<ClosedContact> with_open_ones(const StandardScene& scene, const Motion& motion, const State& state) {
   std::vector<ClosedContact> contacts = motion.closed.all();
   const std::size_t closed = contacts.size();
-  const Scales scales = scales_of(scene, loads_at(scene, motion.q, state.time), motion.q, motion.v);
+  const Scales scales = scales_at(scene, motion, state.time);
   for (const Touch& touch : touches_of(scene, motion, scales, scene.settings.time_step))
     if (motion.closed.of(touch) == nullptr) contacts.push_back({touch, {}});
   std::sort(contacts.begin() + static_cast<std::ptrdiff_t>(closed), contacts.end(),

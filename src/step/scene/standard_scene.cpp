@@ -54,9 +54,9 @@ void add_edge_loads(const StandardScene& scene, const UnknownsTable& q, const Po
                     UnknownsTable& loads) {
   for (const EdgeLoad& load : scene.model.edge_loads) {
     if (loads[load.element].size() == 0) continue;
-    const double factor = load.factor.times.empty() ? 1 : load.factor.at(time).x;
+    const EdgeForces now = load.at(time);
     Point normal;  // outward, times the present length
-    if (load.pushes != std::array<double, 2>{}) {
+    if (now.pushes != std::array<double, 2>{}) {
       const auto place = [&](Point start) { return point_at(scene.model, scene.reference, q, load.element, start); };
       const Point along = place(load.edge.end) - place(load.edge.start);
       normal = {along.y, -along.x};
@@ -64,7 +64,7 @@ void add_edge_loads(const StandardScene& scene, const UnknownsTable& q, const Po
     const std::array<Point, 2> ends{load.edge.start, load.edge.end};
     for (std::size_t k = 0; k < 2; ++k)
       add_force(points.of_point(load.element, ends[k]), load.element,
-                factor * (load.forces[k] - load.pushes[k] * normal), loads);
+                now.factor * (now.forces[k] - now.pushes[k] * normal), loads);
   }
 }
 
@@ -199,6 +199,10 @@ Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const U
   Scales scales;
   for (const auto& group : scene.groups) group->add_to(scales, loads, q, v);
   return scales;
+}
+
+Scales scales_at(const StandardScene& scene, const BodiesMotion& motion, double time) {
+  return scales_of(scene, loads_at(scene, motion.q, time), motion.q, motion.v);
 }
 
 bool may_yield(const StandardScene& scene) {

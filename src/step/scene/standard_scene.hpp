@@ -87,6 +87,8 @@ double largest_momentum(const StandardScene& scene, const UnknownsTable& v);
 
 Scales scales_of(const StandardScene& scene, const UnknownsTable& loads, const UnknownsTable& q,
                  const UnknownsTable& v);
+/// Returns the scales of a motion under the loads at `time`.
+Scales scales_at(const StandardScene& scene, const BodiesMotion& motion, double time);
 
 /// Returns true if some rock is elastoplastic.
 bool may_yield(const StandardScene& scene);

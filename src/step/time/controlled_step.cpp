@@ -96,7 +96,7 @@ class Parts {
     if (made.converged && !verdict.accepted) ++result_.unresolved;
     made.account += result_.step.account;
     made.locked_overlaps += result_.step.locked_overlaps;
-    keep_larger_residual(made, result_.step);
+    made.keep_larger_residual(result_.step);
     if (made.converged) result_.displacement = std::max(result_.displacement, moved(made.motion));
     result_.least = std::min(result_.least, made.least);
     result_.next = verdict.next;

@@ -5,7 +5,7 @@
 
 #include "result/ledger.hpp"
 #include "step/scene/step_constraints.hpp"
-#include "step/time/smooth_solve.hpp"
+#include "step/time/smooth_motion.hpp"
 
 namespace keyblock {
 

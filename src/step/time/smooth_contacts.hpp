@@ -9,7 +9,7 @@
 #include "contact/solve/active_forces.hpp"
 #include "step/scene/step_constraints.hpp"
 #include "step/time/free_motion.hpp"
-#include "step/time/smooth_solve.hpp"
+#include "step/time/smooth_motion.hpp"
 
 namespace keyblock {
 

@@ -317,7 +317,7 @@ StandardStep in_two(const StandardStep& tried, const StandardStep& first, Standa
     second.touches = first.touches;
   }
   second.account += first.account;
-  keep_larger_residual(second, first);
+  second.keep_larger_residual(first);
   second.least = std::min(first.least, second.least);
   if (first.struck > 0) second.struck = first.struck + last;
   return second;
@@ -367,12 +367,6 @@ StandardStep parted_at_impacts(const Halves& halves, const Motion& start, double
 }
 
 }  // namespace
-
-void keep_larger_residual(StandardStep& step, const StandardStep& other) {
-  if (!(other.residual > step.residual)) return;
-  step.residual = other.residual;
-  step.worst = other.worst;
-}
 
 StandardStep standard_step(const StandardScene& scene, const Motion& start, double time, double dt) {
   return parted_at_impacts(Halves(scene, dt), start, time, dt, of_steps::kInstant * dt, of_steps::kMostImpacts);

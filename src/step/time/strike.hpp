@@ -6,8 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "step/time/smooth_solve.hpp"
-#include "step/time/standard_step.hpp"
+#include "step/time/step_result.hpp"
 
 namespace keyblock {
 

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "material/crack_return.hpp"
 #include "problem/limits.hpp"
 #include "problem/units/measure.hpp"
 
