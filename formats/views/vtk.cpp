@@ -130,7 +130,7 @@ std::string vtu(const FrameColumns& frame, const Units& units, VtkCoding coding)
 std::string pvd(const std::vector<PvdEntry>& entries) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   for (const auto& [time, part, file] : entries)
-    text += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\" file=\"{}\"/>\n", time, part, attribute(file));
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", time, part, attribute(file));
   return text + "</Collection>\n</VTKFile>\n";
 }
 
