@@ -131,8 +131,7 @@ std::string pvd(const std::vector<PvdEntry>& entries) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   for (const auto& [time, part, file, name] : entries) {
     const std::string named = name.empty() ? "" : fmt::format(" name=\"{}\"", attribute(name));
-    text +=
-        fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\"{} file=\"{}\"/>\n", time, part, named, attribute(file));
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"{}\"{} file=\"{}\"/>\n", time, part, named, attribute(file));
   }
   return text + "</Collection>\n</VTKFile>\n";
 }

@@ -36,6 +36,14 @@ class Failed:
         return False
 
 
+def _name_of(number: int) -> str:
+    """Name of a signal; those of real time have none."""
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return f"signal {number}"
+
+
 class _Job:
     def __init__(self, index: int, pid: int, pipe: int, limit: float | None) -> None:
         self.index, self.pid, self.pipe = index, pid, pipe
@@ -180,7 +188,7 @@ class Pool:
         if job.is_late and job.code < 0:
             return Failed("time_limit", -job.code, f"longer than {self.time_limit:g} s")
         if job.code < 0:
-            return Failed("signal", -job.code, signal.Signals(-job.code).name)
+            return Failed("signal", -job.code, _name_of(-job.code))
         try:
             kind, value = pickle.loads(b"".join(job.data))
         except Exception:

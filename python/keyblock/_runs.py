@@ -51,7 +51,7 @@ class Run:
         began = time.perf_counter()
         rows = [(i * dt, *load(i * dt)) for i in range(plan.steps + 1)]
         self.load_seconds = time.perf_counter() - began
-        rows.append((rows[-1][0] + dt, *rows[-1][1:]))  # sums of steps end behind the last row by round-off
+        rows.append((rows[-1][0] + dt, *rows[-1][1:]))  # the run may end behind the last row by round-off
         self._file.write("time,ax,ay\n" + "".join(f"{t!r},{float(x)!r},{float(y)!r}\n" for t, x, y in rows))
         self._file.flush()
         return {"body_acceleration_file": self._file.name}

@@ -335,6 +335,9 @@ def _plain_names() -> str:
 def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jobs: int, time_limit: float | None,
                 memory_limit: int | None, profile: str | None, settings: Any, folder: StrPath | None, shard: str | None,
                 history: Iterable[str], client: Any, joints: Mapping[str, Any] | StrPath | None) -> Table:
+    for key, value in ((k, v) for row in rows for k, v in row.items()):
+        if isinstance(value, float) and not math.isfinite(value):
+            raise ValueError(f"over: expected finite numbers, found {value} for {key}")
     texts = {"design.json": json.dumps(rows)}
     if isinstance(joints, Mapping):
         texts["joints.json"] = json.dumps(joints)

@@ -33,6 +33,8 @@ def troubled(item):
         os.kill(os.getpid(), signal.SIGSEGV)
     if item == "killed":
         os.kill(os.getpid(), signal.SIGKILL)
+    if item == "nameless":
+        os.kill(os.getpid(), signal.SIGRTMIN + 6)
     if item == "slow":
         time.sleep(60)
     if item == "error":
@@ -52,6 +54,11 @@ class Pools(Folder):
                          [("signal", signal.SIGSEGV), ("time_limit", signal.SIGKILL), ("error", 0), ("signal", signal.SIGKILL)])
         self.assertEqual(found[4].message, "ValueError: no such thing")
         self.assertTrue(math.isnan(float(found[1])))
+
+    def test_a_signal_without_a_name_is_one_result(self):
+        with kb.Pool(jobs=1) as pool:
+            failed, other = pool.map(troubled, ["nameless", 1])
+        self.assertEqual((failed.reason, failed.message, other), ("signal", f"signal {failed.signal}", 1))
 
     def test_a_job_beyond_its_memory_is_one_result(self):
         with kb.Pool(jobs=1, memory_limit=1500) as pool:
@@ -317,6 +324,8 @@ class Sweeps(Folder):
                 kb.sweep(slide(), over)
         with self.assertRaisesRegex(ValueError, "time_limit: expected at least 1 s"):
             kb.sweep(slide(), {FRICTION: [10]}, time_limit=0.5)
+        with self.assertRaisesRegex(ValueError, f"over: expected finite numbers, found nan for {FRICTION}"):
+            kb.sweep(slide(), {FRICTION: [10, float("nan")]})
 
     def test_random_rows_are_stratified_and_depend_on_the_seed_alone(self):
         over = {"a": kb.uniform(2, 4), "b": kb.normal(30, 2), "c": kb.lognormal(5, 1), "d": kb.choice("x", "y"),

@@ -12,7 +12,6 @@ import json
 import os
 import resource
 import signal
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -24,9 +23,9 @@ MOST_SHARE = 0.02
 MOST_KIB = 4096
 MOST_SECONDS = 1.0
 RUNS = 1000
-ROUNDS = 5
+ROUNDS = 9
 SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)  # of the time of a phase
-STEPS = "6000"
+STEPS = "3000"
 
 RECORD = f"""import sys, keyblock as kb
 kb.record("slope.json", sys.argv[1], settings={{"steps": {STEPS}}}, context=kb.Context(1))"""
@@ -50,7 +49,7 @@ def cost(program):
         alone.append(instructions([program, "run", "slope.json", "--set", f"steps={STEPS}", "--threads", "1", "-o", f"command{i}"]))
         python.append(instructions([sys.executable, "-c", RECORD, f"python{i}"]))
         loading.append(instructions([sys.executable, "-c", "import keyblock"]))
-    command, package, load = map(statistics.median, (alone, python, loading))
+    command, package, load = map(min, (alone, python, loading))  # the least disturbed of each
     share = (package - load) / command - 1
     print(f"a recorded run: command {command:.4g}, Python {package:.4g}, of these {load:.3g} to load the package: "
           f"{share:+.2%} without loading, at most {MOST_SHARE:.0%}")
@@ -88,17 +87,18 @@ def large_beam(side):
 
 
 def seconds_to_interrupt(context, later, work):
-    """Sends SIGINT some seconds into the work. Returns the time until KeyboardInterrupt; nothing if the work ended first."""
+    """Sends SIGINT some seconds into the work. Returns the time until KeyboardInterrupt, or nothing if the work ended first;
+    and the length of the work."""
     timer = threading.Timer(later, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     began = time.monotonic()
     try:
         work(context)
     except KeyboardInterrupt:
-        return time.monotonic() - began - later
+        return time.monotonic() - began - later, later
     finally:
         timer.cancel()
-    return None
+    return None, time.monotonic() - began
 
 
 def interrupts(kb):
@@ -115,7 +115,11 @@ def interrupts(kb):
     for name, length, work in (("cutting", cut, lambda c: kb.Plan(case, context=c)),
                                ("the run", run, lambda c: kb.Run(plan, context=c).go_on())):
         for share in SHARES:
-            seconds = seconds_to_interrupt(kb.Context(1), share * length, work)
+            for _ in range(3):  # shorter if the machine was busier before
+                seconds, taken = seconds_to_interrupt(kb.Context(1), share * length, work)
+                if seconds is not None:
+                    break
+                length = min(length, taken)
             print(f"Ctrl-C at {share:.0%} of {name}: " + ("it ended first" if seconds is None else f"heard after {seconds:.2f} s"))
             faults += seconds is not None and seconds > MOST_SECONDS
             while kb._keyblock.left_behind():

@@ -299,6 +299,8 @@ namespace of_statics {
 inline constexpr double kForceGoal = 1e-10;
 inline constexpr double kForceAcceptable = 1e-9;
 inline constexpr double kForceOnTheWay = 1e-6;
+// Without any load, forces below this strain of a contact's stiffness over the block size are round-off.
+inline constexpr double kNoStrain = 1e-12;
 // Displacement of a vertex per iteration over block size: gaps and loads are taken as linear in it.
 inline constexpr double kFarthest = 0.05;
 inline constexpr double kAimed = 0.5;  // fraction of it for which τ is chosen

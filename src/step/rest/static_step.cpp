@@ -78,13 +78,14 @@ class StaticSolve {
     return std::move(result_);
   }
 
-  // Returns false if there is no load to balance.
+  // Returns false if there is no load to balance. Once the last load is gone, the strain that it left is one.
   bool choose_scales() {
     const UnknownsTable loads = loads_at(scene_, now_.q, time_);
     load_ = std::max(largest_load(scene_, loads), driving_force(scene_, start_, time_, scene_.settings.time_step));
+    const Scales scales = scales_of(scene_, loads, now_.q, now_.v);
+    if (load_ == 0) load_ = force_of_strain(of_statics::kNoStrain * scene_.normal_stiffness() * scales.size);
     first_load_ = load_;
     if (load_ == 0) return false;
-    const Scales scales = scales_of(scene_, loads, now_.q, now_.v);
     MassRange range;
     for (const auto& group : scene_.groups) group->add_to(range, scene_.has_springs() ? scene_.normal_stiffness() : 0);
     for (const Bolt& bolt : scene_.model.bolts)
@@ -94,6 +95,13 @@ class StaticSolve {
     longest_ = range.slowest < std::numeric_limits<double>::max() ? longest / range.slowest : longest * tau_;
     tau_ = std::min(tau_, longest_);
     return true;
+  }
+
+  // Returns the largest force out of balance; zero up to `none`.
+  double force_of_strain(double none) const {
+    if (!(none > 0)) return 0;
+    const double force = none * balance_of(scene_, start_, time_, none).share;
+    return force > none ? force : 0;
   }
 
   void bound_by(double share) {
