@@ -129,6 +129,13 @@ describe.skipIf(!has_browser || !program)('hostile inputs', () => {
         return new DOMParser().parseFromString(own, 'image/svg+xml').querySelector('parsererror')?.textContent ?? '';
       });
       expect(svg).toBe('');
+      // The legend shortens names.
+      await page.evaluate(() => {
+        (window as Open).keyblock_page.state.contact_colour.value = 'joint';
+      });
+      await expect
+        .poll(() => page.evaluate(() => (window as Open).keyblock_page.svg_text()))
+        .toContain(`${'Ä'.repeat(43)}…<`);
       expect(await page.evaluate(() => (window as Open).hit ?? 0)).toBe(0);
       expect(requests).toEqual([]);
       expect(errors).toEqual([]);
