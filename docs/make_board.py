@@ -52,7 +52,8 @@ dd { margin: 0; overflow-wrap: anywhere; }
 .wide { overflow-x: auto; max-width: 100%; }
 table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: 3px 12px 3px 0; border-bottom: 1px solid var(--line); vertical-align: top; }
-article th, article td { white-space: nowrap; }
+article th, article td { font-size: 13px; padding-right: 8px; }
+article td.n { white-space: nowrap; }
 a { color: var(--mark); }
 th { font-weight: 600; color: var(--soft); }
 td.n { text-align: right; padding-left: 8px; }

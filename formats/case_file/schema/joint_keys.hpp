@@ -16,8 +16,8 @@ struct JointKey {
   std::string_view parent;  ///< specification, rectangle, slope, tunnel or set
   std::string_view key;
   std::string_view title;
-  std::string_view unit;     ///< L (length), deg or none; empty: the value is no number
-  const Demand* demand;      ///< limits of a number; null: the value is no number
+  std::string_view unit;     ///< L (length), deg or none; empty: not a number
+  const Demand* demand;      ///< limits of a number; null: not a number
   std::string_view absent;   ///< default: a number, a word, or a sentence; empty: none
   bool is_required = false;  ///< by its object
   std::string_view meaning;

@@ -496,6 +496,14 @@ export interface Key {
   unit: string;
 }
 
+/** Letters of a name that fit into the legend. */
+const MOST_LETTERS = 44;
+
+const short = (name: string): string => {
+  const letters = [...name];
+  return letters.length > MOST_LETTERS ? `${letters.slice(0, MOST_LETTERS - 1).join('')}…` : name;
+};
+
 /** Legend at the bottom left, scale bar at the bottom right, caption above the legend. */
 export function paint_legend(pen: Pen, figure: Figure): void {
   const { paint, size, shade } = figure;
@@ -517,10 +525,13 @@ export function paint_legend(pen: Pen, figure: Figure): void {
     const largest = `${show(figure.contacts.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
     const { joint, joint_names } = figure.contacts;
     rows.push(`Widest contact line: ${largest}${joint ? '' : '; blue sticks, orange slides'}`);
-    if (joint) swatches.push(...joint_names.map((name, i) => ({ name, colour: paint.classes[i % CLASSES.length] })));
+    if (joint)
+      swatches.push(
+        ...joint_names.map((name, i) => ({ name: short(name), colour: paint.classes[i % CLASSES.length] })),
+      );
   }
   const width = Math.min(320, size.width - 24);
-  const states = shade?.measure.kind === 'state' ? (shade.measure.names ?? []) : null;
+  const states = shade?.measure.kind === 'state' ? (shade.measure.names ?? []).map(short) : null;
   const bar = shade && !states;
   const state_rows = states?.length ? layout_states(states, width) : null;
   const height = (shade ? (states && !state_rows ? 0 : 22) : 0) + (bar ? 32 : 0) + (state_rows?.height ?? 0);
