@@ -329,7 +329,8 @@ def tables_of_source():
               for name, body in re.findall(r"constexpr std::array (k\w+)\{(.*?)\};", source, re.S)}
     tables = re.findall(r'^const RunTable (k\w+)\{"([^"]+)", (k\w+)', source, re.M)
     parts = {"kBlockArrays": "frames: blocks, cells", "kCornerArrays": "frames: blocks, points",
-             "kContactArrays": "frames: contacts", "kBoltArrays": "frames: bolts", "kCrackArrays": "frames: faces of cracks"}
+             "kContactArrays": "frames: contacts", "kBoltArrays": "frames: bolts", "kCrackArrays": "frames: faces of cracks",
+             "kJointArrays": "frames: joints"}
     return {parts.get(name, file): arrays[array] for name, file, array in tables}
 
 

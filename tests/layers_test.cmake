@@ -18,7 +18,7 @@ set(may_read_files app serve library api study job formats)   # the rooms that m
 
 # Floors within a room, lowest first: sub-rooms, single units, "." for all other files of the room itself. Those of one line (joined by
 # a comma) do not see each other.
-set(inner_base words . bytes)
+set(inner_base words . bytes,sentences)
 set(inner_problem . units joints,lines checks)
 set(inner_result rows .)
 set(inner_system linear_factor cholmod .)

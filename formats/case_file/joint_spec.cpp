@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/counted.hpp"
-#include "formats/text/demands.hpp"
+#include "formats/case_file/schema/joint_keys.hpp"
 #include "formats/text/json_fields.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
@@ -15,66 +16,63 @@
 namespace keyblock::formats {
 namespace {
 
-constexpr Demand kAnyNumber{[](double) { return true; }, "a number"};
-constexpr Demand kDip{[](double v) { return v >= -360 && v <= 360; }, "-360 to 360 degrees"};
-constexpr Demand kDipScatter{[](double v) { return v >= 0 && v <= 90; }, "0 to 90 degrees"};
-constexpr Demand kFaceAngle{[](double v) { return v > 0 && v <= 90; }, "above 0 to 90 degrees"};
-constexpr Demand kSeed{[](double v) { return v >= 0 && is_whole(v); }, "a whole number, 0 or more"};
-constexpr Demand kLifts{[](double v) { return v >= 1 && v <= 1000 && is_whole(v); }, "a whole number from 1 to 1000"};
 constexpr double kRatio = 0.001;
-const std::vector<std::string_view> kSetKeys{"dip",
-                                             "spacing",
-                                             "trace",
-                                             "gap",
-                                             "scatter",
-                                             "dip_scatter",
-                                             "dip_scatter_deg",
-                                             "spacing_scatter",
-                                             "trace_scatter",
-                                             "gap_scatter",
-                                             "distribution",
-                                             "spacing_distribution",
-                                             "trace_distribution",
-                                             "gap_distribution",
-                                             "joint",
-                                             "seed"};
+
+/// Fields of an object of the specification, with the limits of its table.
+class JointFields : public JsonFields {
+ public:
+  JointFields(const PlacedJson& object, std::string noun, std::string_view parent)
+      : JsonFields(object, std::move(noun), joint_keys_of(parent)), parent_(parent) {}
+
+  double real(std::string_view key, std::optional<double> absent = std::nullopt) const {
+    return JsonFields::real(key, joint_demand(parent_, key), absent);
+  }
+  int integer(std::string_view key, std::optional<int> absent = std::nullopt) const {
+    return JsonFields::integer(key, joint_demand(parent_, key), absent);
+  }
+  std::size_t word(std::string_view key, std::size_t absent) const {
+    return JsonFields::word(key, joint_words_of(key), absent);
+  }
+
+ private:
+  std::string_view parent_;
+};
 
 RectangleShape rectangle_of(const PlacedJson& value) {
-  const JsonFields fields(value, "the rectangle", {"width", "height", "x", "y"});
+  const JointFields fields(value, "the rectangle", "rectangle");
   RectangleShape shape;
-  shape.width = fields.real("width", kPositive);
-  shape.height = fields.real("height", kPositive);
-  shape.x = fields.real("x", kAnyNumber, 0);
-  shape.y = fields.real("y", kAnyNumber, 0);
+  shape.width = fields.real("width");
+  shape.height = fields.real("height");
+  shape.x = fields.real("x", 0);
+  shape.y = fields.real("y", 0);
   return shape;
 }
 
 SlopeShape slope_of(const PlacedJson& value) {
-  const JsonFields fields(value, "the slope",
-                          {"height", "angle", "bench", "benches", "toe", "crest", "base", "x", "y"});
+  const JointFields fields(value, "the slope", "slope");
   SlopeShape shape;
-  shape.height = fields.real("height", kPositive);
-  shape.angle_deg = fields.real("angle", kFaceAngle);
-  shape.bench = fields.real("bench", kNotNegative, 0);
-  shape.benches = fields.integer("benches", kLifts, 1);
-  shape.toe = fields.real("toe", kNotNegative, shape.height);
-  shape.crest = fields.real("crest", kNotNegative, 1.5 * shape.height);
-  shape.base = fields.real("base", kPositive, shape.height / 2);
-  shape.x = fields.real("x", kAnyNumber, 0);
-  shape.y = fields.real("y", kAnyNumber, 0);
+  shape.height = fields.real("height");
+  shape.angle_deg = fields.real("angle");
+  shape.bench = fields.real("bench", 0);
+  shape.benches = fields.integer("benches", 1);
+  shape.toe = fields.real("toe", shape.height);
+  shape.crest = fields.real("crest", 1.5 * shape.height);
+  shape.base = fields.real("base", shape.height / 2);
+  shape.x = fields.real("x", 0);
+  shape.y = fields.real("y", 0);
   return shape;
 }
 
 TunnelSection tunnel_of(const PlacedJson& value) {
-  const JsonFields fields(value, "a tunnel", {"shape", "width", "height", "x", "y"});
+  const JointFields fields(value, "a tunnel", "tunnel");
   if (!fields.has("shape"))
     throw InputError(value.place, "expected the shape of a tunnel (circle, d or horseshoe), found none");
   TunnelSection tunnel;
-  tunnel.shape = static_cast<TunnelShape>(fields.word("shape", {"circle", "d", "horseshoe"}, 0));
-  tunnel.width = fields.real("width", kPositive);
-  tunnel.height = fields.real("height", kPositive, tunnel.width);
-  tunnel.x = fields.real("x", kAnyNumber);
-  tunnel.y = fields.real("y", kAnyNumber);
+  tunnel.shape = static_cast<TunnelShape>(fields.word("shape", 0));
+  tunnel.width = fields.real("width");
+  tunnel.height = fields.real("height", tunnel.width);
+  tunnel.x = fields.real("x");
+  tunnel.y = fields.real("y");
   tunnel.place = value.place;
   return tunnel;
 }
@@ -82,48 +80,46 @@ TunnelSection tunnel_of(const PlacedJson& value) {
 /// Reads the scatter and the distribution of a length, its own or those of the set.
 class LengthReader {
  public:
-  explicit LengthReader(const JsonFields& fields)
+  explicit LengthReader(const JointFields& fields)
       : fields_(fields),
-        scatter_(fields.real("scatter", kShare, 0)),
-        law_(fields.word("distribution", kLaws, static_cast<std::size_t>(Distribution::lognormal))) {}
+        scatter_(fields.real("scatter", 0)),
+        law_(fields.word("distribution", static_cast<std::size_t>(Distribution::lognormal))) {}
 
   double scatter() const { return scatter_; }
 
-  RandomLength length(const std::string& key, const Demand& demand, std::optional<double> absent = std::nullopt) const {
-    return {fields_.real(key, demand, absent), fields_.real(key + "_scatter", kShare, scatter_),
-            static_cast<Distribution>(fields_.word(key + "_distribution", kLaws, law_))};
+  RandomLength length(const std::string& key, std::optional<double> absent = std::nullopt) const {
+    return {fields_.real(key, absent), fields_.real(key + "_scatter", scatter_),
+            static_cast<Distribution>(fields_.word(key + "_distribution", law_))};
   }
 
  private:
-  inline static const std::vector<std::string_view> kLaws{"normal", "lognormal", "exponential"};
-
-  const JsonFields& fields_;
+  const JointFields& fields_;
   double scatter_;
   std::size_t law_;
 };
 
 /// Returns the scatter of the dip as a fraction of 90 degrees, also if a set has only `scatter`.
-double dip_scatter_of(const JsonFields& fields, double scatter) {
-  if (!fields.has("dip_scatter_deg")) return fields.real("dip_scatter", kShare, scatter);
+double dip_scatter_of(const JointFields& fields, double scatter) {
+  if (!fields.has("dip_scatter_deg")) return fields.real("dip_scatter", scatter);
   if (fields.has("dip_scatter"))
     throw InputError(fields.place(), "expected one of dip_scatter_deg and dip_scatter, found both");
-  return fields.real("dip_scatter_deg", kDipScatter) / 90;
+  return fields.real("dip_scatter_deg") / 90;
 }
 
 JointSet set_of(const PlacedJson& value, int number, int seed) {
-  const JsonFields fields(value, fmt::format("joint set {}", number), kSetKeys);
+  const JointFields fields(value, fmt::format("joint set {}", number), "set");
   const LengthReader reader(fields);
   JointSet set;
-  set.dip_deg = fields.real("dip", kDip);
+  set.dip_deg = fields.real("dip");
   set.dip_scatter = dip_scatter_of(fields, reader.scatter());
-  set.spacing = reader.length("spacing", kPositive);
-  const RandomLength trace = reader.length("trace", kPositive, 0);
+  set.spacing = reader.length("spacing");
+  const RandomLength trace = reader.length("trace", 0);
   if (trace.mean > 0) set.trace_length = trace;
-  set.gap = reader.length("gap", kNotNegative, 0);
+  set.gap = reader.length("gap", 0);
   if (!set.trace_length && set.gap.mean > 0)
     throw InputError(value.place, fmt::format("expected trace beside gap in joint set {}, found none", number));
-  set.joint_material = fields.integer("joint", kAtLeastOne, number) - 1;
-  set.seed = static_cast<std::uint64_t>(fields.integer("seed", kSeed, seed));
+  set.joint_material = fields.integer("joint", number) - 1;
+  set.seed = static_cast<std::uint64_t>(fields.integer("seed", seed));
   set.stream = static_cast<std::uint64_t>(number);
   set.place = value.place;
   return set;
@@ -139,7 +135,7 @@ bool is_simple(const Outline& corners) {
 }
 
 /// Returns the corners counter-clockwise.
-Outline corners_of(const JsonFields& fields) {
+Outline corners_of(const JointFields& fields) {
   Outline corners;
   for (const std::vector<double>& row : fields.rows("outline", 2)) corners.push_back({row[0], row[1]});
   if (corners.size() < 3 || !is_simple(corners) || area(corners) == 0)
@@ -151,7 +147,7 @@ Outline corners_of(const JsonFields& fields) {
   return corners;
 }
 
-std::variant<RectangleShape, SlopeShape, Outline> outline_of_scene(const JsonFields& fields) {
+std::variant<RectangleShape, SlopeShape, Outline> outline_of_scene(const JointFields& fields) {
   const PlacedJson* rectangle = fields.value("rectangle");
   const PlacedJson* slope = fields.value("slope");
   const int count = (rectangle != nullptr) + (slope != nullptr) + (fields.value("outline") != nullptr);
@@ -166,18 +162,16 @@ std::variant<RectangleShape, SlopeShape, Outline> outline_of_scene(const JsonFie
 }  // namespace
 
 JointScene joint_scene_of(const PlacedJson& specification) {
-  const JsonFields fields(specification, "the specification",
-                          {"rectangle", "slope", "outline", "tunnels", "sets", "seed", "boundary_joint",
-                           "edge_node_ratio", "fixed", "measured"});
+  const JointFields fields(specification, "the specification", "specification");
   JointScene scene;
   scene.place = {specification.place.file};
   scene.outline = outline_of_scene(fields);
   for (const PlacedJson& tunnel : fields.list("tunnels")) scene.tunnels.push_back(tunnel_of(tunnel));
-  const int seed = fields.integer("seed", kSeed, 1);
+  const int seed = fields.integer("seed", 1);
   int number = 0;
   for (const PlacedJson& set : fields.list("sets")) scene.sets.push_back(set_of(set, ++number, seed));
-  scene.boundary_material = fields.integer("boundary_joint", kAtLeastOne, 1) - 1;
-  scene.edge_node_ratio = fields.real("edge_node_ratio", kEdgeNodeRatio, kRatio);
+  scene.boundary_material = fields.integer("boundary_joint", 1) - 1;
+  scene.edge_node_ratio = fields.real("edge_node_ratio", kRatio);
   for (const std::vector<double>& row : fields.rows("fixed", 4))
     scene.fixed_lines.push_back({{{row[0], row[1]}, {row[2], row[3]}}, fields.value("fixed")->place});
   for (const std::vector<double>& row : fields.rows("measured", 2))

@@ -225,6 +225,11 @@ constexpr std::array kOfContacts{
     Column("normal", m::kNumber), Column("force", m::kForce)};
 constexpr std::array kOfBolts{Column("bolt", m::kNumber), Column("force", m::kForce), Column("is_broken", m::kNumber)};
 
+constexpr std::array kOfJoints{
+    Column("block", m::kNumber),        Column("other", m::kNumber),        Column("joint_material", m::kNumber),
+    Column("joint", m::kNumber),        Column("contacts", m::kNumber),     Column("closed", m::kNumber),
+    Column("sliding", m::kNumber),      Column("normal_force", m::kForce),  Column("shear_force", m::kForce),
+    Column("greatest_gap", m::kLength), Column("greatest_slip", m::kLength)};
 constexpr std::array kOfCracks{Column("displacement", m::kLength), Column("crack", m::kNumber),
                                Column("side", m::kNumber), Column("is_shear", m::kNumber)};
 
@@ -267,12 +272,14 @@ const RunTable kCornerArrays{"frames", kOfCorners};
 const RunTable kContactArrays{"frames", kOfContacts};
 const RunTable kBoltArrays{"frames", kOfBolts};
 const RunTable kCrackArrays{"frames", kOfCracks};
+const RunTable kJointArrays{"frames", kOfJoints};
 
 std::span<const RunTable* const> run_tables() {
-  static const std::array<const RunTable*, 18> tables{
-      &kHistoryTable,  &kPointsTable, &kHistoriesTable, &kContactsTable, &kJointsTable,  &kJointLinesTable,
-      &kBoltsTable,    &kTipsTable,   &kStepTable,      &kLedgerTable,   &kTraceOfSteps, &kTraceOfBlocks,
-      &kTraceOfRounds, &kBlockArrays, &kCornerArrays,   &kContactArrays, &kBoltArrays,   &kCrackArrays};
+  static const std::array<const RunTable*, 19> tables{
+      &kHistoryTable,    &kPointsTable,   &kHistoriesTable, &kContactsTable, &kJointsTable,
+      &kJointLinesTable, &kBoltsTable,    &kTipsTable,      &kStepTable,     &kLedgerTable,
+      &kTraceOfSteps,    &kTraceOfBlocks, &kTraceOfRounds,  &kBlockArrays,   &kCornerArrays,
+      &kContactArrays,   &kBoltArrays,    &kCrackArrays,    &kJointArrays};
   return tables;
 }
 

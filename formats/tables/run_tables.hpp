@@ -43,6 +43,7 @@ extern const RunTable kCornerArrays;   ///< their corners
 extern const RunTable kContactArrays;  ///< points of a frame's contacts
 extern const RunTable kCrackArrays;    ///< lines of its cracks, and their corners
 extern const RunTable kBoltArrays;     ///< lines of a frame's bolts
+extern const RunTable kJointArrays;    ///< lines of a frame's joints
 
 /// Returns all tables, in the order above.
 std::span<const RunTable* const> run_tables();

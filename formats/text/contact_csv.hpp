@@ -30,7 +30,7 @@
 
 namespace keyblock::formats {
 
-/// Header of a table that grows, and the lines of one instant. Sums of joints count all contacts, and columns only those
+/// Header of a table that grows, and the lines of one instant. Sums of joints count all contacts, columns only those
 /// that tables and viewers show.
 std::string contacts_csv_header(const Units& units = {});
 std::string contacts_csv_rows(const FrameColumns& frame);

@@ -129,16 +129,20 @@ std::string vtu(const FrameColumns& frame, const Units& units, VtkCoding coding)
 
 std::string pvd(const std::vector<PvdEntry>& entries) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
-  for (const auto& [time, part, file] : entries)
-    text += fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\" file=\"{}\"/>\n", time, part, attribute(file));
+  for (const auto& [time, part, file, name] : entries) {
+    const std::string named = name.empty() ? "" : fmt::format(" name=\"{}\"", attribute(name));
+    text +=
+        fmt::format("<DataSet timestep=\"{:.17g}\" part=\"{}\"{} file=\"{}\"/>\n", time, part, named, attribute(file));
+  }
   return text + "</Collection>\n</VTKFile>\n";
 }
 
 std::vector<PvdEntry> read_pvd(const std::string& text) {
-  static const std::regex kEntry("<DataSet timestep=\"([^\"]+)\" part=\"([0-9]{1,9})\" file=\"([^\"]+)\"/>");
+  static const std::regex kEntry(
+      "<DataSet timestep=\"([^\"]+)\" part=\"([0-9]{1,9})\"(?: name=\"([^\"]*)\")? file=\"([^\"]+)\"/>");
   std::vector<PvdEntry> entries;
   for (std::sregex_iterator at(text.begin(), text.end(), kEntry), end; at != end; ++at)
-    entries.push_back({std::strtod((*at)[1].str().c_str(), nullptr), std::stoi((*at)[2]), (*at)[3]});
+    entries.push_back({std::strtod((*at)[1].str().c_str(), nullptr), std::stoi((*at)[2]), (*at)[4], (*at)[3]});
   return entries;
 }
 

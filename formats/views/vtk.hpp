@@ -20,7 +20,8 @@
 // angle): the strain of the stress by Hooke's law of the intact rock. They are cell data and, with stress at corners,
 // point data. Initial stress counts. Out of the plane the strain is 0 in plane strain without plastic strain, -nu (sxx
 // + syy) / E in plane stress.
-// .pvd: VTK XML Collection; 17 significant digits of time, so that each double differs from its neighbours.
+// .pvd: VTK XML Collection with names of parts; 17 significant digits of time, so that each double differs from its
+// neighbours.
 #pragma once
 
 #include <string>
@@ -35,11 +36,13 @@ namespace keyblock::formats {
 /// Writes blocks and elements of a frame.
 std::string vtu(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
 
-/// File of one instant; its name is relative to the list. Files of one time differ in their part.
+/// File of one instant; its name is relative to the list. Files of one time differ in their part, which viewers show by
+/// its name.
 struct PvdEntry {
   double time = 0;
   int part = 0;
   std::string file;
+  std::string name = {};  ///< of the part; empty: none
 };
 
 std::string pvd(const std::vector<PvdEntry>& entries);

@@ -1,4 +1,4 @@
-// Writes contacts, bolts and cracks as files of VTK's PolyData.
+// Writes contacts, joints, bolts and cracks as files of VTK's PolyData.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/views/vtk_parts.hpp"
 
@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/columns/joint_pieces.hpp"
 #include "formats/views/vtk_arrays.hpp"
 
 namespace keyblock::formats {
@@ -75,6 +76,10 @@ std::string contacts_vtp(const FrameColumns& frame, const Units& units, VtkCodin
   file.end();
   add_cells(file, cells, part.at("place"));
   return std::move(file).text();
+}
+
+std::string joints_vtp(const FrameColumns& frame, const Units& units, VtkCoding coding) {
+  return lines_vtp(frame, joint_pieces(frame.part("contacts")), kJointArrays, units, coding);
 }
 
 std::string bolts_vtp(const FrameColumns& frame, const Units& units, VtkCoding coding) {

@@ -1,5 +1,5 @@
-// Writes contacts, bolts and cracks of a frame for viewers such as ParaView, as points and lines in addition to the
-// blocks.
+// Writes contacts, joints, bolts and cracks of a frame for viewers such as ParaView, as points and lines in addition to
+// the blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // .vtp: VTK XML PolyData (vtk_file.hpp), with the time in the field TimeValue. Contacts are vertices with point data
@@ -7,7 +7,8 @@
 // vectors are normal (Float32) and force (on `block`; `other` has the opposite), with the signs of
 // formats/text/contact_csv.hpp. Bolts are lines with cell data bolt (from 1), force (tension positive), is_broken (0,
 // 1). Faces of cracks are lines in their current position. Their cell data are crack (from 1), side (0 right, 1 left
-// along the crack), is_shear (0, 1: it started in shear); displacement is point data.
+// along the crack), is_shear (0, 1: it started in shear); displacement is point data. Joints are lines from the first
+// to the last contact of two bodies along one joint, with the sums of formats/columns/joint_pieces.hpp as cell data.
 #pragma once
 
 #include <string>
@@ -18,8 +19,9 @@
 
 namespace keyblock::formats {
 
-/// Precondition of all three: the part has at least one row.
+/// Precondition of all four: the part has at least one row; joints have those of contacts.
 std::string contacts_vtp(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
+std::string joints_vtp(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
 std::string bolts_vtp(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
 std::string cracks_vtp(const FrameColumns& frame, const Units& units = {}, VtkCoding coding = VtkCoding::raw);
 

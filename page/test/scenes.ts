@@ -10,6 +10,8 @@ export interface WallOptions {
   contacts?: boolean;
   /** Splits the run into two epochs: from the middle on the last block is gone. */
   epochs?: 1 | 2;
+  /** Rows whose stresses, velocities and states are no numbers. */
+  missing?: number[];
   /** Elements on covers: displacements vertex by vertex. */
   on_vertices?: boolean;
 }
@@ -129,7 +131,7 @@ export function make_wall(options: WallOptions): Wall {
     ],
     chunks: [],
     materials: ['granite <b>', 'marl'],
-    joints: ['rough'],
+    joints: ['rough', 'smooth <i>'],
     tables: [
       {
         name: 'history.csv',
@@ -200,6 +202,8 @@ export function make_wall(options: WallOptions): Wall {
       ),
     );
   }
+  for (const own of [stress, velocity, yields])
+    for (const rows of own) for (const row of options.missing ?? []) rows[row].fill(Number.NaN);
   writer.field(head, { name: 'motion', parts: 6, bits: 14 }, motion);
   writer.field(head, { name: 'stress', parts: 4, bits: 10 }, stress);
   writer.field(head, { name: 'velocity', parts: 2, bits: 10 }, velocity);
@@ -244,7 +248,7 @@ export function make_wall(options: WallOptions): Wall {
                 [(row + Math.round(dx * 10)) % 5 === 0 ? 2 : 1],
                 [row],
                 [level === 0 ? (row === 1 ? NO_ROW : 0) : below],
-                [0],
+                [level % 2],
               ];
             });
           }),

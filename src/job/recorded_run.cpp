@@ -10,6 +10,7 @@
 
 #include "base/bytes/sha256.hpp"
 #include "base/context.hpp"
+#include "base/decimals.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "job/run_heading.hpp"
@@ -147,14 +148,14 @@ RecordedRun::RecordedRun(Beginning beginning)
   record.units = input.problem.units;
   record.inputs = input_records(read_.read_files());
   record.values = read_.values;
-  record.timings.read = lap();
+  record.timings.read = to_microseconds(lap());
   plan_ = planned_with(read_, options_.outputs);
   record.profile = plan_.profile.name;
   record.profile_because = plan_.profile.why;
   record.record_every = options_.record_every > 0 ? options_.record_every
                                                   : usual_frame_interval(plan_.problem, plan_.prepared.scene.settings);
   record.warnings = joined(input.warnings, plan_.warnings);
-  record.timings.prepare = lap();
+  record.timings.prepare = to_microseconds(lap());
   title_ = title_of(read_.files.front(), record.profile);
   RunRequest request = request_of(options_, read_, plan_, record);
   if (beginning.request) require_same(checkpoint_in(options_.folder), *beginning.request, request);

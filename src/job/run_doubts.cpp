@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 #include "fracture/near_tip_field.hpp"
 #include "fracture/tip_report.hpp"
 #include "geometry/shared_area.hpp"
@@ -213,6 +213,17 @@ void add_imbalance(Warnings& found, const Prepared& prepared, const StepTotals& 
          {"limit_percent", 100 * kUnbalancedSteps}}}});
 }
 
+void add_moved(Warnings& list, const char* form, const Model& model, const CarriedBlock& block, double limit,
+               const Place& place) {
+  const char* const noun = block.is_body ? "the body of element" : model.nodes.empty() ? "block" : "element";
+  add(list, place,
+      {form,
+       {{{"displacement", block.way}, {"share", block.share()}, {"width", block.width}, {"limit", limit}},
+        {{"noun", noun}},
+        {block.number + 1},
+        {spot(block.drawn)}}});
+}
+
 // In statics an equilibrium answers a question about the drawing only if it lies near the drawing.
 void add_distance(Judgement& judgement, const Prepared& prepared, const RunRecord& record, const Frame& last,
                   const Place& place) {
@@ -221,23 +232,34 @@ void add_distance(Judgement& judgement, const Prepared& prepared, const RunRecor
                                  settings.standard.motion != MotionRule::dynamic && !prepared.scene.is_untouched;
   if (!seeks_equilibrium || record.outcome.end != RunEnd::finished) return;
   const Model& model = scenes_of(prepared.scene).back()->model;
-  const auto put = [&](Warnings& list, const char* form, const CarriedBlock& block, double limit) {
-    const char* const noun = block.is_body ? "the body of element" : model.nodes.empty() ? "block" : "element";
-    add(list, place,
-        {form,
-         {{{"displacement", block.way}, {"share", block.share()}, {"width", block.width}, {"limit", limit}},
-          {{"noun", noun}},
-          {block.number + 1},
-          {spot(block.drawn)}}});
-  };
   const auto farthest = farthest_carried(model, last, record.outcome.field);
   if (farthest && farthest->share() > kFarFromDrawing)
-    return put(judgement.doubts, "equilibrium_far_away", *farthest, kFarFromDrawing);
+    return add_moved(judgement.doubts, "equilibrium_far_away", model, *farthest, kFarFromDrawing, place);
   const auto loose = farthest_carried(model, last, record.outcome.field, true);
   if (farthest && farthest->share() > kSeenFromDrawing)
-    put(judgement.remarks, "equilibrium_moved", *farthest, kSeenFromDrawing);
+    add_moved(judgement.remarks, "equilibrium_moved", model, *farthest, kSeenFromDrawing, place);
   else if (loose && loose->share() > kFarFromDrawing)
-    put(judgement.remarks, "equilibrium_moved:small", *loose, kFarFromDrawing);
+    add_moved(judgement.remarks, "equilibrium_moved:small", model, *loose, kFarFromDrawing, place);
+}
+
+// Blocks that nothing drives, and that rest near their place in the drawing but not in it, found another equilibrium.
+// Friction permits several; a motion beyond `kFarFromDrawing` is plain to see.
+void add_rest(Warnings& remarks, const Prepared& prepared, const RunRecord& record, const Frame& first,
+              const Frame& last, const Place& place) {
+  const Settings& settings = prepared.scene.settings;
+  const Model& model = scenes_of(prepared.scene).back()->model;
+  const bool is_at_rest = record.motion && record.motion->state == MotionState::at_rest && !record.is_static;
+  if (!is_at_rest || settings.dynamics != Dynamics::standard || record.outcome.end != RunEnd::finished) return;
+  const bool is_driven =
+      !settings.body_acceleration.curve.times.empty() ||
+      std::ranges::any_of(
+          first.elements,
+          [](const ElementFrame& e) { return std::hypot(e.velocity.x, e.velocity.y, e.velocity.rotation) > 0; }) ||
+      std::ranges::any_of(model.loading_points, [](const CarriedPoint& p) { return p.curve.times.size() > 1; });
+  if (is_driven) return;
+  const auto farthest = farthest_carried(model, last, record.outcome.field);
+  if (farthest && farthest->share() > kSeenFromDrawing && farthest->share() <= kFarFromDrawing)
+    add_moved(remarks, "equilibrium_moved:rest", model, *farthest, kSeenFromDrawing, place);
 }
 
 // Warns of stages that did not reach the equilibrium required before the next stage.
@@ -357,6 +379,7 @@ Judgement judged(const Prepared& prepared, const RunRecord& record, const Frame&
   add_energy(found, prepared, record, first, place);
   add_imbalance(found, prepared, record.totals, place);
   add_distance(judgement, prepared, record, last, place);
+  add_rest(judgement.remarks, prepared, record, first, last, place);
   add_stages(found, record.outcome, place);
   add_rotation(judgement.remarks, prepared, last, place);
   add_strain(judgement.remarks, prepared, last, place);
@@ -376,13 +399,13 @@ void judge(RunRecord& record, const Prepared& prepared, StepWatch& watch, const 
   record.warnings = joined(record.warnings, broken_bolts(first, last, place));
   record.is_static = watch.is_static();
   if (keeps_energy(record)) record.energy_created = energy_created(prepared, record, first);
+  if (record.totals.steps > 0) record.motion = end_of_motion(prepared, record, first, last);
   const Judgement judgement = judged(prepared, record, first, last, place);
   record.doubts = judgement.doubts;
   if (record.outcome.end == RunEnd::finished)
     record.doubts = joined(record.doubts, watch.blocks().doubts(prepared.scene.settings, keeps_energy(record), place));
   record.warnings = joined(joined(record.warnings, judgement.remarks), record.doubts);
   if (record.outcome.end != RunEnd::failed) record.equilibrium_way = watch.equilibrium_way();
-  if (record.totals.steps > 0) record.motion = end_of_motion(prepared, record, first, last);
 }
 
 }  // namespace keyblock

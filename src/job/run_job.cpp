@@ -9,6 +9,7 @@
 
 #include "base/context.hpp"
 #include "base/counted.hpp"
+#include "base/decimals.hpp"
 #include "base/error.hpp"
 #include "job/ledger_report.hpp"
 #include "job/page/run_page.hpp"
@@ -273,7 +274,7 @@ void RunJob::judge() {
 }
 
 std::string RunJob::finish(const std::string& title, double seconds) {
-  record_.timings.run = seconds;
+  record_.timings.run = to_microseconds(seconds);
   judge();
   record_.held = held_blocks(folder_.last_frame());
   record_.names = options_.names;

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "base/words/quoted_name.hpp"
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 #include "model/material_choices.hpp"
 #include "result/describe.hpp"
 

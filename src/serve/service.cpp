@@ -37,6 +37,14 @@ std::string criterion_in(const Json& body) {
   return words;
 }
 
+/// Returns the words of the command whose output is the reply; empty for other addresses.
+std::vector<std::string> printing(std::string_view path) {
+  if (path == "/api/schema") return {"formats", "--schema"};
+  if (path == "/api/joint_schema") return {"formats", "--joint-schema"};
+  if (path == "/api/materials") return {"formats", "--materials", "--json"};
+  return {};
+}
+
 }  // namespace
 
 Service::Service(const ServedFolder& folder, const Drafts& drafts, Jobs& jobs)
@@ -78,8 +86,7 @@ Reply Service::get(const Target& target) {
   if (path == "/api/record") return json_reply(results_.record(parameters));
   if (path == "/api/compare") return json_reply(results_.compare(parameters));
   if (path == "/api/jobs") return json_reply({{"jobs", jobs_.list()}});
-  if (path == "/api/schema") return printed({"formats", "--schema"});
-  if (path == "/api/materials") return printed({"formats", "--materials", "--json"});
+  if (const std::vector<std::string> words = printing(path); !words.empty()) return printed(words);
   if (path == "/page" || path == "/report") return results_.page(path, parameters);
   if (path == "/") return {200, "text/html; charset=utf-8", std::string(start_page()), page_headers()};
   return refusal(404, "there is no such address");

@@ -66,7 +66,7 @@ struct StandardChoices {
   double step_tolerance = 1e-4;    ///< target error of a step, per block size, by which its size is chosen
   double least_step_share = 1e-4;  ///< per time step: parts are not cut below it
   double force_tolerance =
-      1e-6;  ///< of contact forces over the heaviest load, if more than fifty contacts are solved together
+      1e-8;  ///< of contact forces over the heaviest load, if more than fifty contacts are solved together
   SpringPoints spring_points = SpringPoints::ends;
   double corner_rounding = 1e-3;  ///< overlap up to which corners pass each other, over half the narrower width
   ImpactLaw impact = ImpactLaw::jump;

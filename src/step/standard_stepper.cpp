@@ -10,7 +10,8 @@
 
 #include "base/context.hpp"
 #include "base/counted.hpp"
-#include "base/words/sentences.hpp"
+#include "base/decimals.hpp"
+#include "base/sentences/sentences.hpp"
 #include "contact/rows/constraints.hpp"
 #include "model/body_load.hpp"
 #include "result/describe.hpp"
@@ -396,7 +397,7 @@ std::variant<StepReport, StepFailure> StandardStepper::advance(const BetterPulls
   if (made.step.failure.empty()) made.step.failure = too_deep(scene_, made.step.motion, end);
   if (!made.step.failure.empty()) return failure_of(scene_, motion_, state_, made.step);
   end.step = state_.step + 1;
-  end.time = state_.time + scene_.settings.time_step;
+  end.time = time_after(state_.time, scene_.settings.time_step);
   end.dt = scene_.settings.time_step;
   for (const auto& group : scene_.groups) plastic_work_ += group->plastic_work(motion_, made.step.motion);
   motion_ = made.step.motion;

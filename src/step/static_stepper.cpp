@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/decimals.hpp"
 #include "model/kinematics.hpp"
 #include "model/setup/free_pieces.hpp"
 
@@ -66,7 +67,7 @@ std::optional<StepFailure> StaticStepper::unheld_pieces() const {
 StepReport StaticStepper::end_step(int passes, int redos, double residual) {
   ++state_.step;
   state_.dt = scene_.settings.time_step;
-  state_.time = state_.step * state_.dt;
+  state_.time = short_decimal(state_.step * state_.dt);
   StepReport report;
   report.step = state_.step;
   report.time = state_.time;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 #include "contact/rows/gap.hpp"
 #include "material/elastic.hpp"
 #include "step/scene/equilibrium.hpp"

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 
 namespace keyblock {
 

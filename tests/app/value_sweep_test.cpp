@@ -8,6 +8,8 @@
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "base/bytes/sha256.hpp"
@@ -70,6 +72,22 @@ TEST(ValueSweep, a_grid_is_one_table_whatever_the_shards) {
   EXPECT_EQ(read_text(folder + "/shards/table.csv"), table);
 }
 
+TEST(ValueSweep, times_and_factors_of_safety_have_no_tails_of_round_off) {
+  const std::string folder = fresh_folder("value_sweep_tails");
+  const ProgramRun run = run_keyblock({"sweep", slope_in(folder), "--over", "time_step=3 ms,0.7 ms", "--over",
+                                       "steps=77", "--out", "time,fos", "-o", folder + "/out"});
+  EXPECT_TRUE(contains(run.output, "\n3 ms,77,finished,,0.231,0.624,")) << run.output;
+  EXPECT_TRUE(contains(run.output, "\n0.7 ms,77,finished,,0.0539,0.624,")) << run.output;
+  for (const auto& job : fs::directory_iterator(folder + "/out/jobs")) {
+    std::istringstream table(read_text(job.path() / "run/history.csv"));
+    std::string line;
+    for (std::getline(table, line); std::getline(table, line);) {
+      const std::size_t begin = line.find(',') + 1;
+      EXPECT_LE(line.find(',', begin) - begin, std::string_view("0.0539").size()) << line;
+    }
+  }
+}
+
 TEST(ValueSweep, a_longer_grid_computes_what_is_missing) {
   const std::string folder = fresh_folder("value_sweep_longer");
   const std::string file = slope_in(folder);
@@ -96,6 +114,19 @@ TEST(ValueSweep, a_row_in_trouble_is_a_row) {
   EXPECT_TRUE(contains(run.output, "\n95,error,")) << run.output;
   EXPECT_TRUE(contains(run.output, "\nsteep,error,")) << run.output;
   EXPECT_TRUE(contains(run.output, "\n20,finished,,0.9")) << run.output;
+}
+
+// A row that could not be written is no result: the sweep ends, and computes it when it is resumed.
+TEST(ValueSweep, files_that_may_not_grow_end_the_sweep_with_exit_4) {
+  const std::string folder = fresh_folder("value_sweep_full");
+  const std::string words = " --over steps=20,1000 -o " + folder + "/out";
+  const ProgramRun run = support::run_script("ulimit -f 40; exec $K sweep " + slope_in(folder) + words);
+  EXPECT_EQ(run.exit_code, 4) << run.messages;
+  EXPECT_TRUE(contains(run.messages, "error: cannot write ")) << run.messages;
+  const ProgramRun resumed = support::run_script("exec $K sweep " + folder + "/block.json --resume" + words);
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.messages;
+  EXPECT_TRUE(contains(resumed.output, "\n20,finished,,")) << resumed.output;
+  EXPECT_TRUE(contains(resumed.output, "\n1000,finished,,")) << resumed.output;
 }
 
 TEST(ValueSweep, wrong_usage_is_found_before_any_job) {

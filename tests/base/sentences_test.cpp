@@ -1,6 +1,6 @@
 // Sentences are made of values, by one table.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
+#include "formats/case_file/schema/joint_keys.hpp"
+
 namespace keyblock::formats::joint_spec_test {
 namespace {
 
@@ -112,6 +116,30 @@ TEST(JointSpec, faults_are_named_at_the_line_of_their_key) {
   EXPECT_NE(fault(kBox + ", \"tunnels\": [{\"width\": 1, \"x\": 1, \"y\": 1}]"), "");
   EXPECT_NE(fault(kBox + ", \"seed\": 1.5"), "");
   EXPECT_NE(fault("\"rectangle\": 3"), "");
+}
+
+TEST(JointSpec, the_schema_has_a_title_and_a_meaning_of_every_key_and_the_limits_of_the_reader) {
+  for (const JointKey& key : joint_keys()) {
+    EXPECT_FALSE(key.title.empty() || key.meaning.empty()) << key.key;
+    EXPECT_EQ(key.unit.empty(), key.demand == nullptr) << key.key;
+  }
+  const auto schema = nlohmann::json::parse(joint_schema()).at("properties");
+  const auto set = schema.at("sets").at("items").at("properties");
+  EXPECT_EQ(set.size(), joint_keys_of("set").size());
+  EXPECT_EQ(set.at("dip").at("minimum"), -360);
+  EXPECT_EQ(set.at("dip").at("maximum"), 360);
+  EXPECT_EQ(set.at("spacing").at("exclusiveMinimum"), 0);
+  EXPECT_EQ(set.at("spacing").at("x-unit"), "L");
+  EXPECT_EQ(set.at("scatter").at("maximum"), 1);
+  EXPECT_EQ(set.at("trace").at("x-default"), "through the whole outline");
+  EXPECT_EQ(set.at("gap_distribution").at("enum").size(), 3U);
+  EXPECT_EQ(set.at("gap_distribution").at("x-words").size(), 3U);
+  EXPECT_EQ(schema.at("sets").at("items").at("required"), nlohmann::json({"dip", "spacing"}));
+  const auto lifts = schema.at("slope").at("properties").at("benches");
+  EXPECT_EQ(lifts.at("type"), "integer");
+  EXPECT_EQ(lifts.at("minimum"), 1);
+  EXPECT_EQ(lifts.at("maximum"), 1000);
+  EXPECT_EQ(schema.at("tunnels").at("items").at("properties").at("shape").at("enum").size(), 3U);
 }
 
 }  // namespace keyblock::formats::joint_spec_test

@@ -92,6 +92,23 @@ TEST(Vtk, the_list_of_files_gives_real_times_and_safe_names) {
   EXPECT_STREQ(first.next_sibling().attribute("timestep").value(), "1");
 }
 
+TEST(Vtk, the_list_of_files_names_parts_and_reads_back_with_and_without_names) {
+  const std::vector<PvdEntry> entries{
+      {0.1, 0, "c.vtu", "blocks"}, {0.1, 4, "joints_c.vtp", "a \"b\""}, {1, 0, "d.vtu", ""}};
+  const std::string text = pvd(entries);
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(text.c_str()));
+  EXPECT_STREQ(document.child("VTKFile").child("Collection").last_child().previous_sibling().attribute("name").value(),
+               "a \"b\"");
+  const std::vector<PvdEntry> back = read_pvd(text);
+  ASSERT_EQ(back.size(), 3U);
+  EXPECT_EQ(back[0].name, "blocks");
+  EXPECT_EQ(back[1].file, "joints_c.vtp");
+  EXPECT_EQ(back[1].part, 4);
+  EXPECT_EQ(back[2].name, "");
+  EXPECT_EQ(back[2].file, "d.vtu");
+}
+
 TEST(Vtk, a_field_has_displacement_and_stress_at_every_corner) {
   FieldFrame field{2, 0.5, {}};
   const auto corner = [](double x, double y) { return FieldCorner{{x, y}, {x / 100, y / 10}, {x, y, x + y}}; };

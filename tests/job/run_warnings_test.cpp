@@ -181,7 +181,7 @@ TEST(RunWarnings, a_start_that_is_not_the_one_asked_for_is_told) {
             std::string::npos);
   EXPECT_TRUE(tells(found[1].sentence, {"2.0e-03"}));
   EXPECT_TRUE(tells(found[2].sentence, {"1 step "}));
-  EXPECT_EQ(found[3], (Warning{"start_without_rest", {"in.ana", 1, 2}, "block 2 begins suddenly"}));
+  EXPECT_EQ(to_string(found[3]), "in.ana:1:2: warning: block 2 begins suddenly [start_without_rest]");
   outcome.start.unsolved_steps = 2;
   EXPECT_TRUE(tells(outcome_warnings(two_blocks(), outcome, {})[2].sentence, {"2 steps "}));
 }

@@ -48,14 +48,27 @@ const char* const kCase = R"({"keyblock": 1,
 
 std::string last_folder;  // of the latest run
 
-std::map<std::string, double> seen_of_run(const std::string& bolts, const std::string& name = "viewer_files") {
+/// Two walls of two blocks each, between them a bed and a cross joint, in metres.
+const char* const kJointed = R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"},
+  "drawing": {"boundary_count": 4, "fixed_lines": [[0, 0, 10, 0]],
+    "joints": [[0, 0, 10, 0, 1], [10, 0, 10, 6, 1], [10, 6, 0, 6, 1], [0, 6, 0, 0, 1],
+               [0, 3, 10, 3, 1], [5, 0, 5, 6, 2]]},
+  "analysis": {"step_count": 20, "time_step": 0.001, "gravity": 9.81,
+    "joint_materials": [{"friction_angle_deg": 30}, {"friction_angle_deg": 20}],
+    "block_materials": [{"density": 2500, "youngs_modulus": 5e9, "poissons_ratio": 0.25}]}})";
+
+std::map<std::string, double> seen_of_case(const std::string& text, const std::string& name) {
   const std::string folder = fresh_folder(name);
-  std::string text = kCase;
-  text.replace(text.find("[BOLT]"), 6, bolts);
   write_text(folder + "/case.json", text);
   EXPECT_EQ(run_keyblock({"run", folder + "/case.json", "-o", folder + "/out"}).exit_code, 0);
   last_folder = folder;
   return read_by_vtk(folder + "/out");
+}
+
+std::map<std::string, double> seen_of_run(const std::string& bolts, const std::string& name = "viewer_files") {
+  std::string text = kCase;
+  text.replace(text.find("[BOLT]"), 6, bolts);
+  return seen_of_case(text, name);
 }
 
 /// Sums of the columns of contacts.csv over the rows of the last step.
@@ -108,10 +121,23 @@ TEST(ViewerFiles, vtk_and_the_table_of_contacts_have_the_same_sums) {
   EXPECT_LT(seen.at("force_misfit"), 1e-9 * kWeight);
 }
 
+TEST(ViewerFiles, vtk_reads_joints_of_all_instants_with_the_sums_of_the_table_of_contacts) {
+  const auto seen = seen_of_case(kJointed, "viewer_joints");
+  if (seen.empty()) GTEST_SKIP() << kNoVtk;
+  EXPECT_EQ(seen.at("joint_rows"), 21 * 3) << "two pieces of the bed, one of the cross joint, 21 frames";
+  EXPECT_EQ(seen.at("joints_not_seen"), 0);
+  EXPECT_LT(seen.at("joint_misfit"), 1e-11) << "the table has twelve digits";
+  EXPECT_EQ(seen.at("clock_misfit"), 0);
+  EXPECT_EQ(seen.at("named_parts"), 3) << "blocks, contacts, joints";
+  EXPECT_NEAR(seen.at("length_of_joints"), 13, 1e-3) << "the walls part below";
+  EXPECT_EQ(seen.at("forces_with_unit"), 2);
+}
+
 TEST(ViewerFiles, vtk_reads_bolts_with_their_force) {
   const auto seen = seen_of_run("[[0.5, -0.5, 0.5, 0.5, 1, 2, 0, 0, 1000]]");
   if (seen.empty()) GTEST_SKIP() << kNoVtk;
   EXPECT_EQ(seen.at("bolts"), 1);
+  EXPECT_EQ(seen.at("named_parts"), 4);
   EXPECT_EQ(seen.at("bolt_force"), 1000);
   EXPECT_NEAR(seen.at("force_y_on_2") / (kWeight + 1000), 1, 1e-9) << "weight and pull";
   EXPECT_NEAR(seen.at("force_y_on_1") / (2 * kWeight + 1000), -1, 1e-9);

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 
 namespace keyblock::support {
 namespace {
@@ -168,7 +168,7 @@ std::map<std::string, std::string> warning_codes() {
     add_defaults(text, file, codes);
   });
   for (const Sentence& row : sentences_of_runs())
-    codes.emplace(Finding{std::string(row.form)}.code(), "base/words/sentences_of_runs.cpp");
+    codes.emplace(Finding{std::string(row.form)}.code(), "base/sentences/sentences_of_runs.cpp");
   return codes;
 }
 

@@ -13,9 +13,10 @@ namespace {
 std::vector<double> numbers_in(std::string_view wording) {
   std::vector<double> numbers;
   for (std::size_t at = 0; at < wording.size();) {
-    const std::size_t from = wording.find_first_of("0123456789", at);
+    std::size_t from = wording.find_first_of("0123456789", at);
     if (from == std::string_view::npos) break;
     const std::size_t end = std::min(wording.find_first_not_of("0123456789.e-", from), wording.size());
+    if (from > 0 && wording[from - 1] == '-') --from;
     numbers.push_back(std::stod(std::string(wording.substr(from, end - from))));
     at = end;
   }

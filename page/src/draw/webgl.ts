@@ -162,6 +162,12 @@ export class WebglBodies {
     }
   }
 
+  /** Waits until all that was drawn is there. */
+  wait(): void {
+    const { gl } = this;
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+
   private set_geometry(geometry: Geometry): void {
     const gl = this.gl;
     this.geometry = geometry;

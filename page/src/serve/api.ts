@@ -160,6 +160,8 @@ export const blocks = (path: string, text: string) => post<Blocks>('/api/blocks'
 export const joints = (spec: unknown) => post<JointRows>('/api/joints', { spec });
 export const materials = () => get<Library>('/api/materials');
 export const schema = () => get<Record<string, unknown>>('/api/schema');
+/** Schema of the specification that `joints` takes. */
+export const joint_schema = () => get<Record<string, unknown>>('/api/joint_schema');
 export const convert = (paths: string[], target: string, to: string) =>
   post<{ path: string; exit_code: number; output: string; messages: string }>('/api/convert', { paths, target, to });
 export const save = (path: string, text: string, options: { overwrite?: boolean; sha256?: string } = {}) =>

@@ -4,6 +4,7 @@ import { signal } from '@preact/signals';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import * as api from './api';
 import { index_at, leaf_of, new_result, stem_of } from './cases';
+import { DiskNote, type Loaded, useDisk } from './disk';
 import { JsonError, line_of, type Node } from './edit/case_text';
 import { Editor } from './edit/editor';
 import { add_analysis, material_of } from './edit/edits';
@@ -15,12 +16,6 @@ import { Tables } from './edit/tables';
 import { TextArea } from './edit/text_area';
 import { RunForm } from './runs';
 import * as state from './state';
-
-interface Loaded {
-  text: string;
-  sha256: string;
-  is_text: boolean;
-}
 
 type Mode = 'both' | 'drawing' | 'text' | 'tables';
 
@@ -130,7 +125,16 @@ export function CaseView({ paths }: { paths: string[] }) {
       setTimeout(() => area.current?.setSelectionRange(caret[0], caret[1]));
   };
 
+  const disk = useDisk(paths, files, texts, (path, loaded, takes_text) => {
+    set_files(before => ({ ...before, [path]: loaded }));
+    if (!takes_text) return;
+    histories.current.get(path)?.push(loaded.text);
+    set_texts(before => ({ ...before, [path]: loaded.text }));
+    void run_check();
+  });
+
   const save = async () => {
+    await disk.look();
     for (const path of changed) {
       const sent = texts[path];
       const saved = await state.attempt(() => api.save(path, sent, { overwrite: true, sha256: files[path].sha256 }));
@@ -239,6 +243,7 @@ export function CaseView({ paths }: { paths: string[] }) {
             Save
           </button>
         </div>
+        <DiskNote disk={disk} />
         {file && !file.is_text ? (
           <p class="empty">This file is not text, so it cannot be edited here.</p>
         ) : (
@@ -280,7 +285,7 @@ export function CaseView({ paths }: { paths: string[] }) {
                   .filter(own => own.line && own.file && leaf_of(own.file) === leaf_of(current))
                   .map(own => ({ line: own.line!, is_error: errors.includes(own) || own.level === 'error' }))}
                 set={(next, caret) => change(next, 'typing', caret)}
-                schema={scene && is_json(current) ? state.schema.value : null}
+                schema={scene ? state.schema.value : null}
                 names={{
                   block: scene?.block_materials.map((_, i, all) => material_of(all, i, 'material')) ?? [],
                   joint: scene?.joint_materials.map((_, i, all) => material_of(all, i, 'joint')) ?? [],

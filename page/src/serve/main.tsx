@@ -194,11 +194,12 @@ function Home() {
         <ul class="cards">
           {state.cases.value
             .filter(own => matches(own.name))
-            .slice(0, 120)
+            .slice(0, MOST_CARDS)
             .map(own => (
               <CaseCard own={own} key={own.name} />
             ))}
         </ul>
+        <More count={state.cases.value.filter(own => matches(own.name)).length} what="cases" />
       </section>
       <section aria-labelledby="home-results">
         <h2 id="home-results">Results</h2>
@@ -206,7 +207,7 @@ function Home() {
         <ul class="cards">
           {results
             .filter(own => matches(own.path))
-            .slice(0, 120)
+            .slice(0, MOST_CARDS)
             .map(own => (
               <li key={own.path}>
                 <a class="card" href={state.link('result', own.path)}>
@@ -220,6 +221,7 @@ function Home() {
               </li>
             ))}
         </ul>
+        <More count={results.filter(own => matches(own.path)).length} what="results" />
       </section>
       {tables.length > 0 && (
         <section aria-labelledby="home-tables">
@@ -252,6 +254,18 @@ function CaseCard({ own }: { own: Case }) {
         </span>
       </a>
     </li>
+  );
+}
+
+/** Cards beyond which a list names the number of the others. */
+const MOST_CARDS = 120;
+
+function More({ count, what }: { count: number; what: string }) {
+  if (count <= MOST_CARDS) return null;
+  return (
+    <p class="note">
+      {MOST_CARDS} of {count} {what} are shown. The list at the side has all of them, and its filter finds one.
+    </p>
   );
 }
 

@@ -17,15 +17,21 @@ export const unsaved = signal<Record<string, boolean>>({});
 /** Schema of a case file and of the settings. Without it there are no tables and no completion. */
 export const schema = signal<Schema | null>(null);
 
-/** Reads the schema once. */
+/** Schema of joint sets and outlines. Without it their forms have the keys as labels. */
+export const joint_schema = signal<Schema | null>(null);
+
+/** Reads both schemas once. */
 export function read_schema(): void {
-  if (schema.value) return;
-  void api
-    .schema()
-    .then(own => {
-      schema.value = own as Schema;
-    })
-    .catch(() => {});
+  const read = (own: typeof schema, ask: () => Promise<Record<string, unknown>>) => {
+    if (own.value) return;
+    void ask()
+      .then(reply => {
+        own.value = reply as Schema;
+      })
+      .catch(() => {});
+  };
+  read(schema, api.schema);
+  read(joint_schema, api.joint_schema);
 }
 
 export const cases = computed(() => cases_of(listing.value?.files ?? []));

@@ -262,6 +262,10 @@ function Help() {
         ))}
       </dl>
       <p class="note">{state.head.precision}</p>
+      <p class="note renderer">
+        Bodies are drawn by {state.renderer.value.name}
+        {state.renderer.value.reason && ` (${state.renderer.value.reason})`}.
+      </p>
       <p class="note">This page makes no request: all data are in this file.</p>
     </dialog>
   );

@@ -3,6 +3,7 @@
 import { effect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { to_world, zoom } from '../draw/camera';
+import { type Cost, is_webgl_faster, is_worth_measuring, measure } from '../draw/choose';
 import { show } from '../draw/numbers';
 import { contact_line, type Figure, paint_bodies, paint_legend, paint_over, screen_of } from '../draw/paint';
 import { CanvasPen } from '../draw/pen';
@@ -17,7 +18,7 @@ import * as state from './state';
 export let shown: Figure | null = null;
 
 /** Times of drawing, for the tests of the page. */
-export const timing = { frames: 0, first_picture: 0, last_draw: 0, renderer: '' };
+export const timing = { frames: 0, first_picture: 0, last_draw: 0, renderer: '', cost: null as Cost | null };
 
 function draw_mode(): string {
   return new URLSearchParams(location.search).get('draw') ?? '';
@@ -34,13 +35,29 @@ export function Drawing() {
     const pen = new CanvasPen(canvas.getContext('2d')!);
     const mode = draw_mode();
     let webgl: WebglBodies | null = null;
+    const is_forced = mode === 'webgl' || mode === 'measure';
     if (mode !== 'canvas') {
       // A canvas keeps the first kind of context it gave, so a spare one shows if a card is there.
-      const is_fit = mode === 'webgl' || WebglBodies.make(document.createElement('canvas'), false) !== null;
-      if (is_fit) webgl = WebglBodies.make(under.current!, mode === 'webgl');
+      const is_fit = is_forced || WebglBodies.make(document.createElement('canvas'), false) !== null;
+      if (is_fit) webgl = WebglBodies.make(under.current!, is_forced);
     }
-    timing.renderer = webgl ? 'WebGL2' : 'canvas';
-    under.current!.hidden = !webgl;
+    const use = (own: WebglBodies | null, reason: string) => {
+      webgl = own;
+      timing.renderer = own ? 'WebGL2' : 'canvas';
+      under.current!.hidden = !own;
+      state.renderer.value = { name: own ? 'WebGL2' : 'a canvas', reason };
+    };
+    use(webgl, webgl ? '' : mode === 'canvas' ? 'as the address requires' : 'no graphics card was found');
+    let is_measured = mode === 'webgl' || !webgl;
+
+    /** Takes the canvas if it draws a large figure faster than WebGL2. */
+    const choose = (own: WebglBodies, figure: Figure, ratio: number) => {
+      is_measured = true;
+      const cost = measure(own, figure, ratio);
+      timing.cost = cost;
+      const times = `WebGL2 takes ${cost.webgl.toFixed(0)} ms for a picture, a canvas ${cost.canvas.toFixed(0)} ms`;
+      use(is_webgl_faster(cost) ? own : null, times);
+    };
 
     let request = 0;
     const draw = () => {
@@ -60,6 +77,8 @@ export function Drawing() {
       const c = canvas.getContext('2d')!;
       c.setTransform(ratio, 0, 0, ratio, 0, 0);
       const screen = screen_of(figure, figure.pose.places);
+      // The first picture comes at once; the measurement follows it.
+      if (webgl && !is_measured && timing.first_picture && is_worth_measuring(figure)) choose(webgl, figure, ratio);
       if (webgl) {
         webgl.draw(figure, ratio);
         c.clearRect(0, 0, figure.size.width, figure.size.height);

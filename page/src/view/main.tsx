@@ -39,7 +39,8 @@ async function start(): Promise<void> {
   if (typeof DecompressionStream === 'undefined') {
     throw new PageError('This browser is too old for this page: it needs one of 2023 or newer.');
   }
-  const head = accept_head(JSON.parse(text));
+  // Marks of direction in a name would turn the words around it.
+  const head = accept_head(JSON.parse(text.replace(/[\u202a-\u202e\u2066-\u2069]/g, '')));
   document.title = `${head.title} – Keyblock`;
   const store = new Store(head, text_of);
 
@@ -117,6 +118,7 @@ Object.assign(window, {
     record_video,
     svg_text,
     choose,
+    measures: () => state.measures,
     verdict: () => verdict_of(state.head.run).text,
     shown_range: (id: string) => {
       const own = state.measures.find(m => m.id === id);

@@ -83,6 +83,9 @@ export const paint = computed(() => (is_dark.value ? DARK : LIGHT));
 
 export type Tab = 'show' | 'chosen' | 'curves' | 'run' | 'blocks';
 export const tab = signal<Tab>('show');
+/** What draws the bodies, and why. */
+export const renderer = signal({ name: '', reason: '' });
+
 export const help_open = signal(false);
 
 export const measure = computed(() => measures.find(m => m.id === measure_id.value) ?? null);

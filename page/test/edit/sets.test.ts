@@ -3,6 +3,7 @@
 import { describe, expect, test } from 'vitest';
 import { find, type Path, parse, plain } from '../../src/serve/edit/json_text';
 import { loops_of, scene_of } from '../../src/serve/edit/scene';
+import type { Schema } from '../../src/serve/edit/schema';
 import {
   fault_of,
   first_form,
@@ -24,6 +25,36 @@ const DRAWN = {
     [0, 5, 0, 0, 1],
     [0, 1e-16, 10, 5.000000000000001, 2],
   ] as [number, number, number, number, number][],
+};
+const SCHEMA: Schema = {
+  properties: {
+    slope: {
+      required: ['height', 'angle'],
+      properties: {
+        height: { type: 'number', title: 'Height', exclusiveMinimum: 0, 'x-permitted': 'greater than 0' },
+        angle: {
+          type: 'number',
+          title: 'Angle',
+          exclusiveMinimum: 0,
+          maximum: 90,
+          'x-permitted': 'above 0 to 90 degrees',
+        },
+        base: { type: 'number', title: 'Base', exclusiveMinimum: 0, 'x-permitted': 'greater than 0' },
+        benches: { type: 'integer', title: 'Lifts', minimum: 1, 'x-permitted': 'a whole number from 1 to 1000' },
+      },
+    },
+    sets: {
+      items: {
+        required: ['dip', 'spacing'],
+        properties: {
+          dip: { type: 'number', title: 'Dip', minimum: -360, maximum: 360, 'x-permitted': '-360 to 360 degrees' },
+          spacing: { type: 'number', title: 'Spacing', exclusiveMinimum: 0, 'x-permitted': 'greater than 0' },
+          scatter: { type: 'number', title: 'Scatter', minimum: 0, maximum: 1, 'x-permitted': '0 to 1' },
+          trace: { type: 'number', title: 'Trace length', exclusiveMinimum: 0, 'x-permitted': 'greater than 0' },
+        },
+      },
+    },
+  },
 };
 const read = (text: string, ...path: Path) => plain(find(parse(text), path));
 
@@ -47,9 +78,18 @@ describe('joint sets', () => {
     const fault = (change: object, set = {}) => {
       const form = { ...first_form(), ...change };
       form.sets = form.sets.map((own, i) => (i ? own : { ...own, ...set }));
-      return fault_of(form);
+      return fault_of(form, SCHEMA);
     };
     expect(fault({})).toBe('');
+    expect(fault({ base: '0' })).toBe('The base: expected greater than 0.');
+    expect(fault({ benches: '1.5' })).toBe('The lifts: expected a whole number from 1 to 1000.');
+    expect(fault({ toe: '' })).toBe('');
+    expect(fault({}, { dip: '400' })).toBe('The dip of bedding: expected -360 to 360 degrees.');
+    expect(fault({}, { trace: '0' })).toBe('');
+    expect(fault({}, { trace: '-2' })).toContain('trace length of bedding');
+    expect(fault({}, { spacing: 'x' })).toBe('The spacing of bedding must be a number.');
+    expect(fault_of({ ...first_form(), height: '' }, null)).toBe('The height must be a number.');
+    expect(fault_of({ ...first_form(), base: '' }, null)).toBe('');
     expect(fault({ height: '0' })).toContain('height');
     expect(fault({ angle: '91' })).toContain('angle');
     expect(fault({ kind: 'drawn' })).toContain('Draw the outline');

@@ -51,16 +51,16 @@ describe.skipIf(!has_browser)('editor', () => {
       colorScheme: scheme,
     });
     await page.waitForSelector('canvas');
-    await expect.poll(() => page.locator('canvas').getAttribute('data-view')).not.toContain(' 0');
+    await expect.poll(() => page.locator('canvas').getAttribute('data-view')).not.toBe('');
     return page;
   }
 
   /** Place on the screen of a point of the drawing. */
   async function at(page: Page, x: number, y: number): Promise<[number, number]> {
     const canvas = page.locator('canvas');
-    const [cx, cy, scale] = (await canvas.getAttribute('data-view'))!.split(' ').map(Number);
+    const [left, top, scale] = (await canvas.getAttribute('data-view'))!.split(' ').map(Number);
     const box = (await canvas.boundingBox())!;
-    return [box.x + box.width / 2 + (x - cx) * scale, box.y + box.height / 2 - (y - cy) * scale];
+    return [box.x + (x - left) * scale, box.y + (top - y) * scale];
   }
   const click = async (page: Page, x: number, y: number) => page.mouse.click(...(await at(page, x, y)));
   const drag = async (page: Page, from: [number, number], to: [number, number]) => {
@@ -165,6 +165,33 @@ describe.skipIf(!has_browser)('editor', () => {
     await page.context().close();
   });
 
+  test('places of the drawing stay put in the frame in which a tool changes the height of the canvas', async () => {
+    const page = await open('#/case/box.json');
+    // Script of the page sees the new layout before the canvas measures itself.
+    const seen = await page.evaluate(async () => {
+      const canvas = document.querySelector('canvas')!;
+      const look = () => {
+        const box = canvas.getBoundingClientRect();
+        const [left, top, scale] = canvas.dataset.view!.split(' ').map(Number);
+        return { height: box.height, x: box.x - left * scale, y: box.y + top * scale };
+      };
+      const before = look();
+      [...document.querySelectorAll<HTMLButtonElement>('.edit-tool')]
+        .find(own => own.textContent?.trim() === 'Excavation')!
+        .click();
+      for (let i = 0; i < 20; i++) await Promise.resolve();
+      const at_once = look();
+      await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 50))));
+      return { before, at_once, after: look() };
+    });
+    expect(seen.at_once.height).toBeLessThan(seen.before.height - 15);
+    for (const own of [seen.at_once, seen.after]) {
+      expect(Math.abs(own.x - seen.before.x)).toBeLessThan(0.6);
+      expect(Math.abs(own.y - seen.before.y)).toBeLessThan(0.6);
+    }
+    await page.context().close();
+  });
+
   test('an outline is drawn by keys alone; base and sides are fixed in one click', async () => {
     const page = await open('#/case/empty.json');
     await page.locator('canvas').focus();
@@ -252,6 +279,28 @@ describe.skipIf(!has_browser)('editor', () => {
     await page.context().close();
   });
 
+  test('keys, sections and words of YAML are completed', async () => {
+    const page = await open('#/case/box.yaml');
+    const box = page.locator('textarea');
+    await box.fill('keyblock: 2\n');
+    await box.evaluate((own: HTMLTextAreaElement) => own.setSelectionRange(12, 12));
+    await box.pressSequentially('ana');
+    await page.getByRole('option', { name: 'analysis' }).waitFor();
+    await box.press('Enter');
+    await expect.poll(() => text(page)).toBe('keyblock: 2\nanalysis:\n  ');
+    await box.pressSequentially('ro');
+    await page.getByRole('option', { name: 'rotation' }).waitFor();
+    expect(await page.locator('.choices p').textContent()).toContain('Formula for rotation');
+    await box.press('Tab');
+    await expect.poll(() => text(page)).toBe('keyblock: 2\nanalysis:\n  rotation: first_order');
+    await box.pressSequentially('\n  ');
+    await box.press('Control+Space');
+    await expect
+      .poll(() => page.locator('.choices [role=option]').allTextContents())
+      .toEqual(['step_count', 'block_materials']);
+    await page.context().close();
+  });
+
   test('a new scene is saved as a case', async () => {
     const page = await open('#/new');
     await page.getByText('Drawn by hand').click();
@@ -276,6 +325,15 @@ describe.skipIf(!has_browser)('editor', () => {
       .poll(() => page.locator('.edit-state').textContent())
       .toContain('The dip of bedding must be a number.');
     await page.getByLabel('Dip [°]').first().fill('30');
+    const spacing = page.getByLabel('Spacing [m]').first();
+    expect(await page.locator('label', { has: spacing }).first().getAttribute('title')).toBe(
+      'Mean distance between rows of joints. Permitted: greater than 0.',
+    );
+    await spacing.fill('-1');
+    await expect
+      .poll(() => page.locator('.edit-state').textContent())
+      .toContain('The spacing of bedding: expected greater than 0.');
+    await spacing.fill('3');
     await page.getByLabel('File').fill('own.json');
     await expect.poll(() => page.locator('.edit-state').textContent()).toContain('1 block');
     await page.getByRole('button', { name: 'Create the case' }).click();

@@ -105,6 +105,39 @@ const SCHEMA = {
   },
 };
 
+/** Part of the schema of joint sets. */
+const JOINT_SCHEMA = {
+  type: 'object',
+  properties: {
+    slope: {
+      type: 'object',
+      title: 'Slope',
+      required: ['height'],
+      properties: {
+        height: { type: 'number', title: 'Height', description: 'height of the face', 'x-unit': 'L' },
+      },
+    },
+    sets: {
+      type: 'array',
+      items: {
+        type: 'object',
+        required: ['dip', 'spacing'],
+        properties: {
+          dip: { type: 'number', title: 'Dip', description: 'angle from the x axis', 'x-unit': 'deg' },
+          spacing: {
+            type: 'number',
+            title: 'Spacing',
+            description: 'mean distance between rows of joints. Permitted: greater than 0',
+            'x-unit': 'L',
+            'x-permitted': 'greater than 0',
+            exclusiveMinimum: 0,
+          },
+        },
+      },
+    },
+  },
+};
+
 /** Sides of the outline, and one joint. */
 function joints_of(spec: { outline?: [number, number][] }) {
   const corners = spec.outline ?? [
@@ -229,6 +262,8 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
         });
       case '/api/schema':
         return send(SCHEMA);
+      case '/api/joint_schema':
+        return send(JOINT_SCHEMA);
       case '/api/save': {
         const path = String(body.path);
         if (own.files.has(path) && !body.overwrite) return send({ error: `${path} exists already` }, 409);

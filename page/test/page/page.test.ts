@@ -150,6 +150,76 @@ describe.skipIf(!has_browser)('page', () => {
     await page.context().close();
   });
 
+  test('contacts by joint, arrows, trails and the undeformed outline follow the data', async () => {
+    const { page, errors } = await open(browser, path);
+    await decoded(page);
+    const svg = () => page.evaluate(() => (window as Open).keyblock_page.svg_text());
+    await page.getByLabel('Contact forces').check();
+    const colours = await page.evaluate(() => (window as Open).keyblock_page.state.paint.value.classes.slice(0, 2));
+    const lines_of = (text: string, colour: string) => text.split(`stroke="${colour}"`).length - 1;
+    await page.getByLabel('Contacts by').selectOption('joint');
+    const by_joint = await svg();
+    for (const words of ['rough', 'smooth &lt;i&gt;']) expect(by_joint).toContain(words);
+    for (const colour of colours) expect(lines_of(by_joint, colour)).toBeGreaterThan(0);
+    await page.getByLabel('Contact forces').uncheck();
+
+    // The trail of a block runs from its place in the first frame to that of the last one of its epoch.
+    const row = 40;
+    await page.evaluate(key => {
+      const { state } = (window as Open).keyblock_page;
+      state.chosen.value = { kind: 'body', key };
+    }, wall.bodies[row].key);
+    await page.getByRole('tab', { name: 'Show' }).click();
+    await page.getByLabel('Trails').selectOption('chosen');
+    const figure_of = () =>
+      page.evaluate(at => {
+        const { trails, arrows, pose, rest } = (window as Open).keyblock_page.figure();
+        return {
+          trails: trails.map((own: Float32Array) => [...own]),
+          arrows: arrows && arrows.at.length / 2,
+          centre: [...pose.centres.slice(2 * at, 2 * at + 2)],
+          has_rest: rest !== null,
+        };
+      }, row);
+    await expect.poll(async () => (await figure_of()).trails.length).toBe(1);
+    const { trails, centre } = await figure_of();
+    const trail = trails[0];
+    const [first, last] = [wall.motion[0][row], wall.motion[59][row]];
+    for (const axis of [0, 1]) {
+      const moved = trail[trail.length - 2 + axis] - trail[axis];
+      expect(Math.abs(moved - (last[axis] - first[axis]))).toBeLessThan(1e-4);
+      expect(Math.abs(trail[trail.length - 2 + axis] - centre[axis])).toBeLessThan(1e-5);
+    }
+    await page.getByLabel('Trails').selectOption('all');
+    await expect.poll(async () => (await figure_of()).trails.length).toBe(wall.bodies.length - 2);
+    await page.getByLabel('Arrows').selectOption('velocity');
+    await expect.poll(async () => (await figure_of()).arrows).toBeGreaterThan(50);
+    await page.getByLabel('Undeformed outline').check();
+    await expect.poll(async () => (await figure_of()).has_rest).toBe(true);
+    expect(await svg()).toContain('stroke-dasharray');
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
+  test('where a browser records no MP4, the video is WebM', async () => {
+    const { page, errors } = await open(browser, path);
+    await decoded(page);
+    const video = await page.evaluate(async () => {
+      const is_supported = MediaRecorder.isTypeSupported.bind(MediaRecorder);
+      MediaRecorder.isTypeSupported = kind => !kind.includes('mp4') && is_supported(kind);
+      const { record_video, video_kind } = (window as Open).keyblock_page;
+      const blob = video_kind() && (await record_video(60));
+      return blob ? { type: blob.type, start: [...new Uint8Array(await blob.slice(0, 4).arrayBuffer())] } : null;
+    });
+    figure('video without MP4', video?.type ?? 'not recorded here');
+    if (video) {
+      expect(video.type).toContain('video/webm');
+      expect(video.start).toEqual([0x1a, 0x45, 0xdf, 0xa3]);
+    }
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
   for (const scheme of ['light', 'dark'] as const) {
     for (const [width, height] of [
       [1280, 800],
@@ -247,6 +317,30 @@ describe.skipIf(!has_browser)('page', () => {
         await page.context().close();
       });
     }
+
+    test('the faster of WebGL2 and canvas is chosen by measurement, and named', async () => {
+      const big = make_wall({ columns: 50, rows: 40, frames: 50 });
+      const { page } = await open(browser, write_page('big', big.writer.scripts(big.head)), {}, '?draw=measure');
+      await decoded(page);
+      await page.evaluate(() => (window as Open).keyblock_page.state.go_to(3));
+      await expect
+        .poll(() => page.evaluate(() => (window as Open).keyblock_page.timing.cost?.webgl))
+        .toBeGreaterThan(0);
+      const { cost, renderer } = await page.evaluate(() => (window as Open).keyblock_page.timing);
+      expect(renderer).toBe(cost.webgl <= 1.3 * cost.canvas ? 'WebGL2' : 'canvas');
+      await page.keyboard.press('?');
+      expect(await page.locator('.renderer').textContent()).toContain(
+        `${renderer === 'WebGL2' ? 'WebGL2' : 'a canvas'} (WebGL2 takes ${cost.webgl.toFixed(0)} ms`,
+      );
+      await page.keyboard.press('Escape');
+      // The same picture as that of a page which draws on a canvas from the start.
+      if (renderer === 'canvas') expect(await page.locator('canvas.under').isHidden()).toBe(true);
+      figure(
+        'chosen by measurement',
+        `${renderer}: WebGL2 ${cost.webgl.toFixed(1)} ms, canvas ${cost.canvas.toFixed(1)} ms for a picture; ${(await rate(page)).toFixed(0)} fps`,
+      );
+      await page.context().close();
+    });
 
     test('2,000 blocks in 500 frames', async () => {
       const long = make_wall({ columns: 50, rows: 40, frames: 500 });

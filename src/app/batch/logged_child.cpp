@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <sstream>
 
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kNoRoomForLibraries = 127;  // exit code of the loader
+constexpr std::uintmax_t kMebibyte = 1048576;
 
 }  // namespace
 
@@ -41,9 +43,17 @@ std::string error_in(const fs::path& log) {
   return last;
 }
 
+// The system cannot load a program larger than the limit, and ends it by a signal.
+bool is_below_the_program(const ChildLimits& limits) {
+  std::error_code error;
+  const auto size = fs::file_size("/proc/self/exe", error);
+  return !error && static_cast<std::uintmax_t>(limits.memory_mebibytes) * kMebibyte < size;
+}
+
 bool is_starved(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
   return limits.memory_mebibytes > 0 &&
-         (end.exit_code == kNoRoomForLibraries || error_in(log).find("not enough memory") != std::string::npos);
+         (end.exit_code == kNoRoomForLibraries || error_in(log).find("not enough memory") != std::string::npos ||
+          (end.signal != 0 && is_below_the_program(limits)));
 }
 
 std::string signal_name(int signal) {

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "api/case_values.hpp"
 #include "app/batch/logged_child.hpp"
 #include "app/exit_code.hpp"
+#include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "job/files.hpp"
 #include "job/folder/frame_files.hpp"
@@ -106,10 +108,20 @@ ChildEnd SweepJob::start(const std::string& name, const std::vector<std::string>
   return end;
 }
 
+/// Throws OutputError if a process could not write its results. Other jobs cannot either, and this one is no row: it
+/// is done again by `--resume`.
+void require_room(const ChildEnd& end, const fs::path& log) {
+  constexpr std::string_view kWords = "cannot write";
+  if (end.exit_code != int(ExitCode::numerical_failure)) return;
+  const std::string error = error_in(log);
+  if (const std::size_t at = error.find(kWords); at != std::string::npos) throw OutputError(error.substr(at));
+}
+
 /// Returns true if the process has no answer, and puts the reason into the result.
 bool SweepJob::has_ended_early(const ChildEnd& end, const std::string& name) {
   if (is_stopped_) return true;
   const fs::path log = folder_ / (name + ".log");
+  require_room(end, log);
   std::string why = why_it_ended(end, plan_.limits, log);
   const auto fail = [&](const char* verdict) {
     const std::string own = folder_.string() + "/";
@@ -165,7 +177,9 @@ ChildEnd SweepJob::run_or_resume() {
 bool SweepJob::run() {
   if (!has(SweepSource::run)) return true;
   if (has_ended_early(run_or_resume(), "run")) return false;
-  const Json outcome = Json::parse(formats::load((run_folder() / "run.json").string()).text).at("outcome");
+  const fs::path record = run_folder() / "run.json";
+  if (!fs::exists(record)) throw OutputError(fmt::format("cannot write {}", record.string()));
+  const Json outcome = Json::parse(formats::load(record.string()).text).at("outcome");
   result_.verdict = outcome.at("end");
   const Json doubts = outcome.value("doubts", Json::array());
   if (result_.verdict == "failed") result_.doubt = outcome.value("reason", "");

@@ -101,6 +101,14 @@ std::vector<SweepRow> rows_asked(const ValueSweepOptions& options) {
   return study::sweep_rows(keys, {design, options.random, options.seed});
 }
 
+void require_key_of_joints(const std::string& key, const std::string& joints) {
+  try {
+    pointers_to(key.substr(study::kOfJoints.size()), joints, true);
+  } catch (const std::invalid_argument&) {
+    throw UsageError(fmt::format("--over: expected joints: and a pointer to a value of --joints, found \"{}\"", key));
+  }
+}
+
 /// Refuses keys that nothing has, before any job: pointers against the case and the statistics, settings by name.
 void require_keys(const SweepRow& row, const std::string& case_text, const std::string& joints) {
   std::vector<std::string> settings;
@@ -110,7 +118,7 @@ void require_keys(const SweepRow& row, const std::string& case_text, const std::
       pointers_to(key, case_text, true);
     } else if (key.starts_with(study::kOfJoints)) {
       if (joints.empty()) throw UsageError(fmt::format("{}: expected --joints with the statistics, found none", key));
-      pointers_to(key.substr(study::kOfJoints.size()), joints, true);
+      require_key_of_joints(key, joints);
     } else if (std::ranges::find(settings, key) == settings.end() && !is_of_plan(key)) {
       throw UsageError(fmt::format(
           "--over: expected a pointer that begins with /, joints: with one, or a setting, found \"{}\"", key));

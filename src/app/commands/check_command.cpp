@@ -20,6 +20,7 @@
 #include "app/option_checks.hpp"
 #include "app/progress.hpp"
 #include "base/counted.hpp"
+#include "base/decimals.hpp"
 #include "base/printable.hpp"
 #include "cut/covers/from_cover.hpp"
 #include "formats/case.hpp"
@@ -170,11 +171,11 @@ std::string cost_in_words(const TrialSteps& trial, int steps) {
 }
 
 Json json_of(const TrialSteps& trial, int steps) {
-  return {{"start_seconds", trial.start_seconds},
-          {"step_seconds", trial.starts ? Json(trial.step_seconds) : Json()},
+  return {{"start_seconds", to_microseconds(trial.start_seconds)},
+          {"step_seconds", trial.starts ? Json(to_microseconds(trial.step_seconds)) : Json()},
           {"steps_tried", trial.made},
           {"steps", steps},
-          {"seconds_in_all", trial.starts ? Json(trial.seconds_of(steps)) : Json()},
+          {"seconds_in_all", trial.starts ? Json(to_microseconds(trial.seconds_of(steps))) : Json()},
           {"failure", trial.failure}};
 }
 

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "formats/case_file/keyblock_case.hpp"
 #include "formats/case_file/material_library.hpp"
+#include "formats/case_file/schema/joint_keys.hpp"
 #include "formats/knowledge.hpp"
 #include "formats/registry.hpp"
 
@@ -20,6 +21,7 @@ using Json = nlohmann::ordered_json;
 struct FormatsOptions {
   std::string name;
   bool wants_schema = false;
+  bool wants_joint_schema = false;
   bool wants_materials = false;
   bool as_json = false;
 };
@@ -69,6 +71,8 @@ Json library_json() {
 ExitCode list(const FormatsOptions& options) {
   if (options.wants_schema) {
     fmt::print("{}", formats::case_schema());
+  } else if (options.wants_joint_schema) {
+    fmt::print("{}", formats::joint_schema());
   } else if (options.wants_materials) {
     fmt::print("{}", options.as_json ? library_json().dump(1) + "\n" : formats::library_tables());
   } else if (!options.name.empty()) {
@@ -99,6 +103,7 @@ Action configure_formats(CLI::App& app) {
   const auto options = std::make_shared<FormatsOptions>();
   app.add_option("NAME", options->name, "print one format with a sample");
   app.add_flag("--schema", options->wants_schema, "print the JSON Schema of the case file");
+  app.add_flag("--joint-schema", options->wants_joint_schema, "print the JSON Schema of the file of keyblock joints");
   app.add_flag("--materials", options->wants_materials, "print the library of rocks and joints for the key `like`");
   app.add_flag("--json", options->as_json, "print as JSON");
   return [options] { return list(*options); };

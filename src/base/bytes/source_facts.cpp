@@ -1,4 +1,4 @@
-// Only this file knows the commit, so that no other is rebuilt for a new one.
+// The commit comes from a source file that the build makes by cmake/source_commit.cmake.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/bytes/source_facts.hpp"
 
@@ -9,8 +9,10 @@
 
 namespace keyblock {
 
+extern const char* const kSourceCommit;
+
 std::string source_commit() {
-  const std::string commit = KEYBLOCK_COMMIT;
+  const std::string commit = kSourceCommit;
   return commit.empty() ? "unknown" : commit;
 }
 

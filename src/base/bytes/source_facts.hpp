@@ -7,7 +7,8 @@
 
 namespace keyblock {
 
-/// Returns the commit of the sources, with a + if files differed from it: "0123abc+". Without a history: "unknown".
+/// Returns the commit of the sources, with a + if sources of the program differed from it when it was built:
+/// "0123abc+". Without a history: "unknown".
 std::string source_commit();
 
 /// Returns "g++ 12.2.0".

@@ -57,7 +57,8 @@ constexpr auto kRuns = std::to_array<Diagnostic>({
      "Find the factor of safety by `keyblock fos`, or the motion by --set motion=dynamic."},
     {"equilibrium_moved", warning, "The equilibrium is not quite that of the drawing",
      "A block is displaced by more than 0.005 of its width, or a small loose block by more than a tenth. Elastic "
-     "settlement of rock is smaller; scenes near their limit and closing gaps move more.",
+     "settlement of rock is smaller; scenes near their limit and closing gaps move more. Friction then permits several "
+     "equilibria, and the outcome depends on how the loads came.",
      "Find by `keyblock fos` how near the limit is."},
     {"faces_overlap_at_tip", error, "The faces of a crack overlap at its tip",
      "K_I is below 0 by more than 3 % of K: the crack is pressed, and contact is ignored or does not act there.",

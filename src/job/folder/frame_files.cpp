@@ -22,13 +22,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Files of a frame, given by start and ending of their names; each is a separate part for viewers.
+/// Files of a frame, given by start and ending of their names; each is a separate part for viewers, with a name.
 struct FramePart {
   std::string_view opening;
   std::string_view ending;
+  std::string_view name;
 };
-constexpr std::array<FramePart, 4> kParts{
-    {{"", ".vtu"}, {"contacts_", ".vtp"}, {"bolts_", ".vtp"}, {"cracks_", ".vtp"}}};
+constexpr std::array<FramePart, 5> kParts{{{"", ".vtu", "blocks"},
+                                           {"contacts_", ".vtp", "contacts"},
+                                           {"bolts_", ".vtp", "bolts"},
+                                           {"cracks_", ".vtp", "cracks"},
+                                           {"joints_", ".vtp", "joints"}}};
 
 std::string frame_file(const FramePart& part, int step) {
   return fmt::format("{}/{}{:08}{}", kFrameFolder, part.opening, step, part.ending);
@@ -71,11 +75,13 @@ fs::path frame_part(const fs::path& folder, std::string_view part, int step) {
 
 void FrameFiles::write(const formats::FrameColumns& frame, const Units& units) {
   const formats::FrameColumns columns = formats::with_derived(frame, materials_);
-  const auto& [blocks, points, lines, cracks] = kParts;
+  const auto& [blocks, points, lines, cracks, joints] = kParts;
   const auto has = [&](std::string_view part) { return columns.part(part).rows > 0; };
   write(frame_file(blocks, frame.step), frame.time, formats::vtu(columns, units, coding_));
-  if (has("contacts"))
+  if (has("contacts")) {
     write(frame_file(points, frame.step), frame.time, formats::contacts_vtp(columns, units, coding_));
+    write(frame_file(joints, frame.step), frame.time, formats::joints_vtp(columns, units, coding_));
+  }
   if (has("bolts")) write(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(columns, units, coding_));
   if (has("cracks")) write(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(columns, units, coding_));
 }
@@ -98,7 +104,10 @@ Checksums FrameFiles::checksums(Checksums all) const {
 
 std::string FrameFiles::list() const {
   std::vector<formats::PvdEntry> files;
-  for (const File& file : files_) files.push_back({file.time, part_number(file.name), file.name});
+  for (const File& file : files_) {
+    const int part = part_number(file.name);
+    files.push_back({file.time, part, file.name, std::string(kParts.at(static_cast<std::size_t>(part)).name)});
+  }
   return formats::pvd(files);
 }
 

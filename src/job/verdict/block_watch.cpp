@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 #include "model/body_load.hpp"
 #include "model/scene/scene.hpp"
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "legacy/step/update.hpp"
 
+#include "base/decimals.hpp"
 #include "base/loop.hpp"
 #include "legacy/step/hanging.hpp"
 #include "legacy/step/motion.hpp"
@@ -89,7 +90,7 @@ State update(const Model& model, State state, const Settings& settings, const In
   });
   if (!settings.quirks.velocity_from_coming_step)
     state = with_velocity_of_last_step(model, std::move(state), settings, dt);
-  state.time += dt;
+  state.time = time_after(state.time, dt);
   state.dt = dt;
   ++state.step;
   return state;

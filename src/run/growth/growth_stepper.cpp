@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/decimals.hpp"
 #include "fracture/growth.hpp"
 #include "model/continuum.hpp"
 #include "model/setup/free_pieces.hpp"
@@ -226,7 +227,7 @@ std::variant<StepReport, StepFailure> GrowthStepper::advance() {
   load_factor_ = factor;
   state_ = now_->state();
   state_.step = step;
-  state_.time = step * first_.settings.time_step;
+  state_.time = short_decimal(step * first_.settings.time_step);
   report.step = step;
   report.time = state_.time;
   if (step < first_.settings.step_count) put_next();

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t kMostCopied = 16U << 20U;  // bytes of a file
-constexpr std::size_t kMostLines = 100;             // differing lines of a file
+constexpr std::size_t kMostCopies = 1000;
+constexpr std::size_t kMostLines = 100;  // differing lines of a file
 constexpr std::size_t kDigestLength = 64;
 
 std::string member_text(const Json& of, const char* key) {
@@ -71,19 +72,36 @@ void InputCopies::keep(const fs::path& path) const {
   if (!fs::is_regular_file(path, error) || fs::file_size(path, error) > kMostCopied) return;
   fs::create_directories(drafts_.folder() / "inputs", error);
   try {
-    fs::copy_file(path, copy_of(sha256(file_bytes(path.string()))), fs::copy_options::skip_existing, error);
+    const fs::path copy = copy_of(sha256(file_bytes(path.string())));
+    fs::copy_file(path, copy, fs::copy_options::skip_existing, error);
+    fs::last_write_time(copy, fs::file_time_type::clock::now(), error);  // a file used again is the newest
+    drop_oldest();
   } catch (const std::exception&) {
     return;  // the run itself reports a file that cannot be read
+  }
+}
+
+void InputCopies::drop_oldest() const {
+  std::vector<std::pair<fs::file_time_type, fs::path>> copies;
+  std::uintmax_t bytes = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(drafts_.folder() / "inputs")) {
+    copies.emplace_back(entry.last_write_time(), entry.path());
+    bytes += entry.file_size();
+  }
+  std::ranges::sort(copies);
+  for (std::size_t i = 0; i + 1 < copies.size() && (bytes > most_in_all_ || copies.size() - i > kMostCopies); ++i) {
+    bytes -= fs::file_size(copies[i].second);
+    fs::remove(copies[i].second);
   }
 }
 
 std::optional<std::string> InputCopies::text_of(const Json& input) const {
   const std::string digest = member_text(input, "sha256"), name = member_text(input, "file");
   std::error_code error;
-  if (digest.size() == kDigestLength && std::ranges::all_of(digest, [](unsigned char c) { return std::isxdigit(c); }) &&
-      fs::is_regular_file(copy_of(digest), error))
-    return file_bytes(copy_of(digest).string());
+  const bool is_digest =
+      digest.size() == kDigestLength && std::ranges::all_of(digest, [](unsigned char c) { return std::isxdigit(c); });
   try {
+    if (is_digest && fs::is_regular_file(copy_of(digest), error)) return file_bytes(copy_of(digest).string());
     const fs::path file = folder_.whole(name);
     if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > kMostCopied) return std::nullopt;
     std::string text = file_bytes(file.string());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,13 +13,18 @@
 
 namespace keyblock::serve {
 
-/// Copies of files by their SHA-256, as long as the server runs.
+inline constexpr std::uintmax_t kMostBytesOfCopies = 256U << 20U;
+
+/// Copies of files by their SHA-256, as long as the server runs. The newest ones are kept: at most 1,000, and
+/// `most_in_all` bytes.
 class InputCopies {
  public:
   /// Refers to both.
-  InputCopies(const ServedFolder& folder, const Drafts& drafts) : folder_(folder), drafts_(drafts) {}
+  InputCopies(const ServedFolder& folder, const Drafts& drafts, std::uintmax_t most_in_all = kMostBytesOfCopies)
+      : folder_(folder), drafts_(drafts), most_in_all_(most_in_all) {}
 
-  /// Keeps the file, or the files of the folder, as they are now. Files that cannot be read are left out.
+  /// Keeps the file, or the files of the folder, as they are now. Files that cannot be read, and those above 16 MiB, are
+  /// left out.
   void keep(const std::filesystem::path& path) const;
 
   /// Returns the differences of the input files of two runs, from their records: path, first, second. Files are
@@ -30,8 +36,11 @@ class InputCopies {
   std::filesystem::path copy_of(const std::string& digest) const;
   std::optional<std::string> text_of(const nlohmann::ordered_json& input) const;
 
+  void drop_oldest() const;
+
   const ServedFolder& folder_;
   const Drafts& drafts_;
+  std::uintmax_t most_in_all_;
 };
 
 }  // namespace keyblock::serve

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/union_find.hpp"
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 #include "model/shared_covers.hpp"
 #include "step/newton/tolerances.hpp"
 #include "step/rest/static_shares.hpp"

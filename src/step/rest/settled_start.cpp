@@ -173,12 +173,13 @@ class Settling {
   bool step(double stiffness_over_inertia) {
     const double tau = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
     const StepRule rule = resting_rule(tau / std::numbers::sqrt2);
-    const double force = of_settled_start::kForceTolerance * scales_.force;
     if (searches_anew_) {
       found_ = touches_of(scene_, motion_, scales_, scene_.settings.time_step);
       leave_overlaps(scene_, motion_, scales_, found_);
     }
-    const ForceTolerance tolerance{force, force, of_settled_start::kForceTolerated * scales_.force};
+    const ForceTolerance tolerance{of_settled_start::kForceGoal * scales_.force,
+                                   of_settled_start::kForceTolerance * scales_.force,
+                                   of_settled_start::kForceTolerated * scales_.force};
     SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -1, 1, rule);
     for (int search = 1; search < of_settled_start::kMostSearches && made.converged; ++search) {
       const Touches fresh = overlapping_at(made.q, motion_);

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/context.hpp"
+#include "base/decimals.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -65,13 +66,14 @@ class FactorSearch {
     double factor = first_;
     if (verdict == Verdict::falls && options_.from && !bracket_of(verdict_).stands) return SearchEnd::falls;
     while (verdict == Verdict::stands && factor < most_)
-      verdict = made_at(factor = std::min(most_, options_.to && options_.from ? most_ : factor * options_.up));
+      verdict =
+          made_at(factor = std::min(most_, options_.to && options_.from ? most_ : short_decimal(factor * options_.up)));
     if (verdict == Verdict::stands) {
       close_service();
       return SearchEnd::stands;
     }
     while (verdict == Verdict::falls && !bracket_of(verdict_).stands && factor > first_ / kFarthest)
-      verdict = made_at(factor *= kDown);
+      verdict = made_at(factor = short_decimal(factor * kDown));
     if (verdict == Verdict::stands) verdict = seek_reference(factor);
     if (verdict == Verdict::falls && !bracket_of(verdict_).stands) return SearchEnd::falls;
     if (verdict == Verdict::undecided || !bisect(verdict_)) return SearchEnd::undecided;
@@ -89,7 +91,9 @@ class FactorSearch {
   Verdict seek_reference(double first) {
     const double far = kSlid * trials_.prepared().scene.model.scale;
     double displacement = made_.at(first).told.displacement;
-    for (double factor = first * kDown; displacement > far && factor > first_ / kFarthest; factor *= kDown) {
+    for (double factor = first; displacement > far;) {
+      factor = short_decimal(factor * kDown);
+      if (factor <= first_ / kFarthest) break;
       if (made_at(factor) != Verdict::stands) break;
       const double now = made_.at(factor).told.displacement;
       if (now > kAsFar * displacement && factor < kWeakest * first) break;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/decimals.hpp"
 #include "study/strength/strength_trial.hpp"
 
 namespace keyblock::study {
@@ -43,7 +44,7 @@ struct Bracket {
 
   bool is_closed() const { return stands && falls; }
   double width() const { return *falls - *stands; }
-  double middle() const { return (*stands + *falls) / 2; }
+  double middle() const { return short_decimal((*stands + *falls) / 2); }
 };
 
 enum class SearchEnd {

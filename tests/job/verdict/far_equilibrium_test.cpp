@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
@@ -57,10 +59,12 @@ struct Answer {
   bool says(const std::string& code) const { return messages.find("[" + code + "]") != std::string::npos; }
 };
 
-Answer answer_of(double above_limit, const Drawn& drawn = {}) {
+Answer answer_of(double above_limit, const Drawn& drawn = {}, const std::vector<std::string>& settings = {}) {
   const std::string folder = support::fresh_folder("far_equilibrium");
   support::write_text(folder + "/in.json", columns(kLimit + above_limit, drawn));
-  const support::ProgramRun run = support::run_keyblock({"run", folder + "/in.json", "-o", folder + "/out"});
+  std::vector<std::string> arguments{"run", folder + "/in.json", "-o", folder + "/out"};
+  for (const std::string& setting : settings) arguments.insert(arguments.end(), {"--set", setting});
+  const support::ProgramRun run = support::run_keyblock(arguments);
   return {run.exit_code, run.messages, nlohmann::json::parse(support::read_text(folder + "/out/run.json"))};
 }
 
@@ -87,6 +91,16 @@ TEST(FarEquilibrium, columns_within_a_degree_above_their_limit_are_told_that_the
     const Answer answer = answer_of(above);
     EXPECT_TRUE(answer.says("equilibrium_moved") || answer.exit_code != 0) << above << ": " << answer.messages;
   }
+}
+
+// In 2 s of motion they come to rest after 2 cm, 2 % of their width, and far above the limit where they were drawn.
+TEST(FarEquilibrium, columns_that_come_to_rest_elsewhere_are_told_that_they_moved) {
+  const std::vector<std::string> motion{"motion=dynamic", "steps=1000", "time_step=0.002"};
+  const Answer near = answer_of(1, {}, motion);
+  EXPECT_EQ(near.exit_code, 0) << near.messages;
+  EXPECT_EQ(near.record["outcome"]["motion"]["state"], "at_rest");
+  EXPECT_TRUE(near.says("equilibrium_moved")) << near.messages;
+  EXPECT_FALSE(answer_of(15, {}, motion).says("equilibrium_moved"));
 }
 
 TEST(FarEquilibrium, columns_in_other_units_places_and_axes_are_doubted_too) {

@@ -34,6 +34,10 @@ export interface CanvasProps {
 const REACH = 10;
 const HIT = 7;
 
+/** Place of the upper left corner and pixels per length. A change of the size of the canvas does not change them. */
+const corner_of = ({ x, y, scale }: View, width: number, height: number): string =>
+  `${x - width / 2 / scale} ${y + height / 2 / scale} ${scale}`;
+
 type Drag =
   | { kind: 'pan'; x: number; y: number; view: View }
   | { kind: 'handle'; item: Item; index: number }
@@ -382,7 +386,7 @@ export function Canvas(props: CanvasProps) {
         role="application"
         aria-label={props.label}
         aria-describedby="canvas-hint"
-        data-view={`${view.x} ${view.y} ${view.scale}`}
+        data-view={view.scale > 0 ? corner_of(view, width, height) : ''}
         class={tool.name === 'select' ? (drag?.kind === 'pan' ? 'grabs' : hovered ? 'points' : '') : 'draws'}
         onPointerDown={down}
         onPointerMove={move}

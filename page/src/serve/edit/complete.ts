@@ -1,7 +1,7 @@
 // Finds what can be typed at a place of a case's text: keys, words and examples of the schema.
 
 import type { Path } from './case_text';
-import { limits_of, meaning_of, type Schema, schema_at } from './schema';
+import { type Schema, schema_at, words_on } from './schema';
 
 export interface Place {
   /** Path of the object or list around the place, or of the key whose value stands here. */
@@ -175,12 +175,6 @@ function start_of(own: Schema): string {
   if (type === 'object') return '{}';
   if (type === 'array') return '[]';
   return own.default === undefined ? '' : JSON.stringify(own.default);
-}
-
-function words_on(own: Schema): string {
-  const limits = limits_of(own);
-  const standard = own.default === undefined ? '' : ` Default: ${JSON.stringify(own.default)}.`;
-  return `${meaning_of(own)}${limits ? ` Permitted: ${limits}.` : ''}${standard}`;
 }
 
 function values_of(own: Schema, path: Path, names: Names): Choice[] {

@@ -2,6 +2,7 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import * as api from '../api';
+import * as state from '../state';
 import { find, plain, type Value } from './case_text';
 import { material_of, put_joints } from './edits';
 import { box_of, loops_of, type Scene, scene_of } from './scene';
@@ -81,7 +82,8 @@ export function JointSets({
     if (!loops.length) return set_words('Draw an outline first.');
     const specs = sets.map(set => set_spec(set, Math.max(0, names.indexOf(set.name)) + 1));
     const box = box_of(loops[0])!;
-    const fault = sets.map(set => fault_of_set(set, Math.max(box[2] - box[0], box[3] - box[1]))).find(Boolean);
+    const size = Math.max(box[2] - box[0], box[3] - box[1]);
+    const fault = sets.map(set => fault_of_set(set, size, state.joint_schema.value)).find(Boolean);
     if (fault) return set_words(fault);
     let reply: api.JointRows;
     try {
@@ -100,6 +102,7 @@ export function JointSets({
     put(replaces ? values : [...original.current, ...values], values.length);
   };
 
+  useEffect(state.read_schema, []);
   useEffect(() => {
     const timer = setTimeout(() => void draw(), 250);
     return () => clearTimeout(timer);

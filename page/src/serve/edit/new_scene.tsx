@@ -11,38 +11,18 @@ import { PlaceBox } from './editor';
 import type { Point, Polygon } from './scene';
 import { scene_of } from './scene';
 import { meaning_of, schema_at, title_of } from './schema';
-import { fault_of, first_form, type SceneForm, scene_text, spec_of } from './sets';
-import { SetsForm } from './sets_form';
+import { fault_of, first_form, OUTLINE_KEYS, type SceneForm, scene_text, spec_of } from './sets';
+import { SetsForm, words_at } from './sets_form';
 import { tool_of } from './tools';
 
 type Texts = { [K in keyof SceneForm]: SceneForm[K] extends string ? K : never }[keyof SceneForm];
 
-const SHAPES: [SceneForm['kind'], string][] = [
-  ['slope', 'Slope'],
-  ['rectangle', 'Rectangle'],
-  ['drawn', 'Drawn by hand'],
-];
-
-const FIELDS: Record<SceneForm['kind'], [Texts, string, string][]> = {
-  slope: [
-    ['height', 'Height [m]', 'Height of the face'],
-    ['angle', 'Angle [°]', 'Angle of the face from the horizontal'],
-    ['toe', 'Toe [m]', 'Level ground before the face'],
-    ['crest', 'Crest [m]', 'Level ground behind the face'],
-    ['base', 'Base [m]', 'Rock below the foot of the face'],
-    ['bench', 'Bench [m]', 'Width of the benches'],
-    ['benches', 'Lifts', 'Number of lifts of the face'],
-  ],
-  rectangle: [
-    ['width', 'Width [m]', 'Width of the rectangle'],
-    ['height', 'Height [m]', 'Height of the rectangle'],
-  ],
-  drawn: [],
-};
+const SHAPES: SceneForm['kind'][] = ['slope', 'rectangle', 'drawn'];
 
 /** Scene of the form as text, with its blocks; drawn anew after a pause. */
 function useDrawn(form: SceneForm) {
-  const fault = fault_of(form);
+  const schema = state.joint_schema.value;
+  const fault = fault_of(form, schema);
   const [text, set_text] = useState('');
   const [blocks, set_blocks] = useState<Polygon[]>([]);
   const [words, set_words] = useState('');
@@ -74,7 +54,7 @@ function useDrawn(form: SceneForm) {
       }
     }, 250);
     return () => clearTimeout(timer);
-  }, [key]);
+  }, [key, fault]);
   return { text, blocks, words, fault, is_ready: !fault && drawn_for === key, version };
 }
 
@@ -99,6 +79,10 @@ export function NewScene() {
   const taken = (state.listing.value?.files ?? []).map(own => stem_of(own.path));
   const suggestion = `${new_result('scene', taken)}.json`;
   const put = (change: Partial<SceneForm>) => set_form(before => ({ ...before, ...change }));
+  const of_outline = (key: Texts) => {
+    const { label, title } = words_at(state.joint_schema.value, [form.kind, key], 'm');
+    return field(key, label, title);
+  };
   const field = (key: Texts, label: string, title: string, is_number = true) => (
     <TextField
       key={key}
@@ -187,16 +171,14 @@ export function NewScene() {
         <div class="group">
           <h2>Outline</h2>
           <fieldset class="modes" aria-label="Shape">
-            {SHAPES.map(([kind, label]) => (
+            {SHAPES.map(kind => (
               <label class={form.kind === kind ? 'on' : ''} key={kind}>
                 <input type="radio" name="shape" checked={form.kind === kind} onChange={() => put({ kind })} />
-                {label}
+                {kind === 'drawn' ? 'Drawn by hand' : words_at(state.joint_schema.value, [kind], 'm').label}
               </label>
             ))}
           </fieldset>
-          {FIELDS[form.kind].length > 0 && (
-            <div class="pairs">{FIELDS[form.kind].map(([key, label, title]) => field(key, label, title))}</div>
-          )}
+          {OUTLINE_KEYS[form.kind].length > 0 && <div class="pairs">{OUTLINE_KEYS[form.kind].map(of_outline)}</div>}
           <label class="edit-toggle">
             <input
               type="checkbox"

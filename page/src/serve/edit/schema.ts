@@ -29,6 +29,8 @@ export interface Schema {
   'x-group'?: string;
   /** Meanings of permitted words. */
   'x-words'?: Record<string, string>;
+  /** Default that depends on other keys, in words. */
+  'x-default'?: string;
   /** Sections of a form. */
   'x-sections'?: Section[];
 }
@@ -97,6 +99,13 @@ export function meaning_of(own: Schema): string {
 
 /** Words on the permitted values, or the empty text. */
 export const limits_of = (own: Schema): string => own['x-permitted'] ?? '';
+
+/** Meaning, limits and default in sentences. */
+export function words_on(own: Schema): string {
+  const limits = limits_of(own);
+  const absent = own.default === undefined ? own['x-default'] : JSON.stringify(own.default);
+  return `${meaning_of(own)}${limits ? ` Permitted: ${limits}.` : ''}${absent ? ` Default: ${absent}.` : ''}`.trim();
+}
 
 /** Title of a permitted word with its meaning: "free: centred on the bodies". */
 export function words_of(own: Schema, word: unknown): string {

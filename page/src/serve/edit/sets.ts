@@ -2,8 +2,9 @@
 
 import type { JointRows } from '../api';
 import { support_lines } from './edits';
-import { type Value, write } from './json_text';
+import { type Path, type Value, write } from './json_text';
 import { box_of, type Point } from './scene';
+import { fault_in, type Schema, schema_at, title_of } from './schema';
 
 export interface JointSet {
   name: string;
@@ -81,12 +82,12 @@ export function set_spec(set: JointSet, material: number): Record<string, Value>
   const trace = number(set.trace, 0);
   const gap = number(set.gap, 0);
   return {
-    dip: number(set.dip),
-    spacing: number(set.spacing),
-    ...(trace > 0 ? { trace } : {}),
-    ...(trace > 0 && gap > 0 ? { gap } : {}),
-    scatter: number(set.scatter, 0),
-    dip_scatter_deg: number(set.dip_scatter, 0),
+    [SET_KEYS.dip]: number(set.dip),
+    [SET_KEYS.spacing]: number(set.spacing),
+    ...(trace > 0 ? { [SET_KEYS.trace]: trace } : {}),
+    ...(trace > 0 && gap > 0 ? { [SET_KEYS.gap]: gap } : {}),
+    [SET_KEYS.scatter]: number(set.scatter, 0),
+    [SET_KEYS.dip_scatter]: number(set.dip_scatter, 0),
     joint: material,
   };
 }
@@ -99,34 +100,64 @@ const size_of = (corners: Point[]) => {
 /** Joints of one set beyond which a drawing serves nobody. */
 const MOST_JOINTS = 1000;
 
+/** Keys of the numbers of a joint set in the specification, by those of the form. */
+export const SET_KEYS = {
+  dip: 'dip',
+  dip_scatter: 'dip_scatter_deg',
+  spacing: 'spacing',
+  scatter: 'scatter',
+  trace: 'trace',
+  gap: 'gap',
+} as const;
+
+/** Numbers of an outline in the specification. */
+export const OUTLINE_KEYS = {
+  slope: ['height', 'angle', 'toe', 'crest', 'base', 'bench', 'benches'],
+  rectangle: ['width', 'height'],
+  drawn: [],
+} as const;
+
+/** Fault of a number of the specification, or the empty text. Numbers with a default may be absent. */
+function fault_of_number(schema: Schema | null, path: Path, text: string, of: string): string {
+  const own = schema ? schema_at(schema, path) : undefined;
+  const key = String(path.at(-1));
+  const is_required = !schema || schema_at(schema, path.slice(0, -1))?.required?.includes(key);
+  if (text.trim() === '') return is_required ? `The ${words(key, own)}${of} must be a number.` : '';
+  const value = Number(text);
+  if (Number.isNaN(value)) return `The ${words(key, own)}${of} must be a number.`;
+  const wrong = own ? fault_in(own, value) : '';
+  return wrong && `The ${words(key, own)}${of}: expected ${wrong}.`;
+}
+
+const words = (key: string, own: Schema | undefined) => {
+  const title = title_of(key, own);
+  return title.charAt(0).toLowerCase() + title.slice(1);
+};
+
 /** Wrong number of a joint set in an outline of a size, or the empty text. */
-export function fault_of_set(set: JointSet, size: number): string {
-  if (Number.isNaN(number(set.dip))) return `The dip of ${set.name} must be a number.`;
-  if (!(number(set.spacing) > 0)) return `The spacing of ${set.name} must be a number above 0.`;
-  if (size / number(set.spacing) > MOST_JOINTS) return `The spacing of ${set.name} is too small for this outline.`;
-  if (!(number(set.scatter, 0) >= 0 && number(set.scatter, 0) <= 1))
-    return `The scatter of ${set.name} must lie between 0 and 1.`;
-  if (!(number(set.dip_scatter, 0) >= 0)) return `The scatter of the dip of ${set.name} must be 0 or more.`;
-  return '';
+export function fault_of_set(set: JointSet, size: number, schema: Schema | null): string {
+  for (const [own, key] of Object.entries(SET_KEYS) as [keyof typeof SET_KEYS, string][]) {
+    // A trace of length 0 goes through the whole outline.
+    if (own === 'trace' && number(set[own], 0) === 0) continue;
+    const fault = fault_of_number(schema, ['sets', 0, key], set[own], ` of ${set.name}`);
+    if (fault && (schema || own === 'dip' || own === 'spacing')) return fault;
+  }
+  return size / number(set.spacing) > MOST_JOINTS ? `The spacing of ${set.name} is too small for this outline.` : '';
 }
 
 /** Field of a form that is no number where one must stand, or the empty text. */
-export function fault_of(form: SceneForm): string {
-  const wrong = (text: string, least: number, may_be_empty = false) =>
-    text.trim() === ''
-      ? !may_be_empty
-      : !(Number(text) > least) && !(least === 0 && may_be_empty && Number(text) === 0);
+export function fault_of(form: SceneForm, schema: Schema | null): string {
   if (form.kind === 'drawn' && form.corners.length < 3) return 'Draw the outline: click its corners.';
-  if (form.kind !== 'drawn' && wrong(form.height, 0)) return 'The height must be a number above 0.';
-  if (form.kind === 'rectangle' && wrong(form.width, 0)) return 'The width must be a number above 0.';
-  if (form.kind === 'slope' && !(number(form.angle) > 0 && number(form.angle) <= 90))
-    return 'The angle of the face must be above 0 and at most 90 degrees.';
+  for (const key of OUTLINE_KEYS[form.kind]) {
+    const fault = fault_of_number(schema, [form.kind, key], form[key], '');
+    if (fault && (schema || key === 'height' || key === 'width' || key === 'angle')) return fault;
+  }
   const size = form.kind === 'drawn' ? size_of(form.corners) : Math.max(number(form.height), number(form.width, 0));
   const names = form.sets.map(set => set.name.trim());
   for (const [i, set] of form.sets.entries()) {
     if (!names[i] || /^\d/.test(names[i])) return `Joint set ${i + 1} needs a name that begins with a letter.`;
     if (names.indexOf(names[i]) < i) return `Two joint sets have the name ${names[i]}.`;
-    const fault = fault_of_set(set, size);
+    const fault = fault_of_set(set, size, schema);
     if (fault) return fault;
   }
   if (!/^\d+$/.test(form.seed.trim())) return 'The seed must be a whole number.';

@@ -1,21 +1,29 @@
 // Form of joint sets, for a new scene and for a case.
 
 import { ChoiceField, TextField } from '../fields';
-import { type JointSet, new_set } from './sets';
+import * as state from '../state';
+import type { Path } from './case_text';
+import { dimension_of, type Schema, schema_at, title_of, words_on } from './schema';
+import { type JointSet, new_set, SET_KEYS } from './sets';
 
-/** Name and unit of a field, and a sentence on it. */
-const FIELDS: [keyof JointSet, string, string, string][] = [
-  ['dip', 'Dip', '°', 'Angle from the x axis, counter-clockwise, 0 to 180'],
-  ['dip_scatter', 'Scatter of the dip', '°', 'Standard deviation of the dip'],
-  ['spacing', 'Spacing', 'L', 'Mean distance between joints of the set'],
-  ['scatter', 'Scatter', '', 'Standard deviation over mean of spacing and trace, 0 to 1'],
-  ['trace', 'Trace length', 'L', 'Mean length of a joint; empty: through the whole outline'],
-  ['gap', 'Gap', 'L', 'Mean length of rock between two traces of a row'],
+/** Fields of a joint set with the path of each in a schema. */
+const FIELDS = (Object.entries(SET_KEYS) as [keyof typeof SET_KEYS, string][]).map(
+  ([own, key]): [keyof JointSet, Path] => [own, ['sets', 0, key]],
+);
+/** Fields of the joint material of a set, in the schema of a case. */
+const STRENGTH: [keyof JointSet, Path][] = [
+  ['friction', ['analysis', 'joint_materials', 0, 'friction_angle_deg']],
+  ['cohesion', ['analysis', 'joint_materials', 0, 'cohesion']],
 ];
-const STRENGTH: typeof FIELDS = [
-  ['friction', 'Friction angle', '°', 'Friction angle of the joints'],
-  ['cohesion', 'Cohesion', '', 'Cohesion with its unit, such as 20 kPa; empty: none'],
-];
+
+/** Label and explanation of a key of a schema. Forces and stresses are typed with their unit, so the label has none. */
+export function words_at(schema: Schema | null, path: Path, length: string): { label: string; title: string } {
+  const own = schema ? schema_at(schema, path) : undefined;
+  const title = title_of(String(path.at(-1)), own);
+  if (!own) return { label: title, title: '' };
+  const unit = { L: length || 'L', '°': '°' }[dimension_of(own)];
+  return { label: unit ? `${title} [${unit}]` : title, title: words_on(own) };
+}
 
 export function SetsForm({
   sets,
@@ -38,6 +46,7 @@ export function SetsForm({
 }) {
   const put = (i: number, key: keyof JointSet, value: string) =>
     set_sets(sets.map((own, j) => (j === i ? { ...own, [key]: value } : own)));
+  const seed_words = words_at(state.joint_schema.value, ['seed'], length);
   return (
     <>
       {sets.map((set, i) => (
@@ -49,12 +58,11 @@ export function SetsForm({
             <TextField label="Name" value={set.name} set={own => put(i, 'name', own)} />
           )}
           <div class="pairs">
-            {[...FIELDS, ...(has_strength ? STRENGTH : [])].map(([key, label, unit, title]) => (
+            {[...FIELDS, ...(has_strength ? STRENGTH : [])].map(([key, path]) => (
               <TextField
                 key={key}
                 is_small
-                label={`${label}${unit && ` [${unit === 'L' ? length || 'L' : unit}]`}`}
-                title={title}
+                {...words_at(path[0] === 'sets' ? state.joint_schema.value : state.schema.value, path, length)}
                 is_number={key !== 'cohesion'}
                 value={set[key]}
                 placeholder={key === 'trace' ? 'through' : key === 'gap' || key === 'cohesion' ? '0' : ''}
@@ -87,8 +95,8 @@ export function SetsForm({
           Add a joint set
         </button>
         <span class="space" />
-        <label class="edit-part" title="Another seed draws the joints at other places">
-          Seed
+        <label class="edit-part" title={seed_words.title}>
+          {seed_words.label}
           <input
             type="text"
             inputMode="numeric"

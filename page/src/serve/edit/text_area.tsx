@@ -3,6 +3,7 @@
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { coloured_lines, type Syntax, syntax_of } from './colour_text';
 import { type Choice, choices_at, type Names, type Place, place_at } from './complete';
+import { in_yaml, place_in_yaml } from './complete_yaml';
 import type { Schema } from './schema';
 
 interface Popup {
@@ -56,11 +57,18 @@ export function TextArea({
 
   /** Shows what can stand at the caret. */
   const offer = (own: HTMLTextAreaElement, is_asked = false) => {
-    const place = schema ? place_at(own.value, own.selectionStart) : null;
-    let choices = place ? choices_at(schema!, place, names).slice(0, MOST) : [];
+    if (!schema) return;
+    const is_yaml = syntax_of(path) === 'yaml';
+    const place = is_yaml
+      ? place_in_yaml(own.value, own.selectionStart, schema)
+      : place_at(own.value, own.selectionStart);
+    const at = (one: Place) => {
+      const found = choices_at(schema, one, names).slice(0, MOST);
+      return is_yaml ? in_yaml(found, one) : found;
+    };
+    let choices = place ? at(place) : [];
     // Within a whole word, all others are offered on request.
-    if (is_asked && place && choices.length < 2)
-      choices = choices_at(schema!, { ...place, typed: '' }, names).slice(0, MOST);
+    if (is_asked && place && choices.length < 2) choices = at({ ...place, typed: '' });
     if (!place || !choices.length || (choices.length === 1 && choices[0].label === place.typed)) return set_popup(null);
     set_popup({ place, choices, at: 0, ...corner_of(own, place.from) });
   };

@@ -12,7 +12,7 @@
 namespace keyblock {
 
 /// A row of the table. `text` has values in braces, `{name}` or `{name:format}`: a number or text of that name, `x` and
-/// `y` of the first point, `element` and `other` as the first two elements. Formats are those of fmt; none: as engineers
+/// `y` of the first point, `element` and `other` as the first two elements. Formats are those of fmt; none: as people
 /// write it; `pN`: the same with N digits; `r`: all digits; `#noun`: a count with its noun; `?`: nothing. `{elements}`:
 /// list of all elements. A part in brackets is left out if it has a value that is not there.
 struct Sentence {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 
 namespace keyblock {
 namespace {
@@ -48,6 +48,10 @@ constexpr auto kSentencesOfRuns = std::to_array<Sentence>({
     {"equilibrium_moved",
      "the equilibrium is not quite that of the drawing: {noun} {element} near ({x}, {y}) moved by {displacement:p3}, "
      "{share:.2g} of its width {width:p3}; gaps closed, parts are soft, or the scene is near its limit"},
+    {"equilibrium_moved:rest",
+     "the scene came to rest, but not as drawn: {noun} {element} near ({x}, {y}) moved by {displacement:p3}, "
+     "{share:.2g} of its width {width:p3}; gaps closed, parts are soft, or the scene is near its limit, where the "
+     "outcome depends on how its loads came"},
     {"equilibrium_moved:small",
      "a small loose block found another place: {noun} {element} near ({x}, {y}) moved by {displacement:p3}, "
      "{share:.2g} of its "

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 
 namespace keyblock {
 namespace {

@@ -1,6 +1,6 @@
 // Puts values into the texts of the table; see sentences.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/words/sentences.hpp"
+#include "base/sentences/sentences.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,15 @@
+// Sums contacts to pieces of joints: one piece per joint between two bodies.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "formats/columns/frame_part.hpp"
+
+namespace keyblock::formats {
+
+/// Returns the part `joints` of an instant, from its part `contacts`. One row per pair of bodies, joint and joint
+/// material, in this order: block, other, joint_material, joint (0: none), contacts, closed, sliding (their numbers),
+/// normal_force, shear_force (sums), greatest_gap, greatest_slip (the largest by magnitude, with its sign) (n); ends:
+/// the contacts that lie farthest apart along the tangent of the first one. `block` is the lower number.
+FramePart joint_pieces(const FramePart& contacts);
+
+}  // namespace keyblock::formats
