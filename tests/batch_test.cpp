@@ -206,6 +206,19 @@ TEST(Batch, a_job_beyond_its_limits_fails_alone) {
   EXPECT_TRUE(contains(poor["message"], "the limit of 16 MiB of memory is too small")) << poor;
 }
 
+// One exit code stands for both limits.
+TEST(Batch, a_run_out_of_memory_is_not_told_as_out_of_time) {
+  const fs::path root = fresh_folder("batch_both_limits");
+  copy_case("sliding_block/a30_p20/a30_p20", root / "in");
+  for (const char* mebibytes : {"24", "38", "42"}) {
+    const std::string out = root / mebibytes;
+    run_keyblock({"batch", root / "in", "--run", "--profile", "standard", "--memory-limit", mebibytes, "--time-limit",
+                  "100", "-o", out});
+    const auto job = jobs_in(out)[0];
+    EXPECT_FALSE(contains(job["message"], "processor time")) << job;
+  }
+}
+
 TEST(Batch, a_check_beyond_its_limits_fails_alone_and_the_others_are_told_as_without_limits) {
   const fs::path root = fresh_folder("batch_check_limits");
   copy_case("sliding_block/a30_p20/a30_p20", root / "in");

@@ -66,11 +66,15 @@ $other_rock" '15 0 0' >"$folder/second_rock.ana"
 instructions() {
   program=$1 geometry=$2 analysis=$3 steps=$4
   shift 4
-  valgrind --tool=callgrind --callgrind-out-file="$folder/counts" --toggle-collect='*StandardStepper::advance*' "$program" run \
+  valgrind --tool=callgrind --callgrind-out-file="$folder/counts" --toggle-collect='keyblock::StandardStepper::advance()' "$program" run \
     "$folder/$geometry.geo" "$folder/$analysis.ana" -o "$folder/out" --force --profile standard --record-every 1000 \
     --set "steps=$steps" "$@" >/dev/null 2>&1
   callgrind_annotate --show-percs=no --threshold=100 "$folder/counts" |
-    awk '/^ *[0-9,]+ .*:/ && !/malloc\.c:/ { gsub(",", "", $1); sum += $1 } END { if (!sum) exit 1; printf "%d\n", sum }'
+    awk -v least=$((1000 * steps)) '/^ *[0-9,]+ .*:/ && !/malloc\.c:/ { gsub(",", "", $1); sum += $1 }
+      END {
+        if (sum < least) { print "too few instructions: is the stepper counted?" >"/dev/stderr"; exit 1 }
+        printf "%d\n", sum
+      }'
 }
 
 per_step() {

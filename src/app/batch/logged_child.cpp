@@ -50,10 +50,10 @@ bool is_below_the_program(const ChildLimits& limits) {
   return !error && static_cast<std::uintmax_t>(limits.memory_mebibytes) * kMebibyte < size;
 }
 
-bool is_starved(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
+bool is_starved(const ChildEnd& end, const ChildLimits& limits) {
+  const bool is_at_limit = end.exit_code == int(ExitCode::limit) && !end.ran_out_of_time;
   return limits.memory_mebibytes > 0 &&
-         (end.exit_code == kNoRoomForLibraries || error_in(log).find("not enough memory") != std::string::npos ||
-          (end.signal != 0 && is_below_the_program(limits)));
+         (end.exit_code == kNoRoomForLibraries || is_at_limit || (end.signal != 0 && is_below_the_program(limits)));
 }
 
 std::string signal_name(int signal) {
@@ -63,7 +63,7 @@ std::string signal_name(int signal) {
 
 std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
   if (end.ran_out_of_time) return fmt::format("stopped at the limit of {} s of processor time", limits.cpu_seconds);
-  if (is_starved(end, limits, log))
+  if (is_starved(end, limits))
     return fmt::format("the limit of {} MiB of memory is too small for it", limits.memory_mebibytes);
   if (end.signal != 0) return fmt::format("ended by {}", signal_name(end.signal));
   const std::string error = error_in(log);

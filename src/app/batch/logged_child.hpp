@@ -22,7 +22,7 @@ bool has_been_stopped(const ChildEnd& end);
 std::string error_in(const std::filesystem::path& log);
 
 /// Returns true if the process ended because its limit of memory was too small.
-bool is_starved(const ChildEnd& end, const ChildLimits& limits, const std::filesystem::path& log);
+bool is_starved(const ChildEnd& end, const ChildLimits& limits);
 
 /// Returns "SIGKILL", or "signal 40" for a signal without a name.
 std::string signal_name(int signal);

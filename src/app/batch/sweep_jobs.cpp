@@ -131,7 +131,7 @@ bool SweepJob::has_ended_early(const ChildEnd& end, const std::string& name) {
     return true;
   };
   if (end.ran_out_of_time) return fail("time_limit");
-  if (is_starved(end, plan_.limits, log)) return fail("memory_limit");
+  if (is_starved(end, plan_.limits)) return fail("memory_limit");
   if (end.signal != 0) {
     why = signal_name(end.signal);
     return fail("signal");
