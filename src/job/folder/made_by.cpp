@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <memory>
 
 #include "base/bytes/build_id.hpp"
 #include "base/bytes/sha256.hpp"
@@ -12,6 +13,11 @@
 #include "base/error.hpp"
 
 namespace keyblock {
+namespace {
+
+constexpr std::size_t kPart = 1 << 16;  // bytes read at a time
+
+}  // namespace
 
 nlohmann::ordered_json made_by_json(const nlohmann::ordered_json& seed) {
   std::error_code error;  // the folder may have been removed
@@ -26,9 +32,9 @@ nlohmann::ordered_json made_by_json(const nlohmann::ordered_json& seed) {
 std::string checksum_of(const std::filesystem::path& file) {
   std::ifstream input(file, std::ios::binary);
   Sha256 digest;
-  std::string part(1 << 20, '\0');
-  while (input.read(part.data(), static_cast<std::streamsize>(part.size())) || input.gcount() > 0)
-    digest.add(std::string_view(part).substr(0, static_cast<std::size_t>(input.gcount())));
+  const auto part = std::make_unique_for_overwrite<char[]>(kPart);  // a run reads a dozen small files
+  while (input.read(part.get(), kPart) || input.gcount() > 0)
+    digest.add({part.get(), static_cast<std::size_t>(input.gcount())});
   if (!input.eof()) throw OutputError(fmt::format("cannot read {} again", file.string()));
   return digest.text();
 }
