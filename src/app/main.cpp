@@ -140,8 +140,8 @@ std::vector<std::string> as_asked(std::vector<std::string> arguments) {
   return arguments;
 }
 
-// Returns true for commands among the arguments; `shell` prints the options of all. The options of the others would take
-// a third of the start-up time.
+// Returns true for commands among the arguments; `shell` prints the options of all. Those of the others would take a
+// third of the start-up time.
 bool needs_options(const Command& command, const std::vector<std::string>& arguments) {
   return std::ranges::any_of(arguments, [&](std::string_view word) { return word == command.name || word == "shell"; });
 }

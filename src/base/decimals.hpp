@@ -8,8 +8,8 @@
 
 namespace keyblock {
 
-/// Returns the nearest number of at most 15 significant digits; all decimals of so many digits differ as doubles. Goes by
-/// way of text: only that gives the double nearest to a decimal.
+/// Returns the nearest number of at most 15 significant digits; all decimals of so many digits differ as doubles. Goes
+/// by way of text: only that gives the double nearest to a decimal.
 inline double short_decimal(double value) {
   constexpr int kDigits = 15;
   if (!std::isfinite(value)) return value;

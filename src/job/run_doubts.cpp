@@ -242,8 +242,20 @@ void add_distance(Judgement& judgement, const Prepared& prepared, const RunRecor
     add_moved(judgement.remarks, "equilibrium_moved:small", model, *loose, kFarFromDrawing, place);
 }
 
-// Blocks that nothing drives, and that rest near their place in the drawing but not in it, found another equilibrium.
-// Friction permits several; a motion beyond `kFarFromDrawing` is plain to see.
+// Returns the largest displacement of an outer vertex of a block between two frames of the same elements.
+double way_between(const Frame& first, const Frame& last, int number) {
+  double way = 0;
+  for (std::size_t e = 0; e < first.elements.size(); ++e) {
+    if (number_of(first, e) != number || first.elements[e].loops.empty() || last.elements[e].loops.empty()) continue;
+    const std::vector<Point>& from = first.elements[e].loops.front();
+    const std::vector<Point>& to = last.elements[e].loops.front();
+    for (std::size_t i = 0; i < std::min(from.size(), to.size()); ++i) way = std::max(way, distance(from[i], to[i]));
+  }
+  return way;
+}
+
+// Blocks that nothing drives, and that come to rest near their place at the start but not in it, found another
+// equilibrium. Friction permits several; a motion beyond `kFarFromDrawing` is plain to see.
 void add_rest(Warnings& remarks, const Prepared& prepared, const RunRecord& record, const Frame& first,
               const Frame& last, const Place& place) {
   const Settings& settings = prepared.scene.settings;
@@ -256,9 +268,10 @@ void add_rest(Warnings& remarks, const Prepared& prepared, const RunRecord& reco
           first.elements,
           [](const ElementFrame& e) { return std::hypot(e.velocity.x, e.velocity.y, e.velocity.rotation) > 0; }) ||
       std::ranges::any_of(model.loading_points, [](const CarriedPoint& p) { return p.curve.times.size() > 1; });
-  if (is_driven) return;
+  if (is_driven || first.elements.size() != last.elements.size()) return;
   const auto farthest = farthest_carried(model, last, record.outcome.field);
-  if (farthest && farthest->share() > kSeenFromDrawing && farthest->share() <= kFarFromDrawing)
+  if (!farthest || farthest->is_body || farthest->share() > kFarFromDrawing) return;
+  if (way_between(first, last, farthest->number) > kSeenFromDrawing * farthest->width)
     add_moved(remarks, "equilibrium_moved:rest", model, *farthest, kSeenFromDrawing, place);
 }
 
@@ -399,13 +412,13 @@ void judge(RunRecord& record, const Prepared& prepared, StepWatch& watch, const 
   record.warnings = joined(record.warnings, broken_bolts(first, last, place));
   record.is_static = watch.is_static();
   if (keeps_energy(record)) record.energy_created = energy_created(prepared, record, first);
+  if (record.outcome.end != RunEnd::failed) record.equilibrium_way = watch.equilibrium_way();
   if (record.totals.steps > 0) record.motion = end_of_motion(prepared, record, first, last);
   const Judgement judgement = judged(prepared, record, first, last, place);
   record.doubts = judgement.doubts;
   if (record.outcome.end == RunEnd::finished)
     record.doubts = joined(record.doubts, watch.blocks().doubts(prepared.scene.settings, keeps_energy(record), place));
   record.warnings = joined(joined(record.warnings, judgement.remarks), record.doubts);
-  if (record.outcome.end != RunEnd::failed) record.equilibrium_way = watch.equilibrium_way();
 }
 
 }  // namespace keyblock

@@ -23,8 +23,8 @@ class InputCopies {
   InputCopies(const ServedFolder& folder, const Drafts& drafts, std::uintmax_t most_in_all = kMostBytesOfCopies)
       : folder_(folder), drafts_(drafts), most_in_all_(most_in_all) {}
 
-  /// Keeps the file, or the files of the folder, as they are now. Files that cannot be read, and those above 16 MiB, are
-  /// left out.
+  /// Keeps the file, or the files of the folder, as they are now. Leaves out files that cannot be read, and those above
+  /// 16 MiB.
   void keep(const std::filesystem::path& path) const;
 
   /// Returns the differences of the input files of two runs, from their records: path, first, second. Files are
