@@ -206,6 +206,21 @@ TEST(EdgeLoads, an_edge_follows_its_table_of_factors) {
   }
 }
 
+TEST(EdgeLoads, statics_lets_the_strain_go_once_the_last_load_is_gone) {
+  const std::string text = case_of({}, block({}, {0, 0}, {2, 3}),
+                                   R"("tractions": [{"along": [[0, 3], [2, 3]], "pressure": 2e5,
+                                                     "over_time": [[0, 0], [0.02, 1], [0.04, 0], [1, 0]]}],
+          "displacements": [{"along": [[0, 0], [2, 0]], "held": "normal"},
+                            {"along": [[0, 3], [0, 0]], "held": "normal"}])",
+                                   kStatics);
+  const auto stepper = stepper_of(text);
+  for (const double stress : {-1e5, -2e5, -1e5, 0.0, 0.0}) {
+    const auto made = stepper->advance();
+    ASSERT_TRUE(std::holds_alternative<StepReport>(made)) << std::get<StepFailure>(made).reason;
+    EXPECT_NEAR(stress_of(*stepper, 0, {}).yy, stress, 1e3);
+  }
+}
+
 TEST(EdgeLoads, a_pressure_follows_its_table_of_factors) {
   const Frame frame;
   std::string text =
