@@ -1,5 +1,6 @@
-# Checks the commit that cmake/source_commit.cmake finds, in a repository of its own: a + stands for changed or new sources
-# alone, and an unchanged result is not written again. Run: cmake -DROOT=<the repository> -P tests/source_commit_test.cmake
+# Checks the commit that cmake/source_commit.cmake finds, in a repository of its own: a + stands for changed or new
+# sources alone, and an unchanged result is not written again.
+# Run: cmake -DROOT=<the repository> -P tests/source_commit_test.cmake
 find_program(git git)
 if(NOT git)
   message(STATUS "skipped: no git")

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <tuple>
 
 #include "formats/columns/column_filler.hpp"
@@ -28,55 +29,60 @@ struct Piece {
   Ends ends = {};  ///< first and last contact along the tangent
 };
 
-/// Columns of contacts, read by row.
-class ContactRows {
- public:
-  explicit ContactRows(const FramePart& part) : part_(part) {}
-  int whole(std::string_view name, std::size_t row) const { return part_.at(name).integers()[row]; }
-  double real(std::string_view name, std::size_t row) const { return part_.at(name).reals()[row]; }
-  Point xy(std::string_view name, std::size_t row) const {
-    const std::span<const double> numbers = part_.at(name).reals();
-    return {numbers[2 * row], numbers[2 * row + 1]};
-  }
+/// Columns of contacts, found once.
+struct ContactColumns {
+  explicit ContactColumns(const FramePart& part)
+      : block(part.at("block").integers()),
+        other(part.at("other").integers()),
+        material(part.at("joint_material").integers()),
+        joint(part.at("joint").integers()),
+        state(part.at("state").integers()),
+        place(part.at("place").reals()),
+        normal(part.at("normal").reals()),
+        normal_force(part.at("normal_force").reals()),
+        shear_force(part.at("shear_force").reals()),
+        gap(part.at("gap").reals()),
+        slip(part.at("slip").reals()) {}
 
- private:
-  const FramePart& part_;
+  std::span<const int> block, other, material, joint, state;
+  std::span<const double> place, normal, normal_force, shear_force, gap, slip;
 };
 
-void add_contact(Piece& piece, const ContactRows& rows, std::size_t i) {
-  const Point at = rows.xy("place", i);
+Point point_of(std::span<const double> numbers, std::size_t row) {
+  return {numbers[2 * row], numbers[2 * row + 1]};
+}
+
+void add_contact(Piece& piece, const ContactColumns& of, std::size_t i) {
+  const Point at = point_of(of.place, i);
   if (piece.contacts == 0) {
-    const Point normal = rows.xy("normal", i);
+    const Point normal = point_of(of.normal, i);
     piece.tangent = {-normal.y, normal.x};
     piece.ends = {at, at};
   }
   const auto along = [&](const Point& p) { return dot(p, piece.tangent); };
   if (along(at) < along(piece.ends[0])) piece.ends[0] = at;
   if (along(at) > along(piece.ends[1])) piece.ends[1] = at;
-  const int state = rows.whole("state", i);
   ++piece.contacts;
-  piece.closed += state != 0 ? 1 : 0;
-  piece.sliding += state == 2 ? 1 : 0;
-  piece.normal_force += rows.real("normal_force", i);
-  piece.shear_force += rows.real("shear_force", i);
-  piece.greatest_gap = std::max(piece.greatest_gap, rows.real("gap", i));
-  const double slip = rows.real("slip", i);
-  if (std::abs(slip) > std::abs(piece.greatest_slip)) piece.greatest_slip = slip;
+  piece.closed += of.state[i] != 0 ? 1 : 0;
+  piece.sliding += of.state[i] == 2 ? 1 : 0;
+  piece.normal_force += of.normal_force[i];
+  piece.shear_force += of.shear_force[i];
+  piece.greatest_gap = std::max(piece.greatest_gap, of.gap[i]);
+  if (std::abs(of.slip[i]) > std::abs(piece.greatest_slip)) piece.greatest_slip = of.slip[i];
 }
 
 std::vector<Piece> pieces_of(const FramePart& contacts) {
-  const ContactRows rows(contacts);
+  if (contacts.rows == 0) return {};  // such a part has no columns
+  const ContactColumns of(contacts);
   std::map<std::tuple<int, int, int, int>, Piece> pieces;
   for (std::size_t i = 0; i < contacts.rows; ++i) {
-    const auto [low, high] = std::minmax({rows.whole("block", i), rows.whole("other", i)});
-    const int material = rows.whole("joint_material", i);
-    const int joint = rows.whole("joint", i);
-    Piece& piece = pieces[{low, high, joint, material}];
+    const auto [low, high] = std::minmax({of.block[i], of.other[i]});
+    Piece& piece = pieces[{low, high, of.joint[i], of.material[i]}];
     piece.block = low;
     piece.other = high;
-    piece.joint_material = material;
-    piece.joint = joint;
-    add_contact(piece, rows, i);
+    piece.joint_material = of.material[i];
+    piece.joint = of.joint[i];
+    add_contact(piece, of, i);
   }
   std::vector<Piece> all;
   all.reserve(pieces.size());

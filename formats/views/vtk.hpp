@@ -20,8 +20,7 @@
 // angle): the strain of the stress by Hooke's law of the intact rock. They are cell data and, with stress at corners,
 // point data. Initial stress counts. Out of the plane the strain is 0 in plane strain without plastic strain, -nu (sxx
 // + syy) / E in plane stress.
-// .pvd: VTK XML Collection with names of parts; 17 significant digits of time, so that each double differs from its
-// neighbours.
+// .pvd: VTK XML Collection with names of parts; of time the fewest digits that read back equal.
 #pragma once
 
 #include <string>

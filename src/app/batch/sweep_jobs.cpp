@@ -108,20 +108,20 @@ ChildEnd SweepJob::start(const std::string& name, const std::vector<std::string>
   return end;
 }
 
-/// Throws OutputError if a process could not write its results. Other jobs cannot either, and this one is no row: it
-/// is done again by `--resume`.
-void require_room(const ChildEnd& end, const fs::path& log) {
-  constexpr std::string_view kWords = "cannot write";
-  if (end.exit_code != int(ExitCode::numerical_failure)) return;
+/// Throws OutputError with the last error of a process that left no results. Other jobs cannot write theirs either, and
+/// this one is no row: it is done again by `--resume`.
+[[noreturn]] void refuse_without(const fs::path& results, const fs::path& log) {
+  constexpr std::string_view kLevel = "error: ";
   const std::string error = error_in(log);
-  if (const std::size_t at = error.find(kWords); at != std::string::npos) throw OutputError(error.substr(at));
+  const std::size_t at = error.find(kLevel);
+  throw OutputError(at == std::string::npos ? fmt::format("cannot write {}", results.string())
+                                            : error.substr(at + kLevel.size()));
 }
 
 /// Returns true if the process has no answer, and puts the reason into the result.
 bool SweepJob::has_ended_early(const ChildEnd& end, const std::string& name) {
   if (is_stopped_) return true;
   const fs::path log = folder_ / (name + ".log");
-  require_room(end, log);
   std::string why = why_it_ended(end, plan_.limits, log);
   const auto fail = [&](const char* verdict) {
     const std::string own = folder_.string() + "/";
@@ -178,7 +178,7 @@ bool SweepJob::run() {
   if (!has(SweepSource::run)) return true;
   if (has_ended_early(run_or_resume(), "run")) return false;
   const fs::path record = run_folder() / "run.json";
-  if (!fs::exists(record)) throw OutputError(fmt::format("cannot write {}", record.string()));
+  if (!fs::exists(record)) refuse_without(record, folder_ / "run.log");
   const Json outcome = Json::parse(formats::load(record.string()).text).at("outcome");
   result_.verdict = outcome.at("end");
   const Json doubts = outcome.value("doubts", Json::array());
@@ -206,7 +206,9 @@ bool SweepJob::find_safety(const SweepOutput& output) {
   if (!output.reduced.empty()) words.insert(words.end(), {"--reduce", output.reduced});
   if (plan_.within) words.insert(words.end(), {"--to-within", fmt::format("{}", *plan_.within)});
   if (has_ended_early(start(output.name, words), output.name)) return false;
-  const std::string text = formats::load((folder_ / (output.name + ".out")).string()).text;
+  const fs::path answer = folder_ / (output.name + ".out");
+  const std::string text = formats::load(answer.string()).text;
+  if (!Json::accept(text)) refuse_without(answer, folder_ / (output.name + ".log"));
   result_.out[output.name] = study::value_of_fos(text);
   const std::string end = Json::parse(text).value("end", "bracketed");
   if (!has(SweepSource::run) && end != "bracketed") result_.verdict = end;

@@ -9,6 +9,7 @@
 
 namespace keyblock {
 
+/// Result of a step. Residuals are over the largest load, times in [time].
 struct StandardStep {
   Motion motion;
   StepAccount account;  ///< zero without an energy balance
