@@ -129,14 +129,18 @@ std::string csv_of(const FactorOfSafety& found, const Units& units) {
   return csv;
 }
 
-std::string sentence_of(const FactorOfSafety& found) {
-  const Bracket& at = found.bracket;
+std::string answer_of(const FactorOfSafety& found) {
+  if (found.end != SearchEnd::bracketed) return "no factor of safety";
   const bool is_high_by_mesh = found.mesh_error && found.mesh_error->coarse && found.mesh_error->share > 0;
   const char* kind = found.is_lower_estimate && !is_high_by_mesh ? " (a lower estimate)" : "";
+  return fmt::format("factor of safety{} {:.4g}", kind, found.bracket.middle());
+}
+
+std::string sentence_of(const FactorOfSafety& found) {
+  const Bracket& at = found.bracket;
   switch (found.end) {
     case SearchEnd::bracketed:
-      return fmt::format("factor of safety{} {:.4g}: stable at {:.6g}, unstable at {:.6g}", kind, at.middle(),
-                         *at.stands, *at.falls);
+      return fmt::format("{}: stable at {:.6g}, unstable at {:.6g}", answer_of(found), *at.stands, *at.falls);
     case SearchEnd::falls:
       return fmt::format("no bracket: unstable at {:.6g}, the least factor tried; --from {:.3g} begins lower",
                          *at.falls, *at.falls / kLower);
@@ -196,7 +200,7 @@ std::vector<report::StrengthBolt> bolts_of(const Model& model, const FactorOfSaf
 
 report::StrengthPicture picture_of(const ReducedCase& chosen, const Model& model, const FactorOfSafety& found) {
   report::StrengthPicture picture;
-  picture.title = fmt::format("{}: {}", chosen.name, sentence_of(found));
+  picture.title = fmt::format("{}: {}", chosen.name, answer_of(found));
   picture.falling_words =
       found.bracket.falls ? fmt::format("unstable at F = {:.6g}", *found.bracket.falls) : "no unstable factor";
   picture.falling = found.falling;
