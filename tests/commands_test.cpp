@@ -124,6 +124,7 @@ TEST(Commands, run_writes_record_history_fields_and_picture) {
     EXPECT_TRUE(contains(fields, frame));
     EXPECT_TRUE(std::filesystem::exists(out + "/" + frame)) << frame;
   }
+  EXPECT_TRUE(contains(fields, R"(timestep="0" part="1" name="contacts")")) << "ParaView looks for parts there alone";
   EXPECT_TRUE(contains(read_text(out + "/picture.svg"), "</svg>"));
   EXPECT_TRUE(contains(read_text(out + "/energy.svg"), "</svg>"));
   EXPECT_TRUE(contains(run.messages, "step 40/40  t = "));

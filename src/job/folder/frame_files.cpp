@@ -77,11 +77,12 @@ void FrameFiles::write(const formats::FrameColumns& frame, const Units& units) {
   const formats::FrameColumns columns = formats::with_derived(frame, materials_);
   const auto& [blocks, points, lines, cracks, joints] = kParts;
   const auto has = [&](std::string_view part) { return columns.part(part).rows > 0; };
+  const bool is_first = files_.empty();
   write(frame_file(blocks, frame.step), frame.time, formats::vtu(columns, units, coding_));
-  if (has("contacts")) {
+  // ParaView takes from the first instant alone whether there is more than one part (5.11), so that one has contacts.
+  if (is_first || has("contacts"))
     write(frame_file(points, frame.step), frame.time, formats::contacts_vtp(columns, units, coding_));
-    write(frame_file(joints, frame.step), frame.time, formats::joints_vtp(columns, units, coding_));
-  }
+  if (has("contacts")) write(frame_file(joints, frame.step), frame.time, formats::joints_vtp(columns, units, coding_));
   if (has("bolts")) write(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(columns, units, coding_));
   if (has("cracks")) write(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(columns, units, coding_));
 }
