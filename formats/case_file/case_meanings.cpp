@@ -124,9 +124,9 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
      "force per length of the boundary along a chain of points: (x, y) minus pressure times the outward normal, which "
      "turns with a block"},
     {"along", "chain of points on the boundary of bodies; along a joint, on both of its sides"},
-    {"tractions.x", "x component, F/L²; a number or an expression in x, y, nx, ny, of blocks also t"},
-    {"tractions.y", "y component, F/L²; a number or an expression in x, y, nx, ny, of blocks also t"},
-    {"pressure", "pressure, F/L²; a number or an expression in x, y, nx, ny, of blocks also t"},
+    {"tractions.x", "x component, F/L²; a number or an expression in x, y, nx, ny, in loads also t"},
+    {"tractions.y", "y component, F/L²; a number or an expression in x, y, nx, ny, in loads also t"},
+    {"pressure", "pressure, F/L²; a number or an expression in x, y, nx, ny, in loads also t"},
     {"displacements", "prescribed displacement along a chain of points"},
     {"held",
      "prescribed components: both, x, y, or the one along the normal. normal with value 0 is a line of symmetry"},
@@ -136,7 +136,7 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
     {"over_time",
      "factor of the values over time, linear between the rows; before the first and after the last row it is that of "
      "the "
-     "nearest. For blocks only. Empty: 1"},
+     "nearest. Of displacements for blocks only. Empty: 1"},
     {"factor", "factor of the values"},
     {"first_stage", "number of the first stage in which the load acts; if absent, the first of all"},
     {"last_stage", "number of the last stage in which the load acts; if absent, the last of all"},

@@ -262,14 +262,11 @@ void add_rest(Warnings& remarks, const Prepared& prepared, const RunRecord& reco
   const Model& model = scenes_of(prepared.scene).back()->model;
   const bool is_at_rest = record.motion && record.motion->state == MotionState::at_rest && !record.is_static;
   if (!is_at_rest || settings.dynamics != Dynamics::standard || record.outcome.end != RunEnd::finished) return;
-  const bool is_driven =
-      scenes_of(prepared.scene).size() > 1 || !settings.body_acceleration.curve.times.empty() ||
-      std::ranges::any_of(model.edge_loads, [](const EdgeLoad& load) { return load.last_change > 0; }) ||
-      std::ranges::any_of(model.support_rows, [](const SupportRow& row) { return row.factor.last_change() > 0; }) ||
-      std::ranges::any_of(
-          first.elements,
-          [](const ElementFrame& e) { return std::hypot(e.velocity.x, e.velocity.y, e.velocity.rotation) > 0; }) ||
-      std::ranges::any_of(model.loading_points, [](const CarriedPoint& p) { return p.curve.times.size() > 1; });
+  const bool is_driven = scenes_of(prepared.scene).size() > 1 || !settings.body_acceleration.curve.times.empty() ||
+                         last_change_of_loads(prepared.scene) > 0 ||
+                         std::ranges::any_of(first.elements, [](const ElementFrame& e) {
+                           return std::hypot(e.velocity.x, e.velocity.y, e.velocity.rotation) > 0;
+                         });
   if (is_driven || first.elements.size() != last.elements.size()) return;
   const auto farthest = farthest_carried(model, last, record.outcome.field);
   if (!farthest || farthest->is_body || farthest->share() > kFarFromDrawing) return;

@@ -25,6 +25,13 @@ struct Traction {
   std::function<Point(Point x, Point normal)> force;
 };
 
+/// Traction that changes over time; only steps with contact have a time.
+struct ChangingTraction {
+  BoundaryPart along;
+  std::function<Point(Point x, Point normal, double time)> force;
+  double last_change = 0;  ///< time from which it stays the same
+};
+
 struct PrescribedDisplacement {
   BoundaryPart along;
   Held held = Held::both;
@@ -59,6 +66,7 @@ struct Continuum {
       initial_stress;             ///< before any displacement, added to that of the materials; may be empty
   bool gives_initial_zz = false;  ///< true if `initial_stress` gives it; else the law computes stress across the plane
   std::vector<Traction> tractions;
+  std::vector<ChangingTraction> changing_tractions = {};
   std::vector<PrescribedDisplacement> prescribed;
   std::vector<PointForce> point_forces;
   std::vector<PointSpring> point_springs;

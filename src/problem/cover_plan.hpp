@@ -189,17 +189,15 @@ inline CoverFunctions functions_of(const CoverPlan& plan, const std::vector<Bloc
   return CoverFunctions::derived;
 }
 
-/// Adds loads that act on all bodies to those of the plan. NMM bodies have none that change over time.
+/// Adds loads that act on all bodies to those of the plan. NMM bodies have no displacements that change over time.
 inline void add(CoverPlan& plan, const LoadList& loads) {
-  const auto put = [](auto& list, const auto& more) {
-    for (auto part : more) {
-      if (part.changes_over_time()) continue;
-      part.acts_on_all = true;
-      list.push_back(std::move(part));
-    }
+  const auto put = [](auto& list, auto part) {
+    part.acts_on_all = true;
+    list.push_back(std::move(part));
   };
-  put(plan.tractions, loads.tractions);
-  put(plan.displacements, loads.displacements);
+  for (const TractionPlan& part : loads.tractions) put(plan.tractions, part);
+  for (const DisplacementPlan& part : loads.displacements)
+    if (!part.changes_over_time()) put(plan.displacements, part);
 }
 
 }  // namespace keyblock

@@ -4,8 +4,8 @@
 //   place   chain of points along edges: of an outline, or of a joint, on both of its sides
 //   kind    traction, pressure (along the outward normal), prescribed displacement of both components, of x, of y or
 //           of the normal one
-//   value   number, or expression of x, y and the outward normal, all in the undeformed position; of tractions on
-//           blocks also of the time t; on blocks times a factor over time
+//   value   number, or expression of x, y and the outward normal, all in the undeformed position; of tractions also of
+//           the time t, but on NMM bodies only in steps with contact; times a factor over time
 //   stages  all of them, or those from a first to a last one
 // A list passes through five places, each once:
 //   read       formats/case_file: `loads`, in the words of `covers`; `covers` itself lists those of NMM bodies only
@@ -55,7 +55,7 @@ struct TractionPlan {
   Formula x, y, pressure;
   Place place;
   bool acts_on_all = false;              ///< on every body; else on NMM bodies only
-  std::vector<FactorAt> over_time = {};  ///< empty: 1; on blocks only
+  std::vector<FactorAt> over_time = {};  ///< empty: 1
   ActiveStages stages = {};
 
   bool uses_time() const { return uses(x, "t") || uses(y, "t") || uses(pressure, "t"); }

@@ -323,9 +323,7 @@ Scenes scenes_in(const Asked& asked, Geometry& geometry, Warnings& warnings) {
 }
 
 Warnings warnings_of_loads(const Problem& problem, const Scene& first) {
-  std::vector<const Model*> models;
-  for (const Scene* scene : scenes_of(first)) models.push_back(&scene->model);
-  return look_at_loads(problem.loads, models);
+  return look_at_loads(problem.loads, scenes_of(first));
 }
 
 Warnings warnings_of_plan(const Problem& problem, const Scene& first) {

@@ -24,10 +24,15 @@ void visit_area(const Continuum& continuum, int element, const ElementShape& sha
     visit(p.at, p.weight * continuum.force_at(element, p.at));
 }
 
+/// Exact for tractions of third order.
+std::vector<EdgePoint> points_of_traction(const ElementSide& side, const ElementShape& shape) {
+  return edge_rule(side, shape, (shape.degree + 4) / 2);
+}
+
 /// Calls `visit(x, force)` with the contributions of a traction on a side.
 template <class Visit>
 void visit_side(const Traction& traction, const ElementSide& side, const ElementShape& shape, Visit visit) {
-  for (const EdgePoint& p : edge_rule(side, shape, (shape.degree + 4) / 2))
+  for (const EdgePoint& p : points_of_traction(side, shape))
     visit(p.at, p.weight * traction.force(p.at, side.normal()));
 }
 
@@ -65,6 +70,27 @@ void add_traction(const Continuum& continuum, const CoverBasis& basis, const Tra
     visit_side(traction, side, shape,
                [&](Point x, Point force) { load += shape.displacement(x).transpose() * vector(force); });
     system.add_load(shape.functions, load);
+  }
+}
+
+ChangingLoads::ChangingLoads(const Continuum& continuum, const CoverBasis& basis) {
+  for (const ChangingTraction& traction : continuum.changing_tractions)
+    for (const ElementSide& side : sides_along(continuum.manifold, traction.along)) {
+      const ElementShape shape = basis.shape(side.element);
+      Side& loaded = sides_.emplace_back(
+          Side{traction.force, side.normal(), {shape.functions.begin(), shape.functions.end()}, {}});
+      for (const EdgePoint& p : points_of_traction(side, shape))
+        loaded.samples.push_back({p.at, p.weight, shape.displacement(p.at)});
+    }
+}
+
+void ChangingLoads::add(double time, Eigen::VectorXd& loads) const {
+  for (const Side& side : sides_) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(side.functions.size()));
+    for (const Sample& sample : side.samples)
+      sum += sample.weight * (sample.displacement.transpose() * vector(side.force(sample.at, side.normal, time)));
+    for (std::size_t i = 0; i < side.functions.size(); ++i)
+      loads.segment<2>(2 * side.functions[i]) += sum.segment<2>(2 * static_cast<Eigen::Index>(i));
   }
 }
 

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
 #include "model/continuum.hpp"
 #include "system/sparse_system.hpp"
 
@@ -16,7 +20,30 @@ void add_cover_initial_stress(const Continuum& continuum, const CoverBasis& basi
 /// Adds ∫ Tᵀ t along a part of the boundary to f, exact if t is a polynomial of third order.
 void add_traction(const Continuum& continuum, const CoverBasis& basis, const Traction& traction, SparseSystem& system);
 
-/// Returns the resultant of all forces that do not depend on the displacement: on areas, along boundaries, at points.
+/// Tractions that change over time, with the points of their quadrature.
+class ChangingLoads {
+ public:
+  ChangingLoads(const Continuum& continuum, const CoverBasis& basis);
+
+  /// Adds ∫ Tᵀ t at a time to the loads on the unknowns, two per function. Throws InputError if a formula is not finite.
+  void add(double time, Eigen::VectorXd& loads) const;
+
+ private:
+  struct Sample {
+    Point at;
+    double weight;
+    Eigen::MatrixXd displacement;  ///< T, 2 × 2n
+  };
+  struct Side {
+    std::function<Point(Point x, Point normal, double time)> force;
+    Point normal;
+    std::vector<int> functions;
+    std::vector<Sample> samples;
+  };
+  std::vector<Side> sides_;
+};
+
+/// Returns the resultant of all forces that do not depend on displacement or time: on areas, along boundaries, at points.
 Resultant sum_of_loads(const Continuum& continuum, int degree);
 
 /// Adds Tᵀ F to f.

@@ -8,6 +8,19 @@
 
 namespace keyblock {
 
+double last_change_of_loads(const Scene& scene) {
+  const Model& model = scene.model;
+  double last = scene.settings.body_acceleration.curve.last_change();
+  const auto count = [&](double time) { last = std::max(last, time); };
+  for (const CarriedPoint& point : model.loading_points) count(point.curve.last_change());
+  for (const CarriedPoint& point : model.fixed_points) count(point.curve.last_change());
+  for (const EdgeLoad& load : model.edge_loads) count(load.last_change);
+  for (const SupportRow& row : model.support_rows) count(row.factor.last_change());
+  if (model.continuum)
+    for (const ChangingTraction& traction : model.continuum->changing_tractions) count(traction.last_change);
+  return last;
+}
+
 bool may_yield(const Scene& scene) {
   return scene.model.continuum &&
          std::ranges::any_of(scene.model.continuum->materials,

@@ -61,6 +61,9 @@ struct SceneChange {
   SceneMap map;
 };
 
+/// Returns the time from which loads, driven points and edges, and accelerations stay the same; 0: they never change.
+double last_change_of_loads(const Scene& scene);
+
 /// Returns true if a material of its NMM bodies has a strength.
 bool may_yield(const Scene& scene);
 

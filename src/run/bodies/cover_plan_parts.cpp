@@ -30,6 +30,17 @@ Traction traction_of(const TractionPlan& plan) {
   return {plan.along, [=](Point at, Point n) { return on_edge.force(at, n, 0) - on_edge.pressure(at, n, 0) * n; }};
 }
 
+ChangingTraction changing_of(const TractionPlan& plan) {
+  const TractionOnEdge on_edge = traction_on_edge(plan);
+  const TimeCurve factor = curve_of(plan.over_time);
+  return {plan.along,
+          [=](Point at, Point n, double t) {
+            return (factor.times.empty() ? 1 : factor.at(t).x) *
+                   (on_edge.force(at, n, t) - on_edge.pressure(at, n, t) * n);
+          },
+          plan.uses_time() ? std::numeric_limits<double>::infinity() : factor.last_change()};
+}
+
 double gap_to(const Manifold& manifold, const ManifoldElement& element, Point p) {
   const auto loops = manifold.polygon(element);
   double nearest = std::numeric_limits<double>::max();
@@ -53,6 +64,15 @@ std::vector<Part> in_blocks(const std::vector<Part>& parts, const Blocks& blocks
 }
 
 }  // namespace
+
+TimeCurve curve_of(const std::vector<FactorAt>& rows) {
+  TimeCurve curve;
+  for (const FactorAt& row : rows) {
+    curve.times.push_back(row.time);
+    curve.values.push_back({row.factor, 0});
+  }
+  return curve;
+}
 
 TractionOnEdge traction_on_edge(const TractionPlan& plan) {
   const Compiled x(plan.x, kInTime), y(plan.y, kInTime), pressure(plan.pressure, kInTime);
@@ -81,7 +101,11 @@ CoverPlan what_is_left_of(CoverPlan plan, const Manifold& bodies, const Blocks& 
 }
 
 void put_loads(Continuum& continuum, const CoverPlan& plan) {
-  for (const TractionPlan& part : plan.tractions) continuum.tractions.push_back(traction_of(part));
+  for (const TractionPlan& part : plan.tractions)
+    if (part.changes_over_time())
+      continuum.changing_tractions.push_back(changing_of(part));
+    else
+      continuum.tractions.push_back(traction_of(part));
   for (const DisplacementPlan& part : plan.displacements) continuum.prescribed.push_back(displacement_of(part));
   const Compiled fx(plan.body_force.x, kInBody), fy(plan.body_force.y, kInBody);
   if (!fx.is_zero() || !fy.is_zero())

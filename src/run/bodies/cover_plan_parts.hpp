@@ -9,6 +9,7 @@
 #include "model/continuum.hpp"
 #include "problem/blocks.hpp"
 #include "problem/cover_plan.hpp"
+#include "problem/time_curve.hpp"
 
 namespace keyblock {
 
@@ -17,6 +18,9 @@ struct TractionOnEdge {
   std::function<Point(Point x, Point normal, double time)> force;  ///< of a fixed direction
   std::function<double(Point x, Point normal, double time)> pressure;
 };
+
+/// Returns the factors as the first components of a curve.
+TimeCurve curve_of(const std::vector<FactorAt>& rows);
 
 /// The functions throw InputError if a formula is not finite.
 TractionOnEdge traction_on_edge(const TractionPlan& plan);

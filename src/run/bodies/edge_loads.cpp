@@ -72,15 +72,6 @@ double reach_of(const Model& model) {
   return kAlong * length(box.size()) + kRounding * farthest;
 }
 
-TimeCurve curve_of(const std::vector<FactorAt>& rows) {
-  TimeCurve curve;
-  for (const FactorAt& row : rows) {
-    curve.times.push_back(row.time);
-    curve.values.push_back({row.factor, 0});
-  }
-  return curve;
-}
-
 EdgeForces forces_on(const BlockSide& side, const TractionOnEdge& traction, double time) {
   EdgeForces load;
   const double size = length(side.edge.end - side.edge.start);
@@ -238,29 +229,43 @@ void put_edge_loads(Model& model, const LoadList& loads) {
 
 namespace {
 
-// NMM bodies assemble their loads once.
 template <class Part>
-void require_blocks(const Part& part, const Model& model) {
-  if (!part.changes_over_time() || !model.continuum || sides_along(model.continuum->manifold, part.along).empty())
-    return;
-  throw InputError(part.place, "expected over_time and the time t only of loads on blocks, found one on an NMM body");
+bool acts_on_covers(const Part& part, const Scene& scene) {
+  const auto& continuum = scene.model.continuum;
+  return continuum && !sides_along(continuum->manifold, part.along).empty();
+}
+
+// Statics without contact has no time, and factors of tips take tractions as constant.
+void require_time(const TractionPlan& part, const Scene& scene) {
+  if (!part.changes_over_time() || !acts_on_covers(part, scene)) return;
+  const bool has_tips = scene.growth || !scene.model.continuum->cracks.empty();
+  if (!scene.is_untouched && !has_tips) return;
+  throw InputError(part.place, fmt::format("expected no over_time and no time t on NMM bodies {}, found one",
+                                           has_tips ? "with cracks" : "in statics without contact"));
+}
+
+// Covers hold their edges by matrices made once.
+void require_time(const DisplacementPlan& part, const Scene& scene) {
+  if (part.changes_over_time() && acts_on_covers(part, scene))
+    throw InputError(part.place, "expected over_time of displacements only on blocks, found one on an NMM body");
 }
 
 }  // namespace
 
-Warnings look_at_loads(const LoadList& loads, const std::vector<const Model*>& scenes) {
+Warnings look_at_loads(const LoadList& loads, const std::vector<const Scene*>& scenes) {
   std::vector<Segment> edges;
   double near = 0;
-  for (const Model* model : scenes) {
-    for (const BlockSide& side : sides_of(*model)) edges.push_back(side.edge);
-    near = std::max(near, reach_of(*model));
-    if (!model->continuum) continue;
-    for (const ElementSide& side : boundary_sides(model->continuum->manifold)) edges.push_back(side.edge);
+  for (const Scene* scene : scenes) {
+    const Model& model = scene->model;
+    for (const BlockSide& side : sides_of(model)) edges.push_back(side.edge);
+    near = std::max(near, reach_of(model));
+    if (!model.continuum) continue;
+    for (const ElementSide& side : boundary_sides(model.continuum->manifold)) edges.push_back(side.edge);
   }
   Warnings warnings;
   const auto look = [&](const auto& part) {
     look_at_chain(part.along, part.place, "edges", edges, near, warnings);
-    for (const Model* model : scenes) require_blocks(part, *model);
+    for (const Scene* scene : scenes) require_time(part, *scene);
   };
   for (const TractionPlan& part : loads.tractions) look(part);
   for (const DisplacementPlan& part : loads.displacements) look(part);

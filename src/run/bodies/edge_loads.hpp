@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "model/model.hpp"
+#include "model/scene/scene.hpp"
 #include "problem/load_list.hpp"
 
 namespace keyblock {
@@ -15,8 +15,8 @@ namespace keyblock {
 /// its edges.
 void put_edge_loads(Model& model, const LoadList& loads);
 
-/// Returns warnings of chains that lie partly off all edges. `scenes`: models of a run, in sequence. Throws InputError
-/// for a chain on no edge.
-Warnings look_at_loads(const LoadList& loads, const std::vector<const Model*>& scenes);
+/// Returns warnings of chains that lie partly off all edges. `scenes`: those of a run, in sequence. Throws InputError for
+/// a chain on no edge, and for a load on an NMM body that changes over time where the scene permits none.
+Warnings look_at_loads(const LoadList& loads, const std::vector<const Scene*>& scenes);
 
 }  // namespace keyblock

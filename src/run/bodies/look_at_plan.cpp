@@ -48,6 +48,9 @@ OffBoundary off_boundary(const BoundaryPart& part, std::span<const Segment> edge
 // Formulas report their own errors.
 void try_formulas(const Continuum& continuum) {
   sum_of_loads(continuum, kTriedDegree);
+  for (const ChangingTraction& part : continuum.changing_tractions)
+    for (const ElementSide& side : sides_along(continuum.manifold, part.along))
+      part.force(0.5 * (side.edge.start + side.edge.end), side.normal(), 0);
   for (const PrescribedDisplacement& part : continuum.prescribed)
     for (const ElementSide& side : sides_along(continuum.manifold, part.along))
       part.value(0.5 * (side.edge.start + side.edge.end), side.normal());

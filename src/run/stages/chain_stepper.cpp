@@ -9,21 +9,6 @@
 #include "step/scene_steppers.hpp"
 
 namespace keyblock {
-namespace {
-
-// Returns true if loads, driven points and edges, and accelerations no longer change: only then is rest an equilibrium.
-bool loads_are_constant(const Scene& scene, double time) {
-  const auto ends_later = [&](const CarriedPoint& point) { return point.curve.last_change() > time; };
-  const auto changes_later = [&](const EdgeLoad& load) { return load.last_change > time; };
-  const auto moves_later = [&](const SupportRow& row) { return row.factor.last_change() > time; };
-  return std::ranges::none_of(scene.model.loading_points, ends_later) &&
-         std::ranges::none_of(scene.model.edge_loads, changes_later) &&
-         std::ranges::none_of(scene.model.support_rows, moves_later) &&
-         std::ranges::none_of(scene.model.fixed_points, ends_later) &&
-         scene.settings.body_acceleration.curve.last_change() <= time;
-}
-
-}  // namespace
 
 ChainStepper::ChainStepper(Scene first) : scene_(std::move(first)) {
   now_ = scene_stepper(scene_);
@@ -84,7 +69,7 @@ std::variant<StepReport, StepFailure> ChainStepper::advance() {
   report.last_step = now_->state().step;
   report.end_time = now_->state().time;
   report.is_balanced = scene_.end.equilibrium && now_->is_at_rest(*scene_.end.equilibrium) &&
-                       loads_are_constant(scene_, report.end_time);
+                       last_change_of_loads(scene_) <= report.end_time;
   const int steps = report.last_step - report.first_step;
   ends_scene_ = report.is_balanced || (scene_.end.steps > 0 && steps >= scene_.end.steps);
   if (ends_scene_) report.forces = now_->forces();

@@ -101,6 +101,7 @@ CoverScene::CoverScene(const Model& model, const Settings& settings)
     : made_of_(model.continuum),
       damping_(damping_of(made_of_->manifold.body_materials, settings)),
       bodies_(*made_of_, damping_),
+      changing_(*made_of_, bodies_.basis()),
       first_(first_on_covers(model)),
       kinematics_(std::make_shared<CoverKinematics>(model, first_, bodies_.basis())),
       carry_(carry_over_of(made_of_->manifold.body_materials, settings)),

@@ -12,6 +12,7 @@
 #include "settings/settings.hpp"
 #include "step/bodies/elastic_bodies.hpp"
 #include "step/bodies/whole_body.hpp"
+#include "terms/cover_loads.hpp"
 
 namespace keyblock {
 
@@ -44,8 +45,10 @@ class CoverScene : public Groundwork {
   Eigen::VectorXd start_velocity() const;
   /// Returns v times the velocity fraction that the material of each body keeps from step to step.
   Eigen::VectorXd carried_over(Eigen::VectorXd v) const;
-  /// Returns the weight of the materials, with tractions and support loads of the problem.
+  /// Returns the weight of the materials, with constant tractions and support loads of the problem.
   const Eigen::VectorXd& weight() const { return weight_; }
+  /// Adds the tractions that change over time.
+  void add_changing_loads(double time, Eigen::VectorXd& loads) const { changing_.add(time, loads); }
   /// Returns the force of the initial stress on the unknowns.
   const Eigen::VectorXd& initial_force() const { return initial_force_; }
   /// Returns true if supports of the problem, apart from fixed points, hold a body.
@@ -104,6 +107,7 @@ class CoverScene : public Groundwork {
   std::shared_ptr<const Continuum> made_of_;
   CoverDamping damping_;
   ElasticBodies bodies_;
+  ChangingLoads changing_;
   ElementIndex first_;
   std::shared_ptr<const CoverKinematics> kinematics_;
   std::vector<double> carry_;    ///< per body

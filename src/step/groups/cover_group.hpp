@@ -36,7 +36,10 @@ class CoverGroup final : public BodyGroup {
 
   void put_start(const SceneParts& scene, BodiesMotion& motion) const override;
   void carry_over(const SceneParts& scene, UnknownsTable& v) const override;
-  void put_weight(UnknownsTable& loads) const override { loads.shared = bodies_->weight(); }
+  void put_own_loads(double time, UnknownsTable& loads) const override {
+    loads.shared = bodies_->weight();
+    bodies_->add_changing_loads(time, loads.shared);
+  }
   void add_inertia(Point acceleration, UnknownsTable& loads) const override;
   void add_to(Scales& scales, const UnknownsTable& loads, const UnknownsTable& q,
               const UnknownsTable& v) const override;
