@@ -145,17 +145,36 @@ class Run:
         return f"<Run {self.outcome.end}, step {self.last.number} of {self.plan.steps}>"
 
 
+class Strength:
+    """Factor of safety: the bracket, its trials, and the states on both sides.
+
+    stands: largest factor at which the case is stable, or None. falls: smallest factor at which it is unstable, or None.
+    end: bracketed, falls, stands, undecided or stopped. trials: list of Trial. notes: sentences. warnings: list of Warning.
+    standing: Frame of the equilibrium at `stands`. falling: Frame at `falls`: the end of the search, out of balance, or an
+    equilibrium far from the drawing. Each is None if the search has none; neither has contacts.
+    """
+
+    def __init__(self, found: _keyblock.Strength, units: tuple[str, ...]) -> None:
+        self.stands, self.falls, self.end = found.stands, found.falls, found.end
+        self.trials, self.notes, self.warnings = found.trials, found.notes, found.warnings
+        self.standing = None if found.standing is None else Frame(found.standing, units)
+        self.falling = None if found.falling is None else Frame(found.falling, units)
+
+    def __repr__(self) -> str:
+        return f"<Strength {self.end}, stands {self.stands}, falls {self.falls}>"
+
+
 def factor_of_safety(case: Case | StrPath, what: str = "", within: float = 0.0, profile: str | None = None,
-                     settings: Mapping[str, Any] | None = None, context: _keyblock.Context | None = None) -> _keyblock.Strength:
+                     settings: Mapping[str, Any] | None = None, context: _keyblock.Context | None = None) -> Strength:
     """Divides the strength of "joints", "rock" or "both" until the case is unstable, as `keyblock fos`.
 
     what, within: empty and 0 take what the `case.json` of a folder requests, else "joints" and 0.01. The result has the
-    bracket (`stands`, `falls`), `end`, `trials`, `notes` and `warnings`. Unlike the command it makes no second search on
-    a coarser mesh. Raises SettingError for another word or a width below 0.
+    bracket (`stands`, `falls`), `end`, `trials`, `notes`, `warnings`, and the frames `standing` and `falling`. Unlike the
+    command it makes no second search on a coarser mesh. Raises SettingError for another word or a width below 0.
     """
     case = case if isinstance(case, Case) else read(case)
-    return _keyblock.factor_of_safety(case._case, what, within, profile or "", setting_pairs(settings),
-                                      context or Context())
+    return Strength(_keyblock.factor_of_safety(case._case, what, within, profile or "", setting_pairs(settings),
+                                               context or Context()), case.units)
 
 
 class Tips(list):  # type: ignore[type-arg]

@@ -380,7 +380,9 @@ void bind_studies(py::module_& m) {
       .def_readonly("end", &kb::Strength::end, "bracketed, falls, stands, undecided or stopped.")
       .def_readonly("trials", &kb::Strength::trials)
       .def_readonly("notes", &kb::Strength::notes)
-      .def_readonly("warnings", &kb::Strength::warnings);
+      .def_readonly("warnings", &kb::Strength::warnings)
+      .def_readonly("standing", &kb::Strength::standing, "Frame at `stands`, or None.")
+      .def_readonly("falling", &kb::Strength::falling, "Frame at `falls`, or None.");
   py::class_<kb::Tip>(m, "Tip", "A crack tip at the end of the loads.")
       .def_readonly("x", &kb::Tip::x, "Place in the undeformed body.")
       .def_readonly("y", &kb::Tip::y, "Place in the undeformed body.")

@@ -15,7 +15,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
 import keyblock as kb  # noqa: E402
-from support import CASES, FRICTION, Folder, endless, slide  # noqa: E402
+from support import CASES, FRICTION, Folder, endless, slide, stopped  # noqa: E402
 
 
 def resident_kib():
@@ -347,6 +347,15 @@ class Stubs(unittest.TestCase):
 
 
 class Studies(unittest.TestCase):
+    def test_a_factor_of_safety_has_the_states_on_both_sides(self):
+        steep = slide().with_value(FRICTION, 40)
+        found = kb.factor_of_safety(steep)
+        stands, falls = (np.hypot(*f.displacement[1]) for f in (found.standing, found.falling))
+        self.assertLess(stands, 1e-3)
+        self.assertGreater(falls, 2 * stands)
+        self.assertEqual(kb.factor_of_safety(steep, context=stopped()).standing, None)
+        self.assertEqual((found.falling.units, len(found.falling.contact_gap)), (steep.units, 0))
+
     def test_stress_intensity_is_that_of_the_closed_form(self):
         tip, = kb.stress_intensity(CASES / "stress_intensity" / "edge_crack_05")
         self.assertAlmostEqual(tip.k1, 3.5327, delta=0.001)  # as keyblock sif prints it
