@@ -9,9 +9,11 @@ import sys
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 sys.path.insert(0, str(Path(__file__).parent))
 import keyblock as kb  # noqa: E402
-from support import CASES, FRICTION, ROOT, Folder, slide  # noqa: E402
+from support import CASES, FRICTION, ROOT, Folder, slide, stopped  # noqa: E402
 
 
 def column(table, name):
@@ -24,7 +26,11 @@ class Program(Folder):
         for case in (kb.read("block.json"), kb.read("block.json").with_value(FRICTION, 10), slide().with_value(FRICTION, 10)):
             run = kb.Run(case)
             run.go_on()
-            results = run.record("out", force=True)
+            written = run.record("out", force=True)
+            with self.assertRaisesRegex(kb.Error, "has ended"):
+                written.results
+            written.go_on()
+            results = written.results
             points = results.table("points")
             (dx, dy), = run.frame().point_displacement[-1:] if len(run.frame().point) else [(None, None)]
             self.assertEqual((column(points, "dx")[-1], column(points, "dy")[-1]), (dx, dy), case)
@@ -80,6 +86,52 @@ class Program(Folder):
         self.assertEqual((Path("parts") / "points.csv").read_bytes(), (whole.folder / "points.csv").read_bytes())
         with self.assertRaises(kb.Error):
             kb.resume("whole")
+
+    def test_a_recorded_run_ends_at_a_condition_and_is_resumed(self):
+        kb.new("slope", "slope.json")
+        run, seen = kb.Run("slope.json", settings={"steps": 60}, history=["block:12"]), []
+
+        def until(r):
+            seen.append(np.hypot(*r.frame().displacement[r.index_of(12)]))
+            kinetic = r.history("kinetic")
+            self.assertEqual(len(kinetic), r.last.number + 1)
+            return len(kinetic) > 40 and kinetic[-1] > 0
+        outcome = run.record("parts", every=20).go_on(until)
+        self.assertEqual((outcome.end, outcome.steps, outcome.reason), ("stopped", 40, "until is true"))
+        self.assertEqual(kb.Results("parts").run["outcome"]["ended_early"], "until is true")
+        self.assertEqual(kb.resume("parts").end, "finished")
+        whole = run.record("whole", every=20)
+        numbers = [step.number for step in whole]
+        self.assertEqual((numbers, whole.results.end), (list(range(1, 61)), "finished"))
+        self.same_files("parts", "whole")
+        ledger = whole.results.table("ledger")
+        self.assertEqual(list(whole.history("kinetic")), column(ledger, "kinetic"))
+        self.assertEqual(list(whole.history("ledger")), [n for n in ledger if n != "step"])
+        without = kb.Run("slope.json", settings={"ledger": "off"})
+        self.assertEqual((whole.histories(), without.histories()), (["12"], []))
+        with self.assertRaises(kb.SettingError):
+            without.history("kinetic")
+        moved = whole.history("12")
+        self.assertEqual(seen[-1], np.hypot(*(np.asarray(moved[f"displacement_{axis}"])[40] for axis in "xy")))
+
+    def test_record_takes_a_condition_and_its_reason(self):
+        kb.new("block", "block.json")
+        steps, options = [], {"on_step": lambda s: steps.append(s.number), "pictures": False}
+        results = kb.record("block.json", "out", until=lambda r: r.last.number == 30 and "enough", **options)
+        self.assertEqual((results.end, results.run["outcome"]["ended_early"], steps), ("stopped", "enough", list(range(1, 31))))
+        with self.assertRaises(ZeroDivisionError):
+            kb.record("block.json", "out", force=True, until=lambda r: 1 / 0)
+        self.assertEqual(kb.Results("out").run["outcome"]["steps"], 1)
+        self.assertNotIn("ended_early", kb.Results("out").run["outcome"])
+        self.assertEqual(kb.resume("out").end, "finished")
+        self.assertEqual(kb.record("block.json", "out", force=True, until=lambda r: r.last.number == 1000).end, "finished")
+        self.assertEqual(kb.record("block.json", "out", force=True, until=lambda r: True, context=stopped()).end, "stopped")
+
+    def same_files(self, first, second):
+        names = {str(p.relative_to(first)) for p in Path(first).rglob("*") if p.is_file()}
+        self.assertEqual(names, {str(p.relative_to(second)) for p in Path(second).rglob("*") if p.is_file()})
+        for name in names - {"run.json"}:  # which holds times
+            self.assertEqual((Path(first) / name).read_bytes(), (Path(second) / name).read_bytes(), name)
 
     def test_tables_have_plain_names_and_units(self):
         try:

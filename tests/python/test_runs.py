@@ -270,7 +270,7 @@ class Frames(Folder):
             self.skipTest("matplotlib is not installed")
         matplotlib.use("agg")
         axes = kb.plot(frame, colour="rotation", cmap="viridis")
-        self.assertEqual(len(axes.collections[0].get_paths()), 7)
+        self.assertEqual(len(axes.collections[-1].get_paths()), 7)
 
     def test_a_mesh_has_every_block(self):
         try:
