@@ -110,7 +110,7 @@ class Runs(Folder):
             run.go_on(lambda r: 1 / 0)
         self.assertEqual(run.last.number, 1)
 
-    def test_two_threads_give_the_bytes_of_one_alone(self):
+    def test_runs_on_several_threads_give_the_bytes_of_one_alone(self):
         plan = kb.Plan(self.wall(30, 25), settings={"start": "sudden"})
         self.assertGreater(plan.blocks, 700)
         alone = final_bytes(plan, 1)
@@ -142,6 +142,46 @@ class Runs(Folder):
         first.stop()
         self.assertEqual(first.go_on().end, "stopped")
         self.assertEqual(second.go_on().end, "finished")
+
+    def test_one_of_three_runs_at_once_is_stopped_and_the_others_stay_whole(self):
+        plan = kb.Plan(slide(), settings={"steps": 1500})
+        alone = final_bytes(plan, 1)
+        runs = [kb.Run(plan, threads=n) for n in (1, 2, 3)]
+        started = threading.Barrier(4)
+        ends = {}
+
+        def work(run):
+            next(run)
+            started.wait()  # all three are at work
+            ends[run] = run.go_on().end
+        threads = [threading.Thread(target=work, args=(run,)) for run in runs]
+        for thread in threads:
+            thread.start()
+        started.wait()
+        runs[1].stop()
+        for thread in threads:
+            thread.join()
+        self.assertEqual([ends[run] for run in runs], ["finished", "stopped", "finished"])
+        self.assertEqual([run.frame().vertices.tobytes() == alone for run in runs], [True, False, True])
+        self.assertTrue(0 < runs[1].last.number < plan.steps)
+
+    def test_three_recorded_runs_at_once_leave_the_files_of_one_alone(self):
+        plan = kb.Plan(slide(), settings={"steps": 200})
+
+        def work(folder, until=None):
+            kb.Run(plan).record(folder, pictures=False).go_on(until)
+        work("alone")
+        threads = [threading.Thread(target=work, args=arguments) for arguments in
+                   (("first",), ("stopped", lambda r: r.last.number == 50), ("third",))]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        files = {f: {p.relative_to(f): p.read_bytes() for p in Path(f).rglob("*") if p.is_file() and p.name != "run.json"}
+                 for f in ("alone", "first", "third")}
+        self.assertGreater(len(files["alone"]), 5)
+        self.assertEqual([files[f] == files["alone"] for f in ("first", "third")], [True, True])
+        self.assertEqual([kb.Results(f).run["outcome"]["steps"] for f in ("first", "stopped", "third")], [200, 50, 200])
 
     def test_a_time_limit_stops_a_run(self):
         with kb.Context(time_limit=0.3) as context:
