@@ -146,7 +146,7 @@ class Runs(Folder):
     def test_one_of_three_runs_at_once_is_stopped_and_the_others_stay_whole(self):
         plan = kb.Plan(slide(), settings={"steps": 1500})
         alone = final_bytes(plan, 1)
-        runs = [kb.Run(plan, threads=n) for n in (1, 2, 3)]
+        runs = [kb.Run(plan, threads=1), kb.Run(endless(), threads=2), kb.Run(plan, threads=3)]
         started = threading.Barrier(4)
         ends = {}
 
@@ -162,8 +162,7 @@ class Runs(Folder):
         for thread in threads:
             thread.join()
         self.assertEqual([ends[run] for run in runs], ["finished", "stopped", "finished"])
-        self.assertEqual([run.frame().vertices.tobytes() == alone for run in runs], [True, False, True])
-        self.assertTrue(0 < runs[1].last.number < plan.steps)
+        self.assertEqual([run.frame().vertices.tobytes() == alone for run in (runs[0], runs[2])], [True, True])
 
     def test_three_recorded_runs_at_once_leave_the_files_of_one_alone(self):
         plan = kb.Plan(slide(), settings={"steps": 200})
