@@ -4,6 +4,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import hashlib
 import math
+import resource
+import signal
 import subprocess
 import sys
 import unittest
@@ -132,6 +134,26 @@ class Program(Folder):
         self.assertEqual(names, {str(p.relative_to(second)) for p in Path(second).rglob("*") if p.is_file()})
         for name in names - {"run.json"}:  # which holds times
             self.assertEqual((Path(first) / name).read_bytes(), (Path(second) / name).read_bytes(), name)
+
+    def test_batch_and_sweep_that_cannot_write_end_with_one_error_and_are_resumed(self):
+        def no_large_files():  # as a full disk
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
+        Path("cases").mkdir()
+        for name in ("a", "b"):
+            kb.new("block", f"cases/{name}.json")
+        for command in (["batch", "cases", "--run", "--profile", "standard"],
+                        ["sweep", "cases/a.json", "--over", f"{FRICTION}=10,20", "--out", "displacement"]):
+            with self.subTest(command[0]):
+                call = [kb.program(), *command, "--jobs", "2", "-o", command[0]]
+                done = subprocess.run(call, preexec_fn=no_large_files, capture_output=True, text=True)
+                errors = [line for line in done.stderr.splitlines() if "error:" in line]
+                self.assertEqual((done.returncode, len(errors)), (4, 1), done.stderr)
+                self.assertIn("cannot write", errors[0])
+                self.assertIn("File too large", errors[0])
+                done = subprocess.run([*call, "--resume"], capture_output=True, text=True)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn("0 jobs done before, 2 to do" if command[0] == "batch" else "", done.stderr)
 
     def test_tables_have_plain_names_and_units(self):
         try:
