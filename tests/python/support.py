@@ -80,3 +80,9 @@ def press_ctrl_c(after):
     timer = threading.Timer(after, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     return timer
+
+
+def final_bytes(plan, threads):
+    run = kb.Run(plan, threads=threads)
+    run.go_on()
+    return run.frame().vertices.tobytes()
