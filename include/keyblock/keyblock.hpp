@@ -112,7 +112,7 @@ enum class End { running, finished, stopped, failed, doubtful };
 
 struct Outcome {
   End end = End::running;  ///< doubtful: came to its end, and its numbers cannot be trusted
-  std::string reason;      ///< why it failed
+  std::string reason;      ///< why it failed, or a recorded run ended early
   std::string failure;     ///< its kind: "no_equilibrium", "undecided" or "cracks"; empty without a failure
   std::string cause;       ///< its code, such as "contacts_do_not_settle"; empty without one
   Facts facts;             ///< the values behind the reason; `blocks`: those that move away or turned inside out
@@ -135,12 +135,16 @@ class KEYBLOCK_API Run {
   ~Run();
   /// Makes one step; false where the run is at its end, stopped or failed, and `outcome` says which.
   bool advance();
-  /// To the end, or until `until` is true behind a step: the run may then go on.
+  /// To the end, or until `until` is true behind a step: the run may then go on. A recorded run ends there.
   const Outcome& go_on(const std::function<bool(const Run&)>& until = {});
+  /// Ends a recorded run after the last step: its results are written, with `why` as `ended_early` in run.json, and a
+  /// checkpoint from which `resume` continues. Does nothing to another run, or after the last step of all.
+  void end_early(const std::string& why);
   const Step& last() const;
   Frame frame(Detail detail = Detail::blocks) const;  ///< of now; its contacts are sought when first asked for
   const Outcome& outcome() const;                     ///< `running` before the end
-  /// Names of the histories so far: those of `Choices::histories` and of the case.
+  /// Names of the histories so far: those of `Choices::histories` and of the case. The energy balance is "ledger", if the
+  /// settings request it; it is not listed.
   std::vector<std::string> histories() const;
   /// Quantities of a history, each with its unit (a letter if the case does not declare it). Throws SettingError.
   std::vector<std::pair<std::string, std::string>> quantities(std::string_view history) const;
@@ -149,6 +153,7 @@ class KEYBLOCK_API Run {
   Column<double> history(std::string_view history, std::string_view quantity) const;
 
   struct State;
+  explicit Run(std::unique_ptr<State> state);
 
  private:
   std::unique_ptr<State> state_;

@@ -32,5 +32,11 @@ KEYBLOCK_API Outcome record(const Case& of, const std::string& folder, const Rec
 KEYBLOCK_API Outcome resume(const std::string& folder, const std::function<void(const Step&)>& on_step = {},
                             const Context& context = Context());
 
+/// Begins the same run, to be stepped by its caller. `Run::advance` writes all results before it returns false. Until
+/// then, and if the run is dropped, the folder is that of an interrupted run. `Run::end_early`, and `go_on` with a
+/// condition, end it sooner; they do not stop `context`. Throws Stopped too.
+KEYBLOCK_API Run recorded(const Case& of, const std::string& folder, const Recording& how = {},
+                          const Choices& choices = {}, const Context& context = Context());
+
 }  // namespace v1
 }  // namespace keyblock::api

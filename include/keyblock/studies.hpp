@@ -27,6 +27,10 @@ struct Strength {
   std::vector<Trial> trials;
   std::vector<std::string> notes;
   std::vector<Warning> warnings;  ///< of reading, preparing and looking ahead
+  std::optional<Frame> standing;  ///< equilibrium at `stands`
+  /// State at `falls`: the last one of the search, out of balance, or an equilibrium far from the drawing. Empty if the
+  /// search knows none. Both frames have the columns of Detail::corners, and no contacts.
+  std::optional<Frame> falling;
 };
 
 /// Divides the strength of "joints", "rock" or "both" until the case no longer stands: the search of `keyblock fos`,

@@ -14,7 +14,7 @@ This module wraps the C++ library (`include/keyblock/keyblock.hpp`). Some functi
 instead: `sweep` of a case with named results, `compare`, `element`, `fit`, `joints`, `convert` and `new`.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-from ._keyblock import Error, InputError, Outcome, SettingError, Step, Stopped, Strength, Tip, Trial, Warning
+from ._keyblock import Error, InputError, Outcome, SettingError, Step, Stopped, Tip, Trial, Warning
 from ._keyblock import version as _version
 from ._cases import Case, Context, Plan, read
 from ._cite import cite
@@ -22,7 +22,7 @@ from ._frames import Frame, plot
 from ._pool import Failed, Pool
 from ._program import ProgramError, cases, compare, convert, element, fit, joints, new, program
 from ._records import Results, record, resume
-from ._runs import Run, Tips, factor_of_safety, stress_intensity
+from ._runs import Run, Strength, Tips, factor_of_safety, stress_intensity
 from ._sweeps import Distribution, Table, choice, grid, lognormal, normal, random, sweep, triangular, uniform
 
 __version__ = _version()

@@ -191,7 +191,8 @@ class Plan:
                  context: _keyblock.Context | None = None, history: Iterable[str] = ()) -> None:
         self._case = case if isinstance(case, Case) else read(case)
         self._choices = (profile or "", setting_pairs(settings))
-        self._plan = _keyblock.Plan(self._case._case, *self._choices, list(history), context or Context())
+        self._history = list(history)
+        self._plan = _keyblock.Plan(self._case._case, *self._choices, self._history, context or Context())
 
     @property
     def case(self) -> Case:

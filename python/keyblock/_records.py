@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import csv
+import functools
 import json
 import os
 from pathlib import Path
@@ -74,32 +75,52 @@ def _column(name: str, cells: list[str]) -> list[Any]:
     return values if all(isinstance(value, int) for value in values) else [float(value) for value in values]
 
 
-def _results(folder: StrPath, outcome: _keyblock.Outcome) -> Results:
+def _results(folder: StrPath, end: str) -> Results:
     """Results of a run that has ended; one that was stopped before its first step left no run.json."""
-    if outcome.end != "stopped" or (Path(folder) / "run.json").exists():
+    if end != "stopped" or (Path(folder) / "run.json").exists():
         return Results(folder)
     results = Results.__new__(Results)
-    results.folder, results.run = Path(folder), {"outcome": {"end": outcome.end}}
+    results.folder, results.run = Path(folder), {"outcome": {"end": end}}
     return results
 
 
 def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
            every: int = 0, history: Iterable[str] = (), force: bool = False, pictures: bool = True, contacts: str = "",
            frames: str = "automatic", checkpoint_every: float = 30, on_step: Callable[[_keyblock.Step], Any] | None = None,
-           context: _keyblock.Context | None = None) -> Results:
+           context: _keyblock.Context | None = None, until: Callable[[Any], Any] | None = None) -> Results:
     """Runs a case to its end, with all files in a folder that `keyblock run` leaves there; returns its Results.
 
     every: steps per frame; 0 means as the case says, at most 100 frames. history: quantities to follow, such as
     "crest=point:12,20" or "block:4". force: overwrite results of an earlier run. contacts, frames: as `--contacts` and
     `--frames`. checkpoint_every: seconds. on_step: a function that is called with each step; an exception of it stops the
-    run. A run that was stopped, also by Ctrl-C, can be resumed. Raises InputError, SettingError, Error.
+    run. until: a function of the Run that ends it after the step where it is true, as in `Run.go_on`. A run that ended so,
+    or was stopped, also by Ctrl-C, can be resumed. Raises InputError, SettingError, Error.
     """
     checked("every", every, is_whole=True)
     checked("checkpoint_every", checkpoint_every)
     case = case if isinstance(case, Case) else read(case)
-    return _results(folder, _keyblock.record(
-        case._case, os.fspath(folder), every, force, pictures, checkpoint_every, list(history), contacts, frames, on_step,
-        profile or "", setting_pairs(settings), context or Context()))
+    choices, context = (profile or "", setting_pairs(settings)), context or Context()
+    if until is not None:
+        return _recorded_until(until, on_step, folder, case, choices, every, history, force, pictures, contacts, frames,
+                               checkpoint_every, context)
+    return _results(folder, _keyblock.record(case._case, os.fspath(folder), every, force, pictures, checkpoint_every,
+                                             list(history), contacts, frames, on_step, *choices, context).end)
+
+
+def _recorded_until(until: Callable[[Any], Any], on_step: Callable[[_keyblock.Step], Any] | None, folder: StrPath, case: Case,
+                    *options: Any) -> Results:
+    from ._runs import recorded  # which imports this module
+
+    @functools.wraps(until)
+    def is_met(run: Any) -> Any:
+        if on_step is not None:
+            on_step(run.last)
+        return until(run)
+    try:
+        run = recorded(case, folder, *options)
+    except _keyblock.Stopped:  # before its first step
+        return _results(folder, "stopped")
+    return _results(folder, run.go_on(is_met).end)
 
 
 def resume(folder: StrPath, on_step: Callable[[_keyblock.Step], Any] | None = None,
@@ -108,4 +129,4 @@ def resume(folder: StrPath, on_step: Callable[[_keyblock.Step], Any] | None = No
 
     Raises InputError, and SettingError if there is nothing to resume.
     """
-    return _results(folder, _keyblock.resume(os.fspath(folder), on_step, context or Context()))
+    return _results(folder, _keyblock.resume(os.fspath(folder), on_step, context or Context()).end)

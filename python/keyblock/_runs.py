@@ -4,18 +4,20 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
+import os
 import threading
 import time
+from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping
 
 from . import _keyblock
-from ._cases import Case, Context, Plan, StrPath, read, setting_pairs
+from ._cases import Case, Context, Plan, StrPath, checked, read, setting_pairs
 from ._frames import Frame
-from ._records import Results, record
+from ._records import Results
 
 
 class Run:
-    """Steps of a case, made one at a time. Nothing is printed and nothing is written.
+    """Steps of a case, made one at a time. Nothing is printed, and nothing is written unless `record` made the run.
 
     case: a Case, a Plan, or the path of a case. profile, settings, history: see Plan. threads: see Context. load: a function of
     time that returns the acceleration (ax, ay) of a force per mass on every block. It is called once per step of the
@@ -36,10 +38,12 @@ class Run:
         if isinstance(case, Plan):
             if profile or settings or history:
                 raise ValueError("a Plan has its profile, settings and histories; give them to the Plan")
-            self.plan = case
+            self._plan: Plan | None = case
         else:
-            self.plan = Plan(case, profile, settings, self.context, history)
-        self._run = _keyblock.Run(self.plan._plan, self.context)
+            self._plan = Plan(case, profile, settings, self.context, history)
+        self._case = self._plan.case
+        self._run = _keyblock.Run(self._plan._plan, self.context)
+        self._folder: Path | None = None  # of results
         self._stepper = threading.RLock()
 
     def _table_of(self, load: Callable[[float], tuple[float, float]], case: Any, profile: str | None,
@@ -55,6 +59,13 @@ class Run:
         self._file.write("time,ax,ay\n" + "".join(f"{t!r},{float(x)!r},{float(y)!r}\n" for t, x, y in rows))
         self._file.flush()
         return {"body_acceleration_file": self._file.name}
+
+    @property
+    def plan(self) -> Plan:
+        """Plan of the run."""
+        if self._plan is None:  # of `record` with a condition
+            self._plan = Plan(self._case, self._choices[0] or None, dict(self._choices[1]))
+        return self._plan
 
     def __iter__(self) -> Run:
         return self
@@ -80,18 +91,33 @@ class Run:
     def go_on(self, until: Callable[[Run], Any] | None = None) -> _keyblock.Outcome:
         """Makes steps to the end, or until `until(run)` is true after a step; the run may then go on.
 
-        Returns the outcome, whose `end` is "running" before the end.
+        Returns the outcome, whose `end` is "running" before the end. A run made by `record` ends there instead: its
+        results are written, run.json has the reason as `ended_early`, and `resume` continues it. A text that `until`
+        returns is the reason. An exception of `until` passes through; a recorded run then ends as an interrupted one.
         """
         self._begin_to_step()
         try:
             if until is None:
                 return self._run.finish()
             for _ in self:
-                if until(self):
+                if met := until(self):
+                    self._end_early(met if isinstance(met, str) else f"{getattr(until, '__name__', 'until')} is true")
                     break
             return self.outcome
+        except BaseException:
+            self._end_early("")
+            raise
         finally:
             self._stepper.release()
+
+    def _end_early(self, why: str) -> None:
+        """Writes the results of a recorded run; does nothing to another run, or after its end."""
+        if self._folder is not None:
+            try:
+                self._run.end_early(why)
+            except _keyblock.Error:  # an interrupted computation still ends, and writes them
+                if why:
+                    raise
 
     def stop(self) -> None:
         """Stops the run, also from another thread. It does not go on."""
@@ -101,7 +127,11 @@ class Run:
         """Returns the state of now. detail="corners" adds displacement and stress of corners, and faces of cracks."""
         if detail not in ("blocks", "corners"):
             raise ValueError(f"detail: expected blocks or corners, found {detail}")
-        return Frame(self._run.frame(detail == "corners"), self.plan.case.units)
+        return Frame(self._run.frame(detail == "corners"), self._case.units)
+
+    def index_of(self, number: int) -> int:
+        """Returns the row of the block with this number in the frame of now. Raises KeyError if there is none."""
+        return self.frame().index_of(number)
 
     def histories(self) -> list[str]:
         """Returns the names of the histories: those of the case, and those of `history`."""
@@ -110,9 +140,12 @@ class Run:
     def history(self, name: str) -> Any:
         """Returns a history so far: a data frame of time and quantities, with units in `attrs["units"]`.
 
-        Without pandas: a dict of arrays. Raises SettingError for another name. Rows are those of histories.csv.
+        Without pandas: a dict of arrays. Raises SettingError for another name. Rows are those of histories.csv; those of
+        "ledger" are of ledger.csv. A quantity of the energy balance, such as "kinetic", gives an array of its values.
         """
-        columns, units = {}, {"time": self.plan.case.units[2]}
+        if name not in self._run.histories() and name in self._balance():
+            return self._run.history("ledger", name)[:, 1]
+        columns, units = {}, {"time": self._case.units[2]}
         for quantity, unit in self._run.quantities(name):
             rows = self._run.history(name, quantity)
             columns.setdefault("time", rows[:, 0])
@@ -126,6 +159,13 @@ class Run:
         table.attrs["units"] = units
         return table
 
+    def _balance(self) -> list[str]:
+        """Quantities of the energy balance; none without one."""
+        try:
+            return [quantity for quantity, _ in self._run.quantities("ledger")]
+        except _keyblock.SettingError:
+            return []
+
     @property
     def last(self) -> _keyblock.Step:
         """The last accepted step."""
@@ -136,26 +176,75 @@ class Run:
         """End, reason, sentences, warnings and doubts; its `end` is "running" before the end."""
         return self._run.outcome
 
-    def record(self, folder: StrPath, **options: Any) -> Results:
-        """Runs the same case from start to end into a folder: see `record`. The steps of this run are not used."""
-        profile, settings = self.plan._choices
-        return record(self.plan.case, folder, profile=profile or None, settings=dict(settings), **options)
+    def record(self, folder: StrPath, every: int = 0, history: Iterable[str] = (), force: bool = False, pictures: bool = True,
+               contacts: str = "", frames: str = "automatic", checkpoint_every: float = 30,
+               context: _keyblock.Context | None = None) -> Run:
+        """Returns a run of the same case, from its start, that writes into a folder what `keyblock run` leaves there.
+
+        The steps of this run are not used. Options are those of `record`. Step the new run by `go_on` or iteration. All
+        results are in the folder when it has ended; `results` has them. A run that is dropped before its end leaves the
+        folder of an interrupted run.
+        """
+        run = recorded(self.plan.case, folder, self.plan._choices, every, [*self.plan._history, *history], force, pictures,
+                       contacts, frames, checkpoint_every, context or Context(), self.plan)
+        run._file, run.load_seconds = getattr(self, "_file", None), self.load_seconds
+        return run
+
+    @property
+    def results(self) -> Results:
+        """Results of a run made by `record`, after its end. Raises Error for another run, and before the end."""
+        if self._folder is None or self.outcome.end == "running":
+            raise _keyblock.Error("expected a recorded run that has ended; record(folder) makes one, go_on() ends it")
+        return Results(self._folder)
 
     def __repr__(self) -> str:
         return f"<Run {self.outcome.end}, step {self.last.number} of {self.plan.steps}>"
 
 
+def recorded(case: Case, folder: StrPath, choices: tuple[str, list[tuple[str, str]]], every: int, history: Iterable[str],
+             force: bool, pictures: bool, contacts: str, frames: str, checkpoint_every: float, context: _keyblock.Context,
+             plan: Plan | None = None) -> Run:
+    """Returns a Run at its start that writes into a folder."""
+    checked("every", every, is_whole=True)
+    checked("checkpoint_every", checkpoint_every)
+    run = Run.__new__(Run)
+    run.context, run.load_seconds, run._stepper, run._folder = context, 0.0, threading.RLock(), Path(folder).absolute()
+    run._case, run._choices, run._plan = case, choices, plan
+    run._run = _keyblock.Run.recorded(case._case, os.fspath(folder), every, force, pictures, checkpoint_every, list(history),
+                                      contacts, frames, *choices, context)
+    return run
+
+
+class Strength:
+    """Factor of safety: the bracket, its trials, and the states on both sides.
+
+    stands: largest factor at which the case is stable, or None. falls: smallest factor at which it is unstable, or None.
+    end: bracketed, falls, stands, undecided or stopped. trials: list of Trial. notes: sentences. warnings: list of Warning.
+    standing: Frame of the equilibrium at `stands`. falling: Frame at `falls`: the end of the search, out of balance, or an
+    equilibrium far from the drawing. Each is None if the search has none; neither has contacts.
+    """
+
+    def __init__(self, found: _keyblock.Strength, units: tuple[str, ...]) -> None:
+        self.stands, self.falls, self.end = found.stands, found.falls, found.end
+        self.trials, self.notes, self.warnings = found.trials, found.notes, found.warnings
+        self.standing = None if found.standing is None else Frame(found.standing, units)
+        self.falling = None if found.falling is None else Frame(found.falling, units)
+
+    def __repr__(self) -> str:
+        return f"<Strength {self.end}, stands {self.stands}, falls {self.falls}>"
+
+
 def factor_of_safety(case: Case | StrPath, what: str = "", within: float = 0.0, profile: str | None = None,
-                     settings: Mapping[str, Any] | None = None, context: _keyblock.Context | None = None) -> _keyblock.Strength:
+                     settings: Mapping[str, Any] | None = None, context: _keyblock.Context | None = None) -> Strength:
     """Divides the strength of "joints", "rock" or "both" until the case is unstable, as `keyblock fos`.
 
     what, within: empty and 0 take what the `case.json` of a folder requests, else "joints" and 0.01. The result has the
-    bracket (`stands`, `falls`), `end`, `trials`, `notes` and `warnings`. Unlike the command it makes no second search on
-    a coarser mesh. Raises SettingError for another word or a width below 0.
+    bracket (`stands`, `falls`), `end`, `trials`, `notes`, `warnings`, and the frames `standing` and `falling`. Unlike the
+    command it makes no second search on a coarser mesh. Raises SettingError for another word or a width below 0.
     """
     case = case if isinstance(case, Case) else read(case)
-    return _keyblock.factor_of_safety(case._case, what, within, profile or "", setting_pairs(settings),
-                                      context or Context())
+    return Strength(_keyblock.factor_of_safety(case._case, what, within, profile or "", setting_pairs(settings),
+                                               context or Context()), case.units)
 
 
 class Tips(list):  # type: ignore[type-arg]

@@ -189,6 +189,21 @@ class Runner {
     shared_->run = std::move(run);
   }
 
+  /// Holds the run that `make` begins. A step may write files, and is never quick.
+  template <class Make>
+  Runner(const kb::Context& context, Make make)
+      : context_(context), is_quick_(false), shared_(std::make_shared<Shared>()) {
+    auto run = computed(context, [make] { return std::make_shared<kb::Run>(make()); });
+    shared_->run = std::move(run);
+  }
+
+  void end_early(const std::string& why) {
+    with_run(false, [why](kb::Run& run) {
+      run.end_early(why);
+      return true;
+    });
+  }
+
   bool advance() {
     return with_run(is_quick_, [](kb::Run& run) { return run.advance(); });
   }
@@ -380,7 +395,9 @@ void bind_studies(py::module_& m) {
       .def_readonly("end", &kb::Strength::end, "bracketed, falls, stands, undecided or stopped.")
       .def_readonly("trials", &kb::Strength::trials)
       .def_readonly("notes", &kb::Strength::notes)
-      .def_readonly("warnings", &kb::Strength::warnings);
+      .def_readonly("warnings", &kb::Strength::warnings)
+      .def_readonly("standing", &kb::Strength::standing, "Frame at `stands`, or None.")
+      .def_readonly("falling", &kb::Strength::falling, "Frame at `falls`, or None.");
   py::class_<kb::Tip>(m, "Tip", "A crack tip at the end of the loads.")
       .def_readonly("x", &kb::Tip::x, "Place in the undeformed body.")
       .def_readonly("y", &kb::Tip::y, "Place in the undeformed body.")
@@ -546,6 +563,20 @@ void bind_run(py::module_& m) {
       .def("column", &column_of, py::arg("part"), py::arg("name"));
   py::class_<Runner>(m, "Run")
       .def(py::init<const kb::Plan&, const kb::Context&>(), py::arg("plan"), py::arg("context"))
+      .def_static(
+          "recorded",
+          [](const kb::Case& of, const std::string& folder, int every, bool overwrite, bool pictures,
+             double checkpoint_every, const std::vector<std::string>& histories, const std::string& contacts,
+             const std::string& frames, const std::string& profile, const Pairs& settings, const kb::Context& context) {
+            const kb::Recording how{every, overwrite, pictures, checkpoint_every, histories, contacts, frames, {}};
+            return std::make_unique<Runner>(context, [=] {
+              return kb::recorded(of, folder, how, {profile, settings}, context);
+            });
+          },
+          py::arg("case"), py::arg("folder"), py::arg("every"), py::arg("overwrite"), py::arg("pictures"),
+          py::arg("checkpoint_every"), py::arg("histories"), py::arg("contacts"), py::arg("frames"), py::arg("profile"),
+          py::arg("settings"), py::arg("context"))
+      .def("end_early", &Runner::end_early, py::arg("why"))
       .def("advance", &Runner::advance)
       .def("finish", &Runner::finish)
       .def("frame", &Runner::frame, py::arg("corners"))

@@ -4,9 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-#include <vector>
-
 #include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
 
@@ -15,10 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Column {
-  const char* name;
-  std::function<double(const LedgerRow&)> value;
-};
+using Column = LedgerColumn;
 
 const std::vector<Column> kStored{{"kinetic", [](const LedgerRow& r) { return r.stored.kinetic; }},
                                   {"strain", [](const LedgerRow& r) { return r.stored.strain; }},
@@ -56,8 +50,20 @@ std::vector<Column> reactions_since(const LedgerRow& start) {
            [=](const LedgerRow& r) { return r.momentum.angular - start.momentum.angular - r.impulse.angular; }}};
 }
 
-// Returns the columns for which the energy balance has values.
-std::vector<Column> columns_of(const LedgerScope& scope, const LedgerRow& start) {
+// Closures are relative to the largest energy, and to the largest sum of the absolute momenta.
+Json closure_json(const LedgerScope& scope, const LedgerSums& sums) {
+  Json closure = Json::object();
+  if (!scope.has_flows) return closure;
+  closure["energy"] = sums.energy_closure();
+  if (scope.has_supports) return closure;
+  closure["linear_momentum"] = sums.linear_momentum_closure();
+  closure["angular_momentum"] = sums.angular_momentum_closure();
+  return closure;
+}
+
+}  // namespace
+
+std::vector<Column> ledger_columns(const LedgerScope& scope, const LedgerRow& start) {
   std::vector<Column> columns = kStored;
   const auto append = [&](const std::vector<Column>& more) { columns.insert(columns.end(), more.begin(), more.end()); };
   if (scope.has_flows) append(kFlows);
@@ -72,21 +78,8 @@ std::vector<Column> columns_of(const LedgerScope& scope, const LedgerRow& start)
   return columns;
 }
 
-// Closures are relative to the largest energy, and to the largest sum of the absolute momenta.
-Json closure_json(const LedgerScope& scope, const LedgerSums& sums) {
-  Json closure = Json::object();
-  if (!scope.has_flows) return closure;
-  closure["energy"] = sums.energy_closure();
-  if (scope.has_supports) return closure;
-  closure["linear_momentum"] = sums.linear_momentum_closure();
-  closure["angular_momentum"] = sums.angular_momentum_closure();
-  return closure;
-}
-
-}  // namespace
-
 Json ledger_json(const Ledger& ledger, const LedgerSums& sums, int kept_every, const Units& units) {
-  const std::vector<Column> columns = columns_of(ledger.scope, sums.first);
+  const std::vector<Column> columns = ledger_columns(ledger.scope, sums.first);
   Json names = {"step", formats::heading(formats::kLedgerTable, "time", units)};
   Json end = Json::object();
   for (const Column& column : columns) names.push_back(formats::heading(formats::kLedgerTable, column.name, units));
@@ -102,7 +95,7 @@ Json ledger_json(const Ledger& ledger, const LedgerSums& sums, int kept_every, c
 }
 
 std::string ledger_csv(const Ledger& ledger, const LedgerSums& sums, const Units& units) {
-  const std::vector<Column> columns = columns_of(ledger.scope, sums.first);
+  const std::vector<Column> columns = ledger_columns(ledger.scope, sums.first);
   std::string text = "step," + formats::heading(formats::kLedgerTable, "time", units);
   for (const Column& column : columns) text += ',' + formats::heading(formats::kLedgerTable, column.name, units);
   text += '\n';

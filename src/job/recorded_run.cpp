@@ -149,24 +149,25 @@ RecordedRun::RecordedRun(Beginning beginning)
   record.inputs = input_records(read_.read_files());
   record.values = read_.values;
   record.timings.read = to_microseconds(lap());
-  plan_ = planned_with(read_, options_.outputs);
-  record.profile = plan_.profile.name;
-  record.profile_because = plan_.profile.why;
-  record.record_every = options_.record_every > 0 ? options_.record_every
-                                                  : usual_frame_interval(plan_.problem, plan_.prepared.scene.settings);
-  record.warnings = joined(input.warnings, plan_.warnings);
+  plan_ = std::make_shared<const PlannedCase>(planned_with(read_, options_.outputs));
+  record.profile = plan_->profile.name;
+  record.profile_because = plan_->profile.why;
+  record.record_every = options_.record_every > 0
+                            ? options_.record_every
+                            : usual_frame_interval(plan_->problem, plan_->prepared.scene.settings);
+  record.warnings = joined(input.warnings, plan_->warnings);
   record.timings.prepare = to_microseconds(lap());
   title_ = title_of(read_.files.front(), record.profile);
-  RunRequest request = request_of(options_, read_, plan_, record);
+  RunRequest request = request_of(options_, read_, *plan_, record);
   if (beginning.request) require_same(checkpoint_in(options_.folder), *beginning.request, request);
   for (const std::string& file : read_.files) require_not_below(file, options_.folder);
   job_ = std::make_unique<RunJob>(
-      plan_.prepared, std::move(record), std::move(request),
+      plan_->prepared, std::move(record), std::move(request),
       RunJobOptions{options_.folder, options_.overwrite, options_.trace, options_.checkpoint_every,
-                    plan_.problem.analysis->place, plan_.problem.outputs, options_.outputs.field,
+                    plan_->problem.analysis->place, plan_->problem.outputs, options_.outputs.field,
                     formats::names_of(input.files), formats::vtk_coding_of(options_.outputs.frames),
                     options_.outputs.has_pictures, options_.outputs.has_page,
-                    criterion_of(options_.stop_when, plan_.problem.units)},
+                    criterion_of(options_.stop_when, plan_->problem.units)},
       checkpoint_.get());
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "api/plan.hpp"
 #include "base/archive.hpp"
@@ -50,12 +51,19 @@ class RecordedRun {
   std::optional<int> steps_before() const { return job_->steps_before(); }
   /// Returns false if the run was stopped before its first step: `finish` may not be called then.
   bool run(const std::function<void(const StepReport&)>& on_step) { return job_->run(on_step); }
+  /// Do the same step by step, as in RunJob.
+  void start(RunCalls calls) { job_->start(std::move(calls)); }
+  bool step() { return job_->step(); }
+  void end() { job_->end(); }
+  void end_early(const std::string& why) { job_->end_early(why); }
+  std::shared_ptr<Stepper> stepper() const { return job_->stepper(); }
   /// Writes all results. Returns run.json.
   std::string finish();
 
   const std::string& first_file() const { return read_.files.front(); }
   const std::string& folder() const { return options_.folder; }
-  const Prepared& prepared() const { return plan_.prepared; }
+  const std::shared_ptr<const PlannedCase>& plan() const { return plan_; }
+  const Prepared& prepared() const { return plan_->prepared; }
   const RunRecord& record() const { return job_->record(); }
 
  private:
@@ -75,7 +83,7 @@ class RecordedRun {
   Time last_;  ///< lap
   RecordingOptions options_;
   OpenCase read_;
-  PlannedCase plan_;
+  std::shared_ptr<const PlannedCase> plan_;
   std::string title_;
   std::unique_ptr<Archive> checkpoint_;
   std::unique_ptr<RunJob> job_;

@@ -141,13 +141,14 @@ void RunJob::open() {
     describe_told(*saved_, folder_, history_, record_, watch_, followed_);
     saved_->group("stepper", [&] { stepper_ = restored_stepper(prepared_.scene, *saved_); });
     stepping_ = stepper_.get();
+    steps_before_ = stepper_->state().step;
     joints_of_edges_ = joints_of_edges(stepper_->model());
   }
   folder_.drop_what_followed();
 }
 
 std::optional<int> RunJob::steps_before() const {
-  return stepper_ ? std::optional(stepper_->state().step) : std::nullopt;
+  return steps_before_;
 }
 
 void RunJob::write_checkpoint(Stepper& stepper) {
@@ -171,7 +172,7 @@ void RunJob::write_tables(const LedgerScope& scope) {
   tables_due_ = ended + std::max<std::chrono::steady_clock::duration>(kTablesEvery, kLeastPause * (ended - begun));
 }
 
-Observer RunJob::observer(const std::function<void(const StepReport&)>& on_step) {
+Observer RunJob::observer() {
   return {[&](const Frame& frame) {
             const Model& model = stepping_ != nullptr ? stepping_->model() : prepared_.scene.model;
             watch_.blocks().add(frame, contacts_, model, prepared_.scene.settings);
@@ -182,7 +183,7 @@ Observer RunJob::observer(const std::function<void(const StepReport&)>& on_step)
             record_.steps.add(report);
             watch_.add(report);
             if (options_.trace == Trace::yes) record_.traced.push_back(report);
-            if (on_step) on_step(report);
+            if (calls_.on_step) calls_.on_step(report);
           },
           [&](const HistoryRow& row) { history_.add(row); },
           [&](const LedgerRow& row) {
@@ -205,22 +206,62 @@ Observer RunJob::observer(const std::function<void(const StepReport&)>& on_step)
             watch_.blocks().add(stepper);
             follow(stepper);
             stop_if_met(stepper);
+            if (calls_.on_state) calls_.on_state(stepper);
           }};
 }
 
-bool RunJob::run(const std::function<void(const StepReport&)>& on_step) {
-  const Observer told = observer(on_step);
+template <class Work>
+void RunJob::taking_back(const Work& work) {
   try {
-    record_.outcome = stepper_ ? go_on(prepared_.scene, *stepper_, record_.record_every, told)
-                               : keyblock::run(prepared_.scene, record_.record_every, told);
-    if (record_.outcome.end == RunEnd::stopped) record_.outcome.why_early = criterion_met_;
-    return true;
+    work();
   } catch (const StopRequested&) {
     record_.outcome.end = RunEnd::stopped;
-    return false;
+    throw;
   } catch (const InputError&) {
     if (saved_ == nullptr) folder_.take_back();
     throw;
+  }
+}
+
+void RunJob::start(RunCalls calls) {
+  calls_ = std::move(calls);
+  told_ = observer();
+  taking_back([&] {
+    const bool is_new = stepper_ == nullptr;
+    if (is_new) stepper_ = stepper_for(prepared_.scene);
+    loop_.emplace(prepared_.scene, *stepper_, record_.record_every, told_);
+    if (is_new) loop_->tell_start();
+  });
+}
+
+bool RunJob::step() {
+  bool is_made = false;
+  taking_back([&] { is_made = loop_->step(); });
+  return is_made;
+}
+
+void RunJob::end() {
+  record_.outcome = loop_->end();
+  if (record_.outcome.end == RunEnd::stopped) record_.outcome.why_early = criterion_met_;
+  loop_.reset();
+  stepping_ = nullptr;
+  stepper_.reset();
+}
+
+void RunJob::end_early(const std::string& why) {
+  criterion_met_ = why;
+  context().stop();
+}
+
+bool RunJob::run(const std::function<void(const StepReport&)>& on_step) {
+  try {
+    start({on_step});
+    while (step()) {
+    }
+    end();
+    return true;
+  } catch (const StopRequested&) {
+    return false;
   }
 }
 

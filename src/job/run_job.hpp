@@ -33,6 +33,12 @@ struct RunJobOptions {
   std::optional<StopCriterion> stop_when = {};
 };
 
+/// Functions that a run calls. Any may be empty.
+struct RunCalls {
+  std::function<void(const StepReport&)> on_step = {};  ///< after every step
+  std::function<void(const Stepper&)> on_state = {};    ///< at the start and after every step
+};
+
 class RunJob {
  public:
   /// Takes in `record` the data known before the first step: profile, inputs, warnings, timings, frames. Changes
@@ -50,13 +56,24 @@ class RunJob {
   /// then, and `--resume` begins again. Throws InputError if the run cannot start; a folder that it made is removed.
   bool run(const std::function<void(const StepReport&)>& on_step);
 
+  /// Do the same step by step: `start`, `step` until it returns false, `end`. `start` throws StopRequested too.
+  void start(RunCalls calls);
+  bool step();
+  void end();
+  /// Ends the run after the last step, with a checkpoint. `why` becomes `ended_early` in run.json.
+  void end_early(const std::string& why);
+  /// Returns the stepper of the run, after `start`. It needs the plan alone.
+  std::shared_ptr<Stepper> stepper() const { return stepper_; }
+
   /// Writes all results and the record; returns the record as JSON.
   std::string finish(const std::string& title, double seconds);
 
   const RunRecord& record() const { return record_; }
 
  private:
-  Observer observer(const std::function<void(const StepReport&)>& on_step);
+  Observer observer();
+  template <class Work>
+  void taking_back(const Work& work);
   void write_checkpoint(Stepper& stepper);
   RunTables tables(const LedgerScope& scope) const;
   void write_tables(const LedgerScope& scope);
@@ -81,7 +98,11 @@ class RunJob {
   History history_;
   CheckpointClock clock_;
   std::chrono::steady_clock::time_point tables_due_;
-  std::unique_ptr<Stepper> stepper_;               ///< restored; null in a new run
+  std::shared_ptr<Stepper> stepper_;  ///< null in a new run, before its start
+  std::optional<int> steps_before_;
+  RunCalls calls_;
+  Observer told_;
+  std::optional<StepLoop> loop_;
   FieldFrame field_;                               ///< of the next frame
   ContactFrames contacts_;                         ///< of the next frame
   std::vector<std::vector<int>> joints_of_edges_;  ///< of the last frame, in the form of `report::RunPicture`

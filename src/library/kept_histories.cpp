@@ -51,6 +51,10 @@ std::vector<std::string> KeptHistories::names() const {
   return names;
 }
 
+bool KeptHistories::has(std::string_view name) const {
+  return std::ranges::find(all_, name, &History::name) != all_.end();
+}
+
 const KeptHistories::History& KeptHistories::at(std::string_view name) const {
   const auto found = std::ranges::find(all_, name, &History::name);
   if (found == all_.end())

@@ -24,6 +24,7 @@ class KeptHistories {
   void add(const Stepper& stepper);
 
   std::vector<std::string> names() const;
+  bool has(std::string_view name) const;
   std::vector<std::pair<std::string, std::string>> quantities(std::string_view name) const;
   Column<double> values(std::string_view name, std::string_view quantity) const;
 

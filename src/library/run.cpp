@@ -2,18 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/run.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <functional>
-#include <keyblock/record.hpp>
 #include <memory>
 #include <optional>
 
-#include "job/recorded_run.hpp"
+#include "formats/tables/run_tables.hpp"
+#include "job/ledger_report.hpp"
 #include "job/run_doubts.hpp"
 #include "job/run_report.hpp"
 #include "job/run_warnings.hpp"
 #include "job/verdict/end_of_motion.hpp"
-#include "library/kept_histories.hpp"
-#include "library/parts.hpp"
+#include "library/run_state.hpp"
+#include "problem/units/measure.hpp"
 #include "run/record.hpp"
 #include "run/steppers.hpp"
 
@@ -29,6 +32,8 @@ void put_failure(Outcome& outcome, const RunOutcome& run) {
   outcome.facts.blocks = run.numbers.empty() ? run.cause.facts.elements : run.numbers;
 }
 
+}  // namespace
+
 Outcome outcome_of(const Prepared& prepared, const RunRecord& record) {
   Outcome outcome;
   outcome.end = record.outcome.end == RunEnd::failed    ? End::failed
@@ -36,6 +41,7 @@ Outcome outcome_of(const Prepared& prepared, const RunRecord& record) {
                 : record.doubts.empty()                 ? End::finished
                                                         : End::doubtful;
   put_failure(outcome, record.outcome);
+  if (outcome.end == End::stopped) outcome.reason = record.outcome.why_early;
   outcome.steps = record.outcome.steps;
   outcome.time = record.outcome.time;
   outcome.displacement = record.extremes.displacement;
@@ -50,32 +56,20 @@ Step step_of(const StepReport& report) {
   return {report.step, report.time, report.dt, report.passes, report.residual, report.greatest_penetration};
 }
 
-Outcome outcome_of(RecordedRun& run, const std::function<void(const Step&)>& on_step) {
-  run.open();
-  const bool has_begun = run.run([&](const StepReport& report) {
-    if (on_step) on_step(step_of(report));
-  });
-  if (has_begun) run.finish();
-  return outcome_of(run.prepared(), run.record());
-}
+namespace {
 
-}  // namespace
-
-inline namespace v1 {
-
-struct Run::State {
-  State(const Plan& of, const Context& under)
-      : plan(of),
-        context(under.state().context),
+/// Run in memory.
+struct MemoryRun : Run::State {
+  MemoryRun(const Plan& of, const Context& under)
+      : State({of.data(), &of.data()->planned}, under.state().context),
+        plan(of),
         watch(prepared()),
-        kept(plan.data()->planned),
         observer(what_is_told()),
-        stepper(stepper_for(prepared().scene)),
-        loop(prepared().scene, *stepper, usual_frame_interval(plan.data()->planned.problem, prepared().scene.settings),
+        loop(prepared().scene, stepping(), usual_frame_interval(planned->problem, prepared().scene.settings),
              observer) {
     record.profile = plan.profile();
-    record.units = plan.data()->planned.problem.units;
-    record.warnings = joined(plan.data()->of.data().open.input.warnings, plan.data()->planned.warnings);
+    record.units = planned->problem.units;
+    record.warnings = joined(plan.data()->of.data().open.input.warnings, planned->warnings);
     const int stride = stride_of(prepared().scene.settings.step_count);
     record.steps = StepRows(stride);
     record.ledger = LedgerRows(stride);
@@ -83,7 +77,15 @@ struct Run::State {
     context.tell(nullptr, 0);
   }
 
-  const Prepared& prepared() const { return plan.data()->planned.prepared; }
+  const Prepared& prepared() const { return planned->prepared; }
+  const RunRecord& so_far() const override { return record; }
+  bool step() override { return loop.step(); }
+
+  Stepper& stepping() {
+    stepper = stepper_for(prepared().scene);
+    scope = stepper->ledger_scope();
+    return *stepper;
+  }
 
   Observer what_is_told() {
     Observer told;
@@ -111,8 +113,8 @@ struct Run::State {
     return told;
   }
 
-  void judge() {
-    const keyblock::Place& place = plan.data()->planned.problem.analysis->place;
+  void end() override {
+    const keyblock::Place& place = planned->problem.analysis->place;
     record.outcome = loop.end();
     record.warnings = joined(record.warnings, watch.warnings(place));
     record.extremes = extremes_of(*first, last_frame, record.outcome.field);
@@ -122,67 +124,115 @@ struct Run::State {
   }
 
   Plan plan;
-  keyblock::Context context;
   RunRecord record;
   StepWatch watch;
-  KeptHistories kept;
   ContactFrames contacts;
   std::optional<keyblock::Frame> first;
   keyblock::Frame last_frame;
   Observer observer;
-  /// Returns the contacts of now, which all frames of this step share.
-  const std::shared_ptr<Contacts>& contacts_now() {
-    if (!contacts_of_now)
-      contacts_of_now = std::make_shared<Contacts>([run = stepper, of = plan, under = context] {
-        const Under own(under);
-        return run->contacts();
-      });
-    return contacts_of_now;
-  }
-
-  /// Before a step: frames that are still held keep what their contacts need.
-  void leave_step() {
-    if (contacts_of_now && contacts_of_now.use_count() > 1)
-      contacts_of_now->keep([&]() -> std::function<ContactFrames()> {
-        return [run = stepper, of = plan, later = stepper->contacts_later()] { return later(); };
-      });
-    contacts_of_now.reset();
-  }
-
-  std::shared_ptr<Stepper> stepper;
   StepLoop loop;
-  Step last;
-  Outcome outcome;
-  std::shared_ptr<Contacts> contacts_of_now;
 };
+
+}  // namespace
+
+namespace {
+
+constexpr std::string_view kBalance = "ledger";
+
+bool is_balance(const Run::State& state, std::string_view history) {
+  return history == kBalance && state.so_far().ledger.last() != nullptr && !state.kept.has(kBalance);
+}
+
+std::vector<LedgerColumn> balance_columns(const Run::State& state) {
+  return ledger_columns(state.scope, state.so_far().ledger_sums.first);
+}
+
+std::vector<std::pair<std::string, std::string>> balance_quantities(const Run::State& state) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const LedgerColumn& column : balance_columns(state)) {
+    const Measure measure = formats::column_of(formats::kLedgerTable, column.name).measure;
+    all.emplace_back(column.name, unit_of(measure, state.planned->problem.units));
+  }
+  return all;
+}
+
+Column<double> balance_of(const Run::State& state, std::string_view quantity) {
+  const std::vector<LedgerColumn> columns = balance_columns(state);
+  const auto column = std::ranges::find_if(columns, [&](const LedgerColumn& c) { return c.name == quantity; });
+  if (column == columns.end())
+    throw SettingError(fmt::format("expected a quantity of the history {}, found {}", kBalance, quantity));
+  std::vector<double> values;
+  for (const LedgerRow& row : state.so_far().ledger.rows()) {
+    values.push_back(row.time);
+    values.push_back(column->value(row));
+  }
+  return {std::make_shared<const std::vector<double>>(std::move(values)), 2};
+}
+
+}  // namespace
+
+inline namespace v1 {
+
+const std::shared_ptr<Contacts>& Run::State::contacts_now() {
+  if (!contacts_of_now_)
+    contacts_of_now_ = std::make_shared<Contacts>([run = stepper, of = planned, under = context] {
+      const Under own(under);
+      return run->contacts();
+    });
+  return contacts_of_now_;
+}
+
+// Frames that are still held keep what their contacts need.
+void Run::State::leave_step() {
+  if (contacts_of_now_ && contacts_of_now_.use_count() > 1)
+    contacts_of_now_->keep([&]() -> std::function<ContactFrames()> {
+      return [run = stepper, of = planned, later = stepper->contacts_later()] { return later(); };
+    });
+  contacts_of_now_.reset();
+}
+
+bool Run::State::advance() {
+  const Under under(context);
+  if (outcome.end != End::running) return false;
+  leave_step();
+  const bool is_made = step();
+  context.tell(nullptr, 0);
+  if (!is_made) end();
+  return is_made;
+}
 
 Run::Run(const Plan& plan, const Context& context) {
   state_ = guarded([&] {
     const Under under(context.state().context);
-    return std::make_unique<State>(plan, context);
+    return std::make_unique<MemoryRun>(plan, context);
   });
 }
 
+Run::Run(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Run::Run(Run&&) noexcept = default;
 Run& Run::operator=(Run&&) noexcept = default;
 Run::~Run() = default;
 
 bool Run::advance() {
-  return guarded([&] {
-    const Under under(state_->context);
-    if (state_->outcome.end != End::running) return false;
-    state_->leave_step();
-    const bool is_made = state_->loop.step();
-    state_->context.tell(nullptr, 0);
-    if (is_made) return true;
-    state_->judge();
-    return false;
+  return guarded([&] { return state_->advance(); });
+}
+
+void Run::end_early(const std::string& why) {
+  guarded([&] {
+    {
+      const Under under(state_->context);
+      state_->end_early(why);
+    }
+    if (state_->is_recorded()) state_->advance();
   });
 }
 
 const Outcome& Run::go_on(const std::function<bool(const Run&)>& until) {
   while (advance())
-    if (until && until(*this)) break;
+    if (until && until(*this)) {
+      end_early("the condition of the caller is met");
+      break;
+    }
   return state_->outcome;
 }
 
@@ -195,8 +245,8 @@ Frame Run::frame(Detail detail) const {
     const Under under(state_->context);
     const Stepper& stepper = *state_->stepper;
     const FieldFrame within = detail == Detail::corners ? field_of(stepper.model(), stepper) : FieldFrame{};
-    return Frame(std::make_shared<const Frame::Data>(Frame::Data{formats::columns_of(frame_now(stepper), {}, within),
-                                                                 state_->contacts_now(), state_->record.units}));
+    return Frame(std::make_shared<const Frame::Data>(Frame::Data{
+        formats::columns_of(frame_now(stepper), {}, within), state_->contacts_now(), state_->planned->problem.units}));
   });
 }
 
@@ -205,41 +255,15 @@ std::vector<std::string> Run::histories() const {
 }
 
 std::vector<std::pair<std::string, std::string>> Run::quantities(std::string_view history) const {
-  return state_->kept.quantities(history);
+  return is_balance(*state_, history) ? balance_quantities(*state_) : state_->kept.quantities(history);
 }
 
 Column<double> Run::history(std::string_view history, std::string_view quantity) const {
-  return state_->kept.values(history, quantity);
+  return is_balance(*state_, history) ? balance_of(*state_, quantity) : state_->kept.values(history, quantity);
 }
 
 const Outcome& Run::outcome() const {
   return state_->outcome;
-}
-
-Outcome record(const Case& of, const std::string& folder, const Recording& how, const Choices& choices,
-               const Context& context) {
-  return guarded([&] {
-    const Under under(context.state().context);
-    OpenCase read = of.data().open;
-    static_cast<AskedCase&>(read) = asked_under(of, choices);
-    RecordedRun run(std::move(read), {folder,
-                                      how.overwrite ? Overwrite::yes : Overwrite::no,
-                                      Trace::no,
-                                      how.checkpoint_every,
-                                      how.every,
-                                      {how.histories, how.contacts, {}, how.frames, how.pictures}});
-    return outcome_of(run, how.on_step);
-  });
-}
-
-Outcome resume(const std::string& folder, const std::function<void(const Step&)>& on_step, const Context& context) {
-  return guarded([&] {
-    // A part of it: the folder that paths of this run count from is not that of the caller's next call.
-    const keyblock::Context own = context.state().context.part();
-    const Under under(own);
-    RecordedRun run(folder, Recording{}.checkpoint_every);
-    return outcome_of(run, on_step);
-  });
 }
 
 }  // namespace v1

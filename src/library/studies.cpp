@@ -41,6 +41,12 @@ Tip tip_of(const study::TipAtEnd& at_end) {
   return tip;
 }
 
+/// Returns a state of a trial, without contacts.
+Frame frame_of(const keyblock::Frame& frame, const FieldFrame& within, const Units& units) {
+  const auto none = std::make_shared<Contacts>([] { return ContactFrames(); });
+  return Frame(std::make_shared<const Frame::Data>(Frame::Data{formats::columns_of(frame, {}, within), none, units}));
+}
+
 }  // namespace
 
 inline namespace v1 {
@@ -58,12 +64,16 @@ Strength factor_of_safety(const Case& of, std::string_view what, double within, 
     const study::SearchOptions options{asked.from, asked.to, *asked.within};
     const study::FactorOfSafety found = study::factor_of_safety(trials, options);
     context.state().context.tell(nullptr, 0);
-    Strength strength{found.bracket.stands, found.bracket.falls, study::name_of(found.end), {}, found.notes, {}};
+    Strength strength{
+        found.bracket.stands, found.bracket.falls, study::name_of(found.end), {}, found.notes, {}, {}, {}};
     const Problem& problem = of.data().open.input.problem;
     strength.warnings = public_warnings(joined(joined(of.data().open.input.warnings, trials.prepared().warnings),
                                                look_ahead(problem, trials.prepared())));
     for (const study::StrengthTrial& trial : found.trials)
       strength.trials.push_back({trial.factor, study::name_of(trial.verdict), trial.why, trial.displacement});
+    if (found.standing) strength.standing = frame_of(found.standing->frame, found.standing->field, problem.units);
+    if (found.falling && found.falling_frame)
+      strength.falling = frame_of(*found.falling_frame, *found.falling, problem.units);
     return strength;
   });
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 
@@ -42,6 +43,12 @@ class Handle {
   hid_t id_;
   herr_t (*close_)(hid_t);
 };
+
+/// Debian's HDF5 is not thread-safe: one thread at a time may call it.
+std::mutex& hdf5() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 void require(bool done) {
   if (!done) throw Refused("HDF5 cannot read or write a dataset");
@@ -93,6 +100,7 @@ void write(hid_t place, const ArchiveNode& node) {
 
 // The data are sound and stay in memory: if HDF5 fails, memory is short.
 std::string image_of(const ArchiveNode& root) try {
+  const std::lock_guard lock(hdf5());
   const Handle access = access_in_memory();
   H5Pset_fapl_core(access, kGrowth, false);
   const Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
@@ -163,6 +171,7 @@ void read_children(hid_t group, std::size_t most, ArchiveNode& node) {
 }
 
 std::unique_ptr<ArchiveNode> tree_of(std::string image) {
+  const std::lock_guard lock(hdf5());
   const Handle access = access_in_memory();
   H5Pset_fapl_core(access, kGrowth, false);
   require(H5Pset_file_image(access, image.data(), image.size()) >= 0);

@@ -243,6 +243,11 @@ TEST(Api, the_factor_of_safety_of_a_block_on_a_plane_is_the_ratio_of_tangents) {
   const double factor = std::tan(40 * kRadian) / std::tan(30 * kRadian);
   EXPECT_LE(*found.stands, factor * (1 + 1e-3));
   EXPECT_GE(*found.falls, factor * (1 - 1e-3));
+  ASSERT_TRUE(found.standing && found.falling);
+  EXPECT_LT(std::abs(found.standing->displacement()(1, 0)), 1e-3);
+  EXPECT_GT(found.falling->displacement()(1, 0), found.standing->displacement()(1, 0)) << "it slides down";
+  EXPECT_EQ(found.falling->names("corners"), found.standing->names("corners"));
+  EXPECT_EQ(found.falling->rows("contacts"), 0U);
   const kb::Context stopped;
   stopped.stop();
   EXPECT_EQ(kb::factor_of_safety(steep, "joints", 0.01, {}, stopped).end, "stopped");

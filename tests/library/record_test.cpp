@@ -86,6 +86,23 @@ TEST(Record, a_run_stopped_by_its_context_is_resumed_to_the_same_bytes) {
   fs::remove_all(parted);
 }
 
+TEST(Record, a_run_that_its_caller_steps_leaves_the_same_files_and_may_end_early) {
+  const fs::path whole = empty_folder("whole_run"), stepped = empty_folder("stepped");
+  kb::record(slide(), whole.string());
+  kb::Run run = kb::recorded(slide(), stepped.string());
+  const kb::Outcome early = run.go_on([](const kb::Run& now) { return now.last().number == 9; });
+  EXPECT_EQ(early.end, kb::End::stopped);
+  EXPECT_EQ(early.steps, 9);
+  EXPECT_FALSE(run.advance());
+  EXPECT_NE(bytes_of(stepped / "run.json").find("\"ended_early\": \"" + early.reason + '"'), std::string::npos);
+  const double kinetic = run.history("ledger", "kinetic")(9, 1);
+  EXPECT_GT(kinetic, 0);
+  EXPECT_EQ(kb::resume(stepped.string()).end, kb::End::finished);
+  expect_same_results(whole, stepped);
+  fs::remove_all(whole);
+  fs::remove_all(stepped);
+}
+
 // Both have one build id.
 TEST(Record, what_the_library_began_the_program_resumes) {
   const fs::path whole = empty_folder("whole_of_both"), parted = empty_folder("parted_of_both");

@@ -29,6 +29,13 @@ def endless():
     return kb.Plan(slide().with_value(FRICTION, 40), settings={"steps": 10_000_000})
 
 
+def stopped():
+    """A context that stops what runs under it at once."""
+    context = kb.Context()
+    context.stop()
+    return context
+
+
 def box(left, bottom, right, top):
     return {"material": 1, "outer": [[left, bottom, 1], [right, bottom, 1], [right, top, 1], [left, top, 1]]}
 
@@ -73,3 +80,9 @@ def press_ctrl_c(after):
     timer = threading.Timer(after, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     return timer
+
+
+def final_bytes(plan, threads):
+    run = kb.Run(plan, threads=threads)
+    run.go_on()
+    return run.frame().vertices.tobytes()

@@ -4,14 +4,18 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import hashlib
 import math
+import resource
+import signal
 import subprocess
 import sys
 import unittest
 from pathlib import Path
 
+import numpy as np
+
 sys.path.insert(0, str(Path(__file__).parent))
 import keyblock as kb  # noqa: E402
-from support import CASES, FRICTION, ROOT, Folder, slide  # noqa: E402
+from support import CASES, FRICTION, ROOT, Folder, slide, stopped  # noqa: E402
 
 
 def column(table, name):
@@ -24,7 +28,11 @@ class Program(Folder):
         for case in (kb.read("block.json"), kb.read("block.json").with_value(FRICTION, 10), slide().with_value(FRICTION, 10)):
             run = kb.Run(case)
             run.go_on()
-            results = run.record("out", force=True)
+            written = run.record("out", force=True)
+            with self.assertRaisesRegex(kb.Error, "has ended"):
+                written.results
+            written.go_on()
+            results = written.results
             points = results.table("points")
             (dx, dy), = run.frame().point_displacement[-1:] if len(run.frame().point) else [(None, None)]
             self.assertEqual((column(points, "dx")[-1], column(points, "dy")[-1]), (dx, dy), case)
@@ -80,6 +88,72 @@ class Program(Folder):
         self.assertEqual((Path("parts") / "points.csv").read_bytes(), (whole.folder / "points.csv").read_bytes())
         with self.assertRaises(kb.Error):
             kb.resume("whole")
+
+    def test_a_recorded_run_ends_at_a_condition_and_is_resumed(self):
+        kb.new("slope", "slope.json")
+        run, seen = kb.Run("slope.json", settings={"steps": 60}, history=["block:12"]), []
+
+        def until(r):
+            seen.append(np.hypot(*r.frame().displacement[r.index_of(12)]))
+            kinetic = r.history("kinetic")
+            self.assertEqual(len(kinetic), r.last.number + 1)
+            return len(kinetic) > 40 and kinetic[-1] > 0
+        outcome = run.record("parts", every=20).go_on(until)
+        self.assertEqual((outcome.end, outcome.steps, outcome.reason), ("stopped", 40, "until is true"))
+        self.assertEqual(kb.Results("parts").run["outcome"]["ended_early"], "until is true")
+        self.assertEqual(kb.resume("parts").end, "finished")
+        whole = run.record("whole", every=20)
+        numbers = [step.number for step in whole]
+        self.assertEqual((numbers, whole.results.end), (list(range(1, 61)), "finished"))
+        self.same_files("parts", "whole")
+        ledger = whole.results.table("ledger")
+        self.assertEqual(list(whole.history("kinetic")), column(ledger, "kinetic"))
+        self.assertEqual(list(whole.history("ledger")), [n for n in ledger if n != "step"])
+        without = kb.Run("slope.json", settings={"ledger": "off"})
+        self.assertEqual((whole.histories(), without.histories()), (["12"], []))
+        with self.assertRaises(kb.SettingError):
+            without.history("kinetic")
+        moved = whole.history("12")
+        self.assertEqual(seen[-1], np.hypot(*(np.asarray(moved[f"displacement_{axis}"])[40] for axis in "xy")))
+
+    def test_record_takes_a_condition_and_its_reason(self):
+        kb.new("block", "block.json")
+        steps, options = [], {"on_step": lambda s: steps.append(s.number), "pictures": False}
+        results = kb.record("block.json", "out", until=lambda r: r.last.number == 30 and "enough", **options)
+        self.assertEqual((results.end, results.run["outcome"]["ended_early"], steps), ("stopped", "enough", list(range(1, 31))))
+        with self.assertRaises(ZeroDivisionError):
+            kb.record("block.json", "out", force=True, until=lambda r: 1 / 0)
+        self.assertEqual(kb.Results("out").run["outcome"]["steps"], 1)
+        self.assertNotIn("ended_early", kb.Results("out").run["outcome"])
+        self.assertEqual(kb.resume("out").end, "finished")
+        self.assertEqual(kb.record("block.json", "out", force=True, until=lambda r: r.last.number == 1000).end, "finished")
+        self.assertEqual(kb.record("block.json", "out", force=True, until=lambda r: True, context=stopped()).end, "stopped")
+
+    def same_files(self, first, second):
+        names = {str(p.relative_to(first)) for p in Path(first).rglob("*") if p.is_file()}
+        self.assertEqual(names, {str(p.relative_to(second)) for p in Path(second).rglob("*") if p.is_file()})
+        for name in names - {"run.json"}:  # which holds times
+            self.assertEqual((Path(first) / name).read_bytes(), (Path(second) / name).read_bytes(), name)
+
+    def test_batch_and_sweep_that_cannot_write_end_with_one_error_and_are_resumed(self):
+        def no_large_files():  # as a full disk
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (8192, 8192))
+        Path("cases").mkdir()
+        for name in ("a", "b"):
+            kb.new("block", f"cases/{name}.json")
+        for command in (["batch", "cases", "--run", "--profile", "standard"],
+                        ["sweep", "cases/a.json", "--over", f"{FRICTION}=10,20", "--out", "displacement"]):
+            with self.subTest(command[0]):
+                call = [kb.program(), *command, "--jobs", "2", "-o", command[0]]
+                done = subprocess.run(call, preexec_fn=no_large_files, capture_output=True, text=True)
+                errors = [line for line in done.stderr.splitlines() if "error:" in line]
+                self.assertEqual((done.returncode, len(errors)), (4, 1), done.stderr)
+                self.assertIn("cannot write", errors[0])
+                self.assertIn("File too large", errors[0])
+                done = subprocess.run([*call, "--resume"], capture_output=True, text=True)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn("0 jobs done before, 2 to do" if command[0] == "batch" else "", done.stderr)
 
     def test_tables_have_plain_names_and_units(self):
         try:

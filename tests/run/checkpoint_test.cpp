@@ -3,11 +3,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/checkpoint.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "api/case_folder.hpp"
 #include "api/named_files.hpp"
@@ -243,6 +246,22 @@ TEST(Checkpoint, a_state_of_another_model_is_refused_before_room_is_made_for_it)
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "checkpoint.h5: error: expected 8 as in the model, found 4 (vertices: count)");
   }
+}
+
+TEST(Checkpoint, threads_save_and_restore_at_once) {
+  std::vector<double> numbers(1000, 0.5);
+  Archive saving;
+  for (int i = 0; i < 20; ++i) saving.numbers(fmt::format("n{}", i).c_str(), numbers);
+  const std::string bytes = checkpoint_bytes(saving);
+  std::atomic<int> same{0};
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&] {
+      for (int j = 0; j < 10; ++j)
+        if (checkpoint_bytes(archive_of_checkpoint("a.h5", bytes)) == bytes) ++same;
+    });
+  threads.clear();
+  EXPECT_EQ(same, 40);
 }
 
 TEST(Checkpoint, indices_and_counts_out_of_bounds_are_refused) {

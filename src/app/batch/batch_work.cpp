@@ -65,6 +65,7 @@ ChildEnd run_logged(const BatchPlan& plan, const fs::path& folder, const std::st
                     const std::vector<std::string>& arguments) {
   const ChildEnd end = run_logged(arguments, plan.limits, folder, name, plan.stop ? &*plan.stop : nullptr);
   if (has_been_stopped(end)) throw JobStopped();
+  if (const fs::path log = folder / (name + ".log"); could_not_write(end, log)) refuse_without(folder / name, log);
   return end;
 }
 
@@ -160,7 +161,9 @@ CatalogueRow check_here(const BatchPlan& plan, const study::BatchJob& job,
 CatalogueRow check_in_child(const BatchPlan& plan, const study::BatchJob& job,
                             const std::vector<report::CatalogueFile>& files) {
   const fs::path folder = plan.checks_folder() / job.name;
-  fs::create_directories(folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw OutputError(fmt::format("cannot make {}: {}", folder.string(), error.message()));
   std::vector<std::string> arguments{"batch", plan.root.string()};
   if (plan.task == BatchTask::check) arguments.emplace_back("--check");
   if (plan.task == BatchTask::run) arguments.emplace_back("--run");
@@ -194,7 +197,8 @@ void convert_job(const BatchPlan& plan, const study::BatchJob& job, CatalogueRow
   const fs::path folder = empty_folder_for(plan, job);
   const fs::path written = folder / "written";
   std::error_code error;
-  if (!fs::create_directory(written, error)) throw OutputError(fmt::format("cannot make {}", written.string()));
+  if (!fs::create_directory(written, error))
+    throw OutputError(fmt::format("cannot make {}: {}", written.string(), error.message()));
   const std::string_view ending = study::find_target(plan.format)->parts.front().ending;
   const fs::path output = written / (fs::path(job.files.front()).stem().string() + std::string(ending));
   std::vector<std::string> arguments = with_inputs("convert", plan, job);

@@ -7,6 +7,9 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <system_error>
+
 #include "app/progress.hpp"
 #include "base/error.hpp"
 
@@ -27,8 +30,10 @@ JournalFile::~JournalFile() {
 }
 
 void JournalFile::add(const std::string& line) const {
-  if (write(descriptor_, line.data(), line.size()) != static_cast<ssize_t>(line.size()))
-    throw OutputError(fmt::format("cannot write {}", name_));
+  errno = 0;
+  if (write(descriptor_, line.data(), line.size()) == static_cast<ssize_t>(line.size())) return;
+  const int why = errno != 0 ? errno : ENOSPC;  // a part was written
+  throw OutputError(fmt::format("cannot write {}: {}", name_, std::generic_category().message(why)));
 }
 
 void JobReports::add_one() {

@@ -4,10 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <sstream>
+#include <string_view>
+#include <system_error>
 
 #include "app/exit_code.hpp"
 #include "base/error.hpp"
@@ -70,11 +73,27 @@ std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const f
   return fmt::format("exit code {}{}{}", end.exit_code, error.empty() ? "" : ": ", error);
 }
 
+void refuse_without(const fs::path& results, const fs::path& log) {
+  constexpr std::string_view kLevel = "error: ";
+  const std::string error = error_in(log);
+  const std::size_t at = error.find(kLevel);
+  throw OutputError(at == std::string::npos ? fmt::format("cannot write {}", results.string())
+                                            : error.substr(at + kLevel.size()));
+}
+
+bool could_not_write(const ChildEnd& end, const fs::path& log) {
+  if (end.signal != 0 || end.ran_out_of_time) return false;
+  const std::string error = error_in(log);
+  if (error.find(std::generic_category().message(ENOSPC)) != std::string::npos) return true;
+  return end.exit_code == int(ExitCode::numerical_failure) &&
+         (error.empty() || error.find("cannot write") != std::string::npos);
+}
+
 fs::path empty_folder(const fs::path& folder) {
   std::error_code error;
   fs::remove_all(folder, error);
   if (!error) fs::create_directories(folder, error);
-  if (error) throw OutputError(fmt::format("cannot make {}", folder.string()));
+  if (error) throw OutputError(fmt::format("cannot make {}: {}", folder.string(), error.message()));
   return folder;
 }
 

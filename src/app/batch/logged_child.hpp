@@ -30,6 +30,13 @@ std::string signal_name(int signal);
 /// Explains the end of a process without a result: a limit, a signal, or its exit code and last error.
 std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const std::filesystem::path& log);
 
+/// Throws OutputError with the last error of a process that left no results. Other jobs cannot write theirs either, and
+/// this one is no row: it is done again by `--resume`.
+[[noreturn]] void refuse_without(const std::filesystem::path& results, const std::filesystem::path& log);
+
+/// Returns true if the process could not write, as on a full disk: its last error says so, or is not even in the log.
+bool could_not_write(const ChildEnd& end, const std::filesystem::path& log);
+
 /// Makes the folder, without files of an earlier attempt. Throws OutputError.
 std::filesystem::path empty_folder(const std::filesystem::path& folder);
 

@@ -108,16 +108,6 @@ ChildEnd SweepJob::start(const std::string& name, const std::vector<std::string>
   return end;
 }
 
-/// Throws OutputError with the last error of a process that left no results. Other jobs cannot write theirs either, and
-/// this one is no row: it is done again by `--resume`.
-[[noreturn]] void refuse_without(const fs::path& results, const fs::path& log) {
-  constexpr std::string_view kLevel = "error: ";
-  const std::string error = error_in(log);
-  const std::size_t at = error.find(kLevel);
-  throw OutputError(at == std::string::npos ? fmt::format("cannot write {}", results.string())
-                                            : error.substr(at + kLevel.size()));
-}
-
 /// Returns true if the process has no answer, and puts the reason into the result.
 bool SweepJob::has_ended_early(const ChildEnd& end, const std::string& name) {
   if (is_stopped_) return true;

@@ -182,6 +182,7 @@ class FactorSearch {
       if (is_near || (previous_ && factor == *previous_)) continue;
       made.state = {};
       made.attempt.reset();
+      made.attempt_frame.reset();
     }
     if (at.stands && (!last_ || *last_ != *at.stands)) {
       previous_ = last_;
@@ -209,9 +210,11 @@ class FactorSearch {
     TrialOutcome& fallen = made_.at(*at.falls);
     if (fallen.told.is_far) {
       result_.falling = std::move(fallen.state.field);
+      result_.falling_frame = std::move(fallen.state.frame);
       return;
     }
     result_.falling = std::move(fallen.attempt);
+    result_.falling_frame = std::move(fallen.attempt_frame);
     result_.before_fall = std::move(fallen.state.field);
   }
 

@@ -90,6 +90,7 @@ struct FactorOfSafety {
   std::optional<StrengthState> standing_before;  ///< of the one before it
   /// State of the first trial that falls: its last one, or the equilibrium far from the drawing.
   std::optional<FieldFrame> falling;
+  std::optional<Frame> falling_frame = {};  ///< the same state
   /// Origin of its displacement increments: the last equilibrium of that trial, or `standing` for a far one.
   std::optional<FieldFrame> before_fall = {};
 

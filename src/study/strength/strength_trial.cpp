@@ -115,11 +115,21 @@ StrengthState state_of(const Stepper& stepper) {
   StrengthState state{frame_of(stepper.model(), stepper.state(), stepper.unloaded(), stepper.settings()),
                       field_of(stepper.model(), stepper),
                       {}};
+  put_point_stress(state.frame, stepper.model(), stepper);
+  put_plastic(state.frame, stepper);
   for (const ElementIndex e : indices(stepper.model().elements)) {
     const std::optional<PlasticState> plastic = stepper.plastic_at(e, stepper.unloaded().elements[e].centroid);
     state.plastic_strains.push_back(plastic ? plastic->equivalent : 0);
   }
   return state;
+}
+
+// Returns a state out of balance as a frame. Its step is the one that failed.
+Frame frame_at(const Stepper& stepper, const State& state) {
+  Frame frame = frame_of(stepper.model(), state, stepper.unloaded(), stepper.settings());
+  frame.step = stepper.state().step + 1;
+  frame.time = stepper.state().time + stepper.settings().time_step;
+  return frame;
 }
 
 /// Steps to the end of the scene, or to the first failure.
@@ -142,6 +152,7 @@ TrialOutcome stepped(std::unique_ptr<Stepper> stepper) {
     made.told.displacement = largest_displacement(*stepper, attempted ? *attempted : stepper->state());
     made.state = state_of(*stepper);
     if (attempted) made.attempt = field_at(made.state.field, *stepper, *attempted);
+    if (attempted) made.attempt_frame = frame_at(*stepper, *attempted);
     return made;
   }
   made.told.verdict = Verdict::stands;

@@ -50,10 +50,11 @@ struct StrengthState {
 
 struct TrialOutcome {
   StrengthTrial told;
-  StrengthState state;                ///< last equilibrium
-  std::optional<FieldFrame> attempt;  ///< end of a trial that falls, out of balance
-  bool rock_yields = false;           ///< as in StepFailure, for the step without equilibrium
-  std::vector<int> restless = {};     ///< numbers, from 0, of the blocks without equilibrium
+  StrengthState state;                      ///< last equilibrium
+  std::optional<FieldFrame> attempt;        ///< end of a trial that falls, out of balance
+  std::optional<Frame> attempt_frame = {};  ///< the same state
+  bool rock_yields = false;                 ///< as in StepFailure, for the step without equilibrium
+  std::vector<int> restless = {};           ///< numbers, from 0, of the blocks without equilibrium
 };
 
 /// Area relative to the mean below which a block that falls alone is loose: the limit of the `slivers` warning.

@@ -1,0 +1,106 @@
+// Runs a case, at once or step by step, with its results in a folder.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <keyblock/record.hpp>
+#include <optional>
+#include <utility>
+
+#include "job/recorded_run.hpp"
+#include "library/run_state.hpp"
+
+namespace keyblock::api {
+namespace {
+
+/// Run that writes its results. Its folder is free again after the end.
+struct FolderRun : Run::State {
+  FolderRun(std::unique_ptr<RecordedRun> of, std::function<void(const Step&)> call, const keyblock::Context& under)
+      : State(of->plan(), under), on_step(std::move(call)), recorded(std::move(of)) {
+    recorded->open();
+    RunCalls calls;
+    calls.on_step = [this](const StepReport& report) {
+      last = step_of(report);
+      if (on_step) on_step(last);
+    };
+    calls.on_state = [this](const Stepper& now) { kept.add(now); };
+    recorded->start(std::move(calls));
+    stepper = recorded->stepper();
+    scope = stepper->ledger_scope();
+    last.number = stepper->state().step;
+    last.time = stepper->state().time;
+    context.tell(nullptr, 0);
+  }
+
+  bool is_recorded() const override { return true; }
+  const RunRecord& so_far() const override { return recorded ? recorded->record() : record; }
+  bool step() override { return recorded->step(); }
+  void end_early(const std::string& why) override {
+    if (recorded) recorded->end_early(why);
+  }
+  void end() override {
+    recorded->end();
+    recorded->finish();
+    record = recorded->record();
+    outcome = outcome_of(planned->prepared, record);
+    recorded.reset();
+  }
+
+  std::function<void(const Step&)> on_step;
+  std::unique_ptr<RecordedRun> recorded;  ///< null after the end
+  RunRecord record;                       ///< after the end
+};
+
+RecordingOptions options_of(const std::string& folder, const Recording& how) {
+  return {folder,    how.overwrite ? Overwrite::yes : Overwrite::no,
+          Trace::no, how.checkpoint_every,
+          how.every, {how.histories, how.contacts, {}, how.frames, how.pictures}};
+}
+
+std::unique_ptr<RecordedRun> begun(const Case& of, const std::string& folder, const Recording& how,
+                                   const Choices& choices) {
+  OpenCase read = of.data().open;
+  static_cast<AskedCase&>(read) = asked_under(of, choices);
+  return std::make_unique<RecordedRun>(std::move(read), options_of(folder, how));
+}
+
+Outcome run_to_end(RecordedRun& run, const std::function<void(const Step&)>& on_step) {
+  run.open();
+  const bool has_begun = run.run([&](const StepReport& report) {
+    if (on_step) on_step(step_of(report));
+  });
+  if (has_begun) run.finish();
+  return outcome_of(run.prepared(), run.record());
+}
+
+}  // namespace
+
+inline namespace v1 {
+
+Outcome record(const Case& of, const std::string& folder, const Recording& how, const Choices& choices,
+               const Context& context) {
+  return guarded([&] {
+    const Under under(context.state().context);
+    return run_to_end(*begun(of, folder, how, choices), how.on_step);
+  });
+}
+
+Outcome resume(const std::string& folder, const std::function<void(const Step&)>& on_step, const Context& context) {
+  return guarded([&] {
+    // A part of it: the folder that paths of this run count from is not that of the caller's next call.
+    const keyblock::Context own = context.state().context.part();
+    const Under under(own);
+    RecordedRun run(folder, Recording{}.checkpoint_every);
+    return run_to_end(run, on_step);
+  });
+}
+
+// A part of the context: the run stops it to end early.
+Run recorded(const Case& of, const std::string& folder, const Recording& how, const Choices& choices,
+             const Context& context) {
+  return guarded([&] {
+    const keyblock::Context own = context.state().context.part();
+    const Under under(own);
+    return Run(std::make_unique<FolderRun>(begun(of, folder, how, choices), how.on_step, own));
+  });
+}
+
+}  // namespace v1
+}  // namespace keyblock::api
