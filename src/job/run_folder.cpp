@@ -258,8 +258,10 @@ std::vector<int> RunFolder::finish(const RunResults& results) {
   files_.forget_names();
   write_list_of_frames();
   flush_histories();
-  if (results.follows_by_choice && histories_.has_begun()) files_.name(formats::kHistoriesTable.file);
-  for (const std::string& name : frame_tables_.names()) files_.name(name);
+  histories_.write_waiting();
+  if (results.follows_by_choice && histories_.has_begun())
+    files_.name(formats::kHistoriesTable.file, histories_.checksum());
+  for (auto& [name, checksum] : frame_tables_.written()) files_.name(name, std::move(checksum));
   const std::vector<std::size_t> left_out = report::left_out_of(frames_.front(), frames_.back(), results.marked);
   const std::vector<int> hidden = numbers_of(frames_.back(), left_out);
   write_tables(results.tables, hidden);
@@ -275,7 +277,7 @@ std::vector<int> RunFolder::finish(const RunResults& results) {
   }
   if (!results.field.cracks.empty()) files_.write("cracks.dxf", dxf_of(results.field.cracks, units_));
   if (trace_ == Trace::yes) write_traces(results);
-  if (results.has_page) files_.name(kPageFile);
+  if (results.has_page) files_.name(kPageFile, "");
   return hidden;
 }
 

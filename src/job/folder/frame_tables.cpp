@@ -48,15 +48,17 @@ void FrameTables::drop_what_followed() {
   for (GrowingTable* table : all()) table->drop_what_followed();
 }
 
-void FrameTables::flush() const {
-  for (const GrowingTable* table : {&contacts_, &joints_, &joint_lines_, &bolts_}) table->flush();
+void FrameTables::flush() {
+  for (GrowingTable* table : all()) table->flush();
 }
 
-std::vector<std::string> FrameTables::names() const {
-  std::vector<std::string> names;
-  for (const GrowingTable* table : {&contacts_, &joints_, &joint_lines_, &bolts_})
-    if (table->has_begun()) names.push_back(table->file().filename().string());
-  return names;
+Checksums FrameTables::written() {
+  Checksums tables;
+  for (GrowingTable* table : all()) {
+    table->write_waiting();
+    if (table->has_begun()) tables.emplace_back(table->file().filename().string(), table->checksum());
+  }
+  return tables;
 }
 
 void FrameTables::describe(Archive& archive) {

@@ -13,6 +13,7 @@
 #include "base/archive.hpp"
 #include "formats/columns/frame_columns.hpp"
 #include "job/folder/growing_table.hpp"
+#include "job/folder/made_by.hpp"
 #include "problem/output_plan.hpp"
 #include "problem/run_choices.hpp"
 #include "result/contact_frame.hpp"
@@ -48,9 +49,9 @@ class FrameTables {
 
   /// Drops, flushes and saves like GrowingTable.
   void drop_what_followed();
-  void flush() const;
-  /// Returns the names of the tables that have rows.
-  std::vector<std::string> names() const;
+  void flush();
+  /// Writes the rows that wait in memory. Returns names and checksums of the tables that have rows.
+  Checksums written();
   void describe(Archive& archive);
 
  private:

@@ -1,4 +1,4 @@
-// Opens and closes the file for each lot of rows, so that readers see all rows so far.
+// Opens and closes the file for each lot of rows, so that readers see whole lines.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/folder/growing_table.hpp"
 
@@ -12,6 +12,13 @@
 
 namespace keyblock {
 
+namespace {
+
+constexpr std::size_t kLot = 1 << 16;                   // bytes
+constexpr std::chrono::milliseconds kLongestWait{250};  // before readers see new rows
+
+}  // namespace
+
 void GrowingTable::count(const std::string& bytes) {
   size_ += bytes.size();
   digest_.add(bytes);
@@ -21,13 +28,23 @@ void GrowingTable::append(const std::string& rows) {
   if (rows.empty()) return;
   if (!has_begun()) {
     write_file(file_, header_ + rows);
+    written_ = std::chrono::steady_clock::now();
     return count(header_ + rows);
   }
-  append_to_file(file_, rows);
+  waiting_ += rows;
   count(rows);
+  if (waiting_.size() > kLot || std::chrono::steady_clock::now() - written_ > kLongestWait) write_waiting();
+}
+
+void GrowingTable::write_waiting() {
+  if (waiting_.empty()) return;
+  append_to_file(file_, waiting_);
+  waiting_.clear();
+  written_ = std::chrono::steady_clock::now();
 }
 
 void GrowingTable::describe(Archive& archive) {
+  if (!archive.is_restoring()) write_waiting();
   std::string digest = digest_.text();
   archive.value("size", size_);
   archive.value("sha256", digest);
@@ -56,7 +73,8 @@ void GrowingTable::drop_what_followed() {
   if (error) throw OutputError(fmt::format("cannot cut back {}: {}", file_.string(), error.message()));
 }
 
-void GrowingTable::flush() const {
+void GrowingTable::flush() {
+  write_waiting();
   if (has_begun()) flush_to_disk(file_);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -20,8 +21,15 @@ class GrowingTable {
   const std::filesystem::path& file() const { return file_; }
   bool has_begun() const { return size_ > 0; }
 
-  /// Appends whole lines; does nothing if there are none. Throws OutputError.
+  /// Appends whole lines; does nothing if there are none. The first ones reach the file at once, later ones in lots:
+  /// at the latest with the first rows after a quarter of a second. Throws OutputError.
   void append(const std::string& rows);
+
+  /// Writes the rows that wait in memory. Throws OutputError.
+  void write_waiting();
+
+  /// Returns the checksum of all rows so far, those that wait included.
+  std::string checksum() const { return digest_.text(); }
 
   /// Saves size and checksum of the rows written so far. Restoring throws InputError if the file no longer begins with
   /// them.
@@ -30,16 +38,18 @@ class GrowingTable {
   /// Removes rows written after `describe`, or the whole file if nothing was restored.
   void drop_what_followed();
 
-  /// Flushes the file to the disk. Throws OutputError.
-  void flush() const;
+  /// Writes the waiting rows and flushes the file to the disk. Throws OutputError.
+  void flush();
 
  private:
   void count(const std::string& bytes);
 
   std::filesystem::path file_;
   std::string header_;
-  std::size_t size_ = 0;  ///< bytes written
-  Sha256 digest_;         ///< of the bytes written
+  std::string waiting_;   ///< rows not yet in the file
+  std::size_t size_ = 0;  ///< bytes, those that wait included
+  Sha256 digest_;         ///< of these bytes
+  std::chrono::steady_clock::time_point written_{};
 };
 
 }  // namespace keyblock

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/bytes/file_bytes.hpp"
+#include "base/bytes/sha256.hpp"
 #include "base/error.hpp"
 #include "formats/case.hpp"
 #include "formats/registry.hpp"
@@ -92,9 +94,18 @@ void OutputFiles::remove_earlier() {
 
 Checksums OutputFiles::checksums() const {
   Checksums all;
-  for (const std::string& name : names_)
-    if (name != kPageFile) all.emplace_back(name, checksum_of(folder_ / name));
+  for (const std::string& name : names_) {
+    if (name == kPageFile) continue;
+    if (!fs::is_regular_file(folder_ / name))
+      throw OutputError(fmt::format("{} was written, and is gone now", (folder_ / name).string()));
+    all.emplace_back(name, checksums_.at(name));
+  }
   return all;
+}
+
+void OutputFiles::name(std::string_view file, std::string checksum) {
+  names_.emplace_back(file);
+  checksums_[std::string(file)] = std::move(checksum);
 }
 
 void OutputFiles::remove_growing() {
@@ -106,6 +117,7 @@ void OutputFiles::write(std::string_view file, const std::string& text) {
   const std::string name(file);
   write_file(folder_ / name, text, own_.contains(name) ? Overwrite::yes : overwrite_);
   own_.insert(name);
+  if (name != kPageFile) checksums_[name] = sha256(text);
   if (std::ranges::find(names_, name) == names_.end()) names_.push_back(name);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -38,15 +39,15 @@ class OutputFiles {
   /// Writes over the files of this process, and over others if that is permitted. Throws OutputError.
   void write(std::string_view file, const std::string& text);
 
-  /// Records a file that another class has written.
-  void name(std::string_view file) { names_.emplace_back(file); }
+  /// Records a file that another class writes, with the checksum of its bytes.
+  void name(std::string_view file, std::string checksum);
 
   /// Clears the names, so that their order does not depend on files written during the run.
   void forget_names() { names_.clear(); }
 
   bool is_own(std::string_view file) const { return own_.contains(std::string(file)); }
 
-  /// Returns the checksums of the named files, in the order of writing. The page, which follows the record, has none.
+  /// Returns the checksums of the named files as written, in that order. The page, which follows the record, has none.
   /// Throws OutputError if a file is gone.
   Checksums checksums() const;
 
@@ -59,7 +60,8 @@ class OutputFiles {
   std::filesystem::path folder_;
   Overwrite overwrite_;  ///< of files that existed before; a resumed run meets its own files
   std::vector<std::string> names_;
-  std::set<std::string> own_;  ///< written by this process, which may write them again
+  std::map<std::string, std::string> checksums_;  ///< by name
+  std::set<std::string> own_;                     ///< written by this process, which may write them again
 };
 
 }  // namespace keyblock
