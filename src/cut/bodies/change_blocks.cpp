@@ -22,6 +22,10 @@ namespace {
 // would set every contact tolerance.
 constexpr double kThinnest = 5e-3;
 
+// Distance of a point from its block, per size of the block, that is rounding: fixed points lie on the edges that their
+// line crosses, and half of them a last digit outside.
+constexpr double kOnEdge = 1e-9;
+
 Box box_of(const BlockPolygon& block) {
   Box box;
   for (const BlockVertex& vertex : block.outer) box.add(vertex.position);
@@ -81,14 +85,17 @@ class Handover {
  public:
   explicit Handover(const Blocks& before) : before_(before) {
     changed_.blocks.place = before.place;
-    children_.resize(before.blocks.size());
+    families_.resize(before.blocks.size());
   }
 
   void add(std::size_t parent, BlockPolygon block) {
-    children_[parent].push_back(static_cast<int>(changed_.blocks.blocks.size()));
+    families_[parent].kept.push_back(static_cast<int>(changed_.blocks.blocks.size()));
     changed_.parents.push_back(static_cast<int>(parent));
     changed_.blocks.blocks.push_back(std::move(block));
   }
+
+  /// Takes a piece that is excavated.
+  void drop(std::size_t parent, BlockPolygon block) { families_[parent].gone.push_back(std::move(block)); }
 
   ChangedBlocks finish() && {
     points(before_.fixed_points, changed_.blocks.fixed_points, changed_.fixed_points);
@@ -99,37 +106,58 @@ class Handover {
   }
 
  private:
-  /// Returns the piece of block `parent` that holds the point, or a negative number if that piece is gone.
-  int heir(int parent, Point p) const {
-    for (const int child : children_[static_cast<std::size_t>(parent)])
-      if (holds(changed_.blocks.blocks[static_cast<std::size_t>(child)], p)) return child;
-    return -1;
+  /// Pieces of an earlier block.
+  struct Family {
+    std::vector<int> kept;
+    std::vector<BlockPolygon> gone;
+  };
+
+  /// Returns the piece of block `parent` that holds the point, or else lies beside it, and the point on that piece;
+  /// nothing if that piece is gone.
+  std::optional<BlockBeside> heir(int parent, Point p) const {
+    const Family& family = families_[static_cast<std::size_t>(parent)];
+    std::vector<BlockPolygon> kept;
+    for (const int child : family.kept) kept.push_back(changed_.blocks.blocks[static_cast<std::size_t>(child)]);
+    const auto named = [&](int number, Point at) {
+      return BlockBeside{family.kept[static_cast<std::size_t>(number)], at};
+    };
+    const auto holder = std::ranges::find_if(kept, [&](const BlockPolygon& piece) { return holds(piece, p); });
+    if (holder != kept.end()) return named(static_cast<int>(holder - kept.begin()), p);
+    const double size = std::sqrt(area_of(before_.blocks[static_cast<std::size_t>(parent)]));
+    if (const auto beside = block_beside(kept, p, kOnEdge * size)) return named(beside->block, p);
+    if (std::ranges::any_of(family.gone, [&](const BlockPolygon& piece) { return holds(piece, p); })) return {};
+    const auto beside = block_beside(kept, p, kThinnest * size);  // in a sliver
+    return beside ? std::optional(named(beside->block, beside->nearest)) : std::nullopt;
   }
 
   void points(const std::vector<BlockPoint>& before, std::vector<BlockPoint>& after, std::vector<int>& numbers) const {
     for (std::size_t i = 0; i < before.size(); ++i) {
-      BlockPoint point = before[i];
-      point.block = heir(before[i].block, before[i].position);
-      if (point.block < 0) continue;
-      after.push_back(std::move(point));
+      const std::optional<BlockBeside> found = heir(before[i].block, before[i].position);
+      if (!found) continue;
+      BlockPoint& point = after.emplace_back(before[i]);
+      point.block = found->block;
+      point.position = found->nearest;
       numbers.push_back(static_cast<int>(i));
     }
   }
 
   void bolts() {
     for (std::size_t i = 0; i < before_.bolts.size(); ++i) {
-      BlockBolt bolt = before_.bolts[i];
-      bolt.first_block = heir(bolt.first_block, bolt.segment.start);
-      bolt.second_block = heir(bolt.second_block, bolt.segment.end);
-      if (bolt.first_block < 0 || bolt.second_block < 0) continue;
-      changed_.blocks.bolts.push_back(std::move(bolt));
+      const BlockBolt& bolt = before_.bolts[i];
+      const std::optional<BlockBeside> first = heir(bolt.first_block, bolt.segment.start);
+      const std::optional<BlockBeside> second = heir(bolt.second_block, bolt.segment.end);
+      if (!first || !second) continue;
+      BlockBolt& kept = changed_.blocks.bolts.emplace_back(bolt);
+      kept.first_block = first->block;
+      kept.second_block = second->block;
+      kept.segment = {first->nearest, second->nearest};
       changed_.bolts.push_back(static_cast<int>(i));
     }
   }
 
   const Blocks& before_;
   ChangedBlocks changed_;
-  std::vector<std::vector<int>> children_;  ///< per earlier block
+  std::vector<Family> families_;  ///< per earlier block
 };
 
 bool is_within(const BlockPolygon& piece, std::span<const Region> regions) {
@@ -149,7 +177,10 @@ ChangedBlocks without_regions(const Blocks& blocks, std::span<const Region> regi
   Handover handover(blocks);
   for (std::size_t b = 0; b < blocks.blocks.size(); ++b)
     for (BlockPolygon& piece : pieces_of(blocks.blocks[b], lines, blocks.place))
-      if (!is_within(piece, regions)) handover.add(b, std::move(piece));
+      if (is_within(piece, regions))
+        handover.drop(b, std::move(piece));
+      else
+        handover.add(b, std::move(piece));
   return std::move(handover).finish();
 }
 
