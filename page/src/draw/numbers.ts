@@ -95,6 +95,13 @@ export function round_below(size: number): number {
   return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
 }
 
+/** Whole numbers i with i * step in a range; none where they are over a thousand, or too large to tell apart. */
+export function multiples(step: number, low: number, high: number): number[] {
+  const [first, last] = [Math.ceil(low / step), Math.floor(high / step)];
+  if (!Number.isSafeInteger(first) || !Number.isSafeInteger(last) || last - first >= 1000) return [];
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, k) => first + k);
+}
+
 /** Round ticks within a range, about `count` of them. */
 export function ticks_of(low: number, high: number, count = 5): number[] {
   if (!(high > low)) return [low];
@@ -102,7 +109,5 @@ export function ticks_of(low: number, high: number, count = 5): number[] {
   const power = 10 ** Math.floor(Math.log10(raw));
   const lead = raw / power;
   const step = (lead > 5 ? 10 : lead > 2 ? 5 : lead > 1 ? 2 : 1) * power;
-  const out: number[] = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9; i++) out.push(i === 0 ? 0 : i * step);
-  return out;
+  return multiples(step, low - step * 1e-9, high + step * 1e-9).map(i => (i === 0 ? 0 : i * step));
 }

@@ -278,6 +278,8 @@ describe('numbers', () => {
   test('ticks and round numbers', () => {
     expect(ticks_of(0, 1, 5)).toEqual([0, 0.2, 0.4, 0.6000000000000001, 0.8, 1]);
     expect(ticks_of(3, 3)).toEqual([3]);
+    expect(ticks_of(1e150, 1e150 * (1 + 2.3e-16))).toEqual([]);
+    expect(ticks_of(-1e307, 1e307).length).toBeGreaterThan(1);
     expect(round_below(37)).toBe(20);
     expect(round_below(0.0051)).toBeCloseTo(0.005);
   });

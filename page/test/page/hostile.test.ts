@@ -300,6 +300,31 @@ describe.skipIf(!has_browser || !program)('hostile inputs', () => {
     await page.context().close();
   });
 
+  test('a drawing with coordinates of 1e60 and more is refused in words, and the window stays usable', async () => {
+    const far = join(folder, 'far');
+    mkdirSync(far);
+    for (const power of [60, 150, 307]) {
+      const corner = Number(`1e${power}`);
+      const joints = [...CASE.drawing.joints, [corner, 0, corner, 1, 1]];
+      writeFileSync(join(far, `far${power}.json`), JSON.stringify({ ...CASE, drawing: { ...CASE.drawing, joints } }));
+    }
+    const { server, address } = start_server(program, far);
+    servers.push(server);
+    const errors: string[] = [];
+    const page = await open_window(browser, await address, errors);
+    for (const power of [60, 150, 307]) {
+      await page.evaluate(name => {
+        location.hash = `#/case/${name}`;
+      }, `far${power}.json`);
+      await page.getByText('from -1e+50 to 1e+50').first().waitFor({ timeout: 20_000 });
+      await page.locator('.modes label', { hasText: /^Text$/ }).click();
+      await expect.poll(() => page.locator('textarea').inputValue()).toContain(`e+${power}`);
+      await page.locator('.modes label', { hasText: /^Drawing$/ }).click();
+    }
+    expect(errors).toEqual([]);
+    await page.context().close();
+  });
+
   test('two browsers on one server: a file that one saved is not overwritten by the other, nor is one edited on disk', async () => {
     const shared = join(folder, 'shared');
     mkdirSync(shared);

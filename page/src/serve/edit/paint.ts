@@ -1,5 +1,6 @@
 // Paints the drawing of a case on a canvas.
 
+import { multiples } from '../../draw/numbers';
 import type { Item, Point, Polygon, Scene } from './scene';
 import type { Snapped } from './snap';
 
@@ -129,7 +130,7 @@ class Painter {
     c.fillStyle = own.muted;
     const label = (value: number) => String(Number(value.toPrecision(8)));
     const every = grid * view.scale < 34 ? (grid * view.scale < 15 ? 5 : 2) : 1;
-    for (let i = Math.ceil(left / grid); i <= right / grid; i++) {
+    for (const i of multiples(grid, left, right)) {
       const [x] = this.at([i * grid, 0]);
       this.line(
         [
@@ -144,7 +145,7 @@ class Painter {
         c.fillText(label(i * grid), x, height - 4);
       }
     }
-    for (let i = Math.ceil(bottom / grid); i <= top / grid; i++) {
+    for (const i of multiples(grid, bottom, top)) {
       const [, y] = this.at([0, i * grid]);
       this.line(
         [
