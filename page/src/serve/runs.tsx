@@ -353,7 +353,7 @@ function factor_of(output: string): string {
   try {
     const value = JSON.parse(output);
     const number = value.factor ?? value.factor_of_safety ?? value.stable;
-    if (typeof number === 'number') return `Factor of safety ${show(number, 3)}`;
+    if (typeof number === 'number') return `Factor of safety ${show(number, 4)}`;
   } catch {
     // What is not JSON is no factor.
   }

@@ -51,7 +51,7 @@ export function StrengthView({ path }: { path: string }) {
       </div>
       {typeof record.factor_of_safety === 'number' ? (
         <p class="factor">
-          Factor of safety <b>{show(record.factor_of_safety, 3)}</b>
+          Factor of safety <b>{show(record.factor_of_safety, 4)}</b>
         </p>
       ) : (
         <p class="factor">No factor of safety was found.</p>
