@@ -122,7 +122,11 @@ TEST(ReportCommand, frames_that_are_damaged_or_gone_are_reported_with_exit_code_
   fs::remove(frame);
   made = run_keyblock({"report", out, "-o", folder + "/gone.html"});
   EXPECT_EQ(made.exit_code, 1) << made.messages;
-  EXPECT_TRUE(contains(made.messages, "1 file of its frames is gone; the first: frames/00000100.vtu")) << made.messages;
+  EXPECT_TRUE(contains(made.messages, "1 file of its results is gone; the first: frames/00000100.vtu"))
+      << made.messages;
+  made = run_keyblock({"view", out, "-o", folder + "/page.html"});
+  EXPECT_EQ(made.exit_code, 1) << made.messages;
+  EXPECT_TRUE(contains(made.messages, "frames/00000100.vtu; the page lacks it")) << made.messages;
 }
 
 TEST(ReportCommand, contacts_units_and_checksums_are_listed_and_quirks_are_not) {

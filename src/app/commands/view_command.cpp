@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/command.hpp"
+#include "app/handout/frame_faults.hpp"
 #include "app/handout/strength_document.hpp"
 #include "job/files.hpp"
 #include "job/folder/frame_files.hpp"
@@ -36,11 +37,13 @@ std::vector<fs::path> kept_files(const fs::path& folder) {
   return kept;
 }
 
+bool is_of_strength(const fs::path& folder) {
+  return fs::is_regular_file(folder / kStrengthRecord) && !fs::is_directory(folder / kFrameFolder);
+}
+
 /// Returns the page of a run, or that of a factor of safety.
 std::string page_of(const fs::path& folder) {
-  if (fs::is_regular_file(folder / kStrengthRecord) && !fs::is_directory(folder / kFrameFolder))
-    return report::document_page(strength_document(folder, {}).document);
-  return run_page(folder);
+  return is_of_strength(folder) ? report::document_page(strength_document(folder, {}).document) : run_page(folder);
 }
 
 ExitCode view(const ViewOptions& options) {
@@ -52,7 +55,10 @@ ExitCode view(const ViewOptions& options) {
     fmt::print("{}\n", nlohmann::ordered_json({{"file", file}, {"bytes", page.size()}})
                            .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   spdlog::info("{}: {:.3g} MB, opens in a browser without a network", file, static_cast<double>(page.size()) / 1e6);
-  return ExitCode::ok;
+  const std::string gone = is_of_strength(options.folder) ? "" : outputs_gone(options.folder);
+  if (gone.empty()) return ExitCode::ok;
+  spdlog::error("{}: error: {}; the page lacks it", options.folder, gone);
+  return ExitCode::check_failed;
 }
 
 }  // namespace

@@ -9,10 +9,8 @@
 #include <map>
 
 #include "app/handout/record_reading.hpp"
-#include "base/bytes/file_bytes.hpp"
 #include "base/counted.hpp"
 #include "formats/registry.hpp"
-#include "formats/views/vtk.hpp"
 #include "formats/views/vtu_reading.hpp"
 #include "job/folder/frame_files.hpp"
 #include "job/folder/output_files.hpp"
@@ -32,24 +30,19 @@ struct Faults {
   }
 };
 
-// Returns the files that the list of frames names and that are gone.
-Faults missing_files(const fs::path& folder) {
-  Faults missing;
-  const fs::path list = folder / kFrameList;
-  if (!fs::is_regular_file(list)) return missing;
-  for (const formats::PvdEntry& entry : formats::read_pvd(file_bytes(list.string())))
-    if (!fs::is_regular_file(folder / entry.file)) missing.add(entry.file);
-  return missing;
-}
-
-bool is_list_missing(const fs::path& folder) {
-  const RunRecordFile record(folder);
-  for (const auto& output : record.list("outputs"))
-    if (output == kFrameList) return !fs::is_regular_file(folder / kFrameList);
-  return false;
-}
-
 }  // namespace
+
+std::string outputs_gone(const fs::path& folder) {
+  if (!fs::is_regular_file(folder / kRecord)) return {};
+  Faults gone;
+  const RunRecordFile record(folder);
+  for (const auto& output : record.at("output_sha256").items())
+    if (fs::path(output.key()).extension() != ".svg" && !fs::is_regular_file(folder / output.key()))
+      gone.add(output.key());
+  if (gone.count == 0) return {};
+  return fmt::format("{} of its results {} gone; the first: {}", counted(gone.count, "file"),
+                     gone.count == 1 ? "is" : "are", gone.first);
+}
 
 FrameState frames_of(const fs::path& folder) {
   FrameState state;
@@ -63,11 +56,8 @@ FrameState frames_of(const fs::path& folder) {
   if (unreadable.count > 0)
     state.fault = fmt::format("{} of {} cannot be read; the first: {}", unreadable.count,
                               counted(frames.size(), "frame"), unreadable.first);
-  else if (const Faults missing = missing_files(folder); missing.count > 0)
-    state.fault = fmt::format("{} of its frames {} gone; the first: {}", counted(missing.count, "file"),
-                              missing.count == 1 ? "is" : "are", missing.first);
-  else if (is_list_missing(folder))
-    state.fault = fmt::format("the list of its frames, {}, is gone", kFrameList);
+  else
+    state.fault = outputs_gone(folder);
   return state;
 }
 
