@@ -116,7 +116,7 @@ class Newton {
       const double left = is_rough ? kForcing * residual(problem_, tried_) : 0;
       auto forces = system().solve(right, tried_.forces, std::max(kInner * problem_.goal, left));
       if (!forces) return false;
-      const double before = change(map);
+      const double before = merit(map);
       const bool is_whole = go_towards(tried(problem_, *std::move(forces)), before, proximal);
       keep_best();
       if (is_solved() && (is_whole || was_solved)) return true;
@@ -125,7 +125,7 @@ class Newton {
       const std::size_t changes = different(grips, map.grips);
       if (is_whole && changes == 0 && !is_rough) return true;
       if (!is_rough && change(map) <= goal) return true;
-      rises = change(map) < before ? 0 : rises + 1;
+      rises = merit(map) < before ? 0 : rises + 1;
       if (i == 0) first_changes = changes;
       const bool is_late = problem_.has_many() && i + 1 >= kSetsToSettle;
       if (is_unique_ ? problem_.has_many() && rises >= kMostRises
@@ -142,6 +142,14 @@ class Newton {
   // Returns the residual of the natural map: its largest change of the forces tried.
   double change(const NaturalMap& map) const { return (map.forces - tried_.forces).cwiseAbs().maxCoeff(); }
 
+  // Returns the residual that a line search reduces. In statics of very many pairs it is the energy of the change: the
+  // largest change belongs to one pair, which would shorten the steps of all others.
+  double merit(const NaturalMap& map) const {
+    const bool is_static = problem_.scale.size() > 0;
+    if (!is_static || !problem_.has_very_many()) return change(map);
+    return std::sqrt((map.forces - tried_.forces).cwiseAbs2().dot(problem_.compliance()));
+  }
+
   // Moves to the forces of an active set. Under springs, which make normal forces unique, it halves the step until the
   // residual has fallen enough. Otherwise it takes the step with the smallest residual: Newton's method for a map with
   // kinks (Pang 1990). Friction may still have several solutions; short steps end at the nearest one.
@@ -156,7 +164,7 @@ class Newton {
     double least = std::numeric_limits<double>::infinity();
     for (double part = 1; part >= std::exp2(-kHalvingsOfWay); part /= 2) {
       tried_ = {from.forces + part * (full.forces - from.forces), from.y + part * (full.y - from.y)};
-      const double left = change(natural_map(problem_, tried_, proximal));
+      const double left = merit(natural_map(problem_, tried_, proximal));
       if (left < least) {
         least = left;
         best_part = part;

@@ -247,6 +247,12 @@ inline constexpr double kFarthestOfSettling = 1e-3;
 // forces of the glue, as in walls. Near the limit of strength such long steps would jump between equilibria.
 inline constexpr double kHeld = 0.25;
 inline constexpr double kGrowthOfHeld = 16;
+// Such a scene of very many pairs is a large wall. Longer steps take most of the linear systems of its start, and move
+// it hardly more. Steps after the search anew are short, since they only have to show that the wall is at rest. Forces
+// of a step need to be no better than kOfShare of the last step's fraction of free motion.
+inline constexpr double kLongestOfWall = 16384;
+inline constexpr double kLastOfWall = 4096;
+inline constexpr double kOfShare = 0.01;
 // A step is a stall unless its fraction of free motion is below kStalls of the least so far. A scene that stalls
 // kMostStalls times in a row has no equilibrium near by, and moves. It then begins where it was before the stalls.
 inline constexpr double kStalls = 0.95;

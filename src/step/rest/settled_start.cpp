@@ -47,6 +47,7 @@ class Settling {
       found_ = faces;
       moved_ = {};
       searches_anew_ = false;
+      share_of_wall_ = 0;
       dissolve(longest);
     }
     motion_.v = velocities_;
@@ -112,9 +113,16 @@ class Settling {
       const bool is_settling = share <= of_settled_start::kSettles * std::min(1.0, before_share);
       const bool is_held = first_share <= of_settled_start::kHeld;
       if (is_near || is_settling) stiffness *= is_held ? of_settled_start::kGrowthOfHeld : of_settled_start::kGrowth;
-      stiffness = std::min(stiffness, longest);
+      share_of_wall_ = is_held && found_.size() > FrictionalProblem::kVeryManyPairs ? share : 0;
+      stiffness = std::min({stiffness, longest, longest_of_wall()});
     }
     return 0;
+  }
+
+  // Returns the limit of the next step of a large wall.
+  double longest_of_wall() const {
+    if (share_of_wall_ == 0) return of_settled_start::kLongest;
+    return searches_anew_ ? of_settled_start::kLastOfWall : of_settled_start::kLongestOfWall;
   }
 
   // Returns true if each block moved as far as in the step before. Bodies without equilibrium then slide or fall under
@@ -178,8 +186,9 @@ class Settling {
       leave_overlaps(scene_, motion_, scales_, found_);
     }
     const bool are_very_many = found_.size() > FrictionalProblem::kVeryManyPairs;
-    const double goal = are_very_many ? of_settled_start::kForceTolerance : of_settled_start::kForceGoal;
-    const ForceTolerance tolerance{goal * scales_.force, of_settled_start::kForceTolerance * scales_.force,
+    const double good = std::max(of_settled_start::kForceTolerance, of_settled_start::kOfShare * share_of_wall_);
+    const double goal = are_very_many ? good : of_settled_start::kForceGoal;
+    const ForceTolerance tolerance{goal * scales_.force, good * scales_.force,
                                    of_settled_start::kForceTolerated * scales_.force};
     SmoothMotion made = smooth_solve(scene_, motion_, loads_, found_, tolerance, -1, 1, rule);
     for (int search = 1; search < of_settled_start::kMostSearches && made.converged; ++search) {
@@ -246,6 +255,7 @@ class Settling {
   Touches found_;
   bool searches_anew_ = false;  ///< as the run will, once the contacts of the drawing are at rest
   UnknownsTable moved_;         ///< in the last step that was solved
+  double share_of_wall_ = 0;    ///< of free motion, in the last step of a large wall
   int unsolved_ = 0;
 };
 
