@@ -78,12 +78,13 @@ bool is_declaration(const std::vector<std::string>& lines, std::size_t i) {
 std::string class_begun(const std::string& line) {
   const std::size_t first = line.find_first_not_of(' ');
   if (first == std::string::npos || !line.ends_with('{')) return {};
-  for (const std::string_view word : {"class ", "struct "}) {
+  for (const std::string_view word : {"class KEYBLOCK_API ", "class ", "struct KEYBLOCK_API ", "struct "}) {
     if (!std::string_view(line).substr(first).starts_with(word)) continue;
     const std::size_t from = first + word.size();
     std::size_t to = from;
-    while (to < line.size() && is_word(line[to])) ++to;
-    return line.substr(from, to - from);
+    while (to < line.size() && (is_word(line[to]) || line[to] == ':')) ++to;
+    const std::string name = line.substr(from, to - from);  // Outer::Inner where it stands apart
+    return name.substr(name.rfind(':') + 1);
   }
   return {};
 }

@@ -221,7 +221,7 @@ class Strength:
     stands: largest factor at which the case is stable, or None. falls: smallest factor at which it is unstable, or None.
     end: bracketed, falls, stands, undecided or stopped. trials: list of Trial. notes: sentences. warnings: list of Warning.
     standing: Frame of the equilibrium at `stands`. falling: Frame at `falls`: the end of the search, out of balance, or an
-    equilibrium far from the drawing. Each is None if the search has none; neither has contacts.
+    equilibrium far from the drawing. Each stays None if the search has none; neither has contacts.
     """
 
     def __init__(self, found: _keyblock.Strength, units: tuple[str, ...]) -> None:

@@ -88,9 +88,8 @@ class RunFolder {
   /// results are flushed to the disk first.
   void remove_checkpoint();
 
-  /// Writes a frame at once: its .vtu, with `field` if that has elements, and .vtp files of contacts and bolts if there
-  /// are any. Appends their rows to contacts.csv, joints.csv, joint_lines.csv and bolts.csv. Writes fields.pvd at
-  /// intervals.
+  /// Writes the files of a frame at once, with `field` if that has elements. Appends rows to contacts.csv, joints.csv,
+  /// joint_lines.csv and bolts.csv. Writes fields.pvd at intervals.
   void add(const Frame& frame, FieldFrame field = {}, const ContactFrames& contacts = {});
 
   /// Selects the output of contacts, before the first frame.

@@ -59,6 +59,41 @@ std::vector<std::vector<int>> joints_of_edges(const Model& model) {
   return joints;
 }
 
+// Tables that grow with each history and each measured point. The warning comes before the run, which may be long.
+Warnings large_tables(const Prepared& prepared, const Followed& followed, const RunJobOptions& options) {
+  constexpr double kMegabyte = 1e6;
+  constexpr double kLarge = 100;         // megabytes
+  constexpr double kBytesOfPoint = 170;  // of one instant, in history.csv and points.csv
+  const int steps = prepared.scene.settings.step_count;
+  const double points = static_cast<double>(prepared.scene.model.measured_points.size());
+  const double rows = 1.0 + steps / stride_of(steps);
+  const double of_points = points * kBytesOfPoint * rows / kMegabyte;
+  const double of_histories = followed.bytes_of_row() * rows / kMegabyte;
+  if (of_points + of_histories < kLarge) return {};
+  return {{"tables_large", options.place,
+           fmt::format("tables of histories and measured points will take about {:.2g} MB: histories.csv {:.2g} MB of "
+                       "{} histories, "
+                       "history.csv and points.csv {:.2g} MB of {}",
+                       of_points + of_histories, of_histories, options.outputs.histories.size(), of_points,
+                       counted(prepared.scene.model.measured_points.size(), "measured point"))}};
+}
+
+Warnings thinned_tables(const RunFolder& folder, const RunJobOptions& options) {
+  if (folder.frame_tables().thinned_every() < 2) return {};
+  return {{"contacts_thinned", options.place,
+           fmt::format("contacts.csv, joints.csv and joint_lines.csv would have {:.3g} rows and more; beyond {:g} they "
+                       "hold one frame of "
+                       "{} (--contacts all: every frame; none or chosen: less)",
+                       folder.frame_tables().expected_rows(), kMostContactRows,
+                       options.outputs.contacts_every * folder.frame_tables().thinned_every())}};
+}
+
+RunTables tables_of(const History& history, const RunRecord& record, const LedgerScope& scope) {
+  const Ledger ledger{scope, record.ledger.rows()};
+  return {history, step_table_csv(record.steps.rows(), record.units),
+          ledger.rows.empty() ? std::string() : ledger_csv(ledger, record.ledger_sums, record.units)};
+}
+
 }  // namespace
 
 RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, RunJobOptions options, Archive* saved)
@@ -78,7 +113,8 @@ RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, R
   record_.steps = StepRows(stride);
   record_.ledger = LedgerRows(stride);
   choose_outputs();
-  record_.warnings = joined(joined(record_.warnings, followed_.of_distant_pairs()), large_tables());
+  record_.warnings =
+      joined(joined(record_.warnings, followed_.of_distant_pairs()), large_tables(prepared_, followed_, options_));
 }
 
 void RunJob::choose_outputs() {
@@ -106,35 +142,6 @@ void RunJob::stop_if_met(const Stepper& stepper) {
   if (!criterion_met_.empty()) context().stop();
 }
 
-// Tables that grow with each history and each measured point. The warning comes before the run, which may be long.
-Warnings RunJob::large_tables() const {
-  constexpr double kMegabyte = 1e6;
-  constexpr double kLarge = 100;         // megabytes
-  constexpr double kBytesOfPoint = 170;  // of one instant, in history.csv and points.csv
-  const int steps = prepared_.scene.settings.step_count;
-  const double points = static_cast<double>(prepared_.scene.model.measured_points.size());
-  const double rows = 1.0 + steps / stride_of(steps);
-  const double of_points = points * kBytesOfPoint * rows / kMegabyte;
-  const double of_histories = followed_.bytes_of_row() * rows / kMegabyte;
-  if (of_points + of_histories < kLarge) return {};
-  return {{"tables_large", options_.place,
-           fmt::format("tables of histories and measured points will take about {:.2g} MB: histories.csv {:.2g} MB of "
-                       "{} histories, "
-                       "history.csv and points.csv {:.2g} MB of {}",
-                       of_points + of_histories, of_histories, options_.outputs.histories.size(), of_points,
-                       counted(prepared_.scene.model.measured_points.size(), "measured point"))}};
-}
-
-Warnings RunJob::remarks_on_outputs() const {
-  if (folder_.frame_tables().thinned_every() < 2) return {};
-  return {{"contacts_thinned", options_.place,
-           fmt::format("contacts.csv, joints.csv and joint_lines.csv would have {:.3g} rows and more; beyond {:g} they "
-                       "hold one frame of "
-                       "{} (--contacts all: every frame; none or chosen: less)",
-                       folder_.frame_tables().expected_rows(), kMostContactRows,
-                       options_.outputs.contacts_every * folder_.frame_tables().thinned_every())}};
-}
-
 void RunJob::open() {
   if (saved_ == nullptr) return folder_.begin(bytes_before_steps(request_));
   if (holds_steps(*saved_)) {
@@ -147,27 +154,17 @@ void RunJob::open() {
   folder_.drop_what_followed();
 }
 
-std::optional<int> RunJob::steps_before() const {
-  return steps_before_;
-}
-
 void RunJob::write_checkpoint(Stepper& stepper) {
   if (!context().is_stopped() && !clock_.is_due()) return;
   folder_.write_checkpoint(saved_bytes(request_, folder_, history_, record_, watch_, followed_, stepper));
   clock_.written();
 }
 
-RunTables RunJob::tables(const LedgerScope& scope) const {
-  const Ledger ledger{scope, record_.ledger.rows()};
-  return {history_, step_table_csv(record_.steps.rows(), record_.units),
-          ledger.rows.empty() ? std::string() : ledger_csv(ledger, record_.ledger_sums, record_.units)};
-}
-
 // Whole files are written each time, so the pause before the next is long in a long run.
 void RunJob::write_tables(const LedgerScope& scope) {
   const auto begun = std::chrono::steady_clock::now();
   if (begun < tables_due_) return;
-  folder_.write_tables(tables(scope));
+  folder_.write_tables(tables_of(history_, record_, scope));
   const auto ended = std::chrono::steady_clock::now();
   tables_due_ = ended + std::max<std::chrono::steady_clock::duration>(kTablesEvery, kLeastPause * (ended - begun));
 }
@@ -306,26 +303,21 @@ std::vector<SupportRecord> supports_of(const Frame& start, const Model& model) {
 
 }  // namespace
 
-// Adds warnings to the record and judges the run.
-void RunJob::judge() {
+std::string RunJob::finish(const std::string& title, double seconds) {
+  record_.timings.run = to_microseconds(seconds);
   const Place& place = options_.place;
   record_.warnings = joined(record_.warnings, watch_.warnings(place));
   record_.extremes = folder_.extremes(record_.outcome.field);
   record_.plastic = plastic_extremes_of(folder_.last_frame());
   record_.reactions = reaction_curves(history_);
-  record_.warnings = joined(record_.warnings, remarks_on_outputs());
+  record_.warnings = joined(record_.warnings, thinned_tables(folder_, options_));
   record_.warnings = joined(record_.warnings, followed_.of_nothing());
   keyblock::judge(record_, prepared_, watch_, folder_.first_frame(), folder_.last_frame(), place);
-}
-
-std::string RunJob::finish(const std::string& title, double seconds) {
-  record_.timings.run = to_microseconds(seconds);
-  judge();
   record_.held = held_blocks(folder_.last_frame());
   record_.names = options_.names;
   record_.supports = supports_of(folder_.first_frame(), prepared_.scene.model);
   record_.left_out = folder_.finish({title,
-                                     tables(record_.outcome.ledger_scope),
+                                     tables_of(history_, record_, record_.outcome.ledger_scope),
                                      record_.traced,
                                      {record_.outcome.ledger_scope, record_.ledger.rows()},
                                      record_.outcome.field,

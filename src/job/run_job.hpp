@@ -50,19 +50,18 @@ class RunJob {
   /// Makes the folder with the request, or restores the checkpoint. Throws UsageError, InputError.
   void open();
   /// Returns the number of steps in the checkpoint; nothing for a new run.
-  std::optional<int> steps_before() const;
+  std::optional<int> steps_before() const { return steps_before_; }
 
   /// Calls `on_step` for each step. Returns false if the run was stopped before its first step: there is no report
   /// then, and `--resume` begins again. Throws InputError if the run cannot start; a folder that it made is removed.
   bool run(const std::function<void(const StepReport&)>& on_step);
 
-  /// Do the same step by step: `start`, `step` until it returns false, `end`. `start` throws StopRequested too.
+  /// The same in steps: `start`, which throws StopRequested, `step` until false, `end`.
   void start(RunCalls calls);
   bool step();
   void end();
   /// Ends the run after the last step, with a checkpoint. `why` becomes `ended_early` in run.json.
   void end_early(const std::string& why);
-  /// Returns the stepper of the run, after `start`. It needs the plan alone.
   std::shared_ptr<Stepper> stepper() const { return stepper_; }
 
   /// Writes all results and the record; returns the record as JSON.
@@ -75,14 +74,10 @@ class RunJob {
   template <class Work>
   void taking_back(const Work& work);
   void write_checkpoint(Stepper& stepper);
-  RunTables tables(const LedgerScope& scope) const;
   void write_tables(const LedgerScope& scope);
-  void judge();
   void follow(const Stepper& stepper);
   void stop_if_met(const Stepper& stepper);
   void choose_outputs();
-  Warnings large_tables() const;
-  Warnings remarks_on_outputs() const;
 
   const Prepared& prepared_;
   RunRecord record_;

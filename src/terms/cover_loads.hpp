@@ -25,7 +25,8 @@ class ChangingLoads {
  public:
   ChangingLoads(const Continuum& continuum, const CoverBasis& basis);
 
-  /// Adds ∫ Tᵀ t at a time to the loads on the unknowns, two per function. Throws InputError if a formula is not finite.
+  /// Adds ∫ Tᵀ t at a time to the loads on the unknowns, two per function. Throws InputError if a formula is not
+  /// finite.
   void add(double time, Eigen::VectorXd& loads) const;
 
  private:
@@ -43,7 +44,8 @@ class ChangingLoads {
   std::vector<Side> sides_;
 };
 
-/// Returns the resultant of all forces that do not depend on displacement or time: on areas, along boundaries, at points.
+/// Returns the resultant of all forces that do not depend on displacement or time: on areas, along boundaries, at
+/// points.
 Resultant sum_of_loads(const Continuum& continuum, int degree);
 
 /// Adds Tᵀ F to f.

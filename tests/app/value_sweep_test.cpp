@@ -88,6 +88,39 @@ TEST(ValueSweep, times_and_factors_of_safety_have_no_tails_of_round_off) {
   }
 }
 
+TEST(ValueSweep, files_of_the_user_are_neither_removed_nor_replaced) {
+  const std::string folder = fresh_folder("value_sweep_foreign");
+  const std::string file = slope_in(folder);
+  const Words words{"sweep", file, "--over", "steps=5,6", "-o", folder + "/out"};
+  fs::create_directories(folder + "/out/jobs");
+  write_text(folder + "/out/jobs/mine", "x");
+  write_text(folder + "/out/journal-2024.jsonl", "{}\n");
+  const ProgramRun foreign = run_keyblock(words + Words{"--force"});
+  EXPECT_EQ(foreign.exit_code, 2) << foreign.messages;
+  EXPECT_TRUE(contains(foreign.messages, "is no journal of a sweep")) << foreign.messages;
+  EXPECT_TRUE(fs::exists(folder + "/out/journal-2024.jsonl"));
+
+  fs::remove(folder + "/out/journal-2024.jsonl");
+  write_text(folder + "/out/times.csv", "mine");
+  EXPECT_EQ(run_keyblock(words + Words{"--shard", "1/2"}).exit_code, 2);
+  EXPECT_EQ(read_text(folder + "/out/times.csv"), "mine");
+
+  fs::remove_all(folder + "/out");
+  ASSERT_EQ(run_keyblock(words).exit_code, 0);
+  write_text(folder + "/out/jobs/mine", "x");
+  EXPECT_EQ(run_keyblock(words + Words{"--force"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder + "/out/jobs/mine")) << "a sweep removes its own jobs alone";
+}
+
+TEST(ValueSweep, a_factor_that_is_only_a_bound_is_no_finished_row) {
+  const std::string folder = fresh_folder("value_sweep_bound");
+  const std::string file = slope_in(folder);
+  const ProgramRun made = run_keyblock({"sweep", file, "--over", "/analysis/joint_materials/0/friction_angle_deg=89.9",
+                                        "--out", "displacement,fos", "-o", folder + "/out"});
+  EXPECT_EQ(made.exit_code, 1) << made.output;
+  EXPECT_TRUE(contains(made.output, ",stands,")) << made.output;
+}
+
 TEST(ValueSweep, a_longer_grid_computes_what_is_missing) {
   const std::string folder = fresh_folder("value_sweep_longer");
   const std::string file = slope_in(folder);

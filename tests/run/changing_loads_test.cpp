@@ -1,4 +1,4 @@
-// Tractions on NMM bodies that change over time, beside theory and beside a block; what the scene cannot take is refused.
+// Tractions on NMM bodies that change over time, beside theory and beside a block; scenes without a time refuse them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

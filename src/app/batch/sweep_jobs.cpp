@@ -201,7 +201,8 @@ bool SweepJob::find_safety(const SweepOutput& output) {
   if (!Json::accept(text)) refuse_without(answer, folder_ / (output.name + ".log"));
   result_.out[output.name] = study::value_of_fos(text);
   const std::string end = Json::parse(text).value("end", "bracketed");
-  if (!has(SweepSource::run) && end != "bracketed") result_.verdict = end;
+  const bool is_good_so_far = result_.verdict.empty() || result_.verdict == "finished";
+  if (is_good_so_far && end != "bracketed") result_.verdict = end;
   return true;
 }
 

@@ -130,11 +130,23 @@ void require_no_larger_table(const fs::path& folder, const std::vector<std::stri
                                  counted(static_cast<std::size_t>(lost), "run")));
 }
 
+bool has_files_of_sweep(const fs::path& folder) {
+  return std::ranges::any_of(kFiles, [&](const char* name) { return fs::exists(folder / name); });
+}
+
 void remove_sweep(const fs::path& folder) {
+  const std::vector<fs::path> journals = journals_in(folder);
+  for (const fs::path& journal : journals)
+    if (study::read_sweep_journal(formats::load(journal.string()).text).task.empty())
+      throw UsageError(fmt::format("{} is no journal of a sweep; give another folder", journal.string()));
+  if (journals.empty()) return;
   std::error_code ignored;
-  if (journals_in(folder).empty()) return;
-  for (const fs::path& journal : journals_in(folder)) fs::remove(journal, ignored);
-  fs::remove_all(folder / "jobs", ignored);
+  std::vector<fs::path> jobs;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "jobs", ignored))
+    if (study::is_job_name(entry.path().filename().string())) jobs.push_back(entry.path());
+  for (const fs::path& job : jobs) fs::remove_all(job, ignored);
+  fs::remove(folder / "jobs", ignored);  // stays if it holds something else
+  for (const fs::path& journal : journals) fs::remove(journal, ignored);
   for (const char* name : kFiles) fs::remove(folder / name, ignored);
 }
 

@@ -32,7 +32,10 @@ ExitCode print_sweep(const ValueSweepOptions& options, const study::SweepTable& 
 /// Throws UsageError if table.csv in the folder has runs that are not among `jobs`.
 void require_no_larger_table(const std::filesystem::path& folder, const std::vector<std::string>& jobs);
 
-/// Removes the results of an earlier sweep, and nothing else.
+/// Returns true if the folder has a table, a picture or a record by a name that sweeps use.
+bool has_files_of_sweep(const std::filesystem::path& folder);
+
+/// Removes the results of an earlier sweep, and nothing else. Throws UsageError if a journal is not one of a sweep.
 void remove_sweep(const std::filesystem::path& folder);
 
 }  // namespace keyblock

@@ -182,9 +182,10 @@ ReadySweep ready(const ValueSweepOptions& options) {
   return sweep;
 }
 
-/// Refuses a folder that holds something else. A shard may come first.
+/// Refuses a folder that holds something else. A shard may come first, beside files of its own choice.
 void require_sweep_folder(const fs::path& folder, const Shard& shard) {
-  if (shard.is_whole() && journals_in(folder).empty() && !is_free(folder))
+  if (!journals_in(folder).empty()) return;
+  if (shard.is_whole() ? !is_free(folder) : has_files_of_sweep(folder))
     throw UsageError(fmt::format("{} holds something that is no sweep; give another folder", folder.string()));
 }
 

@@ -15,8 +15,8 @@ namespace keyblock {
 /// its edges.
 void put_edge_loads(Model& model, const LoadList& loads);
 
-/// Returns warnings of chains that lie partly off all edges. `scenes`: those of a run, in sequence. Throws InputError for
-/// a chain on no edge, and for a load on an NMM body that changes over time where the scene permits none.
+/// Returns warnings of chains that lie partly off all edges. `scenes`: those of a run, in sequence. Throws InputError
+/// for a chain on no edge, and for a load on an NMM body that changes over time where the scene permits none.
 Warnings look_at_loads(const LoadList& loads, const std::vector<const Scene*>& scenes);
 
 }  // namespace keyblock

@@ -37,23 +37,19 @@ class CoverScene : public Groundwork {
   const WholeBody& body_at_start(ElementIndex e) const;
   const std::vector<WholeBody>& at_start() const { return at_start_; }
   double size() const { return size_; }  ///< of the largest body
-  /// Returns √(E/ρ) over the size of the largest body, the smallest among the materials. It is the frequency of a
-  /// stretching wave through that body, about that of the first mode of a stout body.
+  /// Returns the smallest √(E/ρ) over the size of the largest body: about the frequency of its first mode.
   double slow_frequency() const { return slow_frequency_; }
 
-  /// Returns the initial velocities of the materials as rigid motions about the mass centres.
+  /// Returns those of the materials as rigid motions about the mass centres.
   Eigen::VectorXd start_velocity() const;
-  /// Returns v times the velocity fraction that the material of each body keeps from step to step.
-  Eigen::VectorXd carried_over(Eigen::VectorXd v) const;
-  /// Returns the weight of the materials, with constant tractions and support loads of the problem.
+  Eigen::VectorXd carried_over(Eigen::VectorXd v) const;  ///< v times the fraction that each body keeps per step
+  /// Returns the weight, with constant tractions and support loads.
   const Eigen::VectorXd& weight() const { return weight_; }
-  /// Adds the tractions that change over time.
   void add_changing_loads(double time, Eigen::VectorXd& loads) const { changing_.add(time, loads); }
-  /// Returns the force of the initial stress on the unknowns.
   const Eigen::VectorXd& initial_force() const { return initial_force_; }
   /// Returns true if supports of the problem, apart from fixed points, hold a body.
   bool has_supports() const;
-  /// Returns true if such supports hold the piece of an NMM element. Cracks divide bodies into pieces.
+  /// Returns true if such supports hold the piece of an NMM element.
   bool is_supported(ElementIndex e) const { return supported_[static_cast<std::size_t>(e.value - first_.value)]; }
   /// Returns M times a uniform field.
   Eigen::VectorXd inertia_of(Point acceleration) const;
@@ -68,8 +64,8 @@ class CoverScene : public Groundwork {
   std::vector<WholeBody> whole(const Eigen::VectorXd& d, const Eigen::VectorXd& forces) const;
   Eigen::VectorXd momentum(const Eigen::VectorXd& v) const { return bodies_.mass.times(v); }  ///< M v
   static double top_speed(const Eigen::VectorXd& v);
-  /// Returns the size of the motion that unknowns cause, without sign. These are the unknowns themselves. If unknowns
-  /// may depend on each other, and be large without motion, these are the displacements of all element corners instead.
+  /// Returns the size of the motion that unknowns cause: themselves, or the displacements of all corners if unknowns
+  /// may depend on each other, and be large without motion.
   Eigen::VectorXd felt(const Eigen::VectorXd& unknowns) const;
   /// Returns the greatest force on a body: the sum of magnitudes over its functions, regardless of direction.
   double largest_load(const Eigen::VectorXd& forces) const;

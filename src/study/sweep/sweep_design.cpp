@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kDigitsOfJob = 16;
+
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -132,8 +134,11 @@ std::vector<SweepRow> rows_of_file(const std::string& name, const std::string& t
 }
 
 std::string job_name(const SweepRow& row) {
-  constexpr std::size_t kDigits = 16;
-  return sha256(row.dump(-1, ' ', false, Json::error_handler_t::replace)).substr(0, kDigits);
+  return sha256(row.dump(-1, ' ', false, Json::error_handler_t::replace)).substr(0, kDigitsOfJob);
+}
+
+bool is_job_name(std::string_view name) {
+  return name.size() == kDigitsOfJob && name.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
 }  // namespace keyblock::study

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "study/sweep/varied_key.hpp"
@@ -38,5 +39,6 @@ std::vector<SweepRow> rows_of_file(const std::string& name, const std::string& t
 
 /// Returns the name of a job: letters and digits that depend on the values of the row alone.
 std::string job_name(const SweepRow& row);
+bool is_job_name(std::string_view name);
 
 }  // namespace keyblock::study
