@@ -10,10 +10,12 @@ import signal
 import statistics
 import subprocess
 import sys
+import threading
 import time
 import unittest
 from fractions import Fraction
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
@@ -54,6 +56,25 @@ class Pools(Folder):
                          [("signal", signal.SIGSEGV), ("time_limit", signal.SIGKILL), ("error", 0), ("signal", signal.SIGKILL)])
         self.assertEqual(found[4].message, "ValueError: no such thing")
         self.assertTrue(math.isnan(float(found[1])))
+
+    def test_pools_of_two_threads_do_not_wait_for_each_other(self):
+        fork, ends, delays = os.fork, {}, iter((0.6, 0.1))
+
+        def slow_fork():  # the second child is made while the first pipe is open, unless starts take turns
+            time.sleep(next(delays))
+            return fork()
+
+        def wait(seconds):
+            with kb.Pool(jobs=1) as pool:
+                list(pool.map(time.sleep, [seconds]))
+            ends[seconds] = time.monotonic()
+        with mock.patch("os.fork", slow_fork):
+            threads = [threading.Thread(target=wait, args=(seconds,)) for seconds in (0, 3)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+        self.assertGreater(ends[3] - ends[0], 1.5)
 
     def test_a_signal_without_a_name_is_one_result(self):
         with kb.Pool(jobs=1) as pool:
