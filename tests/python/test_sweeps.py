@@ -15,6 +15,7 @@ import time
 import unittest
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
 from unittest import mock
 
 import numpy as np
@@ -171,6 +172,17 @@ class Sweeps(Folder):
         self.assertGreater(row["fos"], 0)
         self.assertGreater(row["displacement"], 0)
 
+    def test_a_search_without_a_bracket_is_no_finished_row(self):
+        found = SimpleNamespace(end="stands", stands=64.0)
+        with mock.patch("keyblock._sweeps.factor_of_safety", lambda *_, **__: found):
+            for out in (["fos"], ["fos", "steps"], ["steps", "fos"]):
+                row = kb._sweeps._row(slide(), {"steps": 2}, out, None, None, ())
+                self.assertEqual((row["verdict"], row["fos"]), ("stands", 64))
+
+    def test_a_function_has_the_histories(self):
+        row, = kb.sweep(slide(), {"steps": [2]}, out=lambda run: len(run.history("top")["time"]), history=["top=block:2"])
+        self.assertEqual((row["verdict"], row["out"]), ("finished", 3), row)
+
     def test_measured_points_count_from_1(self):
         for name in ("point0.dx", "point00.dx", "point².dx"):
             with self.assertRaisesRegex(ValueError, "number of a measured point"):
@@ -221,6 +233,16 @@ class Sweeps(Folder):
         self.assertEqual([list(t["out"]) for t in (second, third)], [list(first["out"])] * 2)
         with self.assertRaises(kb.Error):
             kb.sweep(slide(), over, out=lambda run: 1, settings={"steps": 3}, folder="rows")
+
+    def test_a_longer_time_limit_computes_late_rows_anew(self):
+        def counted(run):
+            with open(self.folder / "count", "a") as file:
+                file.write("x")
+            time.sleep(60 if len((self.folder / "count").read_text()) == 1 else 0)
+            return 1
+        for limit, verdict, count in ((1, "time_limit", 1), (1, "time_limit", 1), (30, "finished", 2), (40, "finished", 2)):
+            row, = kb.sweep(slide(), {"steps": [2]}, out=counted, folder="rows", time_limit=limit)
+            self.assertEqual((row["verdict"], len((self.folder / "count").read_text())), (verdict, count))
 
     def test_rows_of_another_function_are_refused(self):
         def times(factor):
