@@ -10,6 +10,7 @@ import resource
 import selectors
 import signal
 import sys
+import threading
 import time
 import traceback
 from dataclasses import dataclass
@@ -42,6 +43,9 @@ def _name_of(number: int) -> str:
         return signal.Signals(number).name
     except ValueError:
         return f"signal {number}"
+
+
+_starting = threading.Lock()  # a child of one thread must not inherit the write end of another: its pipe would not end
 
 
 class _Job:
@@ -124,14 +128,16 @@ class Pool:
                 self._end(job)
 
     def _start(self, index: int, function: Callable[[Any], Any], item: Any) -> int:
-        read_end, write_end = os.pipe()
         sys.stdout.flush()
         sys.stderr.flush()
-        pid = os.fork()
+        with _starting:  # the child leaves it too
+            read_end, write_end = os.pipe()
+            pid = os.fork()
+            if pid != 0:
+                os.close(write_end)
         if pid == 0:
             os.close(read_end)
             self._work(write_end, function, item)
-        os.close(write_end)
         job = _Job(index, pid, read_end, self.time_limit)
         self._running[pid] = job
         self._selector.register(read_end, selectors.EVENT_READ, job)

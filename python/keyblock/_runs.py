@@ -19,7 +19,8 @@ from ._records import Results
 class Run:
     """Steps of a case, made one at a time. Nothing is printed, and nothing is written unless `record` made the run.
 
-    case: a Case, a Plan, or the path of a case. profile, settings, history: see Plan. threads: see Context. load: a function of
+    case: a Case, a Plan, or the path of a case. profile, settings, history: see Plan. threads: see Context; not
+    beside a context. load: a function of
     time that returns the acceleration (ax, ay) of a force per mass on every block. It is called once per step of the
     plan, before the run. Its values go to the setting `body_acceleration_file`.
 
@@ -31,6 +32,8 @@ class Run:
     def __init__(self, case: Case | Plan | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
                  threads: int | None = None, context: _keyblock.Context | None = None, history: Iterable[str] = (),
                  load: Callable[[float], tuple[float, float]] | None = None) -> None:
+        if context is not None and threads is not None:
+            raise ValueError("threads: expected none beside a context, which has its own; give them to the Context")
         self.context = context or Context(threads)
         self.load_seconds = 0.0
         if load is not None:
@@ -183,7 +186,8 @@ class Run:
 
         The steps of this run are not used. Options are those of `record`. Step the new run by `go_on` or iteration. All
         results are in the folder when it has ended; `results` has them. A run that is dropped before its end leaves the
-        folder of an interrupted run.
+        folder of an interrupted run. The table of a `load` is a temporary file, which `resume` does not find later: for
+        a run to resume, name a file of your own in the setting `body_acceleration_file`.
         """
         run = recorded(self.plan.case, folder, self.plan._choices, every, [*self.plan._history, *history], force, pictures,
                        contacts, frames, checkpoint_every, context or Context(), self.plan)

@@ -217,7 +217,8 @@ def _check_outputs(out: Iterable[str], histories: Iterable[str]) -> None:
             raise ValueError(f"out: expected the number of a measured point, from 1, found {name}")
 
 
-def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, settings: Any) -> dict[str, Any]:
+def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, settings: Any,
+         history: Iterable[str]) -> dict[str, Any]:
     """Verdict, doubt and outputs of one row of a function: the work of a child."""
     keys = {k: v for k, v in values.items() if k.startswith("/")}
     names = {k: v for k, v in values.items() if not k.startswith("/")}
@@ -228,7 +229,7 @@ def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, setti
     case = case.with_values(keys)
     row: dict[str, Any] = {"verdict": "", "doubt": ""}
     if callable(out) or any(name in _OUTPUTS for name in out):
-        run = Run(case, profile, settings)
+        run = Run(case, profile, settings, history=history)
         outcome = run.go_on()
         row["verdict"] = outcome.end
         row["doubt"] = outcome.reason or (outcome.doubts[0].sentence if outcome.doubts else "")
@@ -247,7 +248,9 @@ def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, setti
         except _keyblock.Error as error:  # such as fos_rock of a case whose rock has no strength: other outputs stay
             row.update({"verdict": "error", "doubt": str(error), name: float("nan")})
             continue
-        row["verdict"] = row["verdict"] or ("finished" if found.end == "bracketed" else found.end)
+        if found.end != "bracketed" and row["verdict"] in ("", "finished"):  # the number beside it is no factor
+            row["verdict"] = found.end
+        row["verdict"] = row["verdict"] or "finished"
         row[name] = found.stands if found.stands is not None else float("nan")
     return row
 
@@ -291,7 +294,9 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     are the work of the program `keyblock sweep`, and give its table. history: quantities to follow, for `out`.
 
     folder: keeps the results of rows as they end; a second call with the same arguments computes the missing rows alone.
-    A folder refuses rows of another build of the library or of another function. Functions are compared by name, code,
+    A folder refuses rows of another case, settings or outputs, and of another version of the library. With functions it
+    also refuses those of another build or function, and a longer time limit computes rows anew that failed by a shorter
+    one. Functions are compared by name, code,
     defaults and enclosed values, but not by functions and variables of their module that they use.
     shard: "k/n" computes a part of the rows and returns these alone; a call with all folders' journals in one folder and no
     shard returns the whole table. client: a client of Dask; its workers start the child processes. They must see `folder`.
@@ -304,11 +309,11 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     if not keys:
         raise ValueError(f"over: expected at least one row with a key, found {over!r}")
     _check_names(keys, ())
+    history = list(history)
     is_even = all(len(row) == len(keys) for row in rows)  # the program needs the same keys in all rows
     if not callable(out):
         out = (out,) if isinstance(out, str) else tuple(out)
         _check_names(keys, out)
-        history = list(history)
         _check_outputs(out, [h.partition("=")[0] for h in history])
     if isinstance(case, Case) and not callable(out) and (is_even or joints is not None or not _is_plain(out)):
         if not is_even:
@@ -321,7 +326,7 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
         raise ValueError("joints: expected a case and outputs by name, found a function")
     if not callable(out) and not _is_plain(out):
         raise ValueError(f"out: expected some of {_plain_names()}, found {', '.join(out)}")
-    return _by_functions(case, rows, out, pool, profile, settings, folder, shard, client)
+    return _by_functions(case, rows, out, pool, profile, settings, folder, shard, client, history)
 
 
 def _is_plain(out: Iterable[str]) -> bool:
@@ -385,23 +390,25 @@ def _shard(program: str, texts: Mapping[str, str], command: list[str]) -> None:
 
 
 def _by_functions(case: Any, rows: list[dict[str, Any]], out: Any, pool: Pool, profile: str | None, settings: Any,
-                  folder: StrPath | None, shard: str | None, client: Any) -> Table:
+                  folder: StrPath | None, shard: str | None, client: Any, history: list[str]) -> Table:
     task: list[Any] = []
     if folder is not None:
         task = [case.json() if isinstance(case, Case) else _identity("case", case),
-                _identity("out", out) if callable(out) else out, profile, setting_pairs(settings)]
+                _identity("out", out) if callable(out) else out, profile, setting_pairs(settings), history]
     journal = _Journal(folder, shard, task)
     wanted = [i for i, row in enumerate(rows) if _is_of_shard(_name_of(row), shard)]
-    missing = [i for i in wanted if _name_of(rows[i]) not in journal.done]
+    longest = math.inf if pool.time_limit is None else pool.time_limit
+    missing = [i for i in wanted if _is_missing(journal.done.get(_name_of(rows[i])), longest)]
 
     def work(i: int) -> tuple[dict[str, Any], float]:
         began = time.perf_counter()
-        return _row(case, rows[i], out, profile, settings), round(time.perf_counter() - began, 3)
+        return _row(case, rows[i], out, profile, settings, history), round(time.perf_counter() - began, 3)
 
     with pool:
         for at, result in pool.unordered(work, missing) if client is None else _by_client(client, pool, work, missing):
             if isinstance(result, Failed):
-                result = ({"verdict": result.reason, "doubt": result.message}, float("nan"))
+                seconds = longest if result.reason == "time_limit" else float("nan")
+                result = ({"verdict": result.reason, "doubt": result.message}, seconds)
             journal.add(_name_of(rows[missing[at]]), result)
     done = [journal.done[_name_of(rows[i])] for i in wanted]
     columns: dict[str, None] = dict.fromkeys(["verdict", "doubt"])
@@ -475,7 +482,8 @@ class _Journal:
             if number == 1:
                 self._check_heading(path, entry)
             elif _is_entry(entry):
-                self.done[entry[0]] = entry[1]
+                if _is_missing(self.done.get(entry[0]), math.inf):
+                    self.done[entry[0]] = entry[1]
             else:
                 raise _keyblock.Error(f"{path}:{number}: error: expected a row of a sweep, found another text")
         if rest and path == self.path:
@@ -505,6 +513,11 @@ class _Journal:
     def _append(self, line: str) -> None:
         with open(self.path, "a", encoding="utf-8") as file:
             file.write(line + "\n")
+
+
+def _is_missing(row: Any, longest: float) -> bool:
+    """True if there is no row, or one that failed by a shorter time limit."""
+    return row is None or row[0].get("verdict") == "time_limit" and row[1] < longest
 
 
 def _is_entry(entry: Any) -> bool:

@@ -134,6 +134,10 @@ class Runs(Folder):
             with self.assertRaisesRegex(ValueError, "time_limit: expected"):
                 kb.Context(time_limit=wrong)
 
+    def test_threads_beside_a_context_are_refused(self):
+        with self.assertRaisesRegex(ValueError, "threads: expected none beside a context"):
+            kb.Run(slide(), threads=2, context=kb.Context())
+
     def test_a_load_is_a_function_of_time(self):
         still, pushed = kb.Run(slide(), "standard"), kb.Run(slide(), "standard", load=lambda t: (0.0, -9.81 * (t < 2)))
         still.go_on(), pushed.go_on()

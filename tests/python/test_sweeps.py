@@ -10,10 +10,13 @@ import signal
 import statistics
 import subprocess
 import sys
+import threading
 import time
 import unittest
 from fractions import Fraction
 from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
 
 import numpy as np
 
@@ -54,6 +57,25 @@ class Pools(Folder):
                          [("signal", signal.SIGSEGV), ("time_limit", signal.SIGKILL), ("error", 0), ("signal", signal.SIGKILL)])
         self.assertEqual(found[4].message, "ValueError: no such thing")
         self.assertTrue(math.isnan(float(found[1])))
+
+    def test_pools_of_two_threads_do_not_wait_for_each_other(self):
+        fork, ends, delays = os.fork, {}, iter((0.6, 0.1))
+
+        def slow_fork():  # the second child is made while the first pipe is open, unless starts take turns
+            time.sleep(next(delays))
+            return fork()
+
+        def wait(seconds):
+            with kb.Pool(jobs=1) as pool:
+                list(pool.map(time.sleep, [seconds]))
+            ends[seconds] = time.monotonic()
+        with mock.patch("os.fork", slow_fork):
+            threads = [threading.Thread(target=wait, args=(seconds,)) for seconds in (0, 3)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+        self.assertGreater(ends[3] - ends[0], 1.5)
 
     def test_a_signal_without_a_name_is_one_result(self):
         with kb.Pool(jobs=1) as pool:
@@ -150,6 +172,17 @@ class Sweeps(Folder):
         self.assertGreater(row["fos"], 0)
         self.assertGreater(row["displacement"], 0)
 
+    def test_a_search_without_a_bracket_is_no_finished_row(self):
+        found = SimpleNamespace(end="stands", stands=64.0)
+        with mock.patch("keyblock._sweeps.factor_of_safety", lambda *_, **__: found):
+            for out in (["fos"], ["fos", "steps"], ["steps", "fos"]):
+                row = kb._sweeps._row(slide(), {"steps": 2}, out, None, None, ())
+                self.assertEqual((row["verdict"], row["fos"]), ("stands", 64))
+
+    def test_a_function_has_the_histories(self):
+        row, = kb.sweep(slide(), {"steps": [2]}, out=lambda run: len(run.history("top")["time"]), history=["top=block:2"])
+        self.assertEqual((row["verdict"], row["out"]), ("finished", 3), row)
+
     def test_measured_points_count_from_1(self):
         for name in ("point0.dx", "point00.dx", "point².dx"):
             with self.assertRaisesRegex(ValueError, "number of a measured point"):
@@ -200,6 +233,16 @@ class Sweeps(Folder):
         self.assertEqual([list(t["out"]) for t in (second, third)], [list(first["out"])] * 2)
         with self.assertRaises(kb.Error):
             kb.sweep(slide(), over, out=lambda run: 1, settings={"steps": 3}, folder="rows")
+
+    def test_a_longer_time_limit_computes_late_rows_anew(self):
+        def counted(run):
+            with open(self.folder / "count", "a") as file:
+                file.write("x")
+            time.sleep(60 if len((self.folder / "count").read_text()) == 1 else 0)
+            return 1
+        for limit, verdict, count in ((1, "time_limit", 1), (1, "time_limit", 1), (30, "finished", 2), (40, "finished", 2)):
+            row, = kb.sweep(slide(), {"steps": [2]}, out=counted, folder="rows", time_limit=limit)
+            self.assertEqual((row["verdict"], len((self.folder / "count").read_text())), (verdict, count))
 
     def test_rows_of_another_function_are_refused(self):
         def times(factor):

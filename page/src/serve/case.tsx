@@ -133,9 +133,11 @@ export function CaseView({ paths }: { paths: string[] }) {
     void run_check();
   });
 
-  const save = async () => {
+  /** Saves the changed files but one. */
+  const save = async (but = '') => {
     await disk.look();
     for (const path of changed) {
+      if (path === but) continue;
       const sent = texts[path];
       const saved = await state.attempt(() => api.save(path, sent, { overwrite: true, sha256: files[path].sha256 }));
       if (!saved) return false;
@@ -239,7 +241,7 @@ export function CaseView({ paths }: { paths: string[] }) {
           <button type="button" class="small" disabled={!file?.is_text} onClick={() => set_saving_as(true)}>
             Save as…
           </button>
-          <button type="button" class="small strong" disabled={!changed.length} onClick={save}>
+          <button type="button" class="small strong" disabled={!changed.length} onClick={() => save()}>
             Save
           </button>
         </div>
@@ -335,7 +337,7 @@ export function CaseView({ paths }: { paths: string[] }) {
           paths={paths}
           current={current}
           text={text}
-          save={async () => changed.length === 0 || (await save())}
+          save={async but => changed.every(path => path === but) || (await save(but))}
           close={() => set_saving_as(false)}
         />
       )}

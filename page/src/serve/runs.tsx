@@ -4,7 +4,7 @@ import { signal } from '@preact/signals';
 import { useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
 import * as api from './api';
-import { folder_of, leaf_of, new_result, stem_of } from './cases';
+import { leaf_of, new_result, stem_of } from './cases';
 import { dimension_of, limits_of, meaning_of, type Schema, schema_at, unit_in } from './edit/schema';
 import { ChoiceField, TextField, ValueBox } from './fields';
 import * as state from './state';
@@ -250,11 +250,7 @@ export function duration(seconds: number): string {
 
 /** Jobs that this case started, newest first. */
 function CaseJobs({ paths }: { paths: string[] }) {
-  const folder = folder_of(paths[0]);
-  const title = leaf_of(paths[0]);
-  const own = state.jobs.value.filter(
-    job => (job.title.includes(title) || job.title.includes(paths[0])) && folder_of(job.result) === folder,
-  );
+  const own = state.jobs.value.filter(job => job.title === paths[0]);
   if (!own.length) return null;
   return (
     <ul class="jobs">
@@ -352,7 +348,7 @@ export function JobItem({ job }: { job: api.Job }) {
 function factor_of(output: string): string {
   try {
     const value = JSON.parse(output);
-    const number = value.factor ?? value.factor_of_safety ?? value.stable;
+    const number = value.factor_of_safety;
     if (typeof number === 'number') return `Factor of safety ${show(number, 4)}`;
   } catch {
     // What is not JSON is no factor.

@@ -3,7 +3,7 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
 import * as api from './api';
-import { folder_of, leaf_of, new_result, stem_of } from './cases';
+import { leaf_of, new_result, stem_of } from './cases';
 import { ChoiceField, TextField } from './fields';
 import { JobItem, words_of } from './runs';
 import * as state from './state';
@@ -86,9 +86,7 @@ function SweepForm({ paths }: { paths: string[] }) {
     const started = await state.attempt(() => api.sweep(paths, result || suggestion, body));
     if (started) await state.refresh_jobs();
   };
-  const own_jobs = state.jobs.value.filter(
-    job => job.kind === 'sweep' && folder_of(job.result) === folder_of(paths[0]) && job.title.includes(paths[0]),
-  );
+  const own_jobs = state.jobs.value.filter(job => job.kind === 'sweep' && job.title === paths[0]);
   return (
     <div class="study">
       <CaseHead paths={paths} title="Sweep a parameter" />

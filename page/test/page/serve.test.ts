@@ -96,6 +96,19 @@ describe.skipIf(!has_browser)('window', () => {
     await page.context().close();
   });
 
+  test('one file of a pair is saved under another name, and the other one in its place', async () => {
+    const page = await open('#/case/old%2Ftips.blk/old%2Ftips.ana');
+    await page.locator('textarea').fill('3 0\n');
+    await page.getByLabel('File', { exact: true }).selectOption('old/tips.ana');
+    await page.locator('textarea').fill('<DDA>\n');
+    await page.getByRole('button', { name: 'Save as…' }).click();
+    await page.getByRole('dialog').getByRole('button', { name: 'Save', exact: true }).click();
+    await expect.poll(() => folder.files.get('old/tips_new.ana')).toBe('<DDA>\n');
+    expect(folder.files.get('old/tips.blk')).toBe('3 0\n');
+    expect(folder.files.get('old/tips.ana')).toBe('<DDA/>\n');
+    await page.context().close();
+  });
+
   test('two results side by side follow one slider', async () => {
     const page = await open('#/compare/first/second');
     await page.waitForFunction(

@@ -27,7 +27,8 @@ export function SaveAs({
   paths: string[];
   current: string;
   text: string;
-  save: () => Promise<boolean>;
+  /** Saves the changed files but one. */
+  save: (but?: string) => Promise<boolean>;
   close: () => void;
 }) {
   const ending = current.slice(stem_of(current).length);
@@ -45,6 +46,7 @@ export function SaveAs({
 
   const write = async (event: Event) => {
     event.preventDefault();
+    if (!(await save(format ? '' : current))) return close();
     if (!format) {
       const saved = await state.attempt(() => api.save(name, text));
       if (!saved) return close();
@@ -54,7 +56,6 @@ export function SaveAs({
       close();
       return state.go(state.link('case', ...paths.map(own => (own === current ? saved.path : own))));
     }
-    if (!(await save())) return close();
     const done = await state.attempt(() => api.convert(paths, name, format));
     await state.refresh();
     if (!done) return close();
