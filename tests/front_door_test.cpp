@@ -114,8 +114,8 @@ TEST(FrontDoor, only_api_reads_case_json_and_prepares) {
 
 // The library is called by programs that own terminal, folder and signals, and that make many runs at once.
 TEST(FrontDoor, only_the_program_prints_or_changes_the_process) {
-  // Contexts of threads; numbers in the names of temporary files; one factorisation of CHOLMOD, and one call of HDF5, at
-  // a time.
+  // Contexts of threads; numbers in the names of temporary files; one factorisation of CHOLMOD, and one call of HDF5,
+  // at a time.
   constexpr std::array<std::string_view, 4> kKeep{"src/base/context.cpp", "src/job/files.cpp", "src/run/checkpoint.cpp",
                                                   "src/system/cholmod/sparse_factor.cpp"};
   int kept = 0;

@@ -60,8 +60,7 @@ class RunJob {
   void start(RunCalls calls);
   bool step();
   void end();
-  /// Ends the run after the last step, with a checkpoint. `why` becomes `ended_early` in run.json.
-  void end_early(const std::string& why);
+  void end_early(const std::string& why);  ///< with a checkpoint; `why` becomes `ended_early` in run.json
   std::shared_ptr<Stepper> stepper() const { return stepper_; }
 
   /// Writes all results and the record; returns the record as JSON.
