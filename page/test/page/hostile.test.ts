@@ -198,7 +198,7 @@ describe.skipIf(!has_browser || !program)('hostile inputs', () => {
     for (const own of readdirSync(single)) if (!own.includes('00000020')) rmSync(join(single, own));
     rmSync(join(copy('unknown'), 'run.json'));
     for (const name of ['single', 'unknown']) {
-      expect(view(name).status).toBe(0);
+      expect(view(name).status, 'frames that are gone are a fault').toBe(name === 'single' ? 1 : 0);
       const { page, errors } = await open(browser, join(folder, `${name}.html`));
       await decoded(page);
       expect(await read_all(page)).not.toMatch(/NaN|undefined|\[object/);
@@ -321,7 +321,8 @@ describe.skipIf(!has_browser || !program)('hostile inputs', () => {
       await expect.poll(() => page.locator('textarea').inputValue()).toContain(`e+${power}`);
       await page.locator('.modes label', { hasText: /^Drawing$/ }).click();
     }
-    expect(errors).toEqual([]);
+    // The browser notes that the server refused the case, 422.
+    expect(errors.filter(words => !words.includes('422'))).toEqual([]);
     await page.context().close();
   });
 
