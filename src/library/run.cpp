@@ -133,10 +133,6 @@ struct MemoryRun : Run::State {
   StepLoop loop;
 };
 
-}  // namespace
-
-namespace {
-
 constexpr std::string_view kBalance = "ledger";
 
 bool is_balance(const Run::State& state, std::string_view history) {

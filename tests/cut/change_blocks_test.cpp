@@ -42,6 +42,15 @@ TEST(ChangeBlocks, a_point_on_an_edge_stays_fixed_whatever_is_excavated) {
   EXPECT_EQ(half.blocks.fixed_points[0].position.x, outside);
 }
 
+// Old files give coordinates with few digits: a point may lie off its block by more than rounding.
+TEST(ChangeBlocks, a_block_that_nothing_cuts_keeps_its_points_as_they_are) {
+  Blocks blocks = two();
+  blocks.fixed_points = {{{0.5, 1.01}, 0, {}}};
+  const ChangedBlocks cut = without(blocks, {3, 0.5}, {5, 2});
+  ASSERT_EQ(cut.fixed_points, (std::vector{0}));
+  EXPECT_EQ(cut.blocks.fixed_points[0].position.y, 1.01);
+}
+
 TEST(ChangeBlocks, a_bolt_at_the_wall_of_an_excavation_stays) {
   Blocks blocks = two();
   blocks.bolts.push_back({{{1, 0.5 - 1e-13}, {3, 0.25}}, 0, 1, 1e6, 0, 0, {}, {}});

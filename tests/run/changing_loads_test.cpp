@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "formats/case.hpp"
-#include "run/prepare.hpp"
-#include "run/steppers.hpp"
-#include "tests/support/text_files.hpp"
+#include "tests/support/stepped_case.hpp"
 
 namespace keyblock::changing_loads_test {
 namespace {
+
+using support::fault_of;
+using support::stepper_of;
 
 constexpr double kDensity = 2000, kLength = 2, kHeight = 1;
 constexpr int kSteps = 20;
@@ -31,13 +31,6 @@ std::string text_of(const std::string& loads, const std::string& set, const std:
       kLength, kHeight, loads, more, kSteps, kDt, kDensity, set);
 }
 
-std::unique_ptr<Stepper> stepper_of(const std::string& text) {
-  const std::string file =
-      testing::TempDir() + "changing_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
-  support::write_text(file, text);
-  return stepper_for(prepare(formats::load_case({file}).problem, "standard", {}).scene);
-}
-
 constexpr const char* kMesh = R"("covers": {"mesh": {"side": 0.5}},)";
 
 /// Way along x of the point in the middle, after each step.
@@ -51,15 +44,6 @@ std::vector<double> ways(const std::string& load, const std::string& more) {
     way.push_back(stepper->state().measured_points.at(0).displacement.x);
   }
   return way;
-}
-
-std::string fault_of(const std::string& text) {
-  try {
-    stepper_of(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 // Rounding and waves through the body, 6 ms long, beside ways of 0.2 s.

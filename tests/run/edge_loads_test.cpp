@@ -10,18 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "formats/case.hpp"
-#include "run/prepare.hpp"
-#include "run/steppers.hpp"
-#include "tests/support/text_files.hpp"
+#include "tests/support/stepped_case.hpp"
 
 namespace keyblock::edge_loads_test {
 namespace {
 
-// Tests run side by side, each with a file of its own.
-std::string own_file() {
-  return testing::TempDir() + "edge_loads_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
-}
+using support::fault_of;
+using support::own_file;
+using support::stepper_of;
 
 constexpr double kModulus = 1e9, kPoisson = 0.25;
 
@@ -59,26 +55,11 @@ std::string case_of(const Frame& frame, const std::string& blocks, const std::st
       blocks, loads, gravity * per_length, 2000 / std::pow(per_length, 3), kModulus / per_length, kPoisson, run);
 }
 
-std::unique_ptr<Stepper> stepper_of(const std::string& text) {
-  const std::string file = own_file();
-  support::write_text(file, text);
-  return stepper_for(prepare(formats::load_case({file}).problem, "standard", {}).scene);
-}
-
 std::unique_ptr<Stepper> after_one_step(const std::string& text) {
   std::unique_ptr<Stepper> stepper = stepper_of(text);
   const auto made = stepper->advance();
   if (const auto* failure = std::get_if<StepFailure>(&made)) ADD_FAILURE() << failure->reason;
   return stepper;
-}
-
-std::string fault_of(const std::string& text) {
-  try {
-    stepper_of(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 /// Stress components along the axes of the frame, in units of metres.

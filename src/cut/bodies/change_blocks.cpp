@@ -113,16 +113,18 @@ class Handover {
   };
 
   /// Returns the piece of block `parent` that holds the point, or else lies beside it, and the point on that piece;
-  /// nothing if that piece is gone.
+  /// nothing if that piece is gone. A block that nothing cut keeps its points, wherever they lie.
   std::optional<BlockBeside> heir(int parent, Point p) const {
     const Family& family = families_[static_cast<std::size_t>(parent)];
+    if (family.kept.size() == 1 && family.gone.empty()) return BlockBeside{family.kept.front(), p};
     std::vector<BlockPolygon> kept;
-    for (const int child : family.kept) kept.push_back(changed_.blocks.blocks[static_cast<std::size_t>(child)]);
+    for (const int child : family.kept) {
+      kept.push_back(changed_.blocks.blocks[static_cast<std::size_t>(child)]);
+      if (holds(kept.back(), p)) return BlockBeside{child, p};
+    }
     const auto named = [&](int number, Point at) {
       return BlockBeside{family.kept[static_cast<std::size_t>(number)], at};
     };
-    const auto holder = std::ranges::find_if(kept, [&](const BlockPolygon& piece) { return holds(piece, p); });
-    if (holder != kept.end()) return named(static_cast<int>(holder - kept.begin()), p);
     const double size = std::sqrt(area_of(before_.blocks[static_cast<std::size_t>(parent)]));
     if (const auto beside = block_beside(kept, p, kOnEdge * size)) return named(beside->block, p);
     if (std::ranges::any_of(family.gone, [&](const BlockPolygon& piece) { return holds(piece, p); })) return {};
