@@ -1,4 +1,4 @@
-// Points and bolts stay with their block when others are excavated, also those a last digit outside it.
+// Points and bolts stay with their block when others are excavated, also those outside it.
 #include "cut/bodies/change_blocks.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,6 @@ ChangedBlocks without(const Blocks& blocks, Point low, Point high) {
   return without_regions(blocks, std::array{region});
 }
 
-// Half the points of a line of fixed points lie a last digit outside their block: an excavation elsewhere let them go.
 TEST(ChangeBlocks, a_point_on_an_edge_stays_fixed_whatever_is_excavated) {
   Blocks blocks = two();
   const double outside = std::nextafter(2.0, 3.0);
@@ -42,13 +41,15 @@ TEST(ChangeBlocks, a_point_on_an_edge_stays_fixed_whatever_is_excavated) {
   EXPECT_EQ(half.blocks.fixed_points[0].position.x, outside);
 }
 
-// Old files give coordinates with few digits: a point may lie off its block by more than rounding.
-TEST(ChangeBlocks, a_block_that_nothing_cuts_keeps_its_points_as_they_are) {
+// Points of fixed lines are inset from the edge that the line crosses, and so lie outside a sharp corner.
+TEST(ChangeBlocks, a_point_outside_its_block_stays_fixed_whatever_is_excavated) {
   Blocks blocks = two();
-  blocks.fixed_points = {{{0.5, 1.01}, 0, {}}};
-  const ChangedBlocks cut = without(blocks, {3, 0.5}, {5, 2});
-  ASSERT_EQ(cut.fixed_points, (std::vector{0}));
-  EXPECT_EQ(cut.blocks.fixed_points[0].position.y, 1.01);
+  blocks.fixed_points = {{{0.5, -0.03}, 0, {}}, {{0.5, 1.03}, 0, {}}};
+  const ChangedBlocks far = without(blocks, {3, 0.5}, {5, 2});
+  EXPECT_EQ(far.fixed_points, (std::vector{0, 1}));
+  const ChangedBlocks half = without(blocks, {-1, 0.5}, {5, 2});  // takes the upper half
+  ASSERT_EQ(half.fixed_points, (std::vector{0}));
+  EXPECT_EQ(half.blocks.fixed_points[0].position.y, -0.03);
 }
 
 TEST(ChangeBlocks, a_bolt_at_the_wall_of_an_excavation_stays) {
@@ -65,7 +66,7 @@ TEST(ChangeBlocks, a_point_in_a_sliver_goes_to_the_rock_beside_it) {
   const ChangedBlocks cut =
       cut_along(blocks, std::vector<JointLine>{{{{0, 0.998}, {2, 0.998}}, 0, {}}, {{{0, 0.5}, {2, 0.5}}, 0, {}}});
   ASSERT_EQ(cut.fixed_points, (std::vector{0}));
-  EXPECT_NEAR(cut.blocks.fixed_points[0].position.y, 0.998, 1e-9);
+  EXPECT_EQ(cut.blocks.fixed_points[0].position.y, 0.999);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "cut/bodies/block_shape.hpp"
@@ -22,8 +23,8 @@ namespace {
 // would set every contact tolerance.
 constexpr double kThinnest = 5e-3;
 
-// Distance of a point from its block, per size of the block, that is rounding: fixed points lie on the edges that their
-// line crosses, and half of them a last digit outside.
+// Distance of a point from a piece, per size of the block, that is rounding of the cut. Such a point belongs to the
+// rock that stays: the end of a bolt at the wall of an excavation is one.
 constexpr double kOnEdge = 1e-9;
 
 Box box_of(const BlockPolygon& block) {
@@ -112,33 +113,34 @@ class Handover {
     std::vector<BlockPolygon> gone;
   };
 
-  /// Returns the piece of block `parent` that holds the point, or else lies beside it, and the point on that piece;
-  /// nothing if that piece is gone. A block that nothing cut keeps its points, wherever they lie.
-  std::optional<BlockBeside> heir(int parent, Point p) const {
+  /// Returns the piece of block `parent` that holds the point, or else is the nearest; nothing if that piece is gone. A
+  /// point may lie outside its block: that of a fixed line is inset from the edge that the line crosses, and beyond the
+  /// next edge of a sharp corner.
+  std::optional<int> heir(int parent, Point p) const {
     const Family& family = families_[static_cast<std::size_t>(parent)];
-    if (family.kept.size() == 1 && family.gone.empty()) return BlockBeside{family.kept.front(), p};
+    if (family.kept.size() == 1 && family.gone.empty()) return family.kept.front();
     std::vector<BlockPolygon> kept;
     for (const int child : family.kept) {
       kept.push_back(changed_.blocks.blocks[static_cast<std::size_t>(child)]);
-      if (holds(kept.back(), p)) return BlockBeside{child, p};
+      if (holds(kept.back(), p)) return child;
     }
-    const auto named = [&](int number, Point at) {
-      return BlockBeside{family.kept[static_cast<std::size_t>(number)], at};
-    };
-    const double size = std::sqrt(area_of(before_.blocks[static_cast<std::size_t>(parent)]));
-    if (const auto beside = block_beside(kept, p, kOnEdge * size)) return named(beside->block, p);
-    if (std::ranges::any_of(family.gone, [&](const BlockPolygon& piece) { return holds(piece, p); })) return {};
-    const auto beside = block_beside(kept, p, kThinnest * size);  // in a sliver
-    return beside ? std::optional(named(beside->block, beside->nearest)) : std::nullopt;
+    constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+    const auto beside = block_beside(kept, p, kAnywhere);
+    if (!beside) return std::nullopt;
+    const double gap = distance(beside->nearest, p);
+    const bool is_on_it = gap <= kOnEdge * std::sqrt(area_of(before_.blocks[static_cast<std::size_t>(parent)]));
+    const auto other = block_beside(family.gone, p, kAnywhere);
+    const auto is_around = [&](const BlockPolygon& piece) { return holds(piece, p); };
+    const bool is_nearer_to_gone = other && distance(other->nearest, p) < gap;
+    if (!is_on_it && (is_nearer_to_gone || std::ranges::any_of(family.gone, is_around))) return std::nullopt;
+    return family.kept[static_cast<std::size_t>(beside->block)];
   }
 
   void points(const std::vector<BlockPoint>& before, std::vector<BlockPoint>& after, std::vector<int>& numbers) const {
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const std::optional<BlockBeside> found = heir(before[i].block, before[i].position);
+      const std::optional<int> found = heir(before[i].block, before[i].position);
       if (!found) continue;
-      BlockPoint& point = after.emplace_back(before[i]);
-      point.block = found->block;
-      point.position = found->nearest;
+      after.emplace_back(before[i]).block = *found;
       numbers.push_back(static_cast<int>(i));
     }
   }
@@ -146,13 +148,12 @@ class Handover {
   void bolts() {
     for (std::size_t i = 0; i < before_.bolts.size(); ++i) {
       const BlockBolt& bolt = before_.bolts[i];
-      const std::optional<BlockBeside> first = heir(bolt.first_block, bolt.segment.start);
-      const std::optional<BlockBeside> second = heir(bolt.second_block, bolt.segment.end);
+      const std::optional<int> first = heir(bolt.first_block, bolt.segment.start);
+      const std::optional<int> second = heir(bolt.second_block, bolt.segment.end);
       if (!first || !second) continue;
       BlockBolt& kept = changed_.blocks.bolts.emplace_back(bolt);
-      kept.first_block = first->block;
-      kept.second_block = second->block;
-      kept.segment = {first->nearest, second->nearest};
+      kept.first_block = *first;
+      kept.second_block = *second;
       changed_.bolts.push_back(static_cast<int>(i));
     }
   }
