@@ -91,6 +91,14 @@ TEST(ConvexPieces, an_l_a_notch_and_a_comb_are_cut_at_their_reflex_corners) {
       {{0, 0}, {7, 0}, {7, 3}, {6, 3}, {6, 1}, {4, 1}, {4, 3}, {3, 3}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, {});
 }
 
+TEST(ConvexPieces, a_corner_is_reflex_in_both_pieces_that_share_it) {
+  const ConvexPieces pieces = pieces_of(loop_of({{0, 0}, {5, 0}, {5, 1}, {1, 1}, {1, 4}, {0, 4}}));
+  ASSERT_EQ(pieces.size(), 2U);
+  for (const ConvexPiece& piece : pieces)
+    for (std::size_t i = 0; i < piece.corners.size(); ++i)
+      EXPECT_EQ(piece.is_reflex[i], piece.corners[i] == VertexIndex{3}) << piece.corners[i].value;
+}
+
 TEST(ConvexPieces, holes_are_cut_around) {
   const std::vector<Point> square{{0, 0}, {6, 0}, {6, 6}, {0, 6}};
   const std::vector<Point> low{{1, 1}, {1, 2}, {2, 2}, {2, 1}};

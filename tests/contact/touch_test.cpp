@@ -117,4 +117,36 @@ TEST(Touch, a_block_in_the_corner_of_an_l_meets_its_floor_and_its_wall) {
     EXPECT_TRUE(touch.start == VertexIndex{2} || touch.start == VertexIndex{3} || touch.start.value > 5);
 }
 
+// The tip of a wedge is 0.1 mm past the foot of a slope, vertex 3, below the floor and on the line of the slope. The
+// corners of the block below decide where the diagonal from the foot ends.
+TEST(Touch, a_tip_past_a_reflex_corner_meets_the_floor) {
+  for (const Point low_left : {Point{-4, -2}, Point{-1, -3}, Point{-0.5, -0.5}, Point{1, -3}})
+    for (const double lean : {0.01, 0.2, 0.7}) {
+      const BlockPolygon floor{0, {{low_left, 0}, {{6, -3}, 0}, {{4, 4}, 0}, {{0, 0}, 0}, {{-4, 0}, 0}}, {}};
+      const Point tip{-1e-4, -1e-4}, side = turned(Point{2, 2}, lean);
+      const BlockPolygon wedge{0, {{tip, 0}, {tip + side, 0}, {tip + turned(side, 0.3), 0}}, {}};
+      const Touches found = touches_between(floor, wedge);
+      EXPECT_TRUE(std::ranges::count(found, Touch{{5}, {3}, {4}}) == 1) << low_left.x << " " << lean;
+      for (const Touch& touch : found) EXPECT_NE(touch.vertex, VertexIndex{3});
+    }
+}
+
+// Both pieces of the floor reach beyond the foot: the wedge is on the slope too.
+TEST(Touch, an_edge_goes_on_beyond_a_reflex_corner) {
+  const BlockPolygon floor{0, {{{-4, -2}, 0}, {{6, -3}, 0}, {{4, 4}, 0}, {{0, 0}, 0}, {{-4, 0}, 0}}, {}};
+  const BlockPolygon wedge{0, {{{-1e-4, -1e-4}, 0}, {{1, 2}, 0}, {{0, 2}, 0}}, {}};
+  const Touches found = touches_between(floor, wedge);
+  const auto on_slope = std::ranges::find(found, Touch{{5}, {2}, {3}});
+  ASSERT_TRUE(on_slope != found.end());
+  EXPECT_TRUE(lies_over_edge(*on_slope, vertices_of(two_blocks(floor, wedge))));
+}
+
+// A plank over a notch rests on its rims. The bottom of the notch is no point of contact.
+TEST(Touch, a_plank_over_a_flat_notch_rests_on_the_rims) {
+  const BlockPolygon notched{0, {{{0, -2}, 0}, {{4, -2}, 0}, {{4, 0}, 0}, {{2, -0.01}, 0}, {{0, 0}, 0}}, {}};
+  const Touches found = touches_between(notched, rectangle({-1, 0}, {5, 1}));
+  for (const Touch& touch : found) EXPECT_NE(touch.vertex, VertexIndex{3});
+  for (const int rim : {2, 4}) EXPECT_TRUE(std::ranges::find(found, Touch{{rim}, {5}, {6}}) != found.end()) << rim;
+}
+
 }  // namespace keyblock::touch_test

@@ -18,9 +18,6 @@ namespace {
 // Their turn is far smaller, because drawings have ten digits. A turn below 0.006 degrees is no visible corner.
 constexpr double kStraightSine = 1e-4;
 
-// Diagonals that leave a corner with a smaller turn are avoided if another diagonal exists.
-constexpr double kClearSine = 0.02;
-
 double sine_of_turn(Point before, Point at, Point after) {
   const Point arriving = at - before;
   const Point leaving = after - at;
@@ -68,13 +65,30 @@ class Cutter {
     ConvexPiece loop;
     const auto is_inner = [&](std::size_t i) { return model_.vertices[ring[i % ring.size()]].is_inner; };
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const bool straight =
-          is_straight(at(ring[(i + ring.size() - 1) % ring.size()]), at(ring[i]), at(ring[(i + 1) % ring.size()]));
-      if (straight && is_inner(i) == is_inner(i + 1)) continue;
+      const Point before = at(ring[(i + ring.size() - 1) % ring.size()]);
+      const Point after = at(ring[(i + 1) % ring.size()]);
+      if (is_straight(before, at(ring[i]), after) && is_inner(i) == is_inner(i + 1)) continue;
       loop.corners.push_back(ring[i]);
       loop.is_inner.push_back(is_inner(i + 1));  // of the edge that leaves this corner
+      const Outline outline = outline_at(ring[i]);
+      const Point arriving = outline.before ? at(outline.before) : before;
+      const Point leaving = outline.after ? at(outline.after) : after;
+      loop.is_reflex.push_back(sine_of_turn(arriving, at(ring[i]), leaving) < -kStraightSine);
     }
     return loop;
+  }
+
+  /// Neighbours of a corner on the outline of its body that belong to other elements, or none.
+  struct Outline {
+    VertexIndex before, after;
+  };
+
+  Outline outline_at(VertexIndex v) const {
+    const Vertex& here = model_.vertices[v];
+    const bool arrives = !here.is_inner, leaves = !model_.vertices[here.next].is_inner;
+    if (leaves && !arrives) return {here.boundary_previous, {}};
+    if (leaves || !arrives) return {};
+    return {{}, model_.vertices[model_.vertices[here.previous].boundary_next].boundary_next};
   }
 
   // Returns the vertices without those at the position of the one before.
@@ -108,16 +122,16 @@ class Cutter {
     }
     if (std::isinf(least)) return false;
     ConvexPiece joined;
-    const auto add = [&](VertexIndex v, bool is_inner) {
-      joined.corners.push_back(v);
-      joined.is_inner.push_back(is_inner);
+    const auto add = [&](const ConvexPiece& loop, std::size_t i, bool starts_cut = false) {
+      joined.corners.push_back(loop.corners[i]);
+      joined.is_inner.push_back(starts_cut || loop.is_inner[i]);
+      joined.is_reflex.push_back(loop.is_reflex[i]);
     };
-    for (std::size_t i = 0; i <= from; ++i) add(ring.corners[i], i == from || ring.is_inner[i]);
+    for (std::size_t i = 0; i <= from; ++i) add(ring, i, i == from);
     const ConvexPiece& other = holes[hole];
-    for (std::size_t k = 0; k < other.corners.size(); ++k)
-      add(other.corners[wrapped(other, to + k)], other.is_inner[wrapped(other, to + k)]);
-    add(other.corners[to], true);
-    for (std::size_t i = from; i < ring.corners.size(); ++i) add(ring.corners[i], ring.is_inner[i]);
+    for (std::size_t k = 0; k < other.corners.size(); ++k) add(other, wrapped(other, to + k));
+    add(other, to, true);
+    for (std::size_t i = from; i < ring.corners.size(); ++i) add(ring, i);
     ring = std::move(joined);
     holes.erase(holes.begin() + static_cast<std::ptrdiff_t>(hole));
     return true;
@@ -167,6 +181,7 @@ class Cutter {
     for (std::size_t i = first;; i = wrapped(piece, i + 1)) {
       result.corners.push_back(piece.corners[i]);
       result.is_inner.push_back(i == last || piece.is_inner[i]);
+      result.is_reflex.push_back(piece.is_reflex[i]);
       if (i == last) return result;
     }
   }

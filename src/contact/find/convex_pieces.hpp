@@ -9,12 +9,16 @@
 
 namespace keyblock {
 
+/// Sine of the turn between a diagonal and an edge below which another diagonal is preferred.
+inline constexpr double kClearSine = 0.02;
+
 /// Convex piece with corners counter-clockwise; edge i runs from corner i to corner i+1. An inner edge is a diagonal,
 /// with more of the element behind it. An affine map keeps straight edges straight and pieces convex, so that pieces
 /// are valid for the whole run.
 struct ConvexPiece {
   std::vector<VertexIndex> corners;
-  std::vector<bool> is_inner;  ///< of edge i
+  std::vector<bool> is_inner;   ///< of edge i
+  std::vector<bool> is_reflex;  ///< of corner i, in the outline of the element
 };
 
 using ConvexPieces = std::vector<ConvexPiece>;

@@ -44,13 +44,19 @@ struct Edge {
   VertexIndex start;
   VertexIndex end;
   bool is_inner = false;
-  Point from;       ///< position of the start
-  Point direction;  ///< unit vector
+  bool from_reflex = false, to_reflex = false;  ///< a reflex corner is at the start or the end
+  Point from;                                   ///< position of the start
+  Point direction;                              ///< unit vector
   double length = 0;
 
-  Edge(VertexIndex first, VertexIndex last, bool inner, const Table<VertexIndex, Point>& vertices)
-      : start(first), end(last), is_inner(inner), from(vertices[first]) {
-    const Point along = vertices[last] - from;
+  Edge(const ConvexPiece& piece, std::size_t i, std::size_t next, const Table<VertexIndex, Point>& vertices)
+      : start(piece.corners[i]),
+        end(piece.corners[next]),
+        is_inner(piece.is_inner[i]),
+        from_reflex(piece.is_reflex[i]),
+        to_reflex(piece.is_reflex[next]),
+        from(vertices[start]) {
+    const Point along = vertices[end] - from;
     length = keyblock::length(along);
     direction = (1 / length) * along;
   }
@@ -70,8 +76,7 @@ class EdgesOfPieces {
       first_[e] = edges_.size();
       for (const ConvexPiece& piece : pieces[e])
         for (std::size_t i = 0; i < piece.corners.size(); ++i)
-          edges_.emplace_back(piece.corners[i], piece.corners[i + 1 == piece.corners.size() ? 0 : i + 1],
-                              piece.is_inner[i], vertices);
+          edges_.emplace_back(piece, i, i + 1 == piece.corners.size() ? 0 : i + 1, vertices);
     };
     for (const ElementPair& pair : pairs) {
       add(pair.lower);
@@ -158,21 +163,17 @@ class PairTouches {
  public:
   PairTouches(EdgesOfPiece a, EdgesOfPiece b, const Table<VertexIndex, Point>& vertices, const TouchSearch& search,
               double slack)
-      : vertices_(vertices),
-        search_(search),
-        slack_(slack),
-        a_(a),
-        b_(b),
-        of_a_(best_edge(a, b)),
-        of_b_(best_edge(b, a)) {
-    a_leads_ = of_a_.separation >= of_b_.separation - kTie * of_b_.edge->length;
-  }
+      : vertices_(vertices), search_(search), slack_(slack), a_(a), b_(b) {}
 
   void add_to(FoundTouches& found, double rounding) {
-    const Leading& reference = a_leads_ ? of_a_ : of_b_;
-    if (reference.separation > search_.reach || reference.edge->is_inner) return;
+    const Leaders of_a = leaders(a_, b_), of_b = leaders(b_, a_);
+    const double tie = of_b.touches.edge ? kTie * of_b.touches.edge->length : 0;
+    const bool a_leads = of_a.touches.separation >= of_b.touches.separation - tie;
+    const Leading& reference = a_leads ? of_a.touches : of_b.touches;
+    if (!reference.edge || std::max(of_a.farthest, of_b.farthest) > search_.reach) return;
+    if (is_divided(of_a.divides, reference) || is_divided(of_b.divides, reference)) return;
     nearest_ = nearest_corners(a_, b_);
-    const Edge& facing = most_opposed(*reference.edge, a_leads_ ? b_ : a_);
+    const Edge& facing = most_opposed(*reference.edge, a_leads ? b_ : a_);
     Touches sharp = along_stretch(*reference.edge, facing);
     const double tangent = std::max(slack_, rounding);
     slack_ += rounding;
@@ -221,19 +222,43 @@ class PairTouches {
     return low <= edge.length && high >= 0;
   }
 
-  // An inner edge leads only by a clear margin, because it may lie on one line with a boundary edge. If two boundary
-  // edges lie on one line, that under the other piece leads.
-  static Leading best_edge(EdgesOfPiece of, EdgesOfPiece from) {
-    Leading best;
+  // Returns true if the corner nearest to the line of an edge, of those at the given separation, is not reflex.
+  static bool meets_corner(const Edge& edge, EdgesOfPiece from, double separation) {
+    return std::ranges::any_of(from, [&](const Edge& other) {
+      return !other.from_reflex && -cross(edge.direction, other.from - edge.from) <= separation + kTie * edge.length;
+    });
+  }
+
+  /// Edges of a piece with the largest separation: of those that may touch, and of inner edges, which only divide. No
+  /// edge touches a reflex corner, beside which the element goes on.
+  struct Leaders {
+    Leading touches, divides;
+    double farthest = -std::numeric_limits<double>::infinity();  ///< largest separation of all edges
+  };
+
+  // Finds the edges that lead. If two of them lie on one line, that under the other piece leads.
+  static Leaders leaders(EdgesOfPiece of, EdgesOfPiece from) {
+    Leaders found;
+    const bool has_reflex = std::ranges::any_of(from, &Edge::from_reflex);
     for (const Edge& edge : of) {
       const double value = separation(edge, from);
       const double tie = kTie * edge.length;
+      found.farthest = std::max(found.farthest, value);
+      if (!edge.is_inner && has_reflex && !meets_corner(edge, from, value)) continue;
+      Leading& best = edge.is_inner ? found.divides : found.touches;
       const bool leads = value > best.separation + tie;
-      const bool ties = best.edge && !edge.is_inner && value >= best.separation - tie;
-      const bool replaces = ties && (best.edge->is_inner || (!is_over(*best.edge, from) && is_over(edge, from)));
-      if (!best.edge || leads || replaces) best = {&edge, value};
+      const bool ties = best.edge && value >= best.separation - tie;
+      if (!best.edge || leads || (ties && !is_over(*best.edge, from) && is_over(edge, from))) best = {&edge, value};
     }
-    return best;
+    return found;
+  }
+
+  // Returns true if an inner edge divides the pieces. That takes a clear margin, because it may lie on one line
+  // with an edge that touches. Pieces that overlap are divided only if the reference overlaps far more: at a reflex corner
+  // both depths differ by no more than the sine between diagonal and edge.
+  static bool is_divided(const Leading& divides, const Leading& reference) {
+    const double least = divides.separation < 0 ? divides.separation / kClearSine : divides.separation;
+    return divides.edge && least > reference.separation + kTie * reference.edge->length;
   }
 
   // Returns true if two of the edges are not parallel.
@@ -267,7 +292,7 @@ class PairTouches {
     return nearest_.distance <= kNearCorner * doubt;
   }
 
-  /// Nearest corners, given by the edges that start at them.
+  /// Nearest corners that are not reflex, given by the edges that start at them.
   struct NearestCorners {
     const Edge* of_a = nullptr;
     const Edge* of_b = nullptr;
@@ -277,7 +302,8 @@ class PairTouches {
     NearestCorners nearest{&a.front(), &b.front()};
     for (const Edge& p : a)
       for (const Edge& q : b)
-        if (const double d = distance(p.from, q.from); d < nearest.distance) nearest = {&p, &q, d};
+        if (const double d = distance(p.from, q.from); d < nearest.distance && !p.from_reflex && !q.from_reflex)
+          nearest = {&p, &q, d};
     return nearest;
   }
 
@@ -322,23 +348,26 @@ class PairTouches {
     return kTie * reference.edge->length + slack_ + kParallel * std::max(0.0, reference.separation);
   }
 
-  // Finds the shared stretch along the reference line. The facing edge runs in the opposite direction.
+  // Finds the shared stretch along the reference line. The facing edge runs in the opposite direction. An edge does not
+  // end at a reflex corner, which is no point of contact: it goes on into its element.
   Touches along_stretch(const Edge& reference, const Edge& facing) const {
     if (facing.is_inner) return {};
+    constexpr double kEndless = std::numeric_limits<double>::infinity();
     const double own_high = reference.length;
     const double facing_low = station(reference, vertices_[facing.end]);
     const double facing_high = station(reference, facing.from);
+    const double tie = kTie * own_high;
+    // Where both faces end together, round-off must not choose which corner names the contact.
+    const bool low_of_facing = reference.from_reflex || (!facing.to_reflex && facing_low >= -tie);
+    const bool high_of_facing = reference.to_reflex || (!facing.from_reflex && facing_high <= own_high + tie);
+    if ((facing.to_reflex ? -kEndless : facing_low) > (reference.to_reflex ? kEndless : own_high) + tie) return {};
+    if ((facing.from_reflex ? kEndless : facing_high) < (reference.from_reflex ? -kEndless : 0) - tie) return {};
     const double low = std::max(0.0, facing_low);
     const double high = std::min(own_high, facing_high);
-    if (high < low - kTie * own_high) return {};
     Touches touches;
     touches.reserve(search_.with_middles ? 3 : 2);
-    // Where both faces end together, round-off must not choose which corner names the contact.
-    const double tie = kTie * own_high;
-    touches.push_back(facing_low >= -tie ? Touch{facing.end, reference.start, reference.end}
-                                         : Touch{reference.start, facing.start, facing.end});
-    touches.push_back(facing_high <= own_high + tie ? Touch{facing.start, reference.start, reference.end}
-                                                    : Touch{reference.end, facing.start, facing.end});
+    touches.push_back(low_of_facing ? touch_of(facing.end, reference) : touch_of(reference.start, facing));
+    touches.push_back(high_of_facing ? touch_of(facing.start, reference) : touch_of(reference.end, facing));
     const double stretch = std::max(0.0, high - low);
     const bool has_middle = search_.with_middles && stretch > kTie * own_high;
     if (has_middle) {
@@ -353,7 +382,23 @@ class PairTouches {
       touches[i].share = !has_middle ? 0.5 : is_end ? kLobattoEnd : 1 - 2 * kLobattoEnd;
       touches[i].facing = facing_of(reference, facing, !is_end ? 1 : i == 0 ? 0 : 2);
     }
+    if (reference.from_reflex || reference.to_reflex || facing.from_reflex || facing.to_reflex)
+      std::erase_if(touches, [&](const Touch& touch) { return is_far_beyond(touch); });
     return touches;
+  }
+
+  static Touch touch_of(VertexIndex corner, const Edge& edge) {
+    Touch touch{corner, edge.start, edge.end};
+    touch.before_start = edge.from_reflex;
+    touch.beyond_end = edge.to_reflex;
+    return touch;
+  }
+
+  // Returns true for a point beyond a reflex corner that cannot reach the line of the edge.
+  bool is_far_beyond(const Touch& touch) const {
+    Touch within = touch;
+    within.before_start = within.beyond_end = false;
+    return !lies_over_edge(within, vertices_) && gap_of(touch, vertices_) > search_.reach;
   }
 
   static double station(const Edge& reference, Point p) { return dot(p - reference.from, reference.direction); }
@@ -363,10 +408,7 @@ class PairTouches {
   double slack_;
   EdgesOfPiece a_;
   EdgesOfPiece b_;
-  Leading of_a_;
-  Leading of_b_;
   NearestCorners nearest_;
-  bool a_leads_ = true;
 };
 
 // Pieces of one element share corners.
@@ -472,7 +514,7 @@ bool lies_over_edge(const Touch& touch, const Table<VertexIndex, Point>& vertice
   }
   const Point edge = vertices[touch.end] - vertices[touch.start];
   const double station = dot(point_of(touch, vertices) - vertices[touch.start], edge) / dot(edge, edge);
-  return station >= -kAtEnd && station <= 1 + kAtEnd;
+  return (touch.before_start || station >= -kAtEnd) && (touch.beyond_end || station <= 1 + kAtEnd);
 }
 
 }  // namespace keyblock

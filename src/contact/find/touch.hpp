@@ -50,12 +50,13 @@ struct Touch {
   /// arc: the edges, of the corner `start` or the corner `vertex`, that bound the relative positions. The normal of
   /// `first`, out of the element of `start`, lies clockwise of that of `second`. `end` equals `start`.
   EdgeName first = {}, second = {};
-  double tangent = 0;      ///< arc: distance of the corners at which it leaves the edges
-  Facing facing = {};      ///< empty if a corner meets a corner
-  double stretch = 0;      ///< length of the stretch that the two edges share
-  double share = 1;        ///< part of the stretch that belongs to this contact; 0 < share ≤ 1
-  int joint_material = 0;  ///< of the edge at the foot of the point
-  double rest_gap = 0;     ///< ≤ 0: overlap that existed before any force, and stays
+  double tangent = 0;                             ///< arc: distance of the corners at which it leaves the edges
+  Facing facing = {};                             ///< empty if a corner meets a corner
+  double stretch = 0;                             ///< length of the stretch that the two edges share
+  double share = 1;                               ///< part of the stretch that belongs to this contact; 0 < share ≤ 1
+  int joint_material = 0;                         ///< of the edge at the foot of the point
+  double rest_gap = 0;                            ///< ≤ 0: overlap that existed before any force, and stays
+  bool before_start = false, beyond_end = false;  ///< the edge goes on there into its element, from a reflex corner
 
   auto name() const { return std::tie(vertex, start, end, kind); }
   friend bool operator==(const Touch& a, const Touch& b) { return a.name() == b.name(); }
