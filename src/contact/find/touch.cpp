@@ -111,6 +111,14 @@ Facing facing_of(const Edge& reference, const Edge& facing, int place) {
   return {facing.start, reference.start, 2 - place};
 }
 
+// Returns a corner against an edge, which goes on beyond its reflex corners.
+Touch touch_of(VertexIndex corner, const Edge& edge) {
+  Touch touch{corner, edge.start, edge.end};
+  touch.before_start = edge.from_reflex;
+  touch.beyond_end = edge.to_reflex;
+  return touch;
+}
+
 /// The two edges at a corner.
 struct CornerEdges {
   const Edge& arriving;
@@ -253,9 +261,9 @@ class PairTouches {
     return found;
   }
 
-  // Returns true if an inner edge divides the pieces. That takes a clear margin, because it may lie on one line
-  // with an edge that touches. Pieces that overlap are divided only if the reference overlaps far more: at a reflex corner
-  // both depths differ by no more than the sine between diagonal and edge.
+  // Returns true if an inner edge divides the pieces. That takes a clear margin, because it may lie on one line with an
+  // edge that touches. Pieces that overlap are divided only if the reference overlaps far more: at a reflex corner both
+  // depths differ by no more than the sine between diagonal and edge.
   static bool is_divided(const Leading& divides, const Leading& reference) {
     const double least = divides.separation < 0 ? divides.separation / kClearSine : divides.separation;
     return divides.edge && least > reference.separation + kTie * reference.edge->length;
@@ -385,13 +393,6 @@ class PairTouches {
     if (reference.from_reflex || reference.to_reflex || facing.from_reflex || facing.to_reflex)
       std::erase_if(touches, [&](const Touch& touch) { return is_far_beyond(touch); });
     return touches;
-  }
-
-  static Touch touch_of(VertexIndex corner, const Edge& edge) {
-    Touch touch{corner, edge.start, edge.end};
-    touch.before_start = edge.from_reflex;
-    touch.beyond_end = edge.to_reflex;
-    return touch;
   }
 
   // Returns true for a point beyond a reflex corner that cannot reach the line of the edge.
