@@ -10,16 +10,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool names_a_file(const std::string& setting) {
-  return setting == "body_acceleration_file";
-}
-
 void read_named(Problem& problem, const std::string& name, const std::string& value) {
   if (names_a_file(name) && problem.analysis)
     problem.analysis->body_acceleration = formats::read_body_acceleration(formats::load(value));
 }
 
 }  // namespace
+
+bool names_a_file(const std::string& setting) {
+  return setting == "body_acceleration_file";
+}
 
 std::string from_folder(const fs::path& folder, const std::string& name, const std::string& value) {
   return names_a_file(name) && !value.empty() ? (folder / value).string() : value;

@@ -10,6 +10,9 @@
 
 namespace keyblock {
 
+/// Returns true for a setting whose value is the name of a file.
+bool names_a_file(const std::string& setting);
+
 /// Returns the value of a setting read from a file in `folder`. If it names a file, returns its path from the working
 /// folder (an absolute name stays); otherwise the value itself.
 std::string from_folder(const std::filesystem::path& folder, const std::string& name, const std::string& value);

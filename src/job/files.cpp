@@ -209,11 +209,12 @@ void write_output(const fs::path& file, const std::string& text, Overwrite overw
   write_file(is_link ? fs::canonical(file) : file, text, overwrite);
 }
 
-void remove_drafts(const fs::path& folder) {
+void remove_drafts(const fs::path& folder, std::optional<int> process) {
   std::error_code error;
+  const std::string start = process ? fmt::format("{}{}_", kDraft, *process) : std::string(kDraft);
   std::vector<fs::path> drafts;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (entry.path().filename().string().starts_with(kDraft)) drafts.push_back(entry.path());
+    if (entry.path().filename().string().starts_with(start)) drafts.push_back(entry.path());
   for (const fs::path& draft : drafts) unlink(draft.c_str());
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,7 +51,7 @@ void append_to_file(const std::filesystem::path& file, std::string_view text);
 /// stays. Throws like `write_file`.
 void write_output(const std::filesystem::path& file, const std::string& text, Overwrite overwrite);
 
-/// Removes drafts from `folder` that a killed program left there.
-void remove_drafts(const std::filesystem::path& folder);
+/// Removes drafts from `folder` that a killed program left there: the process with this number, or any.
+void remove_drafts(const std::filesystem::path& folder, std::optional<int> process = std::nullopt);
 
 }  // namespace keyblock

@@ -120,6 +120,7 @@ Answer Program::operator()(const std::vector<std::string>& arguments) const {
       std::this_thread::sleep_for(kPause);
     answer.ran_out_of_time = !child.ended();
     answer.exit_code = child.ended().value_or(128 + SIGKILL);
+    answer.process = child.process();
   }
   answer.output = beginning_of(output);
   answer.messages = beginning_of(messages);

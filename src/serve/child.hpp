@@ -26,6 +26,7 @@ class Child {
   /// Kills the process if it still runs.
   ~Child();
 
+  pid_t process() const { return process_; }
   /// Returns the exit code, 128 + the signal if one ended it; nothing while the process runs.
   std::optional<int> ended();
   void send(int signal) const;
@@ -53,7 +54,8 @@ class Drafts {
 
 struct Answer {
   int exit_code = 0;
-  bool ran_out_of_time = false;
+  bool ran_out_of_time = false;  ///< the program was killed, and left its half-written files behind
+  pid_t process = 0;
   std::string output;
   std::string messages;
 };

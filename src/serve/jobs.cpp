@@ -10,6 +10,7 @@
 #include <regex>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/printable.hpp"
 #include "serve/window_words.hpp"
 
@@ -20,14 +21,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::chrono::milliseconds kPause{50};
 constexpr std::chrono::milliseconds kIdlePause{1000};
-constexpr std::streamoff kTail = 4000;      // bytes of messages that are read again at each look
-constexpr std::size_t kMostOutput = 20000;  // bytes of a table on standard output
+constexpr std::streamoff kTail = 4000;  // bytes of messages that are read again at each look
 
-std::string tail_of(const std::filesystem::path& file, std::streamoff most) {
+std::string tail_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   if (!stream) return {};
   const std::streamoff size = stream.tellg();
-  stream.seekg(std::max<std::streamoff>(0, size - most));
+  stream.seekg(std::max<std::streamoff>(0, size - kTail));
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -68,10 +68,11 @@ Jobs::~Jobs() {
 
 int Jobs::add(Order order) {
   const std::lock_guard lock(mutex_);
+  if (is_busy(order.result)) throw UsageError(order.result + " is in use by another run");
   if (jobs_.size() >= kMostJobs) {
     const auto old = std::ranges::find_if(
         jobs_, [](const Job& job) { return job.state == State::ended || job.state == State::stopped; });
-    if (old == jobs_.end()) return 0;
+    if (old == jobs_.end()) throw UsageError("too many runs wait");
     jobs_.erase(old);
   }
   replace_earlier(order);
@@ -107,7 +108,6 @@ bool Jobs::stop(int id) {
 }
 
 bool Jobs::is_busy(const std::string& result) const {
-  const std::lock_guard lock(mutex_);
   return std::ranges::any_of(jobs_, [&](const Job& job) {
     return job.order.result == result && (job.state == State::waits || job.state == State::runs);
   });
@@ -122,7 +122,7 @@ Json Jobs::json_of(const Job& job) const {
             {"state", kWords[static_cast<std::size_t>(job.state)]},
             {"is_stopping", job.is_stopping}};
   if (job.state == State::waits) return json;
-  const std::string messages = tail_of(job.messages, kTail);
+  const std::string messages = tail_of(job.messages);
   const Progress progress = progress_in(messages);
   json["step"] = progress.step;
   json["steps"] = progress.steps;
@@ -132,7 +132,6 @@ Json Jobs::json_of(const Job& job) const {
   if (job.state == State::runs) return json;
   json["exit_code"] = job.exit_code;
   json["messages"] = window_words(valid_utf8(messages));
-  json["output"] = tail_of(job.output, kMostOutput);
   return json;
 }
 

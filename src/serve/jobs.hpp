@@ -36,17 +36,15 @@ class Jobs {
   /// Requests running jobs to stop and waits for them: a stopped run writes its results.
   ~Jobs();
 
-  /// Returns the number of the job; 0 if too many wait.
+  /// Returns the number of the job. Throws UsageError if too many wait, or if a job that has not ended writes into the
+  /// same result folder.
   int add(Order order);
 
   /// Requests a job to stop; one that waits is taken from the queue. Returns false if there is no such job.
   bool stop(int id);
 
-  /// Returns true if a job that has not ended writes into this result folder.
-  bool is_busy(const std::string& result) const;
-
   /// Returns all jobs: id, kind, title, result, state (waits, runs, ended, stopped), exit_code, step, steps, left,
-  /// message, output, seconds.
+  /// messages, seconds.
   nlohmann::ordered_json list() const;
 
  private:
@@ -64,6 +62,7 @@ class Jobs {
     std::unique_ptr<Child> child = {};
   };
 
+  bool is_busy(const std::string& result) const;
   /// Lets a run that goes on take the place and title of the job that it continues.
   void replace_earlier(Order& order);
   void work(const std::stop_token& stop);

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "api/named_files.hpp"
 #include "base/printable.hpp"
 #include "base/words/diagnostics.hpp"
 #include "run/follow/history_option.hpp"
@@ -105,6 +106,20 @@ std::string file_argument(const ServedFolder& folder, const std::string& path) {
   return as_argument(folder.name(whole));
 }
 
+void require_served(const ServedFolder& folder, const std::string& case_path, const std::string& key,
+                    const std::string& value) {
+  const bool is_of_case = key.starts_with('/');
+  const bool is_file = names_a_file(key.substr(key.rfind('/') + 1)) || key == "/drawing";
+  if (!is_file || value.empty()) return;
+  if (!is_of_case) {
+    folder.whole(value);
+    return;
+  }
+  std::filesystem::path from = folder.whole(case_path);
+  if (!std::filesystem::is_directory(from)) from = from.parent_path();
+  folder.whole((std::filesystem::path(folder.name(from)) / value).string());
+}
+
 std::vector<std::string> setting_arguments(const ServedFolder& folder, const Json& body) {
   std::vector<std::string> words;
   if (body.contains("profile")) {
@@ -117,7 +132,7 @@ std::vector<std::string> setting_arguments(const ServedFolder& folder, const Jso
   for (const auto& [name, value] : set.items()) {
     if (!is_plain_word(name)) throw BadRequest("expected the name of a setting");
     const std::string setting = text(set, name.c_str());
-    if (setting.find('/') != std::string::npos) folder.whole(setting);
+    require_served(folder, {}, name, setting);
     words.insert(words.end(), {"--set", name + "=" + setting});
   }
   return words;

@@ -41,8 +41,13 @@ std::string as_argument(const std::string& name);
 /// Returns the argument of a file or folder that exists below the served folder. Throws NotServed.
 std::string file_argument(const ServedFolder& folder, const std::string& path);
 
-/// Returns the arguments of "profile" and "set" (an object of texts). A value with a slash must be a path within the
-/// folder.
+/// Throws NotServed if the key, a pointer into the case at `case_path` or a setting, names a file, and the value is no
+/// path within the folder. A case names files from its own folder on, a setting from the served one.
+void require_served(const ServedFolder& folder, const std::string& case_path, const std::string& key,
+                    const std::string& value);
+
+/// Returns the arguments of "profile" and "set" (an object of texts). Throws BadRequest, and NotServed like
+/// `require_served`.
 std::vector<std::string> setting_arguments(const ServedFolder& folder, const nlohmann::ordered_json& body);
 
 /// Returns the errors among messages of the program: file, line, column, sentence; without a place the sentence alone.

@@ -52,8 +52,9 @@ Reply ServedResults::page(const std::string& path, const Parameters& parameters)
 
 Json ServedResults::record(const Parameters& parameters) const {
   const fs::path folder = folder_.whole(parameter(parameters, "result"));
-  const Json found =
-      Json::parse(bytes_of(folder_.whole(folder_.name(folder / "run.json")), kMostRecord), nullptr, false);
+  std::error_code error;
+  const char* name = fs::exists(folder / "fos.json", error) ? "fos.json" : "run.json";
+  const Json found = Json::parse(bytes_of(folder_.whole(folder_.name(folder / name)), kMostRecord), nullptr, false);
   if (!found.is_object()) throw BadRequest("expected the record of a run, found another file");
   return found;
 }

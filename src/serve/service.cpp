@@ -19,6 +19,7 @@
 #include "serve/request_words.hpp"
 #include "serve/start_page.hpp"
 #include "serve/study/study_requests.hpp"
+#include "serve/window_words.hpp"
 
 namespace keyblock::serve {
 namespace {
@@ -45,6 +46,14 @@ std::vector<std::string> printing(std::string_view path) {
   return {};
 }
 
+/// Returns the words of an error, with paths from the served folder on and without options of the command line.
+std::string sentence_of(const std::exception& error, const ServedFolder& folder) {
+  std::string words = error.what();
+  const std::string root = folder.root().string() + "/";
+  for (std::size_t at = words.find(root); at != std::string::npos; at = words.find(root)) words.erase(at, root.size());
+  return window_words(words);
+}
+
 }  // namespace
 
 Service::Service(const ServedFolder& folder, const Drafts& drafts, Jobs& jobs)
@@ -68,17 +77,17 @@ Reply Service::answer(const Request& request) {
   } catch (const NotServed& error) {
     return refusal(404, error.what());
   } catch (const UsageError& error) {  // a file that may not be overwritten
-    return refusal(409, error.what());
+    return refusal(409, sentence_of(error, folder_));
   } catch (const InputError& error) {
-    return refusal(422, error.what());
-  } catch (const OutputError& error) {
-    return refusal(500, error.what());
+    return refusal(422, sentence_of(error, folder_));
+  } catch (const std::exception& error) {
+    return refusal(500, sentence_of(error, folder_));
   }
 }
 
 Reply Service::get(const Target& target) {
   const auto& [path, parameters] = target;
-  if (path == "/api/list") return json_reply(list());
+  if (path == "/api/list") return json_reply(folder_.list());
   if (path == "/api/read") return json_reply(read(parameters));
   if (path == "/api/drawing") return drawing(parameters);
   if (path == "/api/thumbnail") return thumbnail(parameters);
@@ -106,10 +115,6 @@ Reply Service::post(const std::string& path, const Json& body) {
   if (path == "/api/convert") return json_reply(convert(body));
   if (path == "/api/stop") return json_reply(stop(body));
   return refusal(404, "there is no such address");
-}
-
-Json Service::list() const {
-  return folder_.list();
 }
 
 Json Service::read(const Parameters& parameters) const {
@@ -174,31 +179,30 @@ Json Service::check(const Json& body) const {
   return report;
 }
 
-Json Service::save(const Json& body) const {
+Json Service::save(const Json& body) {
   const fs::path file = folder_.whole(text(body, "path"));
   const std::string bytes = text(body, "text");
-  const bool overwrites = flag(body, "overwrite");
   const std::string known = body.contains("sha256") ? text(body, "sha256") : std::string();
   std::error_code error;
-  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) throw BadRequest("this is no file");
-  if (overwrites && !known.empty() && fs::exists(file, error) && sha256(bytes_of(file, kMostText)) != known)
+  const std::lock_guard lock(saving_);
+  const bool replaces = fs::exists(file, error);
+  if (replaces && !fs::is_regular_file(file, error)) throw BadRequest("this is no file");
+  if (replaces && known.empty()) throw UsageError(fmt::format("{} exists already", folder_.name(file)));
+  if (replaces && sha256(bytes_of(file, kMostText)) != known)
     throw UsageError("the file has changed since it was read");
-  write_file(file, bytes, overwrite_if(overwrites));
+  write_file(file, bytes, overwrite_if(replaces));
   return {{"path", folder_.name(file)}, {"sha256", sha256(bytes)}};
 }
 
 std::string Service::new_result(const Json& body) const {
   const std::string result = folder_.name(folder_.whole(text(body, "result")));
   std::error_code error;
-  if (fs::exists(folder_.root() / result, error) || jobs_.is_busy(result))
-    throw UsageError(fmt::format("{} exists already", result));
+  if (fs::exists(folder_.root() / result, error)) throw UsageError(fmt::format("{} exists already", result));
   return result;
 }
 
 Json Service::started(Order order) {
-  const int id = jobs_.add(std::move(order));
-  if (id == 0) throw UsageError("too many runs wait");
-  return {{"id", id}};
+  return {{"id", jobs_.add(std::move(order))}};
 }
 
 Json Service::run(const Json& body) {
@@ -226,7 +230,7 @@ Json Service::sweep(const Json& body) {
   const std::string result = new_result(body);
   std::vector<std::string> words{"sweep"};
   for (const std::string& word : case_arguments(body)) words.push_back(word);
-  for (const std::string& word : sweep_arguments(body)) words.push_back(word);
+  for (const std::string& word : sweep_arguments(folder_, body)) words.push_back(word);
   words.insert(words.end(), {"-o", as_argument(result)});
   return started({"sweep", texts(body, "paths").front(), result, std::move(words)});
 }
@@ -236,7 +240,6 @@ Json Service::resume(const Json& body) {
   std::error_code error;
   if (!fs::is_regular_file(folder_.root() / result / "checkpoint.h5", error))
     throw NotServed(fmt::format("{} has no checkpoint to resume from", result));
-  if (jobs_.is_busy(result)) throw UsageError(fmt::format("{} is in use by another run", result));
   return started({"resume", result, result, {"run", "--resume", as_argument(result)}});
 }
 
@@ -262,6 +265,7 @@ Json Service::convert(const Json& body) const {
     words.push_back("--to=" + text(body, "to"));
   }
   const Answer answer = program_(words);
+  if (answer.ran_out_of_time) remove_drafts(target.parent_path(), answer.process);
   return {{"path", folder_.name(target)},
           {"exit_code", answer.exit_code},
           {"output", valid_utf8(answer.output)},

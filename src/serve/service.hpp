@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -33,14 +34,13 @@ class Service {
   Reply get(const Target& target);
   Reply post(const std::string& path, const Json& body);
 
-  Json list() const;
   Json read(const Parameters& parameters) const;
   Reply drawing(const Parameters& parameters) const;
   Reply thumbnail(const Parameters& parameters) const;
   Reply printed(const std::vector<std::string>& words) const;
 
   Json check(const Json& body) const;
-  Json save(const Json& body) const;
+  Json save(const Json& body);
   Json run(const Json& body);
   Json resume(const Json& body);
   Json fos(const Json& body);
@@ -60,6 +60,7 @@ class Service {
   InputCopies copies_;
   ServedResults results_;
   Unsaved unsaved_;
+  std::mutex saving_;  ///< held from the check of a file to its replacement
 };
 
 }  // namespace keyblock::serve

@@ -15,6 +15,7 @@ import sys
 import tempfile
 import time
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 PROGRAM = sys.argv.pop(1)
@@ -153,8 +154,19 @@ class ServeTest(unittest.TestCase):
         self.assertEqual((self.server.folder / ".hidden.json").read_text(), "secret")
         names = [f["path"] for f in self.server.json("GET", "/api/list")[1]["files"]]
         self.assertEqual([n for n in names if n.startswith((".", "link"))], [])
-        settings = {"paths": ["case.json"], "set": {"body_acceleration_file": "../secret.json"}}
-        self.assertEqual(self.server.ask("POST", "/api/check", settings)[0], 404)
+        for name in ("../secret.json", "link.json"):
+            settings = {"paths": ["case.json"], "set": {"body_acceleration_file": name}}
+            self.assertEqual(self.server.ask("POST", "/api/check", settings)[0], 404, name)
+            for key in ("body_acceleration_file", "/run/set/body_acceleration_file", "/drawing"):
+                sweep = {"paths": ["case.json"], "result": "no", "over": [f"{key}={name}"]}
+                self.assertEqual(self.server.ask("POST", "/api/sweep", sweep)[0], 404, sweep)
+
+    def test_units_with_a_slash_are_no_paths(self):
+        report = self.server.json("POST", "/api/check", {"paths": ["case.json"], "set": {"gravity": "9.5 m/s2"}})[1]
+        self.assertEqual((report["errors"], report["case"]["settings"]["gravity.y"]), ([], -9.5))
+        body = {"paths": ["case.json"], "result": "slashes", "over": ["gravity=9,9.5 m/s2"]}
+        job = self.server.json("POST", "/api/sweep", body)[1]["id"]
+        self.assertEqual(self.server.wait_for(job)["exit_code"], 0)
 
     def test_bad_bodies_are_refused(self):
         for body in ("", "{", "[]", "3", '"x"', "{}", '{"path": 3}', '{"path": "a", "text": null}', "[" * 100000,
@@ -211,8 +223,8 @@ class ServeTest(unittest.TestCase):
             status, reply = self.server.json("POST", target, {**run, **more})
             self.assertEqual(status, 400, (target, more))
             self.assertNotIn("--", reply["error"])
-        for more in ({"overwrite": 1}, {"overwrite": "true"}, {"sha256": 3}):
-            self.assertEqual(self.server.ask("POST", "/api/save", {"path": "k.json", "text": "", **more})[0], 400, more)
+        wrong_sum = {"path": "k.json", "text": "", "sha256": 3}
+        self.assertEqual(self.server.ask("POST", "/api/save", wrong_sum)[0], 400)
         self.assertFalse((self.server.folder / "k.json").exists())
         self.assertEqual([j for j in self.server.json("GET", "/api/jobs")[1]["jobs"] if j["result"] == "wrong"], [])
 
@@ -229,18 +241,34 @@ class ServeTest(unittest.TestCase):
         self.assertEqual((error["file"], error["line"], error["column"]), ("bad.json", 2, 2))
         self.assertIn('found "blok"', error["sentence"])
 
-    def test_saving_replaces_nothing_unless_told(self):
+    def test_saving_replaces_only_the_file_that_was_read(self):
         save = lambda **body: self.server.json("POST", "/api/save", {"path": "saved.json", **body})
         status, first = save(text="one\n")
         self.assertEqual(status, 200)
-        self.assertEqual(save(text="two\n")[0], 409)
+        status, refused = save(text="two\n")
+        self.assertEqual((status, refused["error"]), (409, "saved.json exists already"))
+        self.assertEqual(save(text="two\n", overwrite=True)[0], 409, "nobody has read the file")
         status, read = self.server.json("GET", "/api/read?path=saved.json")
         self.assertEqual((read["text"], read["sha256"]), ("one\n", first["sha256"]))
         (self.server.folder / "saved.json").write_text("changed by another program\n")
-        self.assertEqual(save(text="two\n", overwrite=True, sha256=first["sha256"])[0], 409)
+        self.assertEqual(save(text="two\n", sha256=first["sha256"])[0], 409)
         self.assertEqual((self.server.folder / "saved.json").read_text(), "changed by another program\n")
-        self.assertEqual(save(text="two\n", overwrite=True)[0], 200)
-        self.assertEqual((self.server.folder / "saved.json").read_text(), "two\n")
+        now = self.server.json("GET", "/api/read?path=saved.json")[1]["sha256"]
+        with ThreadPoolExecutor(8) as clients:
+            replies = list(clients.map(lambda i: save(text=f"edit {i}\n", sha256=now)[0], range(8)))
+        self.assertEqual(sorted(replies), [200] + 7 * [409], "one of equal edits wins, the others learn of it")
+        self.assertEqual((self.server.folder / "saved.json").read_text(), f"edit {replies.index(200)}\n")
+
+    def test_equal_requests_start_one_job(self):
+        # The server copies the inputs between the check and the start of a job: a long file takes its time.
+        (self.server.folder / "padded.json").write_text("// " + 12_000_000 * "x" + "\n" + json.dumps(CASE))
+        body = {"paths": ["padded.json"], "result": "once", "set": {"steps": "2000"}}
+        with ThreadPoolExecutor(8) as clients:
+            replies = list(clients.map(lambda _: self.server.json("POST", "/api/run", body), range(8)))
+        self.assertEqual(sorted(status for status, _ in replies), [200] + 7 * [409])
+        self.assertNotIn(str(self.server.top), json.dumps(replies))
+        job = next(reply["id"] for status, reply in replies if status == 200)
+        self.assertEqual(self.server.wait_for(job)["exit_code"], 0)
 
     def test_a_case_goes_the_whole_way(self):
         server = self.server
@@ -302,6 +330,8 @@ class ServeTest(unittest.TestCase):
         entry = next(r for r in server.json("GET", "/api/list")[1]["results"] if r["path"] == "sw")
         self.assertEqual((entry["kind"], entry["is_finished"]), ("sweep", True))
         self.assertEqual(len(server.json("GET", "/api/read?path=sw/table.csv")[1]["text"].splitlines()), 3)
+        server.wait_for(server.json("POST", "/api/fos", {"paths": ["case.json"], "result": "fs"})[1]["id"])
+        self.assertIn("factor_of_safety", server.json("GET", "/api/record?result=fs")[1])
         for bad in ([], ["x"], ["=3"], "a=1", [3], ["/analysis/gravity="]):
             self.assertEqual(server.ask("POST", "/api/sweep", {"paths": ["case.json"], "result": "no", "over": bad})[0], 400)
         test = {"path": "case.json", "kind": "uniaxial", "to": [-0.001]}
@@ -393,7 +423,32 @@ class ServeTest(unittest.TestCase):
         server.wait_for(job)
 
 
+def children_of(process):
+    return [int(child) for task in Path(f"/proc/{process}/task").iterdir()
+            for child in (task / "children").read_text().split()]
+
+
 class EndOfServerTest(unittest.TestCase):
+    def test_a_killed_command_leaves_no_drafts(self):
+        server = Server()
+        rows = ",".join(f"[0, {i}, 1, {i}, 1]" for i in range(400_000))
+        (server.folder / "long.json").write_text('{"keyblock": 2, "drawing": {"joints": [' + rows + "]}}")
+        body = {"paths": ["long.json"], "target": "long.dxf"}
+        with ThreadPoolExecutor(1) as client:
+            asked = client.submit(server.ask, "POST", "/api/convert", body)
+            while not (started := children_of(server.process.pid)):
+                time.sleep(0.01)
+            own, foreign = (server.folder / f".keyblock_draft_{process}_0" for process in (started[0], 1))
+            for draft in (own, foreign):
+                draft.write_text("half a file")
+            server.process.send_signal(signal.SIGINT)
+            server.process.wait(timeout=30)
+            self.assertIsNotNone(asked.exception(), "the command was still at work")
+        self.assertEqual([own.exists(), foreign.exists(), (server.folder / "long.dxf").exists()], [False, True, False])
+        server.process.stdout.close()
+        server.process.stderr.close()
+        shutil.rmtree(server.top)
+
     def test_a_server_that_ends_leaves_whole_runs(self):
         for how in (signal.SIGTERM, signal.SIGKILL):
             server = Server()

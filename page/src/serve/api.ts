@@ -61,7 +61,6 @@ export interface Job {
   seconds?: number;
   exit_code?: number;
   messages?: string;
-  output?: string;
 }
 
 export interface Difference {
@@ -164,8 +163,9 @@ export const schema = () => get<Record<string, unknown>>('/api/schema');
 export const joint_schema = () => get<Record<string, unknown>>('/api/joint_schema');
 export const convert = (paths: string[], target: string, to: string) =>
   post<{ path: string; exit_code: number; output: string; messages: string }>('/api/convert', { paths, target, to });
-export const save = (path: string, text: string, options: { overwrite?: boolean; sha256?: string } = {}) =>
-  post<{ path: string; sha256: string }>('/api/save', { path, text, ...options });
+/** Saves a new file, or replaces the one with this checksum. */
+export const save = (path: string, text: string, sha256?: string) =>
+  post<{ path: string; sha256: string }>('/api/save', { path, text, ...(sha256 && { sha256 }) });
 export const run = (
   kind: 'run' | 'fos',
   paths: string[],

@@ -139,7 +139,7 @@ export function CaseView({ paths }: { paths: string[] }) {
     for (const path of changed) {
       if (path === but) continue;
       const sent = texts[path];
-      const saved = await state.attempt(() => api.save(path, sent, { overwrite: true, sha256: files[path].sha256 }));
+      const saved = await state.attempt(() => api.save(path, sent, files[path].sha256));
       if (!saved) return false;
       set_files(before => ({ ...before, [path]: { text: sent, sha256: saved.sha256, is_text: true } }));
     }
@@ -419,7 +419,7 @@ async function convert_to_case(paths: string[], more?: (text: string) => string)
     const own = await state.attempt(() => api.read(target));
     if (!own) return;
     const text = more(own.text ?? '');
-    if (!(await state.attempt(() => api.save(target, text, { overwrite: true, sha256: own.sha256 })))) return;
+    if (!(await state.attempt(() => api.save(target, text, own.sha256)))) return;
   }
   await state.refresh();
   state.go(state.link('case', target));

@@ -1,7 +1,7 @@
 // What a case can start: runs, factors of safety; and the list of what was started.
 
 import { signal } from '@preact/signals';
-import { useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
 import * as api from './api';
 import { leaf_of, new_result, stem_of } from './cases';
@@ -278,6 +278,7 @@ export function JobItem({ job }: { job: api.Job }) {
   const share = job.steps ? (job.step ?? 0) / job.steps : 0;
   const failed = job.state === 'ended' && job.exit_code !== 0;
   const entry = state.listing.value?.results.find(own => own.path === job.result);
+  const answer = useAnswer(job);
   const words =
     is_open && job.is_stopping
       ? 'stopping'
@@ -291,8 +292,7 @@ export function JobItem({ job }: { job: api.Job }) {
               : 'stopped'
             : failed
               ? `ended with code ${job.exit_code}`
-              : criterion_of(job) || `finished in ${duration(job.seconds ?? 0)}`;
-  const factor = job.kind === 'fos' && job.state === 'ended' ? factor_of(job.output ?? '') : '';
+              : `finished in ${duration(job.seconds ?? 0)}`;
   return (
     <li class={`job ${failed ? 'bad' : ''}`}>
       <div class="bar">
@@ -337,27 +337,42 @@ export function JobItem({ job }: { job: api.Job }) {
       </div>
       {is_open && <progress value={share} max={1} aria-label={`Progress of ${job.result}`} />}
       <p class="note" aria-live="polite">
-        {factor || words}
+        {answer || words}
       </p>
       {failed && job.messages && <pre class="messages">{job.messages.trim().split('\n').slice(-6).join('\n')}</pre>}
     </li>
   );
 }
 
-/** Sentence on the factor that a search found. */
-function factor_of(output: string): string {
-  try {
-    const value = JSON.parse(output);
-    const number = value.factor_of_safety;
-    if (typeof number === 'number') return `Factor of safety ${show(number, 4)}`;
-  } catch {
-    // What is not JSON is no factor.
-  }
-  return '';
+/** Record of a run or of a search, as far as a list of jobs shows it. */
+interface Recorded {
+  factor_of_safety?: number | null;
+  outcome?: { steps: number; ended_early?: string };
 }
 
-/** Sentence on the criterion at which a run stopped. */
-function criterion_of(job: api.Job): string {
-  const found = /: stopped (after [0-9]+ steps?: .*)$/m.exec(job.messages ?? '');
-  return found ? `stopped ${found[1]}` : '';
+/** Sentence on the factor that an ended search found, or on the criterion at which an ended run stopped. */
+function useAnswer(job: api.Job): string {
+  const [answer, set_answer] = useState('');
+  const has_record = job.state === 'ended' && ['run', 'resume', 'fos'].includes(job.kind);
+  useEffect(() => {
+    set_answer('');
+    if (!has_record) return;
+    let is_old = false;
+    void api
+      .record(job.result)
+      .then(own => {
+        if (!is_old) set_answer(answer_in(own as Recorded));
+      })
+      .catch(() => {});
+    return () => {
+      is_old = true;
+    };
+  }, [job.id, has_record]);
+  return answer;
+}
+
+function answer_in({ factor_of_safety, outcome }: Recorded): string {
+  if (typeof factor_of_safety === 'number') return `Factor of safety ${show(factor_of_safety, 4)}`;
+  if (!outcome?.ended_early) return '';
+  return `stopped after ${outcome.steps} ${outcome.steps === 1 ? 'step' : 'steps'}: ${outcome.ended_early}`;
 }

@@ -217,6 +217,10 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
         if (text === undefined) return send({ error: `there is no file ${path}` }, 404);
         return send({ path, is_text: true, sha256: sum(text), text });
       }
+      case '/api/record': {
+        const text = own.files.get(`${url.searchParams.get('result')}/fos.json`);
+        return text ? send(JSON.parse(text)) : send({ outcome: { end: 'finished', steps: 300 } });
+      }
       case '/api/drawing':
       case '/api/thumbnail':
       case '/api/picture':
@@ -266,7 +270,9 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
         return send(JOINT_SCHEMA);
       case '/api/save': {
         const path = String(body.path);
-        if (own.files.has(path) && !body.overwrite) return send({ error: `${path} exists already` }, 409);
+        const there = own.files.get(path);
+        if (there !== undefined && body.sha256 !== sum(there))
+          return send({ error: `${path} exists already, or has changed` }, 409);
         own.files.set(path, String(body.text));
         return send({ path, sha256: sum(String(body.text)) });
       }

@@ -79,7 +79,6 @@ describe.skipIf(!has_browser)('window', () => {
     await page.locator('textarea').press('Control+s');
     await page.waitForFunction(() => document.body.textContent.includes('No problem found'));
     const saved = folder.asked.filter(own => own.path === '/api/save').at(-1)!.body;
-    expect(saved.overwrite).toBe(true);
     expect(String(saved.sha256)).toMatch(/^[0-9a-f]{64}$/);
     expect(folder.files.get('bad.json')).toBe('{\n "keyblock": 2\n}\n');
     await page.getByRole('button', { name: 'Add a setting' }).click();

@@ -12,6 +12,7 @@
 #include "base/printable.hpp"
 #include "serve/replies.hpp"
 #include "serve/request_words.hpp"
+#include "study/sweep/varied_key.hpp"
 
 namespace keyblock::serve {
 namespace {
@@ -51,17 +52,26 @@ Json answer_of(const Drafts& drafts, const Program& program, std::vector<std::st
           {"errors", errors_in(answer.messages)},    {"messages", words_of(answer)}};
 }
 
+/// Checks KEY=VALUES. Throws BadRequest for another form, NotServed like `require_served`.
+void require_served_values(const ServedFolder& folder, const Json& body, const std::string& over) {
+  try {
+    const study::VariedKey varied = study::varied_key_of(over);
+    for (const Json& value : varied.values)
+      if (value.is_string()) require_served(folder, texts(body, "paths").front(), varied.key, value);
+  } catch (const std::invalid_argument& error) {
+    throw BadRequest(error.what());
+  }
+}
+
 }  // namespace
 
-std::vector<std::string> sweep_arguments(const Json& body) {
+std::vector<std::string> sweep_arguments(const ServedFolder& folder, const Json& body) {
   const std::vector<std::string> keys = texts(body, "over");
   if (keys.empty() || keys.size() > kMostKeys)
     throw BadRequest(fmt::format("expected 1 to {} keys with their values in \"over\"", kMostKeys));
   std::vector<std::string> words;
   for (const std::string& key : keys) {
-    const std::size_t equals = key.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == key.size())
-      throw BadRequest(fmt::format("expected KEY=VALUES in \"over\", found \"{}\"", key));
+    require_served_values(folder, body, key);
     words.push_back("--over=" + key);
   }
   const std::vector<std::string> outputs = texts(body, "out");

@@ -11,9 +11,9 @@
 
 namespace keyblock::serve {
 
-/// Returns the arguments of a sweep behind its case: "over" is a list of KEY=VALUES, "out" a list of results, "zip" a
-/// flag. Throws BadRequest.
-std::vector<std::string> sweep_arguments(const nlohmann::ordered_json& body);
+/// Returns the arguments of a sweep behind its case, "paths": "over" is a list of KEY=VALUES, "out" a list of results,
+/// "zip" a flag. Throws BadRequest, and NotServed for values that name files outside of the folder.
+std::vector<std::string> sweep_arguments(const ServedFolder& folder, const nlohmann::ordered_json& body);
 
 /// Answers an element test ("path", "kind", "to", "material"?, "confining"?, "cycles"?, "steps"?) or a fit ("path",
 /// "kind": curve, triaxial, chevron_bend, notched_disc or semicircular_bend, "friction"?): exit_code, record, svg,
