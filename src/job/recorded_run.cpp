@@ -23,14 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings) {
-  std::vector<InputRecord> records;
-  for (const formats::FileReading& file : readings)
-    records.push_back({file.path, sha256(file.source.text), std::string(file.choice->format->name),
-                       file.choice->recognition.evidence});
-  return records;
-}
-
 std::optional<StopCriterion> criterion_of(const std::string& text, const Units& units) {
   if (text.empty()) return std::nullopt;
   try {
@@ -99,6 +91,14 @@ PlannedCase planned_with(const OpenCase& read, const OutputOptions& outputs) {
 }
 
 }  // namespace
+
+std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings) {
+  std::vector<InputRecord> records;
+  for (const formats::FileReading& file : readings)
+    records.push_back({file.path, sha256(file.source.text), std::string(file.choice->format->name),
+                       file.choice->recognition.evidence});
+  return records;
+}
 
 RecordedRun::Beginning RecordedRun::saved_in(const std::string& folder, double checkpoint_every) {
   Beginning beginning;

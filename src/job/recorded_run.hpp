@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "api/plan.hpp"
 #include "base/archive.hpp"
@@ -27,6 +28,9 @@ struct RecordingOptions {
   OutputOptions outputs = {};
   std::string stop_when = {};  ///< in the form that `stop_criterion_of` reads; empty: at the last step
 };
+
+/// Returns path, checksum and format of each file.
+std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings);
 
 /// Run of a case with its results in a folder. It cannot be moved: the run refers to the plan that it owns.
 class RecordedRun {

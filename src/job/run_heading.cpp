@@ -4,11 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "base/bytes/file_bytes.hpp"
 #include "base/error.hpp"
 #include "job/folder/output_files.hpp"
+#include "problem/units/measure.hpp"
 
 namespace keyblock {
 namespace {
@@ -42,6 +41,13 @@ std::string title_of(const std::filesystem::path& file, const std::string& profi
 
 std::string title_at(const std::string& title, double time, const Units& units) {
   return fmt::format("{}, time {:g}{}{}", title, time, units.time.empty() ? "" : " ", units.time);
+}
+
+Json units_json(const Units& units) {
+  Json json = {{"length", units.length}, {"mass", units.mass}, {"time", units.time}};
+  if (is_declared(measures::kForce, units)) json["force"] = unit_of(Measure{{1, 1, -2}}, units);
+  if (is_declared(measures::kStress, units)) json["stress"] = unit_of(measures::kStress, units);
+  return json;
 }
 
 RunHeading heading_of(const std::filesystem::path& folder) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ std::string title_of(const std::filesystem::path& file, const std::string& profi
 
 /// Returns "slope, profile standard, time 1.5 s".
 std::string title_at(const std::string& title, double time, const Units& units);
+
+/// Returns the entry "units" of a record. Names force and stress too, if the declared units determine them.
+nlohmann::ordered_json units_json(const Units& units);
 
 struct RunHeading {
   std::string title;

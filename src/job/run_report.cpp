@@ -9,6 +9,7 @@
 #include "formats/tables/run_tables.hpp"
 #include "job/folder/made_by.hpp"
 #include "job/ledger_report.hpp"
+#include "job/run_heading.hpp"
 #include "job/run_measures.hpp"
 #include "job/step_tables.hpp"
 #include "job/verdict/end_of_motion.hpp"
@@ -180,14 +181,6 @@ Json stages_json(const std::vector<SceneReport>& scenes) {
   return stages;
 }
 
-/// Names force and stress too, if the declared units determine them.
-Json json_of(const Units& units) {
-  Json json = {{"length", units.length}, {"mass", units.mass}, {"time", units.time}};
-  if (is_declared(measures::kForce, units)) json["force"] = unit_of(Measure{{1, 1, -2}}, units);
-  if (is_declared(measures::kStress, units)) json["stress"] = unit_of(measures::kStress, units);
-  return json;
-}
-
 Json json_of(const EquilibriumWay& way) {
   return {{"share", way.share ? Json(*way.share) : Json()}, {"last_step_ratio", way.last_step_ratio}};
 }
@@ -245,7 +238,6 @@ Json inputs_json(const std::vector<InputRecord>& inputs) {
   return all;
 }
 
-/// Returns an empty object if no value was changed.
 Json values_json(const std::vector<ChangedValue>& values) {
   Json all = Json::object();
   for (const auto& [pointer, text] : values) {
@@ -340,7 +332,7 @@ Json run_json(const Prepared& prepared, const RunRecord& record) {
     if (support.direction != Point{}) row["direction"] = {support.direction.x, support.direction.y};
     json["supports"].push_back(std::move(row));
   }
-  if (record.units != Units{}) json["units"] = json_of(record.units);
+  if (record.units != Units{}) json["units"] = units_json(record.units);
   if (record.outcome.forces) json["forces"] = json_of(*record.outcome.forces);
   if (record.plastic) json["plastic"] = json_of(*record.plastic);
   if (!record.reactions.empty()) {

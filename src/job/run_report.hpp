@@ -28,6 +28,9 @@ nlohmann::ordered_json inputs_json(const std::vector<InputRecord>& inputs);
 /// Returns every warning with its place and its values.
 nlohmann::ordered_json warning_list_json(const Warnings& warnings);
 
+/// Returns the changed values by their pointers; an empty object if there are none.
+nlohmann::ordered_json values_json(const std::vector<ChangedValue>& values);
+
 /// Returns name, count and first occurrence of each kind of warning, with the values of the first.
 nlohmann::ordered_json warnings_json(const Warnings& warnings);
 

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/bytes/sha256.hpp"
 #include "formats/registry.hpp"
 #include "formats/text/csv.hpp"
 #include "tests/support/program.hpp"
@@ -170,6 +171,18 @@ TEST(FosCommand, writes_its_trials_and_pictures_and_overwrites_nothing) {
   EXPECT_NE(read_text(out + "/picture.svg").find("<title>slip"), std::string::npos);
   EXPECT_NE(read_text(out + "/fos.svg").find("unstable from"), std::string::npos);
   EXPECT_EQ(run_keyblock(command).exit_code, 2);
+}
+
+TEST(FosCommand, the_record_names_units_inputs_and_changed_values) {
+  const std::string folder = fresh_folder("fos_origin");
+  write_text(folder + "/in.json", square_above_a_block(8.5));
+  run_keyblock({"fos", folder + "/in.json", "-o", folder + "/out", "--at", "/analysis/gravity=9.5"});
+  const Json record = Json::parse(read_text(folder + "/out/fos.json"));
+  EXPECT_EQ(record["units"]["length"], "m");
+  EXPECT_EQ(record["inputs"][0]["file"], folder + "/in.json");
+  EXPECT_EQ(record["inputs"][0]["sha256"], sha256(read_text(folder + "/in.json")));
+  EXPECT_EQ(record["values"], Json({{"/analysis/gravity", 9.5}}));
+  EXPECT_EQ(record["outputs"][1], "trials.csv");
 }
 
 TEST(FosCommand, run_reduces_strength_too) {

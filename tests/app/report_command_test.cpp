@@ -151,6 +151,10 @@ TEST(ReportCommand, a_factor_of_safety_has_a_report_and_a_page) {
   const std::string page = read_text(folder + "/fos/report.html");
   EXPECT_TRUE(contains(page, "class=\"verdict bad\">Factor of safety 0.6"));
   EXPECT_TRUE(contains(page, "<td>factor of safety</td>"));
+  EXPECT_TRUE(contains(page, "largest displacement [m]"));
+  EXPECT_TRUE(contains(page, "<h2>Materials</h2>") && contains(page, "<td>20°</td>"));
+  EXPECT_TRUE(contains(page, record["inputs"][0]["sha256"].get<std::string>()));
+  EXPECT_TRUE(contains(page, "<td>trials.csv</td><td>result</td><td>"));
   EXPECT_EQ(run_keyblock({"view", folder + "/fos", "-o", folder + "/page.html"}).exit_code, 0);
   EXPECT_TRUE(contains(read_text(folder + "/page.html"), "Trials"));
 }

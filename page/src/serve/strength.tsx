@@ -21,6 +21,7 @@ interface Strength {
   bracket?: { stands?: number | null; falls?: number | null };
   notes?: string[];
   trials?: Trial[];
+  units?: { length?: string };
 }
 
 const REDUCED: Record<string, string> = { joints: 'joints', rock: 'rock', both: 'joints and rock' };
@@ -31,9 +32,9 @@ export function StrengthView({ path }: { path: string }) {
   useEffect(() => {
     let is_old = false;
     void state
-      .attempt(() => api.read(`${path}/fos.json`))
-      .then(file => {
-        if (file?.text && !is_old) set_record(JSON.parse(file.text));
+      .attempt(() => api.record(path))
+      .then(own => {
+        if (own && !is_old) set_record(own as Strength);
       });
     return () => {
       is_old = true;
@@ -41,6 +42,7 @@ export function StrengthView({ path }: { path: string }) {
   }, [path]);
   if (!record) return <p class="note pad">Reading the record…</p>;
   const { bracket } = record;
+  const unit = record.units?.length ?? '';
   const trials = (record.trials ?? []).slice().sort((a, b) => a.factor - b.factor);
   return (
     <div class="strength">
@@ -85,7 +87,7 @@ export function StrengthView({ path }: { path: string }) {
             </th>
             <th scope="col">Model</th>
             <th scope="col" class="number">
-              Largest displacement
+              Largest displacement{unit && ` [${unit}]`}
             </th>
           </tr>
         </thead>

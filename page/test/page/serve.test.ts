@@ -36,6 +36,7 @@ describe.skipIf(!has_browser)('window', () => {
           factor_of_safety: 3.2872,
           bracket: { stands: 3.2842, falls: 3.29018 },
           trials: [{ factor: 1, verdict: 'stands', largest_displacement: 0.000773 }],
+          units: { length: 'm' },
         }),
         '<img src=x onerror=alert(1)>.json': '{}\n',
       },
@@ -184,6 +185,7 @@ describe.skipIf(!has_browser)('window', () => {
     expect(await page.locator('.strength').textContent()).toContain(
       'stable at a factor of 3.284 and unstable at 3.290.',
     );
+    expect(await page.getByRole('columnheader', { name: 'Largest displacement [m]' }).count()).toBe(1);
     expect(await page.locator('iframe').count()).toBe(0);
     await page.context().close();
   });

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "api/case_values.hpp"
 #include "base/bytes/file_bytes.hpp"
 #include "base/bytes/sha256.hpp"
 #include "base/error.hpp"
@@ -88,14 +89,23 @@ report::DocumentTable joints_of(const Analysis& analysis, const std::vector<std:
   return {{"joint", "friction angle", "cohesion", "tensile strength"}, rows};
 }
 
-// Returns the input files of the run; throws InputError if one is not as it was.
-std::vector<std::string> unchanged_inputs(const RunRecordFile& record) {
+// Returns the values of the case that were changed after reading.
+std::vector<ChangedValue> changed_values(const ResultRecord& record) {
+  std::vector<ChangedValue> values;
+  if (const Json& changed = record.at("values"); changed.is_object())
+    for (const auto& [pointer, value] : changed.items())
+      values.push_back({pointer, value.is_string() ? value.get<std::string>() : value.dump()});
+  return values;
+}
+
+// Returns the input files of the record; throws InputError if one is not as it was.
+std::vector<std::string> unchanged_inputs(const ResultRecord& record) {
   std::vector<std::string> files;
   for (const Json& input : record.list("inputs")) {
     const std::string file = plain_text(member(input, "file"));
-    if (!fs::is_regular_file(file)) throw InputError({file}, "expected the input file of the run, found none");
+    if (!fs::is_regular_file(file)) throw InputError({file}, "expected the input file of this result, found none");
     if (sha256(file_bytes(file)) != plain_text(member(input, "sha256")))
-      throw InputError({file}, "expected the file as the run read it, found another content");
+      throw InputError({file}, "expected the file as it was read, found another content");
     files.push_back(file);
   }
   return files;
@@ -103,11 +113,13 @@ std::vector<std::string> unchanged_inputs(const RunRecordFile& record) {
 
 }  // namespace
 
-report::DocumentSection material_section(const RunRecordFile& record) {
+report::DocumentSection material_section(const ResultRecord& record) {
   report::DocumentSection section{"Materials"};
   if (record.list("inputs").empty()) return section;
   try {
-    const formats::Case input = formats::load_case(unchanged_inputs(record));
+    formats::Case input = formats::load_case(unchanged_inputs(record));
+    if (const std::vector<ChangedValue> values = changed_values(record); !values.empty())
+      input = with_values(input, values);
     const formats::MaterialNames names = formats::names_of(input.files);
     if (!input.problem.analysis) return section;
     const Analysis& analysis = *input.problem.analysis;

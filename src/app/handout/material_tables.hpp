@@ -1,4 +1,4 @@
-// Lists the materials of a run for its report.
+// Lists the materials of a result for its report.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace keyblock {
 
-/// Returns tables of rocks and joints, read from the input files of the run. Says so in a sentence if a file is no
-/// longer there, or has changed since the run.
-report::DocumentSection material_section(const RunRecordFile& record);
+/// Returns tables of rocks and joints, read from the input files of the record, with the values that were changed after
+/// reading. Says so in a sentence if a file is no longer there, or has changed since.
+report::DocumentSection material_section(const ResultRecord& record);
 
 }  // namespace keyblock

@@ -17,19 +17,27 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kDigits = 6;
 
+// Returns the file of this name in the folder; throws InputError if there is none.
+std::filesystem::path file_in(const std::filesystem::path& folder, const char* name) {
+  std::filesystem::path file = folder / name;
+  if (!std::filesystem::is_regular_file(file))
+    throw InputError({folder.string()}, fmt::format("expected the folder of a run, with {}, found none", name));
+  return file;
+}
+
 }  // namespace
 
-RunRecordFile::RunRecordFile(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / kRecord;
-  if (!std::filesystem::is_regular_file(file))
-    throw InputError({folder.string()}, fmt::format("expected the folder of a run, with {}, found none", kRecord));
-  json_ = Json::parse(file_bytes(file.string()), nullptr, false);
-  if (!json_.is_object() || !json_.contains("outcome"))
-    throw InputError({file.string()}, "expected the record of a run (JSON), found another file");
+ResultRecord::ResultRecord(const std::filesystem::path& file, const char* key, const char* what)
+    : json_(Json::parse(file_bytes(file.string()), nullptr, false)) {
+  if (!json_.is_object() || !json_.contains(key))
+    throw InputError({file.string()}, fmt::format("expected the record of {}, found another file", what));
   units_ = {text("units.length"), text("units.mass"), text("units.time")};
 }
 
-const Json& RunRecordFile::at(std::string_view path) const {
+RunRecordFile::RunRecordFile(const std::filesystem::path& folder)
+    : ResultRecord(file_in(folder, kRecord), "outcome", "a run (JSON)") {}
+
+const Json& ResultRecord::at(std::string_view path) const {
   const Json* here = &json_;
   while (!path.empty()) {
     const std::size_t dot = path.find('.');
@@ -39,23 +47,23 @@ const Json& RunRecordFile::at(std::string_view path) const {
   return *here;
 }
 
-const Json& RunRecordFile::list(std::string_view path) const {
+const Json& ResultRecord::list(std::string_view path) const {
   static const Json kNone = Json::array();
   const Json& found = at(path);
   return found.is_array() ? found : kNone;
 }
 
-std::string RunRecordFile::text(std::string_view path) const {
+std::string ResultRecord::text(std::string_view path) const {
   const Json& found = at(path);
   return found.is_string() ? found.get<std::string>() : std::string();
 }
 
-std::string RunRecordFile::quantity(std::string_view path, const Measure& measure) const {
+std::string ResultRecord::quantity(std::string_view path, const Measure& measure) const {
   const Json& found = at(path);
   return found.is_number() ? readable(found.get<double>(), measure, units_) : std::string();
 }
 
-std::string RunRecordFile::unit_of(const std::string& path) const {
+std::string ResultRecord::unit_of(const std::string& path) const {
   const Json& all = at("unit_of");
   return all.is_object() && all.contains(path) && all[path].is_string() ? all[path].get<std::string>() : std::string();
 }

@@ -1,4 +1,4 @@
-// Reads run.json, the record of a run, for the report.
+// Reads the records of results, run.json and fos.json, for reports.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,12 +11,10 @@
 
 namespace keyblock {
 
-/// The record of a run. A missing value reads as empty text, or as null.
-class RunRecordFile {
+/// The record of a result. A missing value reads as empty text, or as null.
+class ResultRecord {
  public:
-  /// Throws InputError if the folder has no record, or another file of that name.
-  explicit RunRecordFile(const std::filesystem::path& folder);
-
+  const nlohmann::ordered_json& json() const { return json_; }
   /// Returns the value at a path of keys, "outcome.motion.state"; null if there is none.
   const nlohmann::ordered_json& at(std::string_view path) const;
   /// Returns the list at a path; an empty one if there is none.
@@ -28,9 +26,19 @@ class RunRecordFile {
   /// Returns the unit that the record names for a path, or nothing.
   std::string unit_of(const std::string& path) const;
 
+ protected:
+  /// Throws InputError if `file` is no JSON object with this key; `what` names the expected record.
+  ResultRecord(const std::filesystem::path& file, const char* key, const char* what);
+
  private:
   nlohmann::ordered_json json_;
   Units units_;
+};
+
+class RunRecordFile : public ResultRecord {
+ public:
+  /// Throws InputError if the folder has no record of a run, or another file of that name.
+  explicit RunRecordFile(const std::filesystem::path& folder);
 };
 
 /// Returns the value under a key; null if there is none, or `of` has no keys.

@@ -132,7 +132,7 @@ DocumentSection contact_section(const fs::path& folder, const RunRecordFile& rec
   });
 }
 
-DocumentSection checksum_section(const fs::path& folder, const RunRecordFile& record) {
+DocumentSection checksum_section(const fs::path& folder, const ResultRecord& record) {
   Rows rows;
   for (const Json& input : record.list("inputs"))
     rows.push_back({plain_text(member(input, "file")), fmt::format("input, {}", plain_text(member(input, "format"))),

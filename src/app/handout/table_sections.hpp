@@ -15,7 +15,7 @@ report::DocumentSection bolt_section(const std::filesystem::path& folder, const 
 /// Returns the contacts of each joint material in the last recorded frame. Empty without contacts.csv.
 report::DocumentSection contact_section(const std::filesystem::path& folder, const RunRecordFile& record);
 
-/// Returns SHA-256 of the input files as the run read them, and of its tables and pictures as they are now.
-report::DocumentSection checksum_section(const std::filesystem::path& folder, const RunRecordFile& record);
+/// Returns SHA-256 of the input files as they were read, and of its tables and pictures as they are now.
+report::DocumentSection checksum_section(const std::filesystem::path& folder, const ResultRecord& record);
 
 }  // namespace keyblock

@@ -16,6 +16,8 @@
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "job/files.hpp"
+#include "job/recorded_run.hpp"
+#include "job/run_heading.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
 #include "report/rock/strength_picture.hpp"
@@ -96,28 +98,39 @@ Json mesh_error_json(const std::optional<study::MeshError>& error) {
           {"extrapolated_factor", error->extrapolated}};
 }
 
-Json json_of(const ReducedCase& chosen, const Warnings& warnings, const FactorOfSafety& found) {
+/// Adds what the numbers are of: units, input files, and the values that were changed after reading.
+void put_origin(Json& json, const ReducedCase& chosen) {
+  if (const Units& units = chosen.input.problem.units; units != Units{}) json["units"] = units_json(units);
+  json["inputs"] = inputs_json(input_records(chosen.read_files()));
+  if (!chosen.values.empty()) json["values"] = values_json(chosen.values);
+}
+
+Json json_of(const ReducedCase& chosen, const Warnings& warnings, const FactorOfSafety& found, bool has_files) {
   Json trials = Json::array();
   for (const StrengthTrial& trial : found.trials) trials.push_back(trial_json(trial));
-  return {{"program", "keyblock"},
-          {"version", KEYBLOCK_VERSION},
-          {"case", chosen.name},
-          {"profile", chosen.made.profile.name},
-          {"reduced", name_of(found.what)},
-          {"end", study::name_of(found.end)},
-          {"factor_of_safety", found.end == SearchEnd::bracketed ? Json(found.bracket.middle()) : Json()},
-          {"bracket", bracket_json(found.bracket)},
-          {"to_within", found.within},
-          {"far_over_width", kFarFromDrawing},
-          {"serviceability", service_json(found)},
-          {"knee_times", study::kKnee},
-          {"mesh_error", mesh_error_json(found.mesh_error)},
-          {"exempt", chosen.reduction.exempt},
-          {"lower_estimate", found.is_lower_estimate},
-          {"left_out", blocks_json(found.left_out)},
-          {"notes", found.notes},
-          {"warnings", warning_list_json(warnings)},
-          {"trials", trials}};
+  Json json{{"program", "keyblock"},
+            {"version", KEYBLOCK_VERSION},
+            {"case", chosen.name},
+            {"profile", chosen.made.profile.name},
+            {"reduced", name_of(found.what)},
+            {"end", study::name_of(found.end)},
+            {"factor_of_safety", found.end == SearchEnd::bracketed ? Json(found.bracket.middle()) : Json()},
+            {"bracket", bracket_json(found.bracket)},
+            {"to_within", found.within},
+            {"far_over_width", kFarFromDrawing},
+            {"serviceability", service_json(found)},
+            {"knee_times", study::kKnee},
+            {"mesh_error", mesh_error_json(found.mesh_error)},
+            {"exempt", chosen.reduction.exempt},
+            {"lower_estimate", found.is_lower_estimate},
+            {"left_out", blocks_json(found.left_out)},
+            {"notes", found.notes},
+            {"warnings", warning_list_json(warnings)},
+            {"trials", trials}};
+  put_origin(json, chosen);
+  json["outputs"] = Json::array();
+  if (has_files) json["outputs"] = kFiles;
+  return json;
 }
 
 std::string csv_of(const FactorOfSafety& found, const Units& units) {
@@ -373,7 +386,8 @@ ExitCode reduce_strength(const AskedCase& asked, const ReductionOptions& options
   search.on_loose = [](const std::string& sentence) { spdlog::info("{}; the search begins anew", sentence); };
   FactorOfSafety found = study::factor_of_safety(trials, search);
   if (options.seeks_mesh_error) add_mesh_error(trials, found, search);
-  const std::string json = json_of(chosen, warnings, found).dump(1, ' ', false, Json::error_handler_t::replace);
+  const std::string json =
+      json_of(chosen, warnings, found, !options.folder.empty()).dump(1, ' ', false, Json::error_handler_t::replace);
   if (options.as_json)
     fmt::print("{}\n", json);
   else

@@ -13,7 +13,6 @@
 #include "job/page/result_frames.hpp"
 #include "job/page/result_tables.hpp"
 #include "job/run_heading.hpp"
-#include "problem/units/measure.hpp"
 #include "report/page/page_writer.hpp"
 
 namespace keyblock {
@@ -30,15 +29,6 @@ constexpr const char* kPrecision =
 Json record_in(const fs::path& folder) {
   const fs::path file = folder / kRecord;
   return fs::is_regular_file(file) ? Json::parse(file_bytes(file.string()), nullptr, false) : Json();
-}
-
-Json units_json(const Units& units) {
-  if (units == Units{}) return {};
-  return {{"length", units.length},
-          {"mass", units.mass},
-          {"time", units.time},
-          {"force", unit_of(measures::kForce, units)},
-          {"stress", unit_of(measures::kStress, units)}};
 }
 
 /// First and last step of each stage.
@@ -144,7 +134,7 @@ std::string run_page(const fs::path& folder) {
             {"program", fmt::format("keyblock {}", KEYBLOCK_VERSION)},
             {"title", heading.title},
             {"precision", kPrecision},
-            {"units", units_json(heading.units)},
+            {"units", heading.units == Units{} ? Json() : units_json(heading.units)},
             {"materials", names_of(record, "materials", counts.materials)},
             {"joints", names_of(record, "joints", counts.joints)},
             {"tables", result_tables(folder, heading.units != Units{})},
