@@ -90,6 +90,7 @@ export function make_wall(options: WallOptions): Wall {
     version: 1,
     program: 'keyblock 0.2.0',
     title: 'Wall of blocks',
+    verdict: { tone: 'plain', words: 'run not finished', reason: '' },
     run: null,
     origin: [100, 50],
     precision: 'Displacements are rounded to 3·10⁻⁵ of their value, stresses to 5·10⁻⁴.',

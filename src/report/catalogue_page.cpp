@@ -18,8 +18,12 @@ std::string text_of(const std::optional<int>& number) {
   return number ? fmt::format("{}", *number) : std::string();
 }
 
+const std::string& word_of(const CatalogueRow& row) {
+  return row.verdict.word.empty() ? row.outcome : row.verdict.word;
+}
+
 Verdict verdict_of(const CatalogueRow& row) {
-  const std::string& word = row.verdict.word.empty() ? row.outcome : row.verdict.word;
+  const std::string& word = word_of(row);
   if (word == "failed") return Verdict::bad;
   return word == "differs" || word == "no equilibrium" ? Verdict::doubtful : Verdict::good;
 }
@@ -64,7 +68,7 @@ std::string anchor_of(std::size_t index) {
 }
 
 DocumentCard card_of(const CatalogueRow& row, std::size_t index) {
-  DocumentCard card{row.name, anchor_of(index), row.thumbnail, verdict_of(row), {verdict_in_words(row)}};
+  DocumentCard card{row.name, anchor_of(index), row.thumbnail, verdict_of(row), word_of(row), {verdict_in_words(row)}};
   for (const std::string& reason : reasons_of(row)) card.lines.push_back(reason);
   if (!row.scene.empty()) card.lines.push_back(row.scene);
   card.links = links_of(row);
@@ -126,7 +130,7 @@ std::string text_of(const CatalogueAnswer& answer) {
 
 std::string summary_of(const std::vector<CatalogueRow>& rows) {
   std::map<std::string, int> counts;
-  for (const CatalogueRow& row : rows) ++counts[row.verdict.word.empty() ? row.outcome : row.verdict.word];
+  for (const CatalogueRow& row : rows) ++counts[word_of(row)];
   std::string text = fmt::format("{} job{}", rows.size(), rows.size() == 1 ? "" : "s");
   for (const auto& [word, count] : counts)
     text += fmt::format("{} {} {} ({:.0f} %)", text.find(':') == std::string::npos ? ":" : ",", count,
@@ -139,7 +143,6 @@ std::string summary_of(const std::vector<CatalogueRow>& rows) {
 
 std::string catalogue_page(const std::string& title, const std::vector<CatalogueRow>& rows) {
   Document document{title, "Catalogue of an archive", Verdict::good, summary_of(rows) + ".", {}};
-  document.verdict_words = {"no fault", "differs, or no equilibrium", "failed"};
   document.sections.push_back({"All jobs", {}, {}, {table_of(rows)}});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     document.verdict = std::max(document.verdict, verdict_of(rows[i]));

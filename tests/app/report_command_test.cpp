@@ -89,11 +89,43 @@ TEST(ReportCommand, a_folder_of_runs_becomes_a_table_with_a_section_for_each) {
   fs::copy(folder + "/a/out", folder + "/b", fs::copy_options::recursive);
   ASSERT_EQ(run_keyblock({"report", folder, "-o", folder + "/all.html"}).exit_code, 0);
   const std::string page = read_text(folder + "/all.html");
-  EXPECT_TRUE(contains(page, "2 runs: 0 trusted and at rest, 2 still moving or not at their end, 0 not trusted."));
+  EXPECT_TRUE(contains(page, "2 results: 2 still moving."));
   EXPECT_TRUE(contains(page, "<td>a/out</td>"));
   EXPECT_TRUE(contains(page, "<h2>b</h2>"));
-  EXPECT_TRUE(contains(page, "<li class=\"card doubtful\"><a href=\"#a/out\">"));
+  EXPECT_TRUE(contains(page, "<li class=\"card doubtful\" data-state=\"still moving\"><a href=\"#a/out\">"));
   EXPECT_TRUE(contains(page, "<span>standard: 0.906 m after 100 steps</span>"));
+}
+
+TEST(ReportCommand, an_archive_tells_states_apart_and_keeps_warnings_and_broken_records) {
+  const std::string folder = fresh_folder("report_states");
+  const std::string file = folder + "/block.json", runs = folder + "/runs";
+  run_keyblock({"new", "block", "-o", file});
+  run_keyblock({"run", file, "-o", runs + "/moves"});
+  run_keyblock({"run", file, "-o", runs + "/stops", "--history", "a=block:2", "--stop-when", "a.d>0.01"});
+  run_keyblock({"run", file, "-o", runs + "/fails", "--set", "motion=static"});
+  fs::create_directories(runs + "/breaks");
+  write_text(runs + "/breaks/run.json", "{\"outcome\": ");
+  const ProgramRun made = run_keyblock({"report", runs, "-o", folder + "/all.html"});
+  EXPECT_EQ(made.exit_code, 1) << made.messages;
+  EXPECT_TRUE(contains(made.messages, runs + "/breaks/run.json: error: expected the record of a run")) << made.messages;
+  const std::string page = read_text(folder + "/all.html");
+  EXPECT_TRUE(contains(page, "4 results: 1 still moving, 1 stopped early, 1 failed, 1 record broken."));
+  EXPECT_TRUE(contains(page, "<li class=\"card bad\" data-state=\"record broken\"><a href=\"#breaks\">"));
+  EXPECT_TRUE(contains(page, "The record cannot be read: "));
+  EXPECT_TRUE(contains(page, "The run was stopped before its end: "));
+  EXPECT_TRUE(contains(page, "<option>still moving</option>\n<option>stopped early</option>\n<option>failed</option>"));
+  const std::size_t section = page.find("<h2>moves</h2>");
+  ASSERT_NE(section, std::string::npos);
+  EXPECT_TRUE(contains(page.substr(section, page.find("</section>", section) - section), "defaults taken: "));
+}
+
+TEST(ReportCommand, materials_have_the_values_that_were_changed_after_reading) {
+  const std::string folder = fresh_folder("report_values");
+  run_keyblock({"new", "block", "-o", folder + "/block.json"});
+  const std::string change = "/analysis/joint_materials/0/friction_angle_deg=25.5";
+  run_keyblock({"run", folder + "/block.json", "-o", folder + "/out", "--at", change});
+  run_keyblock({"report", folder + "/out"});
+  EXPECT_TRUE(contains(read_text(folder + "/out/report.html"), "<td>25.5°</td>"));
 }
 
 TEST(ReportCommand, answers_of_both_profiles_share_a_card) {

@@ -97,11 +97,20 @@ export interface Units {
 // biome-ignore lint/suspicious/noExplicitAny: run.json is shown as the run left it.
 export type RunRecord = Record<string, any>;
 
+/** Verdict on a run, in words of the program. */
+export interface Verdict {
+  tone: 'good' | 'warn' | 'bad' | 'plain';
+  words: string;
+  /** Why the run failed, was stopped or is unreliable; may be empty. */
+  reason: string;
+}
+
 export interface Head {
   format: string;
   version: number;
   program: string;
   title: string;
+  verdict: Verdict;
   /** What run.json holds; nothing for a run that was stopped before it was written. */
   run: RunRecord | null;
   origin: [number, number];
@@ -135,6 +144,7 @@ export function accept_head(value: unknown): Head {
   return {
     ...head,
     run: head.run ?? null,
+    verdict: head.verdict ?? { tone: 'plain', words: '', reason: '' },
     origin: head.origin ?? [0, 0],
     precision: head.precision ?? '',
     units: head.units ?? null,

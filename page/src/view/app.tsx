@@ -18,7 +18,7 @@ import { caption_of } from './figure';
 import { Icon } from './icons';
 import { KEYS } from './keys';
 import { base_rate, Player } from './player';
-import { RunTab, verdict_of } from './run';
+import { capital, RunTab, sentence } from './run';
 import { ShowTab } from './show';
 import * as state from './state';
 
@@ -67,7 +67,7 @@ export function App() {
 
 function Header() {
   const { head } = state;
-  const verdict = verdict_of(head.run);
+  const { verdict } = head;
   const dark = state.is_dark.value;
   return (
     <header>
@@ -84,8 +84,9 @@ function Header() {
         }}
       >
         <Icon name={verdict.tone === 'good' ? 'good' : verdict.tone === 'plain' ? 'fit' : 'warn'} size={15} />
-        <span>{verdict.text}</span>
+        <span>{capital(verdict.words)}</span>
       </button>
+      {verdict.reason && <p class="reason">{sentence(verdict.reason)}</p>}
       <div class="actions">
         <SaveMenu />
         <button

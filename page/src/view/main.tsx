@@ -13,7 +13,7 @@ import { record_video, svg_text, video_kind } from './exports';
 import { ident_of, nth_of } from './figure';
 import { on_key } from './keys';
 import { start_clock } from './player';
-import { verdict_of } from './run';
+import { capital } from './run';
 import * as state from './state';
 import './style.css';
 
@@ -119,7 +119,7 @@ Object.assign(window, {
     svg_text,
     choose,
     measures: () => state.measures,
-    verdict: () => verdict_of(state.head.run).text,
+    verdict: () => capital(state.head.verdict.words),
     shown_range: (id: string) => {
       const own = state.measures.find(m => m.id === id);
       return own && own.kind === 'real' ? shown_range(state.run_range(own), own) : null;

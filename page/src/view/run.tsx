@@ -4,56 +4,25 @@ import { show, show_time, show_with } from '../draw/numbers';
 import { Icon } from './icons';
 import * as state from './state';
 
-export interface Verdict {
-  tone: 'good' | 'warn' | 'bad' | 'plain';
-  text: string;
+function words(name: string): string {
+  return capital(name.replace(/[_.]/g, ' '));
 }
 
-const ENDS: Record<string, string> = {
-  finished: 'Finished',
-  stopped: 'Stopped early',
-  failed: 'Failed',
-};
-
-const MOTIONS: Record<string, Verdict> = {
-  at_rest: { tone: 'good', text: 'Came to rest' },
-  moving: { tone: 'warn', text: 'Still moving' },
-  equilibrium: { tone: 'good', text: 'In equilibrium' },
-  no_equilibrium: { tone: 'bad', text: 'No equilibrium' },
-  not_equilibrium: { tone: 'warn', text: 'Equilibrium not reached' },
-};
-
-function words(name: string): string {
-  const text = name.replace(/[_.]/g, ' ');
+/** Words with a capital letter. */
+export function capital(text: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
-
-/** State of motion at the end of a run, in two or three words. */
-export function verdict_of(run: state_run): Verdict {
-  if (!run) return { tone: 'plain', text: 'Run not finished' };
-  const end = run.outcome?.end;
-  if (end === 'failed') return { tone: 'bad', text: 'Run failed' };
-  if (end && end !== 'finished') return { tone: 'warn', text: ENDS[end] ?? words(end) };
-  if (run.outcome?.doubts?.length) return { tone: 'bad', text: 'Results unreliable' };
-  const motion = run.outcome?.motion?.state;
-  if (MOTIONS[motion]) return MOTIONS[motion];
-  if (motion) return { tone: 'plain', text: words(motion) };
-  return { tone: 'plain', text: 'Finished' };
-}
-
-type state_run = typeof state.head.run;
 
 /** Message of a warning without its file and its code; both are shown elsewhere. */
 export function message_of(first: string): { kind: string; text: string } {
   const match = /^(?:.*?:\s)?(error|warning|note):\s([\s\S]*?)(?:\s\[[\w]+\])?$/.exec(first);
   if (!match) return { kind: 'note', text: first };
   const text = match[2].trim();
-  return { kind: match[1], text: text.charAt(0).toUpperCase() + text.slice(1) };
+  return { kind: match[1], text: capital(text) };
 }
 
-function sentence(text: unknown): string {
-  const own = String(text).trim();
-  const start = own.charAt(0).toUpperCase() + own.slice(1);
+export function sentence(text: unknown): string {
+  const start = capital(String(text).trim());
   const numbers = start.replace(/(\d(?:\.\d+)?e[+-]\d+)/g, value => show(Number(value), 3));
   return /[.!?]$/.test(numbers) ? numbers : `${numbers}.`;
 }
@@ -102,7 +71,7 @@ export function RunTab() {
       </div>
     );
   }
-  const verdict = verdict_of(run);
+  const { verdict } = head;
   const sentences: string[] = run.outcome?.motion?.sentences ?? [];
   const doubts: unknown[] = run.outcome?.doubts ?? [];
   const warnings: { name: string; count: number; first: string }[] = run.warnings ?? [];
@@ -120,7 +89,7 @@ export function RunTab() {
         <h2 id="run-verdict">Result</h2>
         <p class={`verdict ${verdict.tone}`}>
           <Icon name={verdict.tone === 'good' ? 'good' : verdict.tone === 'plain' ? 'fit' : 'warn'} />
-          {verdict.text}
+          {capital(verdict.words)}
         </p>
         {sentences.map(text => (
           <p key={text}>{sentence(text)}</p>

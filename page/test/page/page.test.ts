@@ -97,6 +97,16 @@ describe.skipIf(!has_browser)('page', () => {
     await page.context().close();
   });
 
+  test('a verdict stands in the head with its reason', async () => {
+    const verdict = { tone: 'bad' as const, words: 'failed', reason: 'step 1: no equilibrium: block <2> accelerates' };
+    const failed = write_page('failed', wall.writer.scripts({ ...wall.head, verdict }));
+    const { page } = await open(browser, failed);
+    const head = page.locator('header');
+    expect(await head.getByRole('button', { name: 'Failed' }).count()).toBe(1);
+    expect(await head.locator('.reason').textContent()).toBe('Step 1: no equilibrium: block <2> accelerates.');
+    await page.context().close();
+  });
+
   test('chart cursors follow the slider', async () => {
     const { page } = await open(browser, path);
     await decoded(page);

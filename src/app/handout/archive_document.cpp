@@ -8,6 +8,7 @@
 #include <map>
 
 #include "app/handout/run_document.hpp"
+#include "app/handout/run_sections.hpp"
 #include "app/handout/sentences.hpp"
 #include "app/handout/strength_document.hpp"
 #include "base/counted.hpp"
@@ -46,21 +47,17 @@ struct Result {
   std::string name;
   std::string profile;
   Verdict verdict = Verdict::good;
+  std::string state;  ///< verdict in words: "still moving", "factor below 1"
   std::string words;
   std::string answer = {};  ///< one line: "0.906 m after 100 steps", "factor of safety 3.29"
   std::vector<std::string> row = {};
   std::vector<std::string> paragraphs = {};
+  std::vector<report::DocumentTable> warnings = {};
   std::string thumbnail = {};
   std::string program = {};
   std::string fault = {};
   bool is_of_strength = false;
 };
-
-std::string_view word_of(Verdict verdict) {
-  return verdict == Verdict::good       ? "trusted"
-         : verdict == Verdict::doubtful ? "still moving, or not at its end"
-                                        : "not trusted";
-}
 
 Result run_result(const fs::path& folder, const std::string& name) {
   const RunRecordFile record(folder);
@@ -68,32 +65,52 @@ Result run_result(const fs::path& folder, const std::string& name) {
   const Judged judgement = judged(record, frames);
   const std::string moved = record.quantity("extremes.greatest_displacement.value", measures::kLength);
   const std::string steps = plain_text(record.at("outcome.steps"));
-  Result result{name, record.text("profile"), judgement.verdict, judgement.words};
+  Result result{name, record.text("profile"), judgement.verdict, judgement.state, judgement.words};
   result.answer = fmt::format("{} after {} steps", moved.empty() ? "no displacement" : moved, steps);
-  result.row = {name, result.profile, std::string(word_of(result.verdict)), steps, moved};
+  result.row = {name, result.profile, result.state, steps, moved};
   result.paragraphs = {judgement.words};
   const Json& motion = record.list("outcome.motion.sentences");
   for (std::size_t i = 1; i < motion.size(); ++i)  // the verdict has the first
     result.paragraphs.push_back(sentence(plain_text(motion[i])));
+  result.warnings = warning_section(record).tables;
   if (frames.last) result.thumbnail = report::frame_thumbnail(*frames.last);
   result.program = program_of(record);
-  result.fault = frames.fault;
+  if (!frames.fault.empty()) result.fault = fmt::format("{}: error: {}", folder.string(), frames.fault);
   return result;
 }
 
 Result strength_result(const fs::path& folder, const std::string& name) {
   const StrengthRecord record(folder);
-  Result result{name, plain_text(member(record.json(), "profile")), record.verdict(), record.words()};
-  const Json& factor = member(record.json(), "factor_of_safety");
+  Result result{name, record.text("profile"), record.verdict(), fmt::format("factor {}", record.state()),
+                record.words()};
+  const Json& factor = record.at("factor_of_safety");
   result.answer = factor.is_number() ? fmt::format("factor of safety {:.3g}", factor.get<double>())
                                      : std::string("no factor of safety");
   result.row = {name, result.profile, result.answer, "", ""};
   result.paragraphs = {result.words};
+  result.warnings = warning_section(record).tables;
   result.program = record.program();
   result.is_of_strength = true;
   for (report::DocumentPicture& picture : strength_pictures(folder, 1))
     if (picture.svg.size() < kLargestSmall) result.thumbnail = std::move(picture.svg);
   return result;
+}
+
+// A record that cannot be read is a result too: a client must learn that one is missing.
+Result broken_result(const std::string& name, const std::string& why) {
+  Result result{name, {}, Verdict::bad, "record broken", sentence("the record cannot be read: " + why)};
+  result.row = {name, "", result.state, "", ""};
+  result.paragraphs = {result.words};
+  result.fault = why;
+  return result;
+}
+
+Result result_in(const fs::path& folder, const std::string& name) {
+  try {
+    return fs::is_regular_file(folder / kRecord) ? run_result(folder, name) : strength_result(folder, name);
+  } catch (const InputError& error) {
+    return broken_result(name, error.what());
+  }
 }
 
 // Returns the name of the case: the folder above for runs of one case by both profiles.
@@ -109,32 +126,25 @@ std::string title_of_case(const std::string& name) {
 }
 
 report::DocumentCard card_of(const std::string& name, const std::vector<Result>& results) {
-  report::DocumentCard card{title_of_case(name), name, {}, Verdict::good, {}};
+  report::DocumentCard card{title_of_case(name), name, {}, Verdict::good, results.front().state, {}};
   std::ranges::replace(card.anchor, ' ', '-');
   for (const Result& result : results) {
+    if (result.verdict > card.verdict) card.state = result.state;
     card.verdict = std::max(card.verdict, result.verdict);
     if (card.svg.empty()) card.svg = result.thumbnail;
-    card.lines.push_back(fmt::format("{}: {}", result.profile, result.answer));
-    if (result.verdict != Verdict::good && !result.is_of_strength) card.lines.push_back(result.row[2]);
+    if (!result.answer.empty()) card.lines.push_back(fmt::format("{}: {}", result.profile, result.answer));
+    if (result.verdict != Verdict::good && !result.is_of_strength) card.lines.push_back(result.state);
   }
   return card;
 }
 
 std::string summary_of(const std::vector<Result>& results) {
-  std::map<Verdict, std::size_t> runs, factors;
-  std::size_t run_count = 0;
-  for (const Result& result : results) {
-    ++(result.is_of_strength ? factors : runs)[result.verdict];
-    run_count += result.is_of_strength ? 0 : 1;
-  }
-  std::string words;
-  if (run_count > 0)
-    words = fmt::format("{}: {} trusted and at rest, {} still moving or not at their end, {} not trusted.",
-                        counted(run_count, "run"), runs[Verdict::good], runs[Verdict::doubtful], runs[Verdict::bad]);
-  if (run_count == results.size()) return words;
-  return fmt::format("{}{}Factors of safety: {} at least 1, {} not bracketed, {} below 1 or not found.", words,
-                     words.empty() ? "" : " ", factors[Verdict::good], factors[Verdict::doubtful],
-                     factors[Verdict::bad]);
+  std::map<std::pair<Verdict, std::string>, std::size_t> counts;  // good ones first
+  for (const Result& result : results) ++counts[{result.verdict, result.state}];
+  std::string words = counted(results.size(), "result");
+  for (const auto& [state, count] : counts)
+    words += fmt::format("{} {} {}", words.find(':') == std::string::npos ? ":" : ",", count, state.second);
+  return words + ".";
 }
 
 report::DocumentSection section_of(const std::string& name, const std::vector<Result>& results, const fs::path& folder,
@@ -144,6 +154,10 @@ report::DocumentSection section_of(const std::string& name, const std::vector<Re
   for (const Result& result : results) {
     for (const std::string& words : result.paragraphs)
       section.paragraphs.push_back(results.size() > 1 ? fmt::format("{}: {}", result.profile, words) : words);
+    for (report::DocumentTable table : result.warnings) {
+      if (results.size() > 1) table.columns[1] = fmt::format("{}, profile {}", table.columns[1], result.profile);
+      section.tables.push_back(std::move(table));
+    }
     if (!has_pictures) continue;
     const fs::path own = folder / result.name;
     for (report::DocumentPicture& picture : result.is_of_strength ? strength_pictures(own, 1) : run_pictures(own, 1)) {
@@ -168,21 +182,14 @@ Handout archive_document(const fs::path& folder, const std::string& project) {
   std::vector<std::vector<std::string>> rows;
   for (const fs::path& path : found) {
     const std::string name = fs::relative(path, folder).string();
-    try {
-      results.push_back(fs::is_regular_file(path / kRecord) ? run_result(path, name) : strength_result(path, name));
-    } catch (const InputError& error) {
-      handout.faults.push_back(error.what());
-      continue;
-    }
-    const Result& result = results.back();
+    const Result& result = results.emplace_back(result_in(path, name));
     cases[case_of(name, result.profile)].push_back(result);
     rows.push_back(result.row);
-    if (!result.fault.empty()) handout.faults.push_back(fmt::format("{}: {}", path.string(), result.fault));
+    if (!result.fault.empty()) handout.faults.push_back(result.fault);
     document.verdict = std::max(document.verdict, result.verdict);
   }
   document.title = fs::absolute(folder / ".").lexically_normal().parent_path().filename().string();
   document.subtitle = "Report of an archive";
-  if (results.empty()) throw InputError({folder.string()}, "expected a result that can be read, found none");
   document.verdict_in_words = summary_of(results);
   const Result& earliest = results.front();
   const fs::path first = folder / earliest.name / (earliest.is_of_strength ? kStrengthRecord : kRecord);

@@ -12,7 +12,7 @@ namespace keyblock {
 
 struct Handout {
   report::Document document;
-  std::vector<std::string> faults;  ///< damage of results, one sentence per run
+  std::vector<std::string> faults;  ///< damage of results, "DIR: error: sentence" per run
 };
 
 /// Appends the section unless it is empty.

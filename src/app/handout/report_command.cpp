@@ -68,7 +68,7 @@ ExitCode write_report(const ReportOptions& options) {
     json["faults"] = handout.faults;
     fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   }
-  for (const std::string& fault : handout.faults) spdlog::error("error: {}", fault);
+  for (const std::string& fault : handout.faults) spdlog::error("{}", fault);
   spdlog::info("wrote {}{}: {}", file, written.empty() ? "" : " and " + written, document.verdict_in_words);
   return handout.faults.empty() && written.empty() == !options.has_pdf ? ExitCode::ok : ExitCode::check_failed;
 }

@@ -12,6 +12,7 @@
 #include "app/handout/table_sections.hpp"
 #include "job/folder/output_files.hpp"
 #include "job/run_heading.hpp"
+#include "job/verdict/run_verdict.hpp"
 
 namespace keyblock {
 namespace {
@@ -23,18 +24,27 @@ using report::Verdict;
 
 constexpr std::size_t kMostCurves = 8;
 
-Judged judged_by_record(const RunRecordFile& record) {
-  const std::string end = record.text("outcome.end");
-  if (end == "failed") return {Verdict::bad, "The run failed: " + sentence(record.text("outcome.reason"))};
-  std::string doubts;
-  for (const Json& doubt : record.list("outcome.doubts")) doubts += " " + sentence(plain_text(doubt));
-  if (!doubts.empty()) return {Verdict::bad, "The run came to its end, but its results cannot be trusted." + doubts};
-  if (end != "finished") return {Verdict::doubtful, sentence("the run did not come to its end: " + end)};
-  std::string words = "The run came to its end, and its checks found nothing against it.";
+Verdict verdict_by(std::string_view tone) {
+  return tone == "bad" ? Verdict::bad : tone == "warn" ? Verdict::doubtful : Verdict::good;
+}
+
+std::string sentences_on(const RunVerdict& verdict, const RunRecordFile& record) {
+  switch (verdict.state) {
+    case RunState::failed:
+      return "The run failed: " + sentence(verdict.reason);
+    case RunState::stopped:
+      return sentence("The run was stopped before its end" + (verdict.reason.empty() ? "" : ": " + verdict.reason));
+    case RunState::unreliable: {
+      std::string words = "The run came to its end, but its results cannot be trusted.";
+      for (const Json& doubt : record.list("outcome.doubts")) words += " " + sentence(plain_text(doubt));
+      return words;
+    }
+    default:
+      break;
+  }
   const Json& motion = record.list("outcome.motion.sentences");
-  if (!motion.empty()) words += " " + sentence(plain_text(motion[0]));
-  if (record.text("outcome.motion.state") == "moving") return {Verdict::doubtful, words};
-  return {Verdict::good, words};
+  return "The run came to its end, and its checks found nothing against it." +
+         (motion.empty() ? "" : " " + sentence(plain_text(motion[0])));
 }
 
 // Draws the displacements of the measured points.
@@ -51,9 +61,12 @@ std::optional<DocumentPicture> displacement_curves(const fs::path& folder, const
 }  // namespace
 
 Judged judged(const RunRecordFile& record, const FrameState& frames) {
-  if (frames.fault.empty()) return judged_by_record(record);
-  return {Verdict::bad, "The results in this folder are damaged: " + sentence(frames.fault) +
-                            " Run the case again, or restore the folder, before you rely on this report."};
+  const RunVerdict verdict = verdict_of(record.json());
+  if (frames.fault.empty())
+    return {verdict_by(verdict.tone), std::string(verdict.words), sentences_on(verdict, record)};
+  return {Verdict::bad, "results damaged",
+          "The results in this folder are damaged: " + sentence(frames.fault) +
+              " Run the case again, or restore the folder, before you rely on this report."};
 }
 
 std::string program_of(const RunRecordFile& record) {
@@ -92,7 +105,7 @@ Handout run_document(const fs::path& folder, const std::string& project) {
   add_if_filled(sections, checksum_section(folder, record));
   add_anchors(sections);
   Handout handout{std::move(document), {}};
-  if (!frames.fault.empty()) handout.faults.push_back(folder.string() + ": " + frames.fault);
+  if (!frames.fault.empty()) handout.faults.push_back(folder.string() + ": error: " + frames.fault);
   return handout;
 }
 

@@ -15,7 +15,8 @@ namespace keyblock {
 /// Verdict of a run as a client reads it.
 struct Judged {
   report::Verdict verdict = report::Verdict::good;
-  std::string words;
+  std::string state;  ///< "still moving"; "results damaged" if frames are faulty
+  std::string words;  ///< sentences
 };
 
 /// Returns what the record says of the run; a run with faulty frames is not trusted.

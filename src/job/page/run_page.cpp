@@ -13,6 +13,7 @@
 #include "job/page/result_frames.hpp"
 #include "job/page/result_tables.hpp"
 #include "job/run_heading.hpp"
+#include "job/verdict/run_verdict.hpp"
 #include "report/page/page_writer.hpp"
 
 namespace keyblock {
@@ -29,6 +30,10 @@ constexpr const char* kPrecision =
 Json record_in(const fs::path& folder) {
   const fs::path file = folder / kRecord;
   return fs::is_regular_file(file) ? Json::parse(file_bytes(file.string()), nullptr, false) : Json();
+}
+
+Json verdict_json(const RunVerdict& verdict) {
+  return {{"tone", verdict.tone}, {"words", verdict.words}, {"reason", verdict.reason}};
 }
 
 /// First and last step of each stage.
@@ -139,6 +144,7 @@ std::string run_page(const fs::path& folder) {
             {"joints", names_of(record, "joints", counts.joints)},
             {"tables", result_tables(folder, heading.units != Units{})},
             {"still", supports_json(record, page.origin())},
+            {"verdict", verdict_json(verdict_of(record))},
             {"run", record}};
   return std::move(page).finish(std::move(head));
 }

@@ -89,6 +89,22 @@ std::string_view word_for(MotionState state) {
   return "not_equilibrium";
 }
 
+std::string_view words_for(MotionState state) {
+  switch (state) {
+    case MotionState::at_rest:
+      return "came to rest";
+    case MotionState::moving:
+      return "still moving";
+    case MotionState::equilibrium:
+      return "in equilibrium";
+    case MotionState::no_equilibrium:
+      return "no equilibrium";
+    case MotionState::not_equilibrium:
+      break;
+  }
+  return "not in equilibrium";
+}
+
 EndOfMotion end_of_motion(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last) {
   EndOfMotion end;
   for (std::size_t e = 0; e < last.elements.size(); ++e) {
@@ -123,23 +139,24 @@ std::string state_in_words(const Prepared& prepared, const RunRecord& record, co
   const std::string energy = end.kinetic_share
                                  ? fmt::format("kinetic energy {:.1g} of the largest stored energy", *end.kinetic_share)
                                  : std::string("without a ledger, judged by speeds alone");
+  const std::string words(words_for(end.state));
   switch (end.state) {
     case MotionState::at_rest:
-      return fmt::format("came to rest ({})", energy);
+      return fmt::format("{} ({})", words, energy);
     case MotionState::moving:
-      return fmt::format("still moving: {} ({})", fastest, energy);
+      return fmt::format("{}: {} ({})", words, fastest, energy);
     case MotionState::equilibrium:
       return std::ranges::count(record.doubts, "equilibrium_far_away", &Warning::name) == 0
-                 ? "in equilibrium"
+                 ? words
                  : "in an equilibrium far from the drawing";
     case MotionState::no_equilibrium:
-      return "no equilibrium";
+      return words;
     case MotionState::not_equilibrium:
       break;
   }
   if (record.equilibrium_way && record.equilibrium_way->share)
-    return fmt::format("not in equilibrium: {:.2g} % of the way", 100 * *record.equilibrium_way->share);
-  return fmt::format("not in equilibrium: the last tenth of the static steps made {:.2g} % of the way",
+    return fmt::format("{}: {:.2g} % of the way", words, 100 * *record.equilibrium_way->share);
+  return fmt::format("{}: the last tenth of the static steps made {:.2g} % of the way", words,
                      100 * end.least_share_of_way);
 }
 

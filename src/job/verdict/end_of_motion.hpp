@@ -21,6 +21,9 @@ inline constexpr double kRestSteps = 0.1;
 
 /// Returns the word of run.json: "at_rest", "moving", "equilibrium", "no_equilibrium", "not_equilibrium".
 std::string_view word_for(MotionState state);
+/// Returns the same for readers: "came to rest", "still moving", "in equilibrium", "no equilibrium", "not in
+/// equilibrium".
+std::string_view words_for(MotionState state);
 
 /// Judges the end of the run; `last` is its last frame. At rest, the kinetic energy was below 1e-6 of the largest
 /// stored energy in the last tenth of the steps. In addition, no block would move by a thousandth of its size in the

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
+#include <utility>
 
 #include "report/document/document_style.hpp"
 #include "report/drawing/png.hpp"
@@ -95,8 +97,8 @@ std::string links_of(const std::vector<DocumentLink>& links) {
 }
 
 std::string card_of(const DocumentCard& card) {
-  std::string text =
-      fmt::format("<li class=\"card {}\"><a href=\"#{}\">", class_of(card.verdict), escape_xml(card.anchor));
+  std::string text = fmt::format("<li class=\"card {}\" data-state=\"{}\"><a href=\"#{}\">", class_of(card.verdict),
+                                 escape_xml(card.state), escape_xml(card.anchor));
   text += card.svg.empty()
               ? "<span class=\"none\">no picture</span>"
               : fmt::format("<img loading=\"lazy\" alt=\"\" src=\"data:image/svg+xml;base64,{}\">", base64(card.svg));
@@ -106,10 +108,10 @@ std::string card_of(const DocumentCard& card) {
 }
 
 std::string cards_of(const Document& document) {
+  std::set<std::pair<Verdict, std::string>> states;  // good ones first
+  for (const DocumentCard& card : document.cards) states.insert({card.verdict, card.state});
   std::string choices;
-  for (const Verdict verdict : {Verdict::good, Verdict::doubtful, Verdict::bad})
-    choices += fmt::format("<option value=\"{}\">{}</option>\n", class_of(verdict),
-                           escape_xml(document.verdict_words[static_cast<std::size_t>(verdict)]));
+  for (const auto& [verdict, state] : states) choices += fmt::format("<option>{}</option>\n", escape_xml(state));
   std::string text = fmt::format(kCardFilter, choices);
   text += "<ul class=\"cards\">";
   for (const DocumentCard& card : document.cards) text += card_of(card);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +42,7 @@ struct DocumentCard {
   std::string anchor;
   std::string svg;  ///< small picture; empty: none
   Verdict verdict = Verdict::good;
+  std::string state;  ///< verdict in words; the filter offers those of all cards
   std::vector<std::string> lines;
   std::vector<DocumentLink> links = {};
 };
@@ -56,8 +56,6 @@ struct Document {
   std::vector<std::pair<std::string, std::string>> facts = {};  ///< project, program, dates
   std::vector<DocumentCard> cards =
       {};  ///< stand before the sections, with a filter; without any, links to sections do
-  /// Words of the filter for good, doubtful and bad cards.
-  std::array<std::string, 3> verdict_words = {"trusted and at rest", "still moving, or not at the end", "not trusted"};
 };
 
 /// Returns the page. Texts may hold any characters; pictures are embedded as images, so that no script of theirs runs.

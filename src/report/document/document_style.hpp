@@ -70,7 +70,7 @@ function sift() {
   let shown = 0;
   for (const card of cards) {
     card.hidden = !card.textContent.toLowerCase().includes(words.value.toLowerCase()) ||
-      (verdict.value !== "" && !card.classList.contains(verdict.value));
+      (verdict.value !== "" && card.dataset.state !== verdict.value);
     shown += card.hidden ? 0 : 1;
   }
   document.querySelector("#count").textContent = shown + " of " + cards.length;
