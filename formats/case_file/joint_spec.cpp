@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/counted.hpp"
 #include "formats/case_file/schema/joint_keys.hpp"
 #include "formats/text/json_fields.hpp"
+#include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
 
@@ -48,6 +48,17 @@ RectangleShape rectangle_of(const PlacedJson& value) {
   return shape;
 }
 
+/// Cutting merges corners nearer than the edge-node ratio times the extent: the face would be gone.
+void require_lift(const SlopeShape& shape, const Place& place) {
+  Box box;
+  for (const Point corner : outline_of(shape)) box.add(corner);
+  const double least = kRatio * std::max(box.size().x, box.size().y), lift = shape.height / shape.benches;
+  if (lift <= least)
+    throw InputError(place, fmt::format("expected a slope whose face rises by more than {:.3g} ({:g} of its extent), "
+                                        "found {:.3g}",
+                                        least, kRatio, lift));
+}
+
 SlopeShape slope_of(const PlacedJson& value) {
   const JointFields fields(value, "the slope", "slope");
   SlopeShape shape;
@@ -60,6 +71,7 @@ SlopeShape slope_of(const PlacedJson& value) {
   shape.base = fields.real("base", shape.height / 2);
   shape.x = fields.real("x", 0);
   shape.y = fields.real("y", 0);
+  require_lift(shape, value.place);
   return shape;
 }
 
@@ -125,24 +137,38 @@ JointSet set_of(const PlacedJson& value, int number, int seed) {
   return set;
 }
 
-bool is_simple(const Outline& corners) {
+/// Returns a common point of two segments that meet.
+Point meeting_point(const Segment& a, const Segment& b) {
+  const Point along = a.end - a.start, across = b.end - b.start;
+  if (meeting(a, b) == Meeting::crossing) return point_at(a, cross(b.start - a.start, across) / cross(along, across));
+  const double share = foot(a, b.start);
+  return share >= 0 && share <= 1 ? b.start : foot(b, a.start) >= 0 && foot(b, a.start) <= 1 ? a.start : a.end;
+}
+
+/// Throws InputError for two sides that meet apart from their common corner, at the first of them.
+void require_simple(const Outline& corners, const PlacedJson& rows) {
   const std::size_t n = corners.size();
   const auto side_at = [&](std::size_t i) { return Segment{corners[i], corners[(i + 1) % n]}; };
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 2; j < n; ++j)
-      if ((j + 1) % n != i && meeting(side_at(i), side_at(j)) != Meeting::none) return false;
-  return true;
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if ((j + 1) % n == i || meeting(side_at(i), side_at(j)) == Meeting::none) continue;
+      const Point at = meeting_point(side_at(i), side_at(j));
+      throw InputError(rows.items[i].place,
+                       fmt::format("expected an outline whose sides do not cross, found sides {} and {} that meet at "
+                                   "({:.6g}, {:.6g})",
+                                   i + 1, j + 1, at.x, at.y));
+    }
 }
 
 /// Returns the corners counter-clockwise.
 Outline corners_of(const JointFields& fields) {
   Outline corners;
   for (const std::vector<double>& row : fields.rows("outline", 2)) corners.push_back({row[0], row[1]});
-  if (corners.size() < 3 || !is_simple(corners) || area(corners) == 0)
-    throw InputError(fields.value("outline")->place,
-                     fmt::format("expected an outline of three or more corners whose sides do not cross, found one of "
-                                 "{} that is not",
-                                 counted(corners.size(), "corner")));
+  const PlacedJson& rows = *fields.value("outline");
+  if (corners.size() < 3)
+    throw InputError(rows.place, fmt::format("expected an outline of three or more corners, found {}", corners.size()));
+  require_simple(corners, rows);
+  if (area(corners) == 0) throw InputError(rows.place, "expected an outline with an area, found none");
   if (area(corners) < 0) std::ranges::reverse(corners);
   return corners;
 }

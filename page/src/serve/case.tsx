@@ -387,7 +387,7 @@ function useBlocks(path: string, text: string, is_on: boolean): { blocks: Polygo
       try {
         const { blocks, errors } = await api.blocks(path, text);
         if (number !== asked.current) return;
-        if (!blocks) set_own({ blocks: [], status: errors?.[0] ? sentence(errors[0].sentence) : 'No blocks.' });
+        if (!blocks) set_own({ blocks: [], status: errors?.[0] ? placed(errors[0]) : 'No blocks.' });
         else set_own({ blocks, status: blocks.length === 1 ? '1 block' : `${blocks.length} blocks` });
       } catch {
         // The next change asks again; the check reports what is wrong.
@@ -501,6 +501,11 @@ function Problems({
 function sentence(text: string): string {
   const own = text.charAt(0).toUpperCase() + text.slice(1);
   return /[.!?]$/.test(own) ? own : `${own}.`;
+}
+
+/** Sentence on a problem behind its place in the text. */
+function placed({ line, column, sentence: own }: api.Problem): string {
+  return line ? `Line ${line}${column ? `, column ${column}` : ''}: ${own}` : sentence(own);
 }
 
 function Plan({ report }: { report: api.Report | null }) {
