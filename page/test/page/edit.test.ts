@@ -297,7 +297,7 @@ describe.skipIf(!has_browser)('editor', () => {
     await box.press('Control+Space');
     await expect
       .poll(() => page.locator('.choices [role=option]').allTextContents())
-      .toEqual(['step_count', 'block_materials']);
+      .toEqual(['step_count', 'joint_materials', 'block_materials']);
     await page.context().close();
   });
 
@@ -336,6 +336,15 @@ describe.skipIf(!has_browser)('editor', () => {
     await spacing.fill('3');
     await page.getByLabel('File').fill('own.json');
     await expect.poll(() => page.locator('.edit-state').textContent()).toContain('1 block');
+    const create = page.getByRole('button', { name: 'Create the case' });
+    await expect.poll(() => create.isDisabled()).toBe(false);
+    const friction = page.getByLabel('Friction angle [°]').first();
+    await friction.fill('95');
+    // The program refuses the angle.
+    await expect.poll(() => page.locator('.edit-state').textContent()).toContain('of the case');
+    expect(await create.isDisabled()).toBe(true);
+    await friction.fill('40');
+    await expect.poll(() => create.isDisabled()).toBe(false);
     await page.getByRole('button', { name: 'Create the case' }).click();
     await expect.poll(() => page.url()).toContain('#/case/own.json');
     const saved = folder.files.get('own.json')!;

@@ -56,6 +56,14 @@ const SCHEMA = {
           'x-words': { exact: 'sine and cosine' },
           'x-group': 'Old files',
         },
+        joint_materials: {
+          type: 'array',
+          title: 'Joint materials',
+          items: {
+            type: 'object',
+            properties: { friction_angle_deg: { type: 'number', title: 'Friction angle', 'x-unit': 'deg' } },
+          },
+        },
         block_materials: {
           type: 'array',
           title: 'Block materials',
@@ -237,7 +245,7 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
       case '/api/check': {
         const path = body.path ? String(body.path) : (body.paths as string[])[0];
         const text = body.path ? String(body.text) : (own.files.get(path) ?? '');
-        const at = text.split('\n').findIndex(line => line.includes('wrong'));
+        const at = text.split('\n').findIndex(line => /wrong|friction_angle_deg": 95/.test(line));
         const errors =
           at < 0 ? [] : [{ file: path, line: at + 1, column: 2, sentence: 'expected a key <b>of the case</b>' }];
         return send({

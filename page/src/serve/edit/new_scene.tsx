@@ -19,7 +19,7 @@ type Texts = { [K in keyof SceneForm]: SceneForm[K] extends string ? K : never }
 
 const SHAPES: SceneForm['kind'][] = ['slope', 'rectangle', 'drawn'];
 
-/** Scene of the form as text, with its blocks; drawn anew after a pause. */
+/** Scene of the form as text, with its blocks; drawn and checked anew after a pause. */
 function useDrawn(form: SceneForm) {
   const schema = state.joint_schema.value;
   const fault = fault_of(form, schema);
@@ -44,11 +44,16 @@ function useDrawn(form: SceneForm) {
         const made = scene_text(form, drawn);
         set_text(made);
         set_version(before => before + 1);
-        set_drawn_for(key);
-        const cut = await api.blocks('scene.json', made);
+        const [cut, report] = await Promise.all([
+          api.blocks('scene.json', made),
+          api.check(['scene.json'], '', {}, false, made),
+        ]);
         if (number !== asked.current) return;
         set_blocks(cut.blocks ?? []);
-        set_words(cut.blocks ? `${cut.blocks.length} blocks` : (cut.errors?.[0]?.sentence ?? 'No blocks.'));
+        const error = report.errors[0] ?? cut.errors?.[0];
+        if (error) return set_words(error.sentence);
+        set_words(`${cut.blocks?.length ?? 0} blocks`);
+        set_drawn_for(key);
       } catch (error) {
         set_words((error as Error).message);
       }
