@@ -198,7 +198,7 @@ export function CaseView({ paths }: { paths: string[] }) {
     <div class="case">
       <section class="editor" aria-label="Case">
         <div class="bar">
-          <h2>{leaf_of(paths[0])}</h2>
+          <h2>{leaf_of(current)}</h2>
           {paths.length > 1 && (
             <select
               aria-label="File"

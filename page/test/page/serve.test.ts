@@ -100,6 +100,7 @@ describe.skipIf(!has_browser)('window', () => {
     const page = await open('#/case/old%2Ftips.blk/old%2Ftips.ana');
     await page.locator('textarea').fill('3 0\n');
     await page.getByLabel('File', { exact: true }).selectOption('old/tips.ana');
+    expect(await page.getByRole('heading', { name: 'tips.ana' }).count()).toBe(1);
     await page.locator('textarea').fill('<DDA>\n');
     await page.getByRole('button', { name: 'Save as…' }).click();
     await page.getByRole('dialog').getByRole('button', { name: 'Save', exact: true }).click();
