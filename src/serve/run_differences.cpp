@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <regex>
 #include <string>
 #include <string_view>
 
@@ -58,12 +59,30 @@ class Differences {
   Json found_ = Json::array();
 };
 
+// The table of units has one entry for all items of a list: "reactions[].slope".
+std::string without_numbers(const std::string& path) {
+  static const std::regex kIndex("\\[[0-9]+\\]");
+  return std::regex_replace(path, kIndex, "[]");
+}
+
+std::string unit_at(const Json& record, const std::string& path) {
+  const Json units = record.value("unit_of", Json());
+  const Json unit = units.is_object() ? units.value(path, Json()) : Json();
+  return unit.is_string() ? unit.get<std::string>() : std::string();
+}
+
 }  // namespace
 
 Json run_differences(const Json& first, const Json& second) {
   Differences differences(true);
   differences.compare(first, second, "");
-  return std::move(differences).found();
+  Json found = std::move(differences).found();
+  for (Json& difference : found) {
+    const std::string path = without_numbers(difference["path"]);
+    const std::string one = unit_at(first, path), other = unit_at(second, path);
+    if (!one.empty() || !other.empty()) difference["units"] = {one, other};
+  }
+  return found;
 }
 
 Json value_differences(const Json& first, const Json& second) {

@@ -68,6 +68,8 @@ export interface Difference {
   first?: unknown;
   second?: unknown;
   relative?: number;
+  /** Units of both values, if they are numbers of a record with declared units. */
+  units?: [string, string];
 }
 
 export class RequestError extends Error {

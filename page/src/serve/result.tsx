@@ -1,12 +1,14 @@
 // A result in its own page, and two results side by side with one slider, linked by time.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { show } from '../draw/numbers';
+import { show, show_with } from '../draw/numbers';
 import * as api from './api';
+import type { Units } from './edit/schema';
 import { Handouts } from './handouts';
 import * as state from './state';
 import { StrengthView } from './strength';
 import { SweepView } from './study';
+import { title_of_entry, units_of_entry } from './titles';
 
 export function ResultView({ path }: { path: string }) {
   const entry = state.listing.value?.results.find(own => own.path === path);
@@ -181,6 +183,8 @@ export function CompareView({ first, second }: { first: string; second: string }
     ? pages[0].state.measures.filter((m: Page) => pages[1].state.measures.some((n: Page) => n.id === m.id))
     : [];
   const unit = pages[0]?.state.head.units?.time ?? '';
+  const [one, other] = pages.map(page => page.state.head.units as Units | null);
+  const units = one && JSON.stringify(one) === JSON.stringify(other) ? one : null;
   return (
     <div class="compare">
       <div class="pair-pages">
@@ -230,8 +234,18 @@ export function CompareView({ first, second }: { first: string; second: string }
       {!differences && <p class="note pad">Comparing…</p>}
       {differences && (
         <>
-          <Differences what="inputs" list={differences.inputs ?? []} none="The input files of both runs are equal." />
-          <Differences what="results" list={differences.differences} none="The records of both runs are equal." />
+          <Differences
+            what="inputs"
+            list={differences.inputs ?? []}
+            none="The input files of both runs are equal."
+            units={units}
+          />
+          <Differences
+            what="results"
+            list={differences.differences}
+            none="The records of both runs are equal."
+            units={units}
+          />
         </>
       )}
     </div>
@@ -257,26 +271,28 @@ function frame_at(page: Page, time: number): number {
   return best;
 }
 
-/** Words for the path of an entry: "setting steps", "greatest displacement", "joint materials 2 friction angle deg". */
-function label_of(path: string): string {
-  if (/ line \d+$/.test(path)) return path;
-  return path
-    .replace(/^(outcome|extremes|counts|analysis)\./, '')
-    .replace(/^settings\./, 'setting ')
-    .replace(/\.value$/, '')
-    .replace(/\[(\d+)\]/g, ' $1')
-    .replace(/[_.]/g, ' ');
-}
-
-function text_of(value: unknown): string {
+function text_of(value: unknown, unit: string): string {
   if (value === undefined || value === null) return '–';
-  if (typeof value === 'number') return show(value, 5);
+  if (typeof value === 'number') return show_with(value, unit, 5);
   const text = typeof value === 'object' ? JSON.stringify(value) : String(value);
   return text.length > 200 ? `${text.slice(0, 200)}…` : text;
 }
 
-function Differences({ what, list, none }: { what: string; list: api.Difference[]; none: string }) {
+function Differences({
+  what,
+  list,
+  none,
+  units,
+}: {
+  what: string;
+  list: api.Difference[];
+  none: string;
+  /** Units that both cases declare. */
+  units: Units | null;
+}) {
+  useEffect(() => state.read_schema(), []);
   if (!list.length) return <p class="note pad">{none}</p>;
+  const schema = state.schema.value;
   return (
     <div class="pad">
       <table class="list">
@@ -294,14 +310,19 @@ function Differences({ what, list, none }: { what: string; list: api.Difference[
           </tr>
         </thead>
         <tbody>
-          {list.slice(0, 200).map(own => (
-            <tr key={own.path}>
-              <th scope="row">{label_of(own.path)}</th>
-              <td>{text_of(own.first)}</td>
-              <td>{text_of(own.second)}</td>
-              <td class="number">{own.relative === undefined ? '' : `${show(100 * own.relative, 3)} %`}</td>
-            </tr>
-          ))}
+          {list.slice(0, 200).map(own => {
+            const [one, other] = units_of_entry(own, schema, units);
+            return (
+              <tr key={own.path}>
+                <th scope="row" title={own.path}>
+                  {title_of_entry(own, schema)}
+                </th>
+                <td>{text_of(own.first, one)}</td>
+                <td>{text_of(own.second, other)}</td>
+                <td class="number">{own.relative === undefined ? '' : `${show(100 * own.relative, 3)} %`}</td>
+              </tr>
+            );
+          })}
         </tbody>
       </table>
       {list.length > 200 && <p class="note">{list.length - 200} more are not listed.</p>}

@@ -240,7 +240,17 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
       case '/api/compare':
         return send({
           inputs: [{ path: 'analysis.joint_materials[1].friction_angle_deg', first: 35, second: 33, relative: 0.057 }],
-          differences: [{ path: 'outcome.steps', first: 300, second: 100, relative: 0.667 }],
+          differences: [
+            { path: 'outcome.steps', first: 300, second: 100, relative: 0.667 },
+            { path: 'settings.steps', first: 300, second: 100, relative: 0.667 },
+            {
+              path: 'extremes.greatest_displacement.value',
+              first: 0.002,
+              second: 0.001,
+              relative: 0.5,
+              units: ['m', 'm'],
+            },
+          ],
         });
       case '/api/check': {
         const path = body.path ? String(body.path) : (body.paths as string[])[0];

@@ -110,7 +110,7 @@ describe.skipIf(!has_browser || !program)('program', () => {
       null,
       { timeout: 60_000 },
     );
-    expect(await page.locator('.compare table').last().textContent()).toContain('setting steps');
+    await expect.poll(() => page.locator('.compare table').last().textContent()).toContain('Setting: Steps');
     expect(errors).toEqual([]);
     await context.close();
   });

@@ -80,7 +80,7 @@ describe.skipIf(!has_browser || !program)('round of an old file', () => {
     await page.getByLabel('Compare with').selectOption('first');
     await page.getByRole('row', { name: 'a30_p20.ana line 28' }).waitFor({ timeout: 60_000 });
     expect(await page.getByRole('row', { name: 'a30_p20.ana line 28' }).textContent()).toContain('25');
-    expect(await page.locator('.compare table').last().textContent()).toContain('greatest displacement');
+    expect(await page.locator('.compare table').last().textContent()).toContain('Greatest displacement');
     await shot(page, 'round_compare');
     await page.context().close();
 

@@ -122,10 +122,13 @@ describe.skipIf(!has_browser)('window', () => {
       await expect.poll(() => frame.evaluate('keyblock_page.state.frame.value'), { timeout: 5000 }).toBe(10);
       expect(await frame.locator('.player').isVisible()).toBe(false);
     }
-    expect(await page.locator('.compare table').first().textContent()).toContain(
-      'joint materials 1 friction angle deg',
-    );
-    expect(await page.locator('.compare table').last().textContent()).toContain('steps300');
+    await expect
+      .poll(() => page.locator('.compare table').first().textContent())
+      .toContain('Joint materials 1: Friction angle35\u00a0°33\u00a0°');
+    const results = await page.locator('.compare table').last().textContent();
+    expect(results).toContain('Steps300100');
+    expect(results).toContain('Setting: Steps300100');
+    expect(results).toContain('Greatest displacement2\u00a0mm1\u00a0mm50 %');
     await page.context().close();
   });
 
