@@ -45,6 +45,7 @@ article { background: var(--card); border: 1px solid var(--line); border-radius:
   grid-template-columns: 300px minmax(0, 1fr); gap: 4px 20px; }
 article > details { grid-column: 1 / -1; }
 .picture img, figure img { width: 100%; background: #fff; border-radius: 6px; display: block; }
+@media screen and (prefers-color-scheme: dark) { .picture img, figure img { filter: invert(.91) hue-rotate(180deg); } }
 .picture img { max-height: 380px; object-fit: contain; object-position: top; }
 dl { display: grid; grid-template-columns: max-content minmax(0, 1fr); gap: 1px 12px; margin: 8px 0; }
 dt { color: var(--soft); }

@@ -48,6 +48,9 @@ th button { all: unset; cursor: pointer } th button:focus-visible { outline: 2px
 figure { margin: 1rem 0; break-inside: avoid }
 figure img { width: 100%; background: #fff; border: 1px solid var(--line) }
 figcaption { color: var(--faint); font-size: .9em }
+@media screen and (prefers-color-scheme: dark) {
+  .card img, figure img { filter: invert(.91) hue-rotate(180deg) } /* black on white becomes light on dark */
+  .card .none { color: var(--faint); background: var(--head) } }
 @media print {
   @page { size: A4; margin: 16mm } body { font-size: 10pt; padding: 0; max-width: none } nav, .filter { display: none }
   figure img { width: auto; max-width: 100%; max-height: 150mm }
