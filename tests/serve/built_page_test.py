@@ -20,8 +20,8 @@ def skip(why):
     sys.exit(0)
 
 
-def main():
-    page = Path(sys.argv[1]) / "page"
+def require_tools(page):
+    """Skips the test without node and the packages of page/."""
     node = shutil.which("node")
     if node is None:
         skip("no node is installed")
@@ -31,6 +31,11 @@ def main():
         skip(f"node {version.strip()} is older than {LEAST[0]}.{LEAST[1]}")
     if not (page / "node_modules/vite").is_dir():
         skip("npm ci was not run in page/")
+
+
+def main():
+    page = Path(sys.argv[1]) / "page"
+    require_tools(page)
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "page"
         shutil.copytree(page, copy, ignore=shutil.ignore_patterns("node_modules", "built"))
