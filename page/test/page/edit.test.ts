@@ -342,6 +342,7 @@ describe.skipIf(!has_browser)('editor', () => {
     await friction.fill('95');
     // The program refuses the angle.
     await expect.poll(() => page.locator('.edit-state').textContent()).toContain('of the case');
+    expect(await page.locator('.edit-state .bad').count()).toBe(1);
     expect(await create.isDisabled()).toBe(true);
     await friction.fill('40');
     await expect.poll(() => create.isDisabled()).toBe(false);

@@ -25,22 +25,23 @@ function useDrawn(form: SceneForm) {
   const fault = fault_of(form, schema);
   const [text, set_text] = useState('');
   const [blocks, set_blocks] = useState<Polygon[]>([]);
-  const [words, set_words] = useState('');
+  const [status, set_status] = useState({ words: '', is_bad: false });
   const [drawn_for, set_drawn_for] = useState('');
   const [version, set_version] = useState(0);
   const key = JSON.stringify(form);
   const asked = useRef(0);
+  const refuse = (words: string) => set_status({ words, is_bad: true });
   useEffect(() => {
     const number = ++asked.current;
     if (fault) {
-      set_words(fault);
+      refuse(fault);
       return;
     }
     const timer = setTimeout(async () => {
       try {
         const drawn = await api.joints(spec_of(form));
         if (number !== asked.current) return;
-        if (!drawn.joints) return set_words(drawn.errors?.[0]?.sentence ?? 'The joints cannot be drawn.');
+        if (!drawn.joints) return refuse(drawn.errors?.[0]?.sentence ?? 'The joints cannot be drawn.');
         const made = scene_text(form, drawn);
         set_text(made);
         set_version(before => before + 1);
@@ -51,16 +52,16 @@ function useDrawn(form: SceneForm) {
         if (number !== asked.current) return;
         set_blocks(cut.blocks ?? []);
         const error = report.errors[0] ?? cut.errors?.[0];
-        if (error) return set_words(error.sentence);
-        set_words(`${cut.blocks?.length ?? 0} blocks`);
+        if (error) return refuse(error.sentence);
+        set_status({ words: `${cut.blocks?.length ?? 0} blocks`, is_bad: false });
         set_drawn_for(key);
       } catch (error) {
-        set_words((error as Error).message);
+        refuse((error as Error).message);
       }
     }, 250);
     return () => clearTimeout(timer);
   }, [key, fault]);
-  return { text, blocks, words, fault, is_ready: !fault && drawn_for === key, version };
+  return { text, blocks, status, fault, is_ready: !fault && drawn_for === key, version };
 }
 
 export function NewScene() {
@@ -68,7 +69,7 @@ export function NewScene() {
   const [draft, set_draft] = useState<Point[]>([]);
   const [name, set_name] = useState('');
   const [library, set_library] = useState<string[]>(['limestone']);
-  const { text, blocks, words, fault, is_ready, version } = useDrawn(form);
+  const { text, blocks, status, fault, is_ready, version } = useDrawn(form);
   const is_drawn = form.kind === 'drawn';
   // An outline by hand begins on an empty sheet.
   const shown = is_drawn && form.corners.length < 3 ? '' : text;
@@ -166,8 +167,8 @@ export function NewScene() {
             label="Drawing of the scene"
           />
           <div class="edit-state">
-            <span class={fault ? 'bad' : ''} aria-live="polite">
-              {words}
+            <span class={status.is_bad ? 'bad' : ''} aria-live="polite">
+              {status.words}
             </span>
           </div>
         </div>
