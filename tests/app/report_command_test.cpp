@@ -185,6 +185,7 @@ TEST(ReportCommand, a_factor_of_safety_has_a_report_and_a_page) {
   EXPECT_TRUE(contains(page, "<td>factor of safety</td>"));
   EXPECT_TRUE(contains(page, "largest displacement [m]"));
   EXPECT_TRUE(contains(page, "<h2>Materials</h2>") && contains(page, "<td>20°</td>"));
+  EXPECT_TRUE(contains(page, "<td>2350 kg/m³</td><td>2305")) << "2350 kg/m³ times 9.81 m/s² is 23053.5 N/m³";
   EXPECT_TRUE(contains(page, record["inputs"][0]["sha256"].get<std::string>()));
   EXPECT_TRUE(contains(page, "<td>trials.csv</td><td>result</td><td>"));
   EXPECT_EQ(run_keyblock({"view", folder + "/fos", "-o", folder + "/page.html"}).exit_code, 0);

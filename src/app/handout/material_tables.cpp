@@ -66,14 +66,24 @@ std::string strength_in_words(const BlockMaterial& rock, const Units& units) {
   return text.empty() ? "elastic" : text;
 }
 
-report::DocumentTable rocks_of(const Analysis& analysis, const std::vector<std::string>& names, const Units& units) {
+// Returns the downward gravity of the record, or else that of the case.
+double gravity_of(const ResultRecord& record, const Analysis& analysis) {
+  const Json& upward = member(record.at("settings"), "gravity.y");
+  return upward.is_number() ? -upward.get<double>() : analysis.gravity.value_or(0);
+}
+
+report::DocumentTable rocks_of(const Analysis& analysis, const std::vector<std::string>& names,
+                               const ResultRecord& record) {
+  const Units& units = record.units();
+  const double gravity = gravity_of(record, analysis);
   Rows rows;
   for (std::size_t i = 0; i < analysis.block_materials.size(); ++i) {
     const BlockMaterial& rock = analysis.block_materials[i];
-    rows.push_back({name_of(names, i), readable(rock.density, measures::kDensity, units),
-                    readable(rock.unit_weight, measures::kForcePerVolume, units),
-                    readable(rock.youngs_modulus, measures::kStress, units),
-                    plain(rock.poissons_ratio, kDigitsOfMaterial), strength_in_words(rock, units)});
+    rows.push_back(
+        {name_of(names, i), readable(rock.density, measures::kDensity, units),
+         readable(rock.unit_weight != 0 ? rock.unit_weight : rock.density * gravity, measures::kForcePerVolume, units),
+         readable(rock.youngs_modulus, measures::kStress, units), plain(rock.poissons_ratio, kDigitsOfMaterial),
+         strength_in_words(rock, units)});
   }
   return {{"rock", "density", "unit weight", "Young's modulus", "Poisson's ratio", "behaviour"}, rows};
 }
@@ -125,7 +135,7 @@ report::DocumentSection material_section(const ResultRecord& record) {
     const Analysis& analysis = *input.problem.analysis;
     section.paragraphs.push_back("Values of the input files, with defaults and library values filled in.");
     for (report::DocumentTable table :
-         {rocks_of(analysis, names.rocks, record.units()), joints_of(analysis, names.joints, record.units())})
+         {rocks_of(analysis, names.rocks, record), joints_of(analysis, names.joints, record.units())})
       if (!table.rows.empty()) section.tables.push_back(std::move(table));
   } catch (const std::exception& error) {
     section.paragraphs.push_back(fmt::format("Not listed: {}", error.what()));
