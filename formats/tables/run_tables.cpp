@@ -283,6 +283,10 @@ std::span<const RunTable* const> run_tables() {
   return tables;
 }
 
+bool has_column(const RunTable& table, std::string_view name) {
+  return std::ranges::any_of(table.columns, [&](const Column& c) { return is_of(c, name); });
+}
+
 const Column& column_of(const RunTable& table, std::string_view name) {
   const auto found = std::ranges::find_if(table.columns, [&](const Column& c) { return is_of(c, name); });
   if (found == table.columns.end()) throw std::logic_error(fmt::format("{} declares no column {}", table.file, name));

@@ -48,6 +48,9 @@ extern const RunTable kJointArrays;    ///< lines of a frame's joints
 /// Returns all tables, in the order above.
 std::span<const RunTable* const> run_tables();
 
+/// Returns true if the table may have a column of this name.
+bool has_column(const RunTable& table, std::string_view name);
+
 /// Returns the declared column of this name; "x12" finds "x#". Throws std::logic_error if it is missing.
 const Column& column_of(const RunTable& table, std::string_view name);
 

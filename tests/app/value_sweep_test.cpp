@@ -149,6 +149,39 @@ TEST(ValueSweep, a_row_in_trouble_is_a_row) {
   EXPECT_TRUE(contains(run.output, "\n20,finished,,0.9")) << run.output;
 }
 
+TEST(ValueSweep, a_row_without_an_output_is_a_row_with_its_reason) {
+  const std::string folder = fresh_folder("value_sweep_lacking");
+  const ProgramRun run = run_keyblock({"sweep", slope_in(folder), "--over", "ledger=off,on", "--over", "steps=2",
+                                       "--out", "ledger.friction,displacement", "-o", folder + "/out"});
+  EXPECT_EQ(run.exit_code, 1) << run.messages;
+  EXPECT_TRUE(contains(run.output,
+                       "\noff,2,error,\"expected a result of the run, which has no ledger.csv, found "
+                       "ledger.friction\",,0.00"))
+      << run.output;
+  EXPECT_TRUE(contains(run.output, "\non,2,finished,,")) << run.output;
+}
+
+TEST(ValueSweep, an_output_that_no_row_has_is_refused_as_soon_as_it_is_known) {
+  const std::string folder = fresh_folder("value_sweep_typo");
+  const Words sweep{"sweep", slope_in(folder), "--over", "steps=2,3", "--history", "crest=block:2",
+                    "-o",    folder + "/out",  "--out"};
+  for (const auto& [name, expected] : {std::pair{"ledger.frction", "expected a column of ledger.csv: step, time, "},
+                                       {"point1.dz", "expected a column of points.csv: "},
+                                       {"crset.dx", "expected a quantity of the history crest, found crset.dx"}}) {
+    const ProgramRun early = run_keyblock(sweep + Words{name});
+    EXPECT_EQ(early.exit_code, 2) << name;
+    EXPECT_TRUE(contains(early.messages, expected)) << early.messages;
+    EXPECT_FALSE(fs::exists(folder + "/out")) << name;
+  }
+  const ProgramRun late = run_keyblock(sweep + Words{"displacement,point7.dx"});
+  EXPECT_EQ(late.exit_code, 2) << late.messages;
+  EXPECT_TRUE(contains(late.messages,
+                       "error: --out: expected the number of a measured point, found point7.dx, in every "
+                       "run"))
+      << late.messages;
+  EXPECT_FALSE(fs::exists(folder + "/out/table.csv"));
+}
+
 // A row that could not be written is no result: the sweep ends, and computes it when it is resumed.
 TEST(ValueSweep, files_that_may_not_grow_end_the_sweep_with_exit_4) {
   const std::string folder = fresh_folder("value_sweep_full");

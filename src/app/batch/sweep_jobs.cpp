@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -61,6 +62,7 @@ class SweepJob {
   ChildEnd run_or_resume();
   bool run();
   bool find_safety(const SweepOutput& output);
+  void take(const SweepOutput& output, const std::function<study::SweptValue()>& find);
   void find_intensities();
 
   const SweepPlan& plan_;
@@ -177,12 +179,8 @@ bool SweepJob::run() {
     result_.verdict = "doubtful";
     result_.doubt = text_of_value(doubts.front());
   }
-  for (const SweepOutput& output : plan_.outputs) {
-    if (output.source != SweepSource::run) continue;
-    const study::SweptValue found = study::value_of_run(output, run_folder());
-    result_.out[output.name] = found.value;
-    if (!found.unit.empty()) result_.units[output.name] = found.unit;
-  }
+  for (const SweepOutput& output : plan_.outputs)
+    if (output.source == SweepSource::run) take(output, [&] { return study::value_of_run(output, run_folder()); });
   std::error_code ignored;  // frames of a thousand runs would fill the disk
   fs::remove_all(run_folder() / kFrameFolder, ignored);
   fs::remove(run_folder() / "fields.pvd", ignored);
@@ -217,10 +215,24 @@ void SweepJob::find_intensities() {
     result_.doubt = error_in(folder_ / "sif.log");
     return;
   }
+  if (!has(SweepSource::run) && end.exit_code == int(ExitCode::check_failed)) result_.verdict = "doubtful";
   const std::string text = formats::load((folder_ / "sif.out").string()).text;
   for (const SweepOutput& output : plan_.outputs)
-    if (output.source == SweepSource::sif) result_.out[output.name] = study::value_of_sif(output, text);
-  if (!has(SweepSource::run) && end.exit_code == int(ExitCode::check_failed)) result_.verdict = "doubtful";
+    if (output.source == SweepSource::sif) take(output, [&] { return study::value_of_sif(output, text); });
+}
+
+/// Puts an output into the result. One that the results lack is the reason of the row.
+void SweepJob::take(const SweepOutput& output, const std::function<study::SweptValue()>& find) {
+  try {
+    const study::SweptValue found = find();
+    result_.out[output.name] = found.value;
+    if (!found.unit.empty()) result_.units[output.name] = found.unit;
+  } catch (const study::OutputLacking& lacking) {
+    result_.lacking[output.name] = lacking.what();
+    if (result_.verdict != "finished" && result_.verdict != "doubtful") return;
+    result_.verdict = "error";
+    result_.doubt = lacking.what();
+  }
 }
 
 }  // namespace

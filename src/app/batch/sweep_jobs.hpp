@@ -30,7 +30,7 @@ struct SweepPlan {
 };
 
 /// Returns the result of the row. A run that an earlier sweep left unfinished goes on from its checkpoint. Nothing if
-/// `stop` ended the job. Throws std::invalid_argument for an output that the results do not have, OutputError.
+/// `stop` ended the job. Throws OutputError.
 std::optional<study::SweepResult> do_sweep_job(const SweepPlan& plan, const study::SweepRow& row, const Context& stop);
 
 }  // namespace keyblock

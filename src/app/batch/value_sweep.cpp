@@ -1,6 +1,7 @@
 // `keyblock sweep --over`: runs a case under many values, each in a process of its own, and writes one table.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -33,7 +34,9 @@
 #include "formats/strict_json.hpp"
 #include "job/files.hpp"
 #include "job/folder/made_by.hpp"
+#include "job/folder/outputs_asked.hpp"
 #include "run/cover_settings.hpp"
+#include "run/follow/followed.hpp"
 #include "settings/settings_table.hpp"
 #include "study/sweep/varied_key.hpp"
 
@@ -136,6 +139,18 @@ void require_keys(const SweepRow& row, const std::string& case_text, const std::
   }
 }
 
+/// Refuses a history that no run follows. Rows that change the outputs of the case may have others.
+void require_histories(const std::vector<study::SweepOutput>& outputs, const OutputPlan& plan, const SweepRow& row) {
+  const auto is_of_outputs = [](const auto& item) { return item.key().starts_with("/outputs"); };
+  if (plan.histories.empty() || std::ranges::any_of(row.items(), is_of_outputs)) return;
+  std::vector<std::string> names;
+  for (const HistoryPlan& history : plan.histories) names.push_back(name_of(history));
+  for (const study::SweepOutput& output : outputs)
+    if (!output.history.empty() && std::ranges::find(names, output.history) == names.end())
+      throw UsageError(
+          fmt::format("--out: expected a quantity of the history {}, found {}", fmt::join(names, ", "), output.name));
+}
+
 std::string task_of(const ValueSweepOptions& options, const OpenCase& open, const std::string& joints) {
   Json task = {{"version", KEYBLOCK_VERSION}, {"out", options.out},         {"profile", options.given.profile},
                {"set", options.given.sets},   {"at", options.given.values}, {"history", options.histories}};
@@ -172,6 +187,8 @@ ReadySweep ready(const ValueSweepOptions& options) {
   sweep.units = open.input.problem.units;
   require_keys(sweep.rows.front(), sweep.case_text, sweep.plan.joints);
   require_whole_numbers(sweep.rows, sweep.case_text);
+  require_histories(sweep.plan.outputs, outputs_asked(open.input.problem.outputs, {options.histories, {}, {}}),
+                    sweep.rows.front());
   for (const std::string& file : open.files) require_not_below(file, options.folder);
   for (const SweepRow& row : sweep.rows) sweep.jobs.push_back(study::job_name(row));
   sweep.task = task_of(options, open, sweep.plan.joints);
@@ -218,7 +235,7 @@ void begin_journal(const ReadySweep& sweep, const fs::path& file) {
 void do_jobs(const ValueSweepOptions& options, const ReadySweep& sweep, const Shard& shard,
              std::map<std::string, SweepResult>& known) {
   std::vector<const SweepRow*> missing;
-  std::set<std::string> taken;
+  std::set<std::string> taken, lacked;
   for (std::size_t i = 0; i < sweep.rows.size(); ++i)
     if (shard.has(sweep.jobs[i]) && !known.contains(sweep.jobs[i]) && taken.insert(sweep.jobs[i]).second)
       missing.push_back(&sweep.rows[i]);
@@ -237,6 +254,9 @@ void do_jobs(const ValueSweepOptions& options, const ReadySweep& sweep, const Sh
     journal.add(line);
     known.insert_or_assign(result->job,
                            study::read_sweep_journal(study::sweep_journal_head("row") + line).results.at(result->job));
+    for (const auto& [name, why] : result->lacking.items())
+      if (lacked.insert(name).second)
+        spdlog::warn("job {}: {}; if no run has it, the sweep is refused", result->job, why.get<std::string>());
     reports.add_one();
   });
 }
@@ -288,6 +308,7 @@ ExitCode finish(const ValueSweepOptions& options, const ReadySweep& sweep, const
     spdlog::info("shard {} of {} is done; --merge writes the table when all are", shard.k, shard.n);
     return ExitCode::ok;
   }
+  require_outputs(table);
   const std::vector<SweepColumn> columns = sweep_columns(table, sweep.case_text, sweep.units);
   const Json seed = options.random > 0 ? Json(options.seed) : Json();
   const Json origin = {{"program", "keyblock"},

@@ -32,17 +32,6 @@ std::string word_of(const HistoryPlan& plan) {
   return plan.joint ? "joint" : "line";
 }
 
-std::string name_of(const HistoryPlan& plan) {
-  if (!plan.name.empty()) return plan.name;
-  if (plan.point) return fmt::format("{:g} {:g}", plan.point->x, plan.point->y);
-  if (plan.block) return fmt::format("{}", *plan.block + 1);
-  if (plan.contact) return fmt::format("{}-{}", plan.contact->first + 1, plan.contact->second + 1);
-  if (plan.joint) return fmt::format("{}", *plan.joint + 1);
-  if (plan.bolt) return fmt::format("{}", *plan.bolt + 1);
-  const auto& [start, end] = *plan.line;
-  return fmt::format("{:g} {:g} to {:g} {:g}", start.x, start.y, end.x, end.y);
-}
-
 /// A row must stay on one line, because the table grows line by line.
 std::string row_cell(std::string text) {
   std::ranges::replace_if(
@@ -339,6 +328,17 @@ std::string what_bore_nothing(const HistoryPlan& plan) {
 }
 
 }  // namespace
+
+std::string name_of(const HistoryPlan& plan) {
+  if (!plan.name.empty()) return plan.name;
+  if (plan.point) return fmt::format("{:g} {:g}", plan.point->x, plan.point->y);
+  if (plan.block) return fmt::format("{}", *plan.block + 1);
+  if (plan.contact) return fmt::format("{}-{}", plan.contact->first + 1, plan.contact->second + 1);
+  if (plan.joint) return fmt::format("{}", *plan.joint + 1);
+  if (plan.bolt) return fmt::format("{}", *plan.bolt + 1);
+  const auto& [start, end] = *plan.line;
+  return fmt::format("{:g} {:g} to {:g} {:g}", start.x, start.y, end.x, end.y);
+}
 
 FollowedUnits::FollowedUnits(const Units& units)
     : length(unit_of(measures::kLength, units)),

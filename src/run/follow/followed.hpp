@@ -25,6 +25,9 @@ struct FollowedUnits {
   std::string moment;
 };
 
+/// Returns the name of a history in the table: its own, or that of its item.
+std::string name_of(const HistoryPlan& plan);
+
 /// Throws InputError at the place of the plan if contacts are to be chosen by histories, and no history has contacts.
 void require_choice(const OutputPlan& plan);
 

@@ -3,16 +3,17 @@
 #include "study/sweep/sweep_outputs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "api/case_values.hpp"
 #include "formats/registry.hpp"
+#include "formats/tables/run_tables.hpp"
 #include "formats/text/csv.hpp"
 #include "run/follow/stop_criterion.hpp"
 
@@ -32,7 +33,8 @@ constexpr std::array<Named, 6> kOfRecord{{{"displacement", "/extremes/greatest_d
 constexpr std::array<Named, 4> kFactors{
     {{"fos", ""}, {"fos_joints", "joints"}, {"fos_rock", "rock"}, {"fos_both", "both"}}};
 constexpr std::array<Named, 4> kOfTip{{{"k1", "K_I"}, {"k2", "K_II"}, {"j", "J"}, {"kink_deg", "kink_deg"}}};
-constexpr std::array<std::string_view, 3> kTables{"ledger", "history", "step_table"};
+const std::array<std::pair<std::string_view, const formats::RunTable*>, 3> kTables{
+    {{"ledger", &formats::kLedgerTable}, {"history", &formats::kHistoryTable}, {"step_table", &formats::kStepTable}}};
 
 template <std::size_t size>
 const std::string_view* found_in(const std::array<Named, size>& table, std::string_view name) {
@@ -58,16 +60,38 @@ std::pair<std::string, std::string> at_dot(const std::string& name) {
   throw std::invalid_argument(fmt::format("--out: expected {}, found {}", expected, found));
 }
 
+[[noreturn]] void lack(const SweepOutput& output, const std::string& expected) {
+  throw OutputLacking(fmt::format("expected {}, found {}", expected, output.name));
+}
+
+/// Returns the table whose last row has the outputs of this owner; null: that of the histories.
+const formats::RunTable* table_of(const std::string& owner) {
+  const auto found = std::ranges::find(kTables, owner, &decltype(kTables)::value_type::first);
+  if (found != kTables.end()) return found->second;
+  return number_of(owner, "point") > 0 ? &formats::kPointsTable : nullptr;
+}
+
+void require_column(const formats::RunTable& table, const std::string& quantity, const std::string& name) {
+  if (has_column(table, quantity)) return;
+  std::vector<std::string> names;
+  for (const formats::Column& column : table.columns) names.emplace_back(column.name);
+  refuse(name, fmt::format("a column of {}: {}", table.file, fmt::join(names, ", ")));
+}
+
 SweepOutput output_of(const std::string& name) {
   if (const std::string_view* reduced = found_in(kFactors, name))
     return {name, SweepSource::fos, std::string(*reduced)};
   const auto [owner, quantity] = at_dot(name);
   if (number_of(owner, "tip") > 0 && found_in(kOfTip, quantity) != nullptr) return {name, SweepSource::sif};
-  if (!name.starts_with('/') && found_in(kOfRecord, name) == nullptr && quantity.empty())
+  if (name.starts_with('/') || found_in(kOfRecord, name) != nullptr) return {name};
+  if (quantity.empty())
     refuse(
         name,
         "displacement, speed, state, steps, time, blocks, fos, fos_joints, fos_rock, fos_both, point1.dx, NAME.dx of "
         "a history, a column such as ledger.kinetic, tip1.k1, or a pointer into run.json");
+  const formats::RunTable* table = table_of(owner);
+  if (table == nullptr) return {name, SweepSource::run, {}, owner};
+  require_column(*table, quantity, name);
   return {name};
 }
 
@@ -92,8 +116,7 @@ SweptValue last_cell(const formats::CsvTable& table, const SweepOutput& output, 
   const auto column =
       std::ranges::find_if(table.header, [&](const std::string& h) { return formats::csv_heading(h).name == heading; });
   if (column == table.header.end())
-    refuse(output.name,
-           fmt::format("a column of {}: {}", fs::path(table.name).filename().string(), names_in(table.header)));
+    lack(output, fmt::format("a column of {}: {}", fs::path(table.name).filename().string(), names_in(table.header)));
   for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row)
     if (is_wanted(*row))
       return {number_in(row->cells[static_cast<std::size_t>(column - table.header.begin())]),
@@ -117,23 +140,22 @@ SweptValue of_history(const formats::CsvTable& table, const SweepOutput& output,
     if (std::ranges::find(known, one) != known.end()) break;
     known.push_back(std::move(one));
   }
-  refuse(output.name, "a quantity of a history: " + names_in(known));
+  lack(output, "a quantity of a history: " + names_in(known));
 }
 
 SweptValue of_table(const SweepOutput& output, const fs::path& folder) {
   const auto [owner, quantity] = at_dot(output.name);
-  const bool is_table = std::ranges::find(kTables, owner) != kTables.end();
-  const std::size_t point = number_of(owner, "point");
-  const fs::path file = folder / (is_table ? owner + ".csv" : point > 0 ? "points.csv" : "histories.csv");
-  if (!fs::exists(file))
-    refuse(output.name, fmt::format("a result of the run, which has no {}", file.filename().string()));
+  const formats::RunTable* of_run = table_of(owner);
+  const fs::path file = folder / (of_run != nullptr ? *of_run : formats::kHistoriesTable).file;
+  if (!fs::exists(file)) lack(output, fmt::format("a result of the run, which has no {}", file.filename().string()));
   const formats::CsvTable table = formats::read_csv(formats::load(file.string()));
-  if (is_table) return last_cell(table, output, quantity, [](const formats::CsvRow&) { return true; });
-  if (point == 0) return of_history(table, output, owner, quantity);
+  if (of_run == nullptr) return of_history(table, output, owner, quantity);
+  if (of_run != &formats::kPointsTable)
+    return last_cell(table, output, quantity, [](const formats::CsvRow&) { return true; });
   const std::size_t number = formats::csv_column(table, "point");
-  const std::string wanted = fmt::format("{}", point);
+  const std::string wanted = fmt::format("{}", number_of(owner, "point"));
   const auto is_wanted = [&](const formats::CsvRow& row) { return row.cells[number] == wanted; };
-  if (std::ranges::none_of(table.rows, is_wanted)) refuse(output.name, "the number of a measured point");
+  if (std::ranges::none_of(table.rows, is_wanted)) lack(output, "the number of a measured point");
   return last_cell(table, output, quantity, is_wanted);
 }
 
@@ -171,7 +193,7 @@ SweptValue value_of_run(const SweepOutput& output, const fs::path& folder) {
   try {
     return {record.at(Json::json_pointer(pointer)), unit_of_record(record, pointer)};
   } catch (const Json::exception&) {
-    refuse(output.name, "a pointer to a value of run.json");
+    lack(output, "a pointer to a value of run.json");
   }
 }
 
@@ -180,13 +202,13 @@ Json value_of_fos(const std::string& fos_json) {
   return json.is_object() ? json.value(Json::json_pointer("/bracket/stands"), Json()) : Json();
 }
 
-Json value_of_sif(const SweepOutput& output, const std::string& sif_json) {
+SweptValue value_of_sif(const SweepOutput& output, const std::string& sif_json) {
   const Json json = Json::parse(sif_json);
   const auto [owner, quantity] = at_dot(output.name);
   const std::size_t tip = number_of(owner, "tip");
   const Json& tips = json.at("tips");
-  if (tip > tips.size()) refuse(output.name, fmt::format("one of {} tips", tips.size()));
-  return tips.at(tip - 1).at(std::string(*found_in(kOfTip, quantity)));
+  if (tip > tips.size()) lack(output, fmt::format("one of {} tips", tips.size()));
+  return {tips.at(tip - 1).at(std::string(*found_in(kOfTip, quantity)))};
 }
 
 }  // namespace keyblock::study

@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,11 @@ struct SweepOutput {
   std::string name;
   SweepSource source = SweepSource::run;
   std::string reduced = {};  ///< of a factor of safety: joints, rock, both; empty: as the case says
+  std::string history = {};  ///< whose quantity it is; empty: of none
 };
 
-/// Parses a list of outputs, separated by commas. Throws std::invalid_argument for a name of none of these forms.
+/// Parses a list of outputs, separated by commas. Throws std::invalid_argument for a name of none of these forms, and
+/// for a column that no such table has.
 std::vector<SweepOutput> sweep_outputs_of(const std::string& list);
 
 /// Value of an output: a number or a text.
@@ -35,14 +38,19 @@ struct SweptValue {
   std::string unit = {};  ///< as in the table or the record that has the value; empty: none
 };
 
+/// Results lack an output: "expected one of 2 tips, found tip3.k1".
+struct OutputLacking : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Returns the value of an output of a run from its folder; null if a result without steps lacks it. Throws
-/// std::invalid_argument if the run has results, and this is not one of them.
+/// OutputLacking if the run has results, and this is not one of them.
 SweptValue value_of_run(const SweepOutput& output, const std::filesystem::path& folder);
 
 /// Returns the largest stable factor in fos.json; null if there is none.
 nlohmann::ordered_json value_of_fos(const std::string& fos_json);
 
 /// Returns the value of a tip in the output of `keyblock sif --json`. Throws like `value_of_run`.
-nlohmann::ordered_json value_of_sif(const SweepOutput& output, const std::string& sif_json);
+SweptValue value_of_sif(const SweepOutput& output, const std::string& sif_json);
 
 }  // namespace keyblock::study

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "base/printable.hpp"
 
@@ -18,8 +20,13 @@ std::string line_of(const Json& json) {
 }
 
 SweepResult result_of(const Json& json) {
-  return {json.at("job"), json.at("verdict"), json.at("doubt"),
-          json.at("out"), json.at("seconds"), json.value("units", Json::object())};
+  return {json.at("job"),
+          json.at("verdict"),
+          json.at("doubt"),
+          json.at("out"),
+          json.at("seconds"),
+          json.value("units", Json::object()),
+          json.value("lacking", Json::object())};
 }
 
 std::string cell_of(const Json& value) {
@@ -63,6 +70,7 @@ std::string sweep_journal_line(const SweepResult& result) {
                   {"doubt", result.doubt},
                   {"out", result.out},
                   {"units", result.units},
+                  {"lacking", result.lacking},
                   {"seconds", result.seconds}});
 }
 
@@ -73,6 +81,16 @@ SweepJournal read_sweep_journal(std::string_view text) {
     text.remove_prefix(end + 1);
   }
   return journal;
+}
+
+void require_outputs(const SweepTable& table) {
+  for (const std::string& name : table.outputs) {
+    const auto has = [&](const SweepResult& result) { return !value_or_null(result.out, name).is_null(); };
+    const auto lacks = [&](const SweepResult& result) { return result.lacking.contains(name); };
+    const auto lacking = std::ranges::find_if(table.results, lacks);
+    if (lacking != table.results.end() && std::ranges::none_of(table.results, has))
+      throw std::invalid_argument(fmt::format("--out: {}, in every run", lacking->lacking.at(name).get<std::string>()));
+  }
 }
 
 std::string table_csv(const SweepTable& table) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A journal has one JSON object per line: first {"sweep": 1, "task": "…"}, then {"job", "verdict", "doubt", "out",
-// "units", "seconds"} per job. A last line cut short by a sudden end is ignored.
+// "units", "lacking", "seconds"} per job. A last line cut short by a sudden end is ignored.
 #pragma once
 
 #include <map>
@@ -20,10 +20,11 @@ namespace keyblock::study {
 struct SweepResult {
   std::string job;
   std::string verdict = "finished";
-  std::string doubt;                                                ///< reason for the verdict
-  nlohmann::ordered_json out = nlohmann::ordered_json::object();    ///< by name
-  double seconds = 0;                                               ///< of wall time
-  nlohmann::ordered_json units = nlohmann::ordered_json::object();  ///< of outputs that have one, by name
+  std::string doubt;                                                  ///< reason for the verdict
+  nlohmann::ordered_json out = nlohmann::ordered_json::object();      ///< by name
+  double seconds = 0;                                                 ///< of wall time
+  nlohmann::ordered_json units = nlohmann::ordered_json::object();    ///< of outputs that have one, by name
+  nlohmann::ordered_json lacking = nlohmann::ordered_json::object();  ///< reasons of outputs that its results lack
 };
 
 struct SweepJournal {
@@ -44,6 +45,9 @@ struct SweepTable {
   std::vector<SweepRow> rows;
   std::vector<SweepResult> results;  ///< of each row
 };
+
+/// Throws std::invalid_argument for an output that no row has, and that results of a row lack: a wrong name.
+void require_outputs(const SweepTable& table);
 
 /// Returns table.csv: keys, verdict, doubt, outputs, job. It does not depend on the machine or the order of the jobs.
 std::string table_csv(const SweepTable& table);
