@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "api/named_files.hpp"
 
+#include <utility>
+
+#include "api/plan.hpp"
 #include "formats/berkeley/body_acceleration.hpp"
 #include "formats/registry.hpp"
 
@@ -23,6 +26,20 @@ bool names_a_file(const std::string& setting) {
 
 std::string from_folder(const fs::path& folder, const std::string& name, const std::string& value) {
   return names_a_file(name) && !value.empty() ? (folder / value).string() : value;
+}
+
+std::vector<std::string> named_files(const std::vector<Override>& settings) {
+  std::vector<std::string> files;
+  for (const auto& [name, value] : settings)
+    if (names_a_file(name)) files.push_back(value);
+  return files;
+}
+
+std::vector<std::string> named_files(const AskedCase& asked, const Problem& problem) {
+  const ConfiguredCase made = configured(asked, problem);
+  std::vector<std::string> files = named_files(made.problem.choices.settings);
+  for (std::string& file : named_files(made.asked)) files.push_back(std::move(file));
+  return files;
 }
 
 Problem with_named_files(Problem problem, const std::vector<Override>& overrides) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "api/asked_case.hpp"
 #include "run/prepare.hpp"
 
 namespace keyblock {
@@ -16,6 +17,12 @@ bool names_a_file(const std::string& setting);
 /// Returns the value of a setting read from a file in `folder`. If it names a file, returns its path from the working
 /// folder (an absolute name stays); otherwise the value itself.
 std::string from_folder(const std::filesystem::path& folder, const std::string& name, const std::string& value);
+
+/// Returns the values of settings that name files.
+std::vector<std::string> named_files(const std::vector<Override>& settings);
+
+/// Returns the files that the settings of a case name, under its profile. Throws like `configured`.
+std::vector<std::string> named_files(const AskedCase& asked, const Problem& problem);
 
 /// Returns the problem with the table of the file in the setting `body_acceleration_file`, if there is one. An override
 /// names it relative to the working folder. A case file names it relative to its own folder; the name is then changed

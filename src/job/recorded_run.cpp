@@ -61,10 +61,6 @@ RunRequest request_of(const RecordingOptions& options, const OpenCase& read, con
     request.read.push_back(input.file);
     request.digests.push_back(input.sha256);
   }
-  if (const std::string& named = settings.body_acceleration.file; !named.empty()) {
-    request.read.push_back(named);
-    request.digests.push_back(sha256(formats::load(named).text));
-  }
   for (const SettingText& setting : list(settings)) request.settings.push_back(setting.name + "=" + setting.value);
   return request;
 }
@@ -92,11 +88,14 @@ PlannedCase planned_with(const OpenCase& read, const OutputOptions& outputs) {
 
 }  // namespace
 
-std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings) {
+std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings, const std::string& named) {
   std::vector<InputRecord> records;
   for (const formats::FileReading& file : readings)
     records.push_back({file.path, sha256(file.source.text), std::string(file.choice->format->name),
                        file.choice->recognition.evidence});
+  if (!named.empty())
+    records.push_back(
+        {named, sha256(formats::load(named).text), "table", "accelerations over time", "body_acceleration_file"});
   return records;
 }
 
@@ -146,10 +145,10 @@ RecordedRun::RecordedRun(Beginning beginning)
   const formats::Case& input = read_.input;
   RunRecord record;
   record.units = input.problem.units;
-  record.inputs = input_records(read_.read_files());
   record.values = read_.values;
   record.timings.read = to_microseconds(lap());
   plan_ = std::make_shared<const PlannedCase>(planned_with(read_, options_.outputs));
+  record.inputs = input_records(read_.read_files(), plan_->prepared.scene.settings.body_acceleration.file);
   record.profile = plan_->profile.name;
   record.profile_because = plan_->profile.why;
   record.record_every = options_.record_every > 0
@@ -160,7 +159,7 @@ RecordedRun::RecordedRun(Beginning beginning)
   title_ = title_of(read_.files.front(), record.profile);
   RunRequest request = request_of(options_, read_, *plan_, record);
   if (beginning.request) require_same(checkpoint_in(options_.folder), *beginning.request, request);
-  for (const std::string& file : read_.files) require_not_below(file, options_.folder);
+  for (const InputRecord& read : record.inputs) require_not_below(read.file, options_.folder);
   job_ = std::make_unique<RunJob>(
       plan_->prepared, std::move(record), std::move(request),
       RunJobOptions{options_.folder, options_.overwrite, options_.trace, options_.checkpoint_every,

@@ -29,8 +29,8 @@ struct RecordingOptions {
   std::string stop_when = {};  ///< in the form that `stop_criterion_of` reads; empty: at the last step
 };
 
-/// Returns path, checksum and format of each file.
-std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings);
+/// Returns path, checksum and format of each file of the case, and of the file that a setting names, if any.
+std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings, const std::string& named);
 
 /// Run of a case with its results in a folder. It cannot be moved: the run refers to the plan that it owns.
 class RecordedRun {

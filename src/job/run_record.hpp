@@ -23,6 +23,7 @@ struct InputRecord {
   std::string sha256;
   std::string format;
   std::string evidence;
+  std::string setting = {};  ///< that names the file; empty: a file of the case
 };
 
 /// Support or load of the scene before the first step.

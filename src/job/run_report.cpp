@@ -232,9 +232,11 @@ std::vector<Remedy> what_to_try(const Prepared& prepared, const RunOutcome& outc
 
 Json inputs_json(const std::vector<InputRecord>& inputs) {
   Json all = Json::array();
-  for (const InputRecord& input : inputs)
+  for (const InputRecord& input : inputs) {
     all.push_back(
         {{"file", input.file}, {"sha256", input.sha256}, {"format", input.format}, {"evidence", input.evidence}});
+    if (!input.setting.empty()) all.back()["setting"] = input.setting;
+  }
   return all;
 }
 

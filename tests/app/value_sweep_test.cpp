@@ -182,6 +182,34 @@ TEST(ValueSweep, an_output_that_no_row_has_is_refused_as_soon_as_it_is_known) {
   EXPECT_FALSE(fs::exists(folder + "/out/table.csv"));
 }
 
+TEST(ValueSweep, a_changed_file_that_a_setting_names_computes_its_rows_again) {
+  const std::string folder = fresh_folder("value_sweep_named_file");
+  const std::string file = slope_in(folder);
+  for (const char* name : {"/1.csv", "/2.csv"}) write_text(folder + name, "time,ax,ay\n0,0,0\n1,1,0\n");
+  const Words sweep{"sweep",    file,     "--set",
+                    "steps=2",  "-o",     folder + "/out",
+                    "--resume", "--over", "body_acceleration_file=" + folder + "/1.csv," + folder + "/2.csv"};
+  const auto lines = [&] {
+    EXPECT_EQ(run_keyblock(sweep).exit_code, 0);
+    return std::ranges::count(read_text(folder + "/out/journal.jsonl"), '\n');
+  };
+  EXPECT_EQ(lines(), 3);
+  EXPECT_EQ(lines(), 3);
+  write_text(folder + "/2.csv", "time,ax,ay\n0,5,0\n1,5,0\n");
+  EXPECT_EQ(lines(), 4);
+  const auto record = nlohmann::json::parse(read_text(folder + "/out/sweep.json"));
+  EXPECT_EQ(record["inputs"].back()["sha256"], sha256(read_text(folder + "/2.csv")));
+
+  const Words run{"run", file,           "--set", "steps=2", "--set", "body_acceleration_file=" + folder + "/1.csv",
+                  "-o",  folder + "/run"};
+  ASSERT_EQ(run_keyblock(run).exit_code, 0);
+  const auto input = nlohmann::json::parse(read_text(folder + "/run/run.json"))["inputs"].back();
+  EXPECT_EQ(input["sha256"], sha256(read_text(folder + "/1.csv")));
+  EXPECT_EQ(input["setting"], "body_acceleration_file");
+  ASSERT_EQ(run_keyblock({"report", folder + "/run", "-o", folder + "/report.html"}).exit_code, 0);
+  EXPECT_FALSE(contains(read_text(folder + "/report.html"), "Not listed")) << "materials are those of the case alone";
+}
+
 // A row that could not be written is no result: the sweep ends, and computes it when it is resumed.
 TEST(ValueSweep, files_that_may_not_grow_end_the_sweep_with_exit_4) {
   const std::string folder = fresh_folder("value_sweep_full");

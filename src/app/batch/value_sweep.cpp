@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "api/case_values.hpp"
+#include "api/named_files.hpp"
 #include "app/batch/engine_scripts.hpp"
 #include "app/batch/journal_file.hpp"
 #include "app/batch/shard.hpp"
@@ -54,11 +55,12 @@ using study::SweepTable;
 struct ReadySweep {
   SweepPlan plan;
   std::vector<SweepRow> rows;
-  std::vector<std::string> jobs;  ///< of each row
-  std::string task;               ///< all that determines a result apart from the row
-  std::string case_text;          ///< the case file in strict JSON
-  Units units;                    ///< declared by the case
-  Json inputs = Json::array();    ///< files read, with checksums
+  std::vector<std::string> jobs;             ///< of each row
+  std::map<std::string, std::string> named;  ///< checksum of the files that settings name, of each job
+  std::string task;                          ///< all that determines a result apart from the row
+  std::string case_text;                     ///< the case file in strict JSON
+  Units units;                               ///< declared by the case
+  Json inputs = Json::array();               ///< files read, with checksums
 };
 
 bool takes(const std::string& setting, const std::string& value) {
@@ -168,6 +170,38 @@ std::string task_of(const ValueSweepOptions& options, const OpenCase& open, cons
   return task.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+/// Returns the settings of a row. Those of the case file name files from its folder.
+std::vector<Override> settings_of_row(const SweepRow& row, const fs::path& folder) {
+  std::vector<Override> settings;
+  for (const auto& [key, value] : row.items()) {
+    if (!value.is_string()) continue;
+    const bool is_of_case = key.starts_with('/');
+    const std::string name = is_of_case ? pointer_steps(key).back() : key;
+    settings.emplace_back(name, is_of_case ? from_folder(folder, name, value) : value.get<std::string>());
+  }
+  return settings;
+}
+
+/// Finds the files that settings name. A row without its file fails by itself.
+void find_named_files(ReadySweep& sweep, const OpenCase& open) {
+  const std::vector<std::string> common = named_files(open, open.input.problem);
+  std::map<std::string, std::string> checksums;
+  const fs::path folder = fs::path(open.read_files().front().path).parent_path();
+  for (std::size_t i = 0; i < sweep.rows.size(); ++i) {
+    std::vector<std::string> files = named_files(settings_of_row(sweep.rows[i], folder));
+    files.insert(files.begin(), common.begin(), common.end());
+    std::string all;
+    for (const std::string& file : files) {
+      const auto [known, is_new] = checksums.emplace(file, "");
+      if (is_new && fs::is_regular_file(file)) known->second = checksum_of(file);
+      all += known->second + "\n";
+    }
+    sweep.named[sweep.jobs[i]] = all.empty() ? all : sha256(all);
+  }
+  for (const auto& [file, checksum] : checksums)
+    if (!checksum.empty()) sweep.inputs.push_back({{"file", file}, {"sha256", checksum}});
+}
+
 ReadySweep ready(const ValueSweepOptions& options) {
   ReadySweep sweep{{options.given,
                     {},
@@ -177,6 +211,7 @@ ReadySweep ready(const ValueSweepOptions& options) {
                     {options.cpu_seconds, options.memory_mebibytes},
                     options.folder},
                    rows_asked(options),
+                   {},
                    {},
                    {},
                    {},
@@ -196,6 +231,7 @@ ReadySweep ready(const ValueSweepOptions& options) {
     sweep.inputs.push_back({{"file", file.path}, {"sha256", sha256(file.source.text)}});
   for (const std::string& file : {options.given.settings_file, open.file.path, options.joints, options.design_file})
     if (!file.empty() && fs::exists(file)) sweep.inputs.push_back({{"file", file}, {"sha256", checksum_of(file)}});
+  find_named_files(sweep, open);
   return sweep;
 }
 
@@ -206,7 +242,8 @@ void require_sweep_folder(const fs::path& folder, const Shard& shard) {
     throw UsageError(fmt::format("{} holds something that is no sweep; give another folder", folder.string()));
 }
 
-/// Returns the results in all journals of the folder. Throws UsageError if one belongs to another sweep.
+/// Returns the results in all journals of the folder. Those of other jobs, and of files that changed since, are left out.
+/// Throws UsageError if a journal belongs to another sweep.
 std::map<std::string, SweepResult> known_results(const ReadySweep& sweep) {
   std::map<std::string, SweepResult> known;
   const fs::path& folder = sweep.plan.folder;
@@ -215,7 +252,9 @@ std::map<std::string, SweepResult> known_results(const ReadySweep& sweep) {
     if (journal.task != sweep.task)
       throw UsageError(
           fmt::format("{} holds a sweep of another case, output or limit; give another folder", folder.string()));
-    known.insert(journal.results.begin(), journal.results.end());
+    for (const auto& [job, result] : journal.results)
+      if (const auto own = sweep.named.find(job); own != sweep.named.end() && own->second == result.files)
+        known.emplace(job, result);
   }
   return known;
 }
@@ -247,8 +286,9 @@ void do_jobs(const ValueSweepOptions& options, const ReadySweep& sweep, const Sh
   const Context stop = context();
   const int jobs = options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   for_each_in_parallel(missing.size(), jobs, [&](std::size_t i) {
-    const std::optional<SweepResult> result = do_sweep_job(sweep.plan, *missing[i], stop);
+    std::optional<SweepResult> result = do_sweep_job(sweep.plan, *missing[i], stop);
     if (!result) return;
+    result->files = sweep.named.at(result->job);
     const std::string line = study::sweep_journal_line(*result);
     const std::scoped_lock lock(guard);
     journal.add(line);

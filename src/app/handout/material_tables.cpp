@@ -108,10 +108,11 @@ std::vector<ChangedValue> changed_values(const ResultRecord& record) {
   return values;
 }
 
-// Returns the input files of the record; throws InputError if one is not as it was.
+// Returns the files of the case; throws InputError if one is not as it was.
 std::vector<std::string> unchanged_inputs(const ResultRecord& record) {
   std::vector<std::string> files;
   for (const Json& input : record.list("inputs")) {
+    if (input.contains("setting")) continue;
     const std::string file = plain_text(member(input, "file"));
     if (!fs::is_regular_file(file)) throw InputError({file}, "expected the input file of this result, found none");
     if (sha256(file_bytes(file)) != plain_text(member(input, "sha256")))

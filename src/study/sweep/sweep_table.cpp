@@ -26,7 +26,8 @@ SweepResult result_of(const Json& json) {
           json.at("out"),
           json.at("seconds"),
           json.value("units", Json::object()),
-          json.value("lacking", Json::object())};
+          json.value("lacking", Json::object()),
+          json.value("files", "")};
 }
 
 std::string cell_of(const Json& value) {
@@ -71,6 +72,7 @@ std::string sweep_journal_line(const SweepResult& result) {
                   {"out", result.out},
                   {"units", result.units},
                   {"lacking", result.lacking},
+                  {"files", result.files},
                   {"seconds", result.seconds}});
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A journal has one JSON object per line: first {"sweep": 1, "task": "…"}, then {"job", "verdict", "doubt", "out",
-// "units", "lacking", "seconds"} per job. A last line cut short by a sudden end is ignored.
+// "units", "lacking", "files", "seconds"} per job. A last line cut short by a sudden end is ignored.
 #pragma once
 
 #include <map>
@@ -25,6 +25,7 @@ struct SweepResult {
   double seconds = 0;                                                 ///< of wall time
   nlohmann::ordered_json units = nlohmann::ordered_json::object();    ///< of outputs that have one, by name
   nlohmann::ordered_json lacking = nlohmann::ordered_json::object();  ///< reasons of outputs that its results lack
+  std::string files = {};                                             ///< checksum of the files that its settings name
 };
 
 struct SweepJournal {
