@@ -77,10 +77,21 @@ Json schema_at(const Json& schema, const std::vector<std::string>& steps) {
   return *at;
 }
 
-bool is_whole(const Json& schema) {
+bool has_type(const Json& schema, const char* name) {
   const Json type = schema.value("type", Json());
   const Json types = type.is_array() ? type : Json::array({type});
-  return std::ranges::find(types, "integer") != types.end() && std::ranges::find(types, "number") == types.end();
+  return std::ranges::find(types, name) != types.end();
+}
+
+bool is_whole(const Json& schema) {
+  return has_type(schema, "integer") && !has_type(schema, "number");
+}
+
+WordKind words_of(const Json& schema) {
+  if (!schema.contains("type")) return WordKind::amount;
+  const bool has_number = has_type(schema, "number") || has_type(schema, "integer");
+  if (has_type(schema, "string") && !has_number) return WordKind::name;
+  return has_type(schema, "number") && schema.contains("x-unit") ? WordKind::amount : WordKind::plain;
 }
 
 }  // namespace
@@ -112,6 +123,16 @@ bool takes_whole_numbers(std::string_view pointer, const std::string& json) {
   return std::ranges::any_of(places_in(whole, pointer, true), [&](const Found& place) {
     return is_whole(schema_at(schema, pointer_steps(place.at.to_string())));
   });
+}
+
+WordKind words_at(std::string_view pointer, const std::string& json) {
+  const Json whole = Json::parse(json);
+  const Found place = places_in(whole, pointer, true).front();
+  return words_of(schema_at(Json::parse(formats::case_schema()), pointer_steps(place.at.to_string())));
+}
+
+WordKind words_of_setting(const std::string& name) {
+  return words_of(schema_at(Json::parse(formats::case_schema()), {"run", "set", name}));
 }
 
 ChangedValue case_value_of(const std::string& text) {

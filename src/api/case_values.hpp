@@ -29,6 +29,14 @@ bool is_list_index(std::string_view step);
 /// Returns true if the case file takes whole numbers alone at the pointer, in a case file in strict JSON.
 bool takes_whole_numbers(std::string_view pointer, const std::string& json);
 
+/// Words of a value: a number that may have a unit, a number or a name, a name alone.
+enum class WordKind { amount, plain, name };
+
+/// Returns the words that the case file takes at the pointer; `amount` if its schema does not say. Throws like
+/// `pointers_to`.
+WordKind words_at(std::string_view pointer, const std::string& json);
+WordKind words_of_setting(const std::string& name);
+
 /// Parses "POINTER=VALUE". Throws std::invalid_argument.
 ChangedValue case_value_of(const std::string& text);
 

@@ -59,6 +59,28 @@ TEST(SweepDesign, lists_and_ranges_are_read_with_their_units) {
     EXPECT_THROW(varied_key_of(wrong), std::invalid_argument) << wrong;
 }
 
+TEST(SweepDesign, the_key_decides_whether_a_word_is_a_name) {
+  const auto values = [](const std::string& text, WordKind kind) {
+    return Json(varied_key_of(text, [&](const std::string&) { return kind; }).values).dump();
+  };
+  EXPECT_EQ(values("/a=1m,2m", WordKind::amount), R"(["1 m","2 m"])");
+  EXPECT_EQ(values("/a=2*t,50 kN", WordKind::amount), R"(["2*t","50 kN"])") << "a formula has no unit";
+  EXPECT_EQ(values("/a=1.csv,2.csv", WordKind::plain), R"(["1.csv","2.csv"])");
+  EXPECT_EQ(values("/a=1,2m", WordKind::plain), R"([1,"2m"])");
+  EXPECT_EQ(values("/a=1:3:1", WordKind::plain), "[1,2,3]");
+  EXPECT_EQ(values("/a=12,\"13\"", WordKind::name), R"(["12","13"])");
+  EXPECT_EQ(values("/a=1:3:1", WordKind::name), R"(["1:3:1"])");
+  const std::string json =
+      R"({"blocks":{"blocks":[{}]},"analysis":{"joint_materials":[{"name":"bedding"}]},"run":{"set":{}}})";
+  EXPECT_EQ(words_at("/analysis/joint_materials/bedding/cohesion", json), WordKind::amount);
+  EXPECT_EQ(words_at("/analysis/joint_materials/bedding/friction_angle_deg", json), WordKind::amount);
+  EXPECT_EQ(words_at("/analysis/joint_materials/bedding/name", json), WordKind::name);
+  EXPECT_EQ(words_at("/blocks/blocks/0/material", json), WordKind::plain);
+  EXPECT_EQ(words_at("/run/set/body_acceleration_file", json), WordKind::plain);
+  EXPECT_EQ(words_of_setting("body_acceleration_file"), WordKind::plain);
+  EXPECT_EQ(words_of_setting("time_step"), WordKind::amount);
+}
+
 // Mean of a normal distribution above t deviations: t + 1/t - 2/t^3 + 10/t^5, the series of the inverse Mills ratio.
 TEST(SweepDesign, a_normal_distribution_cut_far_from_its_mean_has_the_mean_of_its_tail) {
   for (const double t : {8.0, 10.0, 20.0, 50.0, 1e4}) {

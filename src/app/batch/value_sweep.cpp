@@ -102,13 +102,19 @@ void require_whole_numbers(const std::vector<SweepRow>& rows, const std::string&
   }
 }
 
-std::vector<SweepRow> rows_asked(const ValueSweepOptions& options) {
+WordKind words_of(const std::string& key, const std::string& case_text) {
+  if (key.starts_with('/')) return words_at(key, case_text);
+  return key.starts_with(study::kOfJoints) ? WordKind::amount : words_of_setting(key);
+}
+
+std::vector<SweepRow> rows_asked(const ValueSweepOptions& options, const std::string& case_text) {
   if (!options.design_file.empty()) {
     if (!options.over.empty()) throw UsageError("sweep: expected --over or --design, found both");
     return study::rows_of_file(options.design_file, formats::load(options.design_file).text);
   }
   std::vector<study::VariedKey> keys;
-  for (const std::string& over : options.over) keys.push_back(study::varied_key_of(over));
+  const auto words = [&](const std::string& key) { return words_of(key, case_text); };
+  for (const std::string& over : options.over) keys.push_back(study::varied_key_of(over, words));
   const study::Design design = options.random > 0  ? study::Design::random
                                : options.is_zipped ? study::Design::zipped
                                                    : study::Design::grid;
@@ -210,7 +216,7 @@ ReadySweep ready(const ValueSweepOptions& options) {
                     options.within,
                     {options.cpu_seconds, options.memory_mebibytes},
                     options.folder},
-                   rows_asked(options),
+                   {},
                    {},
                    {},
                    {},
@@ -220,6 +226,7 @@ ReadySweep ready(const ValueSweepOptions& options) {
   const OpenCase open = opened(case_of(options.given));
   sweep.case_text = formats::case_file_text(open.input.files);
   sweep.units = open.input.problem.units;
+  sweep.rows = rows_asked(options, sweep.case_text);
   require_keys(sweep.rows.front(), sweep.case_text, sweep.plan.joints);
   require_whole_numbers(sweep.rows, sweep.case_text);
   require_histories(sweep.plan.outputs, outputs_asked(open.input.problem.outputs, {options.histories, {}, {}}),

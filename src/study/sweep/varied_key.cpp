@@ -26,7 +26,7 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
 }
 
-/// Number at the beginning of a text, and the rest of it: a unit, or nothing.
+/// Number at the beginning of a text, and the rest of it: a unit, or nothing. Refuses formulas such as 2*t.
 struct Amount {
   double number = 0;
   std::string unit;
@@ -38,6 +38,8 @@ std::optional<Amount> amount_of(const std::string& text) {
   const auto [end, fault] = std::from_chars(begin, text.data() + text.size(), amount.number);
   if (fault != std::errc() || !std::isfinite(amount.number)) return std::nullopt;
   amount.unit = trimmed({end, text.data() + text.size()});
+  constexpr std::string_view kOperators = "+-*/^(";
+  if (!amount.unit.empty() && kOperators.find(amount.unit.front()) != std::string_view::npos) return std::nullopt;
   return amount;
 }
 
@@ -72,12 +74,16 @@ Json json_of(const std::string& word) {
   return json.is_discarded() ? Json(word) : json;
 }
 
-std::vector<Json> list_of(const std::vector<std::string>& words) {
+std::vector<Json> list_of(const std::vector<std::string>& words, WordKind kind) {
   const std::optional<Amount> last = amount_of(words.back());
-  const bool are_amounts =
-      std::ranges::all_of(words, [](const std::string& word) { return amount_of(word).has_value(); });
+  const auto is_amount = [](const std::string& word) { return amount_of(word).has_value(); };
+  const bool are_amounts = kind == WordKind::amount && std::ranges::all_of(words, is_amount);
   std::vector<Json> values;
   for (const std::string& word : words) {
+    if (kind == WordKind::name && !word.starts_with('"')) {
+      values.emplace_back(word);
+      continue;
+    }
     if (!are_amounts || last->unit.empty()) {
       values.push_back(json_of(word));
       continue;
@@ -223,7 +229,7 @@ double Distribution::quantile(double p) const {
   return 0;
 }
 
-VariedKey varied_key_of(const std::string& text) {
+VariedKey varied_key_of(const std::string& text, const std::function<WordKind(const std::string& key)>& words_of) {
   const std::size_t equals = text.find('=');
   const std::string key = trimmed(text.substr(0, equals));
   const std::string values = equals == std::string::npos ? "" : trimmed(std::string_view(text).substr(equals + 1));
@@ -233,21 +239,24 @@ VariedKey varied_key_of(const std::string& text) {
   if (key.empty() || values.empty())
     refuse("KEY=VALUES, such as /analysis/joint_materials/bedding/friction_angle_deg=20:40:2");
   VariedKey varied{key};
-  varied.distribution = distribution_of(values);
-  if (varied.distribution) return varied;
-  for (const char* law : {"normal(", "lognormal(", "uniform(", "triangular("})
-    if (values.starts_with(law))
-      refuse(
-          "normal(MEAN,DEVIATION), normal(MEAN,DEVIATION,LOW,HIGH), lognormal(MEAN,DEVIATION), uniform(LOW,HIGH) or "
-          "triangular(LOW,MODE,HIGH)");
-  if (const auto range = range_of(values)) {
-    varied.values = *range;
-    return varied;
+  const WordKind kind = words_of ? words_of(key) : WordKind::amount;
+  if (kind != WordKind::name) {
+    varied.distribution = distribution_of(values);
+    if (varied.distribution) return varied;
+    for (const char* law : {"normal(", "lognormal(", "uniform(", "triangular("})
+      if (values.starts_with(law))
+        refuse(
+            "normal(MEAN,DEVIATION), normal(MEAN,DEVIATION,LOW,HIGH), lognormal(MEAN,DEVIATION), uniform(LOW,HIGH) or "
+            "triangular(LOW,MODE,HIGH)");
+    if (auto range = range_of(values)) {
+      varied.values = *std::move(range);
+      return varied;
+    }
   }
   const std::vector<std::string> words = split(values, ',');
   if (std::ranges::any_of(words, [](const std::string& word) { return word.empty(); }))
     refuse("values separated by commas");
-  varied.values = list_of(words);
+  varied.values = list_of(words, kind);
   return varied;
 }
 

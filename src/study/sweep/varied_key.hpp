@@ -1,7 +1,8 @@
 // Parses the values over which a sweep runs: of a key of the case, of a setting, or of statistics of joints.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-//   KEY=A,B,C            a list; a unit behind the last number belongs to all numbers without one: "0,50 kN"
+//   KEY=A,B,C            a list; a unit behind the last number belongs to all numbers without one: "0,50 kN". A key
+//                        that takes names has the words as they are: "1.csv,2.csv"
 //   KEY=FIRST:LAST:STEP  a range with both ends
 //   KEY=normal(MEAN,DEVIATION)        also normal(MEAN,DEVIATION,LOW,HIGH), whose values lie between LOW and HIGH
 //   KEY=lognormal(MEAN,DEVIATION)     of the value itself, not of its logarithm
@@ -10,11 +11,14 @@
 // KEY is a JSON pointer into the case file, `joints:` with a pointer into the joint statistics, or a setting.
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "api/case_values.hpp"
 
 namespace keyblock::study {
 
@@ -39,7 +43,8 @@ struct VariedKey {
   std::optional<Distribution> distribution = {};
 };
 
-/// Parses "KEY=VALUES". Throws std::invalid_argument, with the text, if it has another form.
-VariedKey varied_key_of(const std::string& text);
+/// Parses "KEY=VALUES". `words` returns the words that a key takes; without it all may be numbers with units. Throws
+/// std::invalid_argument, with the text, if it has another form.
+VariedKey varied_key_of(const std::string& text, const std::function<WordKind(const std::string& key)>& words = {});
 
 }  // namespace keyblock::study
