@@ -21,6 +21,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -194,14 +195,21 @@ ExitCode out_of_memory(const char* for_what) {
   return is_limited ? ExitCode::limit : ExitCode::numerical_failure;
 }
 
+int not_written(const char* program) {
+  const bool is_job = program != nullptr && std::string_view(program) == kJobName;
+  return is_job ? kCannotWrite : static_cast<int>(ExitCode::numerical_failure);
+}
+
 // Handles errors of the system: threads need memory, and tables are written to standard output.
-ExitCode code_of(const std::system_error& error) {
-  if (error.code() == std::errc::resource_unavailable_try_again) return out_of_memory("another thread");
+int code_of(const std::system_error& error, const char* program) {
+  if (error.code() == std::errc::resource_unavailable_try_again)
+    return static_cast<int>(out_of_memory("another thread"));
   if (std::ferror(stdout) != 0)
     spdlog::error("keyblock: error: cannot write to standard output: {}", error.code().message());
   else
     spdlog::error("keyblock: error: {}", error.what());
-  return ExitCode::numerical_failure;
+  const bool is_full = std::ferror(stdout) != 0 || error.code() == std::errc::no_space_on_device;
+  return is_full ? not_written(program) : static_cast<int>(ExitCode::numerical_failure);
 }
 
 }  // namespace
@@ -225,11 +233,15 @@ int main(int argc, char** argv) {
     return static_cast<int>(keyblock::ExitCode::usage);
   } catch (const std::filesystem::filesystem_error& error) {
     spdlog::error("{}: error: {}", error.path1().string(), error.code().message());
-    return static_cast<int>(keyblock::ExitCode::usage);
+    const bool is_full = error.code() == std::errc::no_space_on_device;
+    return is_full ? keyblock::not_written(argv[0]) : static_cast<int>(keyblock::ExitCode::usage);
+  } catch (const keyblock::OutputError& error) {
+    spdlog::error("keyblock: error: {}", error.what());
+    return keyblock::not_written(argv[0]);
   } catch (const std::bad_alloc&) {
     return static_cast<int>(keyblock::out_of_memory("this"));
   } catch (const std::system_error& error) {
-    return static_cast<int>(keyblock::code_of(error));
+    return keyblock::code_of(error, argv[0]);
   } catch (const std::exception& error) {
     spdlog::error("keyblock: error: {}", error.what());
     return static_cast<int>(keyblock::ExitCode::numerical_failure);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 #include "base/error.hpp"
@@ -111,6 +112,12 @@ void write_pictures(OutputFiles& files, const RunResults& results, const Frame& 
     files.write(kReactionFile, report::reaction_picture(results.title + ", reactions", curves, units));
 }
 
+[[noreturn]] void give_up(const fs::path& folder, std::error_code why) {
+  const std::string words = fmt::format("cannot make the folder {}: {}", folder.string(), why.message());
+  if (why == std::errc::no_space_on_device) throw OutputError(words);
+  throw UsageError(words);
+}
+
 }  // namespace
 
 RunFolder::RunFolder(fs::path folder, Overwrite overwrite, Trace trace, Units units)
@@ -138,7 +145,7 @@ RunFolder::RunFolder(fs::path folder, Trace trace, Units units)
 void RunFolder::begin(const std::string& checkpoint) {
   std::error_code error;
   made_folder_ = fs::create_directories(folder_, error);
-  if (error) throw UsageError(fmt::format("cannot make the folder {}", folder_.string()));
+  if (error) give_up(folder_, error);
   lock_ = FolderLock(folder_);
   if (files_.overwrite() == Overwrite::yes)
     files_.remove_earlier();
@@ -147,7 +154,7 @@ void RunFolder::begin(const std::string& checkpoint) {
   remove_drafts(folder_);  // of a killed run: no other run writes here
   if (!checkpoint.empty()) write_file(checkpoint_in(folder_), checkpoint, Overwrite::no);
   const bool made_frames = fs::create_directory(folder_ / kFrameFolder, error);
-  if (error) throw UsageError(fmt::format("cannot make the folder {}", (folder_ / kFrameFolder).string()));
+  if (error) give_up(folder_ / kFrameFolder, error);
   if (!made_frames && files_.overwrite() == Overwrite::no)
     throw UsageError(fmt::format("{} holds the frames of another run; give another folder", folder_.string()));
 }

@@ -223,6 +223,33 @@ TEST(ValueSweep, files_that_may_not_grow_end_the_sweep_with_exit_4) {
   EXPECT_TRUE(contains(resumed.output, "\n1000,finished,,")) << resumed.output;
 }
 
+// This run has no equilibrium, and its file has such a name.
+TEST(ValueSweep, the_words_of_a_message_end_no_batch) {
+  const std::string folder = fresh_folder("batch_words");
+  fs::create_directories(folder + "/archive");
+  const std::string file = folder + "/archive/cannot write.json";
+  ASSERT_EQ(run_keyblock({"new", "block", "--strict-json", "-o", file}).exit_code, 0);
+  auto json = nlohmann::ordered_json::parse(read_text(file));
+  json["run"]["set"]["motion"] = "static";
+  write_text(file, json.dump());
+  const ProgramRun failed =
+      run_keyblock({"batch", folder + "/archive", "--run", "--profile", "standard", "-o", folder + "/out"});
+  EXPECT_EQ(failed.exit_code, 1) << failed.messages;
+  EXPECT_TRUE(contains(read_text(folder + "/out/catalogue.csv"), "exit code 4")) << failed.messages;
+}
+
+TEST(ValueSweep, a_search_without_an_answer_is_a_row) {
+  const std::string folder = fresh_folder("value_sweep_loose"), file = folder + "/slope.json";
+  run_keyblock({"new", "slope", "--strict-json", "-o", file});
+  auto json = nlohmann::ordered_json::parse(read_text(file));
+  json["drawing"].erase("fixed_lines");
+  write_text(file, json.dump());
+  const ProgramRun run = run_keyblock({"sweep", file, "--over", "steps=2,3", "--out", "fos", "-o", folder + "/out"});
+  EXPECT_EQ(run.exit_code, 1) << run.messages;
+  EXPECT_TRUE(contains(run.output, "\n2,error,")) << run.output;
+  EXPECT_TRUE(contains(run.output, "nothing fixes the blocks")) << run.output;
+}
+
 TEST(ValueSweep, wrong_usage_is_found_before_any_job) {
   const std::string folder = fresh_folder("value_sweep_usage");
   const std::string file = slope_in(folder);

@@ -65,7 +65,6 @@ ChildEnd run_logged(const BatchPlan& plan, const fs::path& folder, const std::st
                     const std::vector<std::string>& arguments) {
   const ChildEnd end = run_logged(arguments, plan.limits, folder, name, plan.stop ? &*plan.stop : nullptr);
   if (has_been_stopped(end)) throw JobStopped();
-  if (const fs::path log = folder / (name + ".log"); could_not_write(end, log)) refuse_without(folder / name, log);
   return end;
 }
 

@@ -97,7 +97,7 @@ bool has_used_its_time(const rusage& used, double limit_seconds) {
 
 ChildEnd run_child(const std::vector<std::string>& arguments, const ChildLimits& limits,
                    const std::filesystem::path& output, const std::filesystem::path& messages, const Context* stop) {
-  std::string name = "keyblock";
+  std::string name = kJobName;
   Plan plan{{name.data()}, output.string(), messages.string(), limits, getpid(), {}};
   for (const std::string& argument : arguments) plan.arguments.push_back(const_cast<char*>(argument.c_str()));
   plan.arguments.push_back(nullptr);

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
@@ -27,11 +26,6 @@ constexpr std::uintmax_t kMebibyte = 1048576;
 
 }  // namespace
 
-ChildEnd run_logged(const std::vector<std::string>& arguments, const ChildLimits& limits, const fs::path& folder,
-                    const std::string& name, const Context* stop) {
-  return run_child(arguments, limits, folder / (name + ".out"), folder / (name + ".log"), stop);
-}
-
 bool has_been_stopped(const ChildEnd& end) {
   if (end.ran_out_of_time) return false;
   const bool by_request = end.signal == SIGTERM || end.signal == SIGINT || end.exit_code == int(ExitCode::stopped);
@@ -44,6 +38,18 @@ std::string error_in(const fs::path& log) {
   for (std::string line; std::getline(lines, line);)
     if (line.find("error:") != std::string::npos) last = line;
   return last;
+}
+
+ChildEnd run_logged(const std::vector<std::string>& arguments, const ChildLimits& limits, const fs::path& folder,
+                    const std::string& name, const Context* stop) {
+  constexpr std::string_view kLevel = "error: ";
+  const fs::path log = folder / (name + ".log");
+  const ChildEnd end = run_child(arguments, limits, folder / (name + ".out"), log, stop);
+  if (end.exit_code != kCannotWrite) return end;
+  const std::string error = error_in(log);  // empty: the disk had no room for it either
+  const std::size_t at = error.find(kLevel);
+  throw OutputError(at == std::string::npos ? fmt::format("cannot write into {}", folder.string())
+                                            : error.substr(at + kLevel.size()));
 }
 
 // The system cannot load a program larger than the limit, and ends it by a signal.
@@ -71,22 +77,6 @@ std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const f
   if (end.signal != 0) return fmt::format("ended by {}", signal_name(end.signal));
   const std::string error = error_in(log);
   return fmt::format("exit code {}{}{}", end.exit_code, error.empty() ? "" : ": ", error);
-}
-
-void refuse_without(const fs::path& results, const fs::path& log) {
-  constexpr std::string_view kLevel = "error: ";
-  const std::string error = error_in(log);
-  const std::size_t at = error.find(kLevel);
-  throw OutputError(at == std::string::npos ? fmt::format("cannot write {}", results.string())
-                                            : error.substr(at + kLevel.size()));
-}
-
-bool could_not_write(const ChildEnd& end, const fs::path& log) {
-  if (end.signal != 0 || end.ran_out_of_time) return false;
-  const std::string error = error_in(log);
-  if (error.find(std::generic_category().message(ENOSPC)) != std::string::npos) return true;
-  return end.exit_code == int(ExitCode::numerical_failure) &&
-         (error.empty() || error.find("cannot write") != std::string::npos);
 }
 
 fs::path empty_folder(const fs::path& folder) {

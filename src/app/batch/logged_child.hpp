@@ -10,7 +10,9 @@
 
 namespace keyblock {
 
-/// Runs a child process with its output in NAME.out and its messages in NAME.log of the folder.
+/// Runs a child process with its output in NAME.out and its messages in NAME.log of the folder. Throws OutputError, with
+/// the last error of the process, if it could not write its results: other jobs cannot write theirs either, and this one
+/// is no row. `--resume` does it again.
 ChildEnd run_logged(const std::vector<std::string>& arguments, const ChildLimits& limits,
                     const std::filesystem::path& folder, const std::string& name, const Context* stop = nullptr);
 
@@ -29,13 +31,6 @@ std::string signal_name(int signal);
 
 /// Explains the end of a process without a result: a limit, a signal, or its exit code and last error.
 std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const std::filesystem::path& log);
-
-/// Throws OutputError with the last error of a process that left no results. Other jobs cannot write theirs either, and
-/// this one is no row: it is done again by `--resume`.
-[[noreturn]] void refuse_without(const std::filesystem::path& results, const std::filesystem::path& log);
-
-/// Returns true if the process could not write, as on a full disk: its last error says so, or is not even in the log.
-bool could_not_write(const ChildEnd& end, const std::filesystem::path& log);
 
 /// Makes the folder, without files of an earlier attempt. Throws OutputError.
 std::filesystem::path empty_folder(const std::filesystem::path& folder);

@@ -57,7 +57,7 @@ class SweepJob {
 
   std::vector<std::string> command(const std::string& verb) const;
   ChildEnd start(const std::string& name, const std::vector<std::string>& arguments);
-  bool has_ended_early(const ChildEnd& end, const std::string& name);
+  bool has_ended_early(const ChildEnd& end, const std::string& name, bool has_results);
   bool draw_joints();
   ChildEnd run_or_resume();
   bool run();
@@ -111,7 +111,7 @@ ChildEnd SweepJob::start(const std::string& name, const std::vector<std::string>
 }
 
 /// Returns true if the process has no answer, and puts the reason into the result.
-bool SweepJob::has_ended_early(const ChildEnd& end, const std::string& name) {
+bool SweepJob::has_ended_early(const ChildEnd& end, const std::string& name, bool has_results) {
   if (is_stopped_) return true;
   const fs::path log = folder_ / (name + ".log");
   std::string why = why_it_ended(end, plan_.limits, log);
@@ -130,7 +130,7 @@ bool SweepJob::has_ended_early(const ChildEnd& end, const std::string& name) {
   }
   const bool is_answer = end.exit_code == int(ExitCode::ok) || end.exit_code == int(ExitCode::check_failed) ||
                          end.exit_code == int(ExitCode::numerical_failure);
-  if (is_answer) return false;
+  if (is_answer && has_results) return false;
   const std::string error = error_in(log);
   if (!error.empty()) why = error;
   return fail("error");
@@ -149,7 +149,7 @@ bool SweepJob::draw_joints() {
   write_file(folder_ / "joints.json", statistics.dump(1) + "\n");
   const ChildEnd end =
       start("joints", {"joints", (folder_ / "joints.json").string(), "-o", drawings_.front(), "--force"});
-  return !has_ended_early(end, "joints");
+  return !has_ended_early(end, "joints", fs::exists(drawings_.front()));
 }
 
 /// A run that was left unfinished goes on, unless its checkpoint does not fit any more.
@@ -168,9 +168,9 @@ ChildEnd SweepJob::run_or_resume() {
 
 bool SweepJob::run() {
   if (!has(SweepSource::run)) return true;
-  if (has_ended_early(run_or_resume(), "run")) return false;
+  const ChildEnd end = run_or_resume();
   const fs::path record = run_folder() / "run.json";
-  if (!fs::exists(record)) refuse_without(record, folder_ / "run.log");
+  if (has_ended_early(end, "run", fs::exists(record))) return false;
   const Json outcome = Json::parse(formats::load(record.string()).text).at("outcome");
   result_.verdict = outcome.at("end");
   const Json doubts = outcome.value("doubts", Json::array());
@@ -193,14 +193,13 @@ bool SweepJob::find_safety(const SweepOutput& output) {
   words.emplace_back("--no-mesh-error");
   if (!output.reduced.empty()) words.insert(words.end(), {"--reduce", output.reduced});
   if (plan_.within) words.insert(words.end(), {"--to-within", fmt::format("{}", *plan_.within)});
-  if (has_ended_early(start(output.name, words), output.name)) return false;
-  const fs::path answer = folder_ / (output.name + ".out");
-  const std::string text = formats::load(answer.string()).text;
-  if (!Json::accept(text)) refuse_without(answer, folder_ / (output.name + ".log"));
+  const ChildEnd end = start(output.name, words);
+  const std::string text = formats::load((folder_ / (output.name + ".out")).string()).text;
+  if (has_ended_early(end, output.name, Json::accept(text))) return false;
   result_.out[output.name] = study::value_of_fos(text);
-  const std::string end = Json::parse(text).value("end", "bracketed");
+  const std::string how = Json::parse(text).value("end", "bracketed");
   const bool is_good_so_far = result_.verdict.empty() || result_.verdict == "finished";
-  if (is_good_so_far && end != "bracketed") result_.verdict = end;
+  if (is_good_so_far && how != "bracketed") result_.verdict = how;
   return true;
 }
 
@@ -209,7 +208,7 @@ void SweepJob::find_intensities() {
   std::vector<std::string> words = command("sif");
   words.emplace_back("--json");
   const ChildEnd end = start("sif", words);
-  if (has_ended_early(end, "sif")) return;
+  if (has_ended_early(end, "sif", true)) return;
   if (end.exit_code == int(ExitCode::numerical_failure)) {
     result_.verdict = "failed";
     result_.doubt = error_in(folder_ / "sif.log");
