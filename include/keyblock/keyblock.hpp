@@ -140,6 +140,8 @@ class KEYBLOCK_API Run {
   /// Ends a recorded run after the last step: its results are written, with `why` as `ended_early` in run.json, and a
   /// checkpoint from which `resume` continues. Does nothing to another run, or after the last step of all.
   void end_early(const std::string& why);
+  /// The case, with the choices of a run that is resumed.
+  const Case& of() const;
   const Step& last() const;
   Frame frame(Detail detail = Detail::blocks) const;  ///< of now; its contacts are sought when first asked for
   const Outcome& outcome() const;                     ///< `running` before the end

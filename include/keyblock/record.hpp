@@ -37,6 +37,8 @@ KEYBLOCK_API Outcome resume(const std::string& folder, const std::function<void(
 /// condition, end it sooner; they do not stop `context`. Throws Stopped too.
 KEYBLOCK_API Run recorded(const Case& of, const std::string& folder, const Recording& how = {},
                           const Choices& choices = {}, const Context& context = Context());
+/// Continues the run of `resume`, to be stepped by its caller.
+KEYBLOCK_API Run resumed(const std::string& folder, const Context& context = Context());
 
 }  // namespace v1
 }  // namespace keyblock::api

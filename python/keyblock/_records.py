@@ -101,32 +101,37 @@ def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, se
     case = case if isinstance(case, Case) else read(case)
     choices, context = (profile or "", setting_pairs(settings)), context or Context()
     if until is not None:
-        return _recorded_until(until, on_step, folder, case, choices, every, history, force, pictures, contacts, frames,
-                               checkpoint_every, context)
+        from ._runs import recorded  # which imports this module
+        return _ended_by(until, on_step, folder, lambda: recorded(case, folder, choices, every, history, force, pictures,
+                                                                  contacts, frames, checkpoint_every, context))
     return _results(folder, _keyblock.record(case._case, os.fspath(folder), every, force, pictures, checkpoint_every,
                                              list(history), contacts, frames, on_step, *choices, context).end)
 
 
-def _recorded_until(until: Callable[[Any], Any], on_step: Callable[[_keyblock.Step], Any] | None, folder: StrPath, case: Case,
-                    *options: Any) -> Results:
-    from ._runs import recorded  # which imports this module
-
+def _ended_by(until: Callable[[Any], Any], on_step: Callable[[_keyblock.Step], Any] | None, folder: StrPath,
+              begin: Callable[[], Any]) -> Results:
+    """Steps the recorded run that `begin` returns until a condition is true."""
     @functools.wraps(until)
     def is_met(run: Any) -> Any:
         if on_step is not None:
             on_step(run.last)
         return until(run)
     try:
-        run = recorded(case, folder, *options)
+        run = begin()
     except _keyblock.Stopped:  # before its first step
         return _results(folder, "stopped")
     return _results(folder, run.go_on(is_met).end)
 
 
 def resume(folder: StrPath, on_step: Callable[[_keyblock.Step], Any] | None = None,
-           context: _keyblock.Context | None = None) -> Results:
+           context: _keyblock.Context | None = None, until: Callable[[Any], Any] | None = None) -> Results:
     """Continues an interrupted `record`, or `keyblock run` of the same build, from its checkpoint; returns its Results.
 
-    Raises InputError, and SettingError if there is nothing to resume.
+    until: as in `record`; its Run has histories from the checkpoint on. Raises InputError, and SettingError if there is
+    nothing to resume.
     """
-    return _results(folder, _keyblock.resume(os.fspath(folder), on_step, context or Context()).end)
+    context = context or Context()
+    if until is not None:
+        from ._runs import resumed
+        return _ended_by(until, on_step, folder, lambda: resumed(folder, context))
+    return _results(folder, _keyblock.resume(os.fspath(folder), on_step, context).end)

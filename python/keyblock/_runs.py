@@ -66,7 +66,7 @@ class Run:
     @property
     def plan(self) -> Plan:
         """Plan of the run."""
-        if self._plan is None:  # of `record` with a condition
+        if self._plan is None:  # of `record` and `resume` with a condition
             self._plan = Plan(self._case, self._choices[0] or None, dict(self._choices[1]))
         return self._plan
 
@@ -211,11 +211,22 @@ def recorded(case: Case, folder: StrPath, choices: tuple[str, list[tuple[str, st
     """Returns a Run at its start that writes into a folder."""
     checked("every", every, is_whole=True)
     checked("checkpoint_every", checkpoint_every)
+    run = _keyblock.Run.recorded(case._case, os.fspath(folder), every, force, pictures, checkpoint_every, list(history),
+                                 contacts, frames, *choices, context)
+    return _in_folder(run, folder, context, case, choices, plan)
+
+
+def resumed(folder: StrPath, context: _keyblock.Context) -> Run:
+    """Returns the interrupted run of a folder, at its checkpoint."""
+    run = _keyblock.Run.resumed(os.fspath(folder), context)
+    return _in_folder(run, folder, context, Case(run.case))
+
+
+def _in_folder(of: _keyblock.Run, folder: StrPath, context: _keyblock.Context, case: Case,
+               choices: tuple[str, list[tuple[str, str]]] = ("", []), plan: Plan | None = None) -> Run:
     run = Run.__new__(Run)
     run.context, run.load_seconds, run._stepper, run._folder = context, 0.0, threading.RLock(), Path(folder).absolute()
-    run._case, run._choices, run._plan = case, choices, plan
-    run._run = _keyblock.Run.recorded(case._case, os.fspath(folder), every, force, pictures, checkpoint_every, list(history),
-                                      contacts, frames, *choices, context)
+    run._run, run._case, run._choices, run._plan = of, case, choices, plan
     return run
 
 

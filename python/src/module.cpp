@@ -243,6 +243,10 @@ class Runner {
     return view_of(values, 2);
   }
 
+  kb::Case of() {
+    return with_run(true, [](kb::Run& run) { return run.of(); });
+  }
+
   kb::Step last() {
     return with_run(true, [](kb::Run& run) { return run.last(); });
   }
@@ -576,6 +580,13 @@ void bind_run(py::module_& m) {
           py::arg("case"), py::arg("folder"), py::arg("every"), py::arg("overwrite"), py::arg("pictures"),
           py::arg("checkpoint_every"), py::arg("histories"), py::arg("contacts"), py::arg("frames"), py::arg("profile"),
           py::arg("settings"), py::arg("context"))
+      .def_static(
+          "resumed",
+          [](const std::string& folder, const kb::Context& context) {
+            return std::make_unique<Runner>(context, [=] { return kb::resumed(folder, context); });
+          },
+          py::arg("folder"), py::arg("context"))
+      .def_property_readonly("case", &Runner::of)
       .def("end_early", &Runner::end_early, py::arg("why"))
       .def("advance", &Runner::advance)
       .def("finish", &Runner::finish)

@@ -64,6 +64,7 @@ class RecordedRun {
   /// Writes all results. Returns run.json.
   std::string finish();
 
+  const OpenCase& read() const { return read_; }
   const std::string& first_file() const { return read_.files.front(); }
   const std::string& folder() const { return options_.folder; }
   const std::shared_ptr<const PlannedCase>& plan() const { return plan_; }

@@ -40,13 +40,12 @@ AskedCase asked_under(const Case& of, const Choices& choices) {
 
 inline namespace v1 {
 
+Case::Data::Data(OpenCase of) : open(std::move(of)), warnings(public_warnings(open.input.warnings)) {}
+
 Case Case::read(const std::vector<std::string>& paths, const Drawing& drawing) {
   return guarded([&] {
     if (paths.empty()) throw SettingError("expected the files of a case, or its folder, found none");
-    auto data = std::make_shared<Data>();
-    data->open = opened(asked_case({paths, {}, {}, {}, {drawing.unit, drawing.join}}));
-    data->warnings = public_warnings(data->open.input.warnings);
-    return Case(std::move(data));
+    return Data::case_of(opened(asked_case({paths, {}, {}, {}, {drawing.unit, drawing.join}})));
   });
 }
 
@@ -74,12 +73,11 @@ std::vector<std::string> Case::pointers(std::string_view pointer) const {
 Case Case::with(std::string_view pointer, std::string_view value) const {
   return guarded([&] {
     if (!Json::accept(value)) throw SettingError(fmt::format("expected a value as JSON, found {}", value));
-    auto data = std::make_shared<Data>(*data_);
+    OpenCase open = data_->open;
     const ChangedValue changed{std::string(pointer), std::string(value)};
-    change_values(data->open, {changed});
-    data->open.values.push_back(changed);
-    data->warnings = public_warnings(data->open.input.warnings);
-    return Case(std::move(data));
+    change_values(open, {changed});
+    open.values.push_back(changed);
+    return Data::case_of(std::move(open));
   });
 }
 

@@ -27,6 +27,9 @@ struct Context::State {
 };
 
 struct Case::Data {
+  explicit Data(OpenCase of);
+  static Case case_of(OpenCase open) { return Case(std::make_shared<const Data>(std::move(open))); }
+
   OpenCase open;
   std::vector<Warning> warnings;
 };

@@ -12,8 +12,9 @@ namespace {
 
 /// Run that writes its results. Its folder is free again after the end.
 struct FolderRun : Run::State {
-  FolderRun(std::unique_ptr<RecordedRun> of, std::function<void(const Step&)> call, const keyblock::Context& under)
-      : State(of->plan(), under), on_step(std::move(call)), recorded(std::move(of)) {
+  FolderRun(Case what, std::unique_ptr<RecordedRun> of, std::function<void(const Step&)> call,
+            const keyblock::Context& under)
+      : State(std::move(what), of->plan(), under), on_step(std::move(call)), recorded(std::move(of)) {
     recorded->open();
     RunCalls calls;
     calls.on_step = [this](const StepReport& report) {
@@ -98,7 +99,17 @@ Run recorded(const Case& of, const std::string& folder, const Recording& how, co
   return guarded([&] {
     const keyblock::Context own = context.state().context.part();
     const Under under(own);
-    return Run(std::make_unique<FolderRun>(begun(of, folder, how, choices), how.on_step, own));
+    return Run(std::make_unique<FolderRun>(of, begun(of, folder, how, choices), how.on_step, own));
+  });
+}
+
+Run resumed(const std::string& folder, const Context& context) {
+  return guarded([&] {
+    const keyblock::Context own = context.state().context.part();
+    const Under under(own);
+    auto run = std::make_unique<RecordedRun>(folder, Recording{}.checkpoint_every);
+    Case of = Case::Data::case_of(run->read());
+    return Run(std::make_unique<FolderRun>(std::move(of), std::move(run), std::function<void(const Step&)>(), own));
   });
 }
 

@@ -61,7 +61,7 @@ namespace {
 /// Run in memory.
 struct MemoryRun : Run::State {
   MemoryRun(const Plan& of, const Context& under)
-      : State({of.data(), &of.data()->planned}, under.state().context),
+      : State(of.data()->of, {of.data(), &of.data()->planned}, under.state().context),
         plan(of),
         watch(prepared()),
         observer(what_is_told()),
@@ -230,6 +230,10 @@ const Outcome& Run::go_on(const std::function<bool(const Run&)>& until) {
       break;
     }
   return state_->outcome;
+}
+
+const Case& Run::of() const {
+  return state_->of_case;
 }
 
 const Step& Run::last() const {

@@ -23,8 +23,8 @@ inline namespace v1 {
 
 /// A run between two steps. One kind steps in memory, the other writes its results into a folder.
 struct Run::State {
-  State(std::shared_ptr<const PlannedCase> of, const keyblock::Context& under)
-      : planned(std::move(of)), context(under), kept(*planned) {}
+  State(Case of, std::shared_ptr<const PlannedCase> plan, const keyblock::Context& under)
+      : of_case(std::move(of)), planned(std::move(plan)), context(under), kept(*planned) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   virtual ~State() = default;
@@ -43,6 +43,7 @@ struct Run::State {
   /// Returns the contacts of now, which all frames of this step share.
   const std::shared_ptr<Contacts>& contacts_now();
 
+  Case of_case;
   std::shared_ptr<const PlannedCase> planned;
   keyblock::Context context;
   KeptHistories kept;
