@@ -348,7 +348,7 @@ def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jo
         texts["joints.json"] = json.dumps(joints)
     statistics = _OWN + "joints.json" if isinstance(joints, Mapping) else None if joints is None else os.path.abspath(joints)
     pairs = [f"{name}={value}" for name, value in setting_pairs(settings)]
-    values = [f"{pointer}={json.dumps(value)}" for pointer, value in case._values]
+    values = [f"{pointer.replace('=', '~2')}={json.dumps(value)}" for pointer, value in case._values]
     with tempfile.TemporaryDirectory(prefix="keyblock_") as own:
         to = os.path.abspath(folder or os.path.join(own, "sweep"))
         command = ["sweep", *case._read, *_program._options(

@@ -107,7 +107,7 @@ std::vector<std::string> pointer_steps(std::string_view pointer) {
       parts.back() += c;
   }
   for (std::string& part : parts)
-    for (const auto& [code, character] : {std::pair{"~1", "/"}, std::pair{"~0", "~"}})
+    for (const auto& [code, character] : {std::pair{"~1", "/"}, std::pair{"~2", "="}, std::pair{"~0", "~"}})
       for (std::size_t at = part.find(code); at != std::string::npos; at = part.find(code, at + 1))
         part.replace(at, 2, character);
   return parts;
@@ -141,6 +141,12 @@ ChangedValue case_value_of(const std::string& text) {
     throw std::invalid_argument(
         fmt::format("expected POINTER=VALUE, such as /analysis/time_step=0.01, found \"{}\"", text));
   return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+std::string text_of(const ChangedValue& value) {
+  std::string text;
+  for (const char c : value.pointer) text += c == '=' ? "~2" : std::string(1, c);
+  return text + "=" + value.value;
 }
 
 std::vector<std::string> pointers_to(std::string_view pointer, const std::string& json, bool or_new) {

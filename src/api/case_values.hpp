@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A JSON pointer (RFC 6901) names a value: /analysis/joint_materials/0/friction_angle_deg. The name of a list item may
-// replace its number (/analysis/joint_materials/bedding/friction_angle_deg), and * stands for all items.
+// replace its number (/analysis/joint_materials/bedding/friction_angle_deg), and * stands for all items. ~2 stands for an
+// equals sign in a name, which would end the pointer of "POINTER=VALUE".
 #pragma once
 
 #include <string>
@@ -19,7 +20,7 @@ struct ChangedValue {
   std::string value;
 };
 
-/// Returns the parts of a pointer between slashes, with ~1 and ~0 replaced. Throws std::invalid_argument for a text
+/// Returns the parts of a pointer between slashes, with ~0, ~1 and ~2 replaced. Throws std::invalid_argument for a text
 /// without a first slash.
 std::vector<std::string> pointer_steps(std::string_view pointer);
 
@@ -39,6 +40,9 @@ WordKind words_of_setting(const std::string& name);
 
 /// Parses "POINTER=VALUE". Throws std::invalid_argument.
 ChangedValue case_value_of(const std::string& text);
+
+/// Returns the text that `case_value_of` reads.
+std::string text_of(const ChangedValue& value);
 
 /// Returns the JSON pointers that a pointer with names and * stands for, in a case file in strict JSON. Throws
 /// std::invalid_argument if there are none. With `or_new`, the last key may be missing in its object.

@@ -55,7 +55,7 @@ RunRequest request_of(const RecordingOptions& options, const OpenCase& read, con
                      options.outputs.frames,
                      options.outputs.has_pictures,
                      options.outputs.has_page};
-  for (const auto& [pointer, value] : read.values) request.values.push_back(fmt::format("{}={}", pointer, value));
+  for (const ChangedValue& value : read.values) request.values.push_back(text_of(value));
   for (const auto& [name, value] : plan.asked) request.sets.push_back(fmt::format("{}={}", name, value));
   for (const InputRecord& input : record.inputs) {
     request.read.push_back(input.file);

@@ -449,6 +449,26 @@ TEST(ValueSweep, run_at_gives_what_the_changed_file_gives) {
   EXPECT_EQ(run_keyblock({"run", file, "--at", "/analysis/no_key=1", "-o", folder + "/no"}).exit_code, 3);
 }
 
+TEST(ValueSweep, a_name_with_an_equals_sign_is_addressed) {
+  const std::string folder = fresh_folder("value_sweep_equals"), file = folder + "/block.json";
+  ASSERT_EQ(run_keyblock({"new", "block", "--strict-json", "-o", file}).exit_code, 0);
+  auto json = nlohmann::ordered_json::parse(read_text(file));
+  json["analysis"]["joint_materials"][0]["name"] = "c=0";
+  write_text(file, json.dump());
+  const std::string key = "/analysis/joint_materials/c~20/friction_angle_deg";
+  const ProgramRun swept = run_keyblock({"sweep", file, "--over", key + "=10,20", "-o", folder + "/out"});
+  EXPECT_EQ(swept.exit_code, 0) << swept.messages;
+  EXPECT_TRUE(contains(swept.output, "\n10,finished,,1.70")) << swept.output;
+  write_text(folder + "/rows.json", R"([{"/analysis/joint_materials/c=0/friction_angle_deg": 10}])");
+  const ProgramRun rows = run_keyblock({"sweep", file, "--design", folder + "/rows.json", "-o", folder + "/rows"});
+  EXPECT_TRUE(contains(rows.output, "\n10,finished,,1.70")) << rows.output;
+  const Words run{"run",         file,    "--at",           key + "=10", "--set",
+                  "steps=20000", "--set", "time_step=1e-5", "-o",        folder + "/run"};
+  EXPECT_EQ(support::interrupt_keyblock(run, folder + "/run/checkpoint.h5", SIGTERM).exit_code, 130);
+  const ProgramRun resumed = run_keyblock({"run", "--resume", folder + "/run"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.messages;
+}
+
 TEST(ValueSweep, shards_of_a_batch_have_one_catalogue) {
   const std::string folder = fresh_folder("batch_shards");
   fs::create_directories(folder + "/archive");

@@ -97,8 +97,10 @@ std::vector<std::string> SweepJob::command(const std::string& verb) const {
     if (key.starts_with(study::kOfJoints)) continue;
     // JSON keeps a text such as "12" apart from a number.
     const bool is_plain = !value.is_string() || !Json::accept(value.get<std::string>());
-    add(key.starts_with('/') ? "--at" : "--set",
-        fmt::format("{}={}", key, key.starts_with('/') && !is_plain ? value.dump() : text_of_value(value)));
+    if (key.starts_with('/'))
+      add("--at", text_of(ChangedValue{key, is_plain ? text_of_value(value) : value.dump()}));
+    else
+      add("--set", fmt::format("{}={}", key, text_of_value(value)));
   }
   if (verb != "sif") words.insert(words.end(), {"--threads", "1"});
   return words;
