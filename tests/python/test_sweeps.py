@@ -328,6 +328,24 @@ class Sweeps(Folder):
                         "-o", "command"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.assertEqual((self.folder / "python.csv").read_text(), (self.folder / "command/table.csv").read_text())
 
+    def test_a_sweep_of_the_command_goes_on_here_and_the_reverse(self):
+        case, journal = ROOT / "legacy_cases/sliding_block/a30_p20", self.folder / "both/journal.jsonl"
+
+        def command(values):
+            subprocess.run([kb.program(), "sweep", case, "--over", f"{FRICTION}={values}", "--profile", "standard", "--resume",
+                            "-o", "both"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+        def here(values):
+            kb.sweep(case, {FRICTION: values}, out="displacement", profile="standard", folder="both").write("python.csv")
+            self.assertEqual((self.folder / "python.csv").read_text(), (self.folder / "both/table.csv").read_text())
+        lines = []
+        for go_on, values, count in ((command, "10,20", 3), (here, np.array([10.0, 20.0, 25.0]), 4), (command, "10,20,25,30", 5),
+                                     (here, [10, 20, 25, 30], 5)):
+            go_on(values)
+            found = journal.read_text().splitlines()
+            self.assertEqual((found[:len(lines)], len(found)), (lines, count))
+            lines = found
+
     def test_dask_gives_the_same_table(self):
         try:
             from distributed import Client

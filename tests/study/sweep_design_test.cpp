@@ -131,7 +131,9 @@ TEST(SweepDesign, samples_have_the_moments_of_their_distributions) {
 TEST(SweepDesign, the_name_of_a_job_depends_on_its_values_alone) {
   const Json row = {{"/a", 1}, {"b", "x"}};
   EXPECT_EQ(study::job_name(row), study::job_name(row));
+  EXPECT_EQ(study::job_name(row), study::job_name({{"/a", 1.0}, {"b", "x"}}));
   EXPECT_NE(study::job_name(row), study::job_name({{"/a", 2}, {"b", "x"}}));
+  EXPECT_NE(study::job_name(row), study::job_name({{"/a", "1"}, {"b", "x"}}));
 }
 
 TEST(SweepDesign, a_file_of_rows_has_the_same_keys_in_each) {

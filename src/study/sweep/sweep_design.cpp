@@ -134,7 +134,10 @@ std::vector<SweepRow> rows_of_file(const std::string& name, const std::string& t
 }
 
 std::string job_name(const SweepRow& row) {
-  return sha256(row.dump(-1, ' ', false, Json::error_handler_t::replace)).substr(0, kDigitsOfJob);
+  SweepRow plain = row;
+  for (auto& [key, value] : plain.items())
+    if (value.is_number_float()) value = number_json(value);
+  return sha256(plain.dump(-1, ' ', false, Json::error_handler_t::replace)).substr(0, kDigitsOfJob);
 }
 
 bool is_job_name(std::string_view name) {

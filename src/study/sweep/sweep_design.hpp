@@ -37,7 +37,7 @@ inline constexpr std::size_t kMostRows = 1'000'000;
 /// Reads rows from a JSON list of objects. Throws InputError, with the name of the file, for another content.
 std::vector<SweepRow> rows_of_file(const std::string& name, const std::string& text);
 
-/// Returns the name of a job: letters and digits that depend on the values of the row alone.
+/// Returns the name of a job: letters and digits that depend on the values of the row alone. 20.0 is the value 20.
 std::string job_name(const SweepRow& row);
 bool is_job_name(std::string_view name);
 

@@ -61,11 +61,8 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return parts;
 }
 
-// Whole numbers are written without a point, as in case files.
 Json json_of(double number, const std::string& unit) {
-  constexpr double kLargestExact = 9007199254740992;  // 2^53
-  const bool is_whole = number == std::floor(number) && std::abs(number) <= kLargestExact;
-  const Json json = is_whole ? Json(static_cast<long long>(number)) : Json(number);
+  const Json json = number_json(number);
   return unit.empty() ? json : Json(fmt::format("{} {}", json.dump(), unit));
 }
 
@@ -206,6 +203,12 @@ double between(double low, double high, double p) {
 }
 
 }  // namespace
+
+Json number_json(double number) {
+  constexpr double kLargestExact = 9007199254740992;  // 2^53
+  const bool is_whole = number == std::floor(number) && std::abs(number) <= kLargestExact;
+  return is_whole ? Json(static_cast<long long>(number)) : Json(number);
+}
 
 double Distribution::quantile(double p) const {
   const std::vector<double>& n = numbers;

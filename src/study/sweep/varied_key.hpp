@@ -36,6 +36,9 @@ struct Distribution {
   double quantile(double p) const;
 };
 
+/// Returns a number as case files have it: whole numbers without a point.
+nlohmann::ordered_json number_json(double number);
+
 /// Key with its values, or with their distribution.
 struct VariedKey {
   std::string key;
