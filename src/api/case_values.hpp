@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A JSON pointer (RFC 6901) names a value: /analysis/joint_materials/0/friction_angle_deg. The name of a list item may
-// replace its number (/analysis/joint_materials/bedding/friction_angle_deg), and * stands for all items. ~2 stands for an
-// equals sign in a name, which would end the pointer of "POINTER=VALUE".
+// replace its number (/analysis/joint_materials/bedding/friction_angle_deg), and * stands for all items. ~2 stands for
+// an equals sign in a name, which would end the pointer of "POINTER=VALUE".
 #pragma once
 
 #include <string>

@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "api/plan.hpp"
 #include "formats/berkeley/body_acceleration.hpp"
 #include "formats/registry.hpp"
 
@@ -32,13 +31,6 @@ std::vector<std::string> named_files(const std::vector<Override>& settings) {
   std::vector<std::string> files;
   for (const auto& [name, value] : settings)
     if (names_a_file(name)) files.push_back(value);
-  return files;
-}
-
-std::vector<std::string> named_files(const AskedCase& asked, const Problem& problem) {
-  const ConfiguredCase made = configured(asked, problem);
-  std::vector<std::string> files = named_files(made.problem.choices.settings);
-  for (std::string& file : named_files(made.asked)) files.push_back(std::move(file));
   return files;
 }
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "api/asked_case.hpp"
 #include "run/prepare.hpp"
 
 namespace keyblock {
@@ -20,9 +19,6 @@ std::string from_folder(const std::filesystem::path& folder, const std::string& 
 
 /// Returns the values of settings that name files.
 std::vector<std::string> named_files(const std::vector<Override>& settings);
-
-/// Returns the files that the settings of a case name, under its profile. Throws like `configured`.
-std::vector<std::string> named_files(const AskedCase& asked, const Problem& problem);
 
 /// Returns the problem with the table of the file in the setting `body_acceleration_file`, if there is one. An override
 /// names it relative to the working folder. A case file names it relative to its own folder; the name is then changed

@@ -46,6 +46,12 @@ ConfiguredCase with_settings(ChosenProfile profile, const AskedCase& asked, cons
 
 }  // namespace
 
+std::vector<std::string> named_files(const ConfiguredCase& made) {
+  std::vector<std::string> files = named_files(made.problem.choices.settings);
+  for (std::string& file : named_files(made.asked)) files.push_back(std::move(file));
+  return files;
+}
+
 std::string why_not_run(const AskedCase& asked, const std::string& profile) {
   const auto found = asked.file.not_run.find(rules_of(profile));
   return found == asked.file.not_run.end() ? std::string() : found->second;

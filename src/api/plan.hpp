@@ -43,6 +43,9 @@ ConfiguredCase configured(const AskedCase& asked, const Problem& problem, OldFil
 ConfiguredCase configured_under(const std::string& profile, const AskedCase& asked, const Problem& problem,
                                 const std::vector<Override>& more = {});
 
+/// Returns the files that settings name: those of the case file, then requested ones, which overrule them.
+std::vector<std::string> named_files(const ConfiguredCase& made);
+
 /// Builds the scene of the case. Throws like `keyblock::prepare`, but InputError for a setting of `case.json`.
 Prepared prepared_case(const ConfiguredCase& made);
 

@@ -115,7 +115,8 @@ TEST(RequestWords, settings_become_no_options) {
   for (const char* body : {R"({"profile": "--force"})", R"({"profile": 3})", R"({"set": {"-o": "1"}})",
                            R"({"set": {"steps": 5}})", R"({"set": ["steps=5"]})", R"({"set": {"": "1"}})"})
     EXPECT_THROW(serve::setting_arguments(folder, Json::parse(body)), serve::BadRequest) << body;
-  EXPECT_THROW(serve::setting_arguments(folder, Json::parse(R"({"set": {"file": "../x"}})")), serve::NotServed);
+  EXPECT_THROW(serve::setting_arguments(folder, Json::parse(R"({"set": {"body_acceleration_file": "../x"}})")),
+               serve::NotServed);
 }
 
 TEST(RequestWords, errors_have_their_place) {

@@ -10,9 +10,9 @@
 
 namespace keyblock {
 
-/// Runs a child process with its output in NAME.out and its messages in NAME.log of the folder. Throws OutputError, with
-/// the last error of the process, if it could not write its results: other jobs cannot write theirs either, and this one
-/// is no row. `--resume` does it again.
+/// Runs a child process with its output in NAME.out and its messages in NAME.log of the folder. Throws OutputError,
+/// with the last error of the process, if it could not write its results: other jobs cannot write theirs either, and
+/// this one is no row. `--resume` does it again.
 ChildEnd run_logged(const std::vector<std::string>& arguments, const ChildLimits& limits,
                     const std::filesystem::path& folder, const std::string& name, const Context* stop = nullptr);
 

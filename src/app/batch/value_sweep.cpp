@@ -17,6 +17,7 @@
 
 #include "api/case_values.hpp"
 #include "api/named_files.hpp"
+#include "api/plan.hpp"
 #include "app/batch/engine_scripts.hpp"
 #include "app/batch/journal_file.hpp"
 #include "app/batch/shard.hpp"
@@ -190,7 +191,7 @@ std::vector<Override> settings_of_row(const SweepRow& row, const fs::path& folde
 
 /// Finds the files that settings name. A row without its file fails by itself.
 void find_named_files(ReadySweep& sweep, const OpenCase& open) {
-  const std::vector<std::string> common = named_files(open, open.input.problem);
+  const std::vector<std::string> common = named_files(configured(open, open.input.problem));
   std::map<std::string, std::string> checksums;
   const fs::path folder = fs::path(open.read_files().front().path).parent_path();
   for (std::size_t i = 0; i < sweep.rows.size(); ++i) {
@@ -249,7 +250,7 @@ void require_sweep_folder(const fs::path& folder, const Shard& shard) {
     throw UsageError(fmt::format("{} holds something that is no sweep; give another folder", folder.string()));
 }
 
-/// Returns the results in all journals of the folder. Those of other jobs, and of files that changed since, are left out.
+/// Returns the results in all journals of the folder, without those of other jobs and of files that changed since.
 /// Throws UsageError if a journal belongs to another sweep.
 std::map<std::string, SweepResult> known_results(const ReadySweep& sweep) {
   std::map<std::string, SweepResult> known;

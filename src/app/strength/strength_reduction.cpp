@@ -9,7 +9,6 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "api/named_files.hpp"
 #include "app/messages.hpp"
 #include "app/option_checks.hpp"
 #include "app/stop_request.hpp"
@@ -102,10 +101,8 @@ Json mesh_error_json(const std::optional<study::MeshError>& error) {
 /// Adds what the numbers are of: units, input files, and the values that were changed after reading.
 void put_origin(Json& json, const ReducedCase& chosen) {
   if (const Units& units = chosen.input.problem.units; units != Units{}) json["units"] = units_json(units);
-  std::string named;
-  for (const auto& settings : {chosen.made.problem.choices.settings, chosen.made.asked})
-    for (const std::string& file : named_files(settings)) named = file;  // the last one counts
-  json["inputs"] = inputs_json(input_records(chosen.read_files(), named));
+  const std::vector<std::string> named = named_files(chosen.made);
+  json["inputs"] = inputs_json(input_records(chosen.read_files(), named.empty() ? "" : named.back()));
   if (!chosen.values.empty()) json["values"] = values_json(chosen.values);
 }
 
