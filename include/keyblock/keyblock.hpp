@@ -15,6 +15,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <keyblock/frame.hpp>
 #include <keyblock/values.hpp>
@@ -118,8 +119,8 @@ struct Outcome {
   Facts facts;             ///< the values behind the reason; `blocks`: those that move away or turned inside out
   int steps = 0;
   double time = 0;
-  double displacement = 0;             ///< the largest of any point at the end, as in run.json
-  double speed = 0;                    ///< of the fastest block at the end
+  double displacement = std::nan("");  ///< the largest of any point at the end, as in run.json; no number before
+  double speed = std::nan("");         ///< of the fastest block at the end; no number before
   std::vector<std::string> sentences;  ///< how the motion ended
   std::vector<Warning> warnings;       ///< of the plan and the run, doubts among them
   std::vector<Warning> doubts;

@@ -147,8 +147,13 @@ def _values(frame: Frame, colour: Any) -> tuple[Array, str]:
         return np.hypot(*frame.displacement.T), "displacement"
     if isinstance(colour, str):
         values = frame.column("blocks", colour)
-        return (np.hypot(*values.T) if values.ndim == 2 and values.shape[1] == 2 else values), colour
-    return np.asarray(colour, float), ""
+        values, name = (np.hypot(*values.T) if values.ndim == 2 and values.shape[1] == 2 else values), colour
+    else:
+        values, name = np.asarray(colour, float), ""
+    if values.shape != frame.number.shape:
+        raise ValueError(f"colour: expected a number for each of {len(frame.number)} blocks, "
+                         f"found an array of shape {values.shape}")
+    return values, name
 
 
 # Ends and middle of a sequential scale, light to dark.

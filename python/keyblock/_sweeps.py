@@ -105,6 +105,9 @@ def _cell(value: Any) -> str:
 
 def grid(over: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:
     """Returns all combinations of values: a list of dicts. over: dict of keys and lists; the last key varies fastest."""
+    for key, values in over.items():
+        if isinstance(values, str) or not isinstance(values, Iterable):
+            raise ValueError(f"over: expected a list of values for {key}, such as [10, 15, 20], found {values!r}")
     lists = [v if isinstance(v, (list, tuple)) else list(v) for v in over.values()]
     return [dict(zip(over, map(_plain, values))) for values in itertools.product(*lists)]
 

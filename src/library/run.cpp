@@ -45,7 +45,7 @@ Outcome outcome_of(const Prepared& prepared, const RunRecord& record) {
   outcome.steps = record.outcome.steps;
   outcome.time = record.outcome.time;
   outcome.displacement = record.extremes.displacement;
-  if (record.motion) outcome.speed = record.motion->speed;
+  outcome.speed = record.motion ? record.motion->speed : 0;
   if (record.motion) outcome.sentences = sentences(prepared, record, *record.motion);
   outcome.warnings = public_warnings(record.warnings);
   outcome.doubts = public_warnings(record.doubts);
@@ -193,7 +193,12 @@ bool Run::State::advance() {
   leave_step();
   const bool is_made = step();
   context.tell(nullptr, 0);
-  if (!is_made) end();
+  if (!is_made) {
+    end();
+  } else {
+    outcome.steps = last.number;
+    outcome.time = last.time;
+  }
   return is_made;
 }
 

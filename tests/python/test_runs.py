@@ -93,6 +93,8 @@ class Runs(Folder):
         run = kb.Run(plan)
         self.assertEqual([next(run).number for _ in range(3)], [1, 2, 3])
         self.assertEqual(run.go_on(lambda r: r.last.number == 7).end, "running")
+        self.assertEqual((run.outcome.steps, run.outcome.time), (7, run.last.time))
+        self.assertTrue(np.isnan([run.outcome.displacement, run.outcome.speed]).all(), "known at the end alone")
         self.assertEqual(run.frame().step, 7)
         self.assertEqual(run.go_on().steps, plan.steps)
         self.assertFalse(run.advance())
@@ -229,6 +231,9 @@ class Frames(Folder):
         frame = run.frame()
         self.assertEqual(frame._repr_svg_().count("<path"), 7)
         self.assertIn("<title>block 7", frame.svg(frame.stress[:, 1]))
+        for colour in ([7.0], np.ones(8), "stress"):
+            with self.assertRaisesRegex(ValueError, "colour: expected a number for each of 7 blocks"):
+                frame.svg(colour)
         try:
             import matplotlib
         except ImportError:

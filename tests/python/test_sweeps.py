@@ -164,6 +164,11 @@ class Sweeps(Folder):
         with self.assertRaises(ValueError):
             kb.sweep(slide, {}, out="colour")
 
+    def test_values_are_a_list(self):
+        for values in ("10:25:5", 10):
+            with self.assertRaisesRegex(ValueError, "expected a list of values for a"):
+                kb.grid({"a": values})
+
     def test_an_output_that_is_refused_leaves_the_others(self):
         row, = kb.sweep(lambda angle: slide().with_value(FRICTION, angle), {"angle": [20]},
                         out=["fos", "fos_rock", "displacement"], settings={"steps": 10})
