@@ -102,8 +102,9 @@ def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, se
     choices, context = (profile or "", setting_pairs(settings)), context or Context()
     if until is not None:
         from ._runs import recorded  # which imports this module
-        return _ended_by(until, on_step, folder, lambda: recorded(case, folder, choices, every, history, force, pictures,
-                                                                  contacts, frames, checkpoint_every, context))
+        return _ended_by(until, on_step, folder,
+                         lambda: recorded(case, folder, choices, every, history, force, pictures, contacts, frames,
+                                          checkpoint_every, context))
     return _results(folder, _keyblock.record(case._case, os.fspath(folder), every, force, pictures, checkpoint_every,
                                              list(history), contacts, frames, on_step, *choices, context).end)
 

@@ -102,7 +102,8 @@ class Program(Folder):
         self.assertEqual((outcome.end, outcome.steps, outcome.reason), ("stopped", 40, "until is true"))
         self.assertEqual(kb.Results("parts").run["outcome"]["ended_early"], "until is true")
         seen.clear()
-        again = kb.resume("parts", until=lambda r: until(r) and r.last.number > 49 and f"step {r.last.number} of {r.plan.steps}")
+        again = kb.resume("parts", until=lambda r: until(r) and r.last.number > 49
+                          and f"step {r.last.number} of {r.plan.steps}")
         self.assertEqual((again.end, again.run["outcome"]["ended_early"], len(seen)), ("stopped", "step 50 of 60", 10))
         self.assertEqual(kb.resume("parts").end, "finished")
         whole = run.record("whole", every=20)

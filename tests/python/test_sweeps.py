@@ -185,7 +185,8 @@ class Sweeps(Folder):
                 self.assertEqual((row["verdict"], row["fos"]), ("stands", 64))
 
     def test_a_function_has_the_histories(self):
-        row, = kb.sweep(slide(), {"steps": [2]}, out=lambda run: len(run.history("top")["time"]), history=["top=block:2"])
+        row, = kb.sweep(slide(), {"steps": [2]}, out=lambda run: len(run.history("top")["time"]),
+                        history=["top=block:2"])
         self.assertEqual((row["verdict"], row["out"]), ("finished", 3), row)
 
     def test_measured_points_count_from_1(self):
@@ -245,7 +246,8 @@ class Sweeps(Folder):
                 file.write("x")
             time.sleep(60 if len((self.folder / "count").read_text()) == 1 else 0)
             return 1
-        for limit, verdict, count in ((1, "time_limit", 1), (1, "time_limit", 1), (30, "finished", 2), (40, "finished", 2)):
+        for limit, verdict, count in ((1, "time_limit", 1), (1, "time_limit", 1), (30, "finished", 2),
+                                      (40, "finished", 2)):
             row, = kb.sweep(slide(), {"steps": [2]}, out=counted, folder="rows", time_limit=limit)
             self.assertEqual((row["verdict"], len((self.folder / "count").read_text())), (verdict, count))
 
@@ -337,15 +339,16 @@ class Sweeps(Folder):
         case, journal = ROOT / "legacy_cases/sliding_block/a30_p20", self.folder / "both/journal.jsonl"
 
         def command(values):
-            subprocess.run([kb.program(), "sweep", case, "--over", f"{FRICTION}={values}", "--profile", "standard", "--resume",
-                            "-o", "both"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            subprocess.run([kb.program(), "sweep", case, "--over", f"{FRICTION}={values}", "--profile", "standard",
+                            "--resume", "-o", "both"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
         def here(values):
-            kb.sweep(case, {FRICTION: values}, out="displacement", profile="standard", folder="both").write("python.csv")
+            table = kb.sweep(case, {FRICTION: values}, out="displacement", profile="standard", folder="both")
+            table.write("python.csv")
             self.assertEqual((self.folder / "python.csv").read_text(), (self.folder / "both/table.csv").read_text())
         lines = []
-        for go_on, values, count in ((command, "10,20", 3), (here, np.array([10.0, 20.0, 25.0]), 4), (command, "10,20,25,30", 5),
-                                     (here, [10, 20, 25, 30], 5)):
+        for go_on, values, count in ((command, "10,20", 3), (here, np.array([10.0, 20.0, 25.0]), 4),
+                                     (command, "10,20,25,30", 5), (here, [10, 20, 25, 30], 5)):
             go_on(values)
             found = journal.read_text().splitlines()
             self.assertEqual((found[:len(lines)], len(found)), (lines, count))

@@ -19,9 +19,11 @@ def main():
     page = Path(sys.argv[1]) / "page"
     require_tools(page)
     if not Path(os.environ.get("CHROMIUM", "/usr/bin/chromium")).exists():
-        skip("no Chromium is installed")
-    command = ["npx", "vitest", "run", "--config", "vitest.page.config.ts", "page/page.test", "page/program.test", "-t", QUICK]
-    done = subprocess.run(command, cwd=page, env={**os.environ, "KEYBLOCK": sys.argv[2]}, capture_output=True, text=True)
+        skip("no Chromium is installed (Debian package chromium)")
+    command = ["npx", "vitest", "run", "--config", "vitest.page.config.ts", "page/page.test", "page/program.test",
+               "-t", QUICK]
+    environment = {**os.environ, "KEYBLOCK": sys.argv[2]}
+    done = subprocess.run(command, cwd=page, env=environment, capture_output=True, text=True)
     if done.returncode != 0 or "3 passed" not in done.stdout:
         sys.exit(done.stdout + done.stderr)
 

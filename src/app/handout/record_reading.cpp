@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kDigits = 6;
 
-// Returns the file of this name in the folder; throws InputError if there is none.
+// Returns the path of a file in the folder. Throws InputError if the file is missing.
 std::filesystem::path file_in(const std::filesystem::path& folder, const char* name) {
   std::filesystem::path file = folder / name;
   if (!std::filesystem::is_regular_file(file))

@@ -28,7 +28,7 @@ struct RunVerdict {
   std::string reason = {};  ///< why the run failed, was stopped or is unreliable; may be empty
 };
 
-/// Judges the record of a run, run.json; null if there is none.
+/// Judges a run by its record, run.json. A null record means that there is no file.
 RunVerdict verdict_of(const nlohmann::ordered_json& record);
 
 }  // namespace keyblock
