@@ -24,6 +24,7 @@
 #include "problem/lines/outline_graph.hpp"
 #include "run/ahead/plausible_units.hpp"
 #include "run/ahead/spring_impacts.hpp"
+#include "run/ahead/unbonded_faces.hpp"
 #include "run/growth/bonded_faces.hpp"
 #include "step/scene/enforcement.hpp"
 
@@ -401,6 +402,7 @@ Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
   Warnings found = joined(implausible_units(problem, prepared.scene.settings, prepared.scene.model),
                           sudden_starts(problem, prepared));
   found = joined(std::move(found), spring_impacts(prepared.scene, problem.analysis->place));
+  found = joined(std::move(found), unbonded_faces(prepared.scene, problem.analysis->place));
   if (problem.covers) found = joined(std::move(found), bonded_crack_faces(prepared.scene, problem.covers->place));
   if (!is_of_blocks(prepared)) return found;
   return joined(std::move(found), Blocky(prepared).warnings(problem));

@@ -107,7 +107,7 @@ First resting_first(const StandardScene& scene, Motion motion) {
 First asked_motion(const StandardScene& scene) {
   Motion motion = start_motion(scene);
   const Scales scales = scales_at(scene, motion, 0);
-  motion.bonds = bonds_at(scene, motion.q, resting_touches(scene, motion, scales));
+  motion.bonds = bonds_at(scene, motion, scales);
   const StandardChoices& choices = scene.settings.standard;
   const bool is_in_time = choices.motion == MotionRule::dynamic;
   const bool as_drawn = is_in_time && choices.start == StartRule::sudden;

@@ -185,6 +185,10 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "Under impact=springs, damping of strain takes energy that the springs would return. The estimated rebound "
      "speed of the lightest free body is below 95 % of that without damping.",
      "Use strain_damping=none (or stiffness_damping=0), or impact=jump with restitution."},
+    {"strength_without_bond", warning, "Cohesion and tensile strength do not act",
+     "Faces whose joint material has cohesion or tensile strength are drawn apart by more than 1e-4 of block size, or "
+     "none of them meets another. Only faces that meet at the start are bonded.",
+     "Draw the faces together, or cut the blocks by joints; else set cohesion and tensile_strength to 0."},
     {"sudden_start_undamped", warning, "Undamped NMM bodies are suddenly loaded",
      "NMM bodies in contact take their full weight at once, without stiffness_damping or mass_damping. They "
      "oscillate by as much as they settle, and may walk along joints.",

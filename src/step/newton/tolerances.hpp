@@ -109,6 +109,9 @@ namespace of_gaps {
 // Gaps below this fraction of block size count as closed, and bodies so near as touching. It is far above the rounding
 // of files and far below the visible.
 inline constexpr double kTouching = 1e-6;
+// Faces with strength are bonded if they are drawn within this fraction of block size: coordinates of five digits.
+// Bonds keep the gap, so that it never closes. A wider gap was drawn on purpose, and its faces fall on one another.
+inline constexpr double kDrawnTogether = 1e-4;
 // Forces without springs need not close gaps below this fraction of block size.
 inline constexpr double kGapTolerance = 1e-9;
 // If nothing loads a scene, no load defines a small force. Round-off is then this fraction of the forces that the gaps

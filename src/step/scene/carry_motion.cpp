@@ -163,7 +163,7 @@ Bonds carried_bonds(const Bonds& bonds, const Names& names, const SceneMap& map,
     if (Facing facing = was; names.rename(facing) && !is_other_joint(facing, map, before, after))
       kept.emplace(facing, bond);
   const Scales scales = scales_at(after, carried, time);
-  for (const auto& [facing, bond] : bonds_at(after, carried.q, resting_touches(after, carried, scales)))
+  for (const auto& [facing, bond] : bonds_at(after, carried, scales))
     if (is_other_joint(facing, map, before, after)) {
       kept.emplace(facing, bond);
     } else if (edges.is_new(facing.lower) || edges.is_new(facing.upper)) {

@@ -8,7 +8,10 @@
 #include <map>
 #include <utility>
 
+#include "contact/rows/gap.hpp"
 #include "model/material_choices.hpp"
+#include "step/newton/tolerances.hpp"
+#include "step/scene/touch_search.hpp"
 
 namespace keyblock {
 namespace {
@@ -122,14 +125,16 @@ std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<Cont
   return sheared;
 }
 
-Bonds bonds_at(const StandardScene& scene, const UnknownsTable& q, const Touches& resting) {
-  const auto vertices = vertices_at(scene.model, scene.reference, q);
+bool has_strength(const StandardScene& scene, const Touch& touch) {
+  const JointMaterial& joint = scene.model.joint_material(touch.joint_material);
+  return touch.stretch > 0 && (joint.cohesion > 0 || joint.tensile_strength > 0);
+}
+
+Bonds bonds_at(const StandardScene& scene, const Motion& motion, const Scales& scales) {
+  const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
   Bonds bonds;
-  for (const Touch& touch : resting) {
-    const JointMaterial& joint = scene.model.joint_material(touch.joint_material);
-    const bool has_strength = joint.cohesion > 0 || joint.tensile_strength > 0;
-    if (has_strength && touch.stretch > 0) bonds[touch.facing] = {gap_of(touch, vertices), touch.stretch * touch.share};
-  }
+  for (const Touch& touch : meeting_touches(scene, motion, scales, tolerances::of_gaps::kDrawnTogether * scales.size))
+    if (has_strength(scene, touch)) bonds[touch.facing] = {gap_of(touch, vertices), touch.stretch * touch.share};
   return bonds;
 }
 

@@ -57,7 +57,10 @@ std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<Cont
 /// Returns true if a body of the contact resolves impacts by itself, as NMM bodies do.
 bool resolves_impact(const StandardScene& scene, const Touch& touch);
 
-/// Returns bonds of resting contacts whose joint material has strength.
-Bonds bonds_at(const StandardScene& scene, const UnknownsTable& q, const Touches& resting);
+/// Returns true if two faces can be bonded there: they face each other, and their joint material has strength.
+bool has_strength(const StandardScene& scene, const Touch& touch);
+
+/// Returns the bonds of such faces that rest within kDrawnTogether of block size of each other.
+Bonds bonds_at(const StandardScene& scene, const Motion& motion, const Scales& scales);
 
 }  // namespace keyblock

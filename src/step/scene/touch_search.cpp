@@ -162,11 +162,28 @@ VertexIndex edge_under(const Touch& touch, const Model& model, const Table<Verte
   return part;
 }
 
-Touches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt) {
+namespace {
+
+double widest_gap(const Bonds& bonds) {
+  double widest = 0;
+  for (const auto& [facing, bond] : bonds) widest = std::max(widest, bond.gap);
+  return widest;
+}
+
+// Bonded faces stay within reach however far apart they were drawn.
+Touches touches_within(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt,
+                       double least) {
   const double travel = (top_speed(scene, motion.v) + scales.acceleration * dt) * dt;
-  const double reach = kReachOverTravel * travel + kReachAtRest * scales.size;
+  const double drawn_apart = std::max(least, kReachAtRest * scales.size + widest_gap(motion.bonds));
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
-  return found_within(scene, motion, vertices, search_of(scene, motion, vertices, reach));
+  return found_within(scene, motion, vertices,
+                      search_of(scene, motion, vertices, kReachOverTravel * travel + drawn_apart));
+}
+
+}  // namespace
+
+Touches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt) {
+  return touches_within(scene, motion, scales, dt, 0);
 }
 
 namespace {
@@ -270,18 +287,22 @@ void leave_overlaps(const StandardScene& scene, const Motion& start, const Scale
   });
 }
 
-Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales) {
+Touches meeting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales, double distance) {
   const double dt = scene.settings.time_step;
-  const Touches all = touches_of(scene, motion, scales, dt);
+  const Touches all = touches_within(scene, motion, scales, dt, distance);
   const double slow = slow_speed(scene, scales, motion.v, dt);
   const Eigen::VectorXd speeds = rates(contact_rows(scene.model, scene.reference, motion.q, all), motion.v);
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
   Touches touches;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool touching = std::abs(gap_of(all[i], vertices)) < tolerances::of_gaps::kTouching * scales.size;
-    if (touching && std::abs(speeds[static_cast<Eigen::Index>(2 * i)]) <= slow) touches.push_back(all[i]);
+    const bool meets = std::abs(gap_of(all[i], vertices)) < distance || motion.bonds.contains(all[i].facing);
+    if (meets && std::abs(speeds[static_cast<Eigen::Index>(2 * i)]) <= slow) touches.push_back(all[i]);
   }
   return touches;
+}
+
+Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales) {
+  return meeting_touches(scene, motion, scales, tolerances::of_gaps::kTouching * scales.size);
 }
 
 }  // namespace keyblock

@@ -24,8 +24,10 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
 /// pushed out, because their forces follow the gap.
 void leave_overlaps(const StandardScene& scene, const Motion& start, const Scales& scales, Touches& touches);
 
-/// Returns contacts that are closed at the start, within kTouching of block size, and approach too slowly for an
-/// impact.
+/// Returns contacts with a gap or overlap below `distance`, and bonded ones, that approach too slowly for an impact.
+Touches meeting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales, double distance);
+
+/// Returns those that are closed: within kTouching of block size, or bonded.
 Touches resting_touches(const StandardScene& scene, const Motion& motion, const Scales& scales);
 
 }  // namespace keyblock
