@@ -29,7 +29,8 @@ struct Traction {
 struct ChangingTraction {
   BoundaryPart along;
   std::function<Point(Point x, Point normal, double time)> force;
-  double last_change = 0;  ///< time from which it stays the same
+  double last_change = 0;          ///< time from which it stays the same
+  std::vector<double> bends = {};  ///< times of the rows of its table
 };
 
 struct PrescribedDisplacement {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 #include "base/index.hpp"
 #include "geometry/point.hpp"
@@ -27,6 +28,7 @@ struct EdgeLoad {
   Segment edge;                               ///< undeformed; the block lies to its left
   std::function<EdgeForces(double time)> at;  ///< throws InputError if a formula is not finite
   double last_change = 0;                     ///< time from which it stays the same; 0: it never changes
+  std::vector<double> bends = {};             ///< times of the rows of its table
 };
 
 /// Support of one component of the motion of a point of a block.

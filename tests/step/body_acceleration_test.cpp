@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "run/steppers.hpp"
 #include "tests/support/standard_scenes.hpp"
@@ -67,6 +68,17 @@ TEST(GivenAcceleration, linear_acceleration_is_second_order_in_standard) {
       EXPECT_NEAR(made.velocity[0], c / 2, 1e-10) << dt;
       EXPECT_NEAR(made.way.x, c / 6 + c * dt * dt / 12, 1e-10) << dt;
     }
+  }
+}
+
+// A blow of 4 ms gives v = 1 m/s in steps from a quarter of it to 25 times as long; it ends at mid-blow, so that
+// s = v (1 - 0.505) to the position of the blow within its step.
+TEST(GivenAcceleration, a_blow_shorter_than_a_step_gives_its_whole_impulse) {
+  const BodyAcceleration blow{{}, {{0.503, 0.505, 0.507}, {{0, 0}, {500, 0}, {0, 0}}, {}}, {}};
+  for (const double dt : {0.001, 0.003, 0.005, 0.01, 0.1}) {
+    const Travel made = second_of("standard", BlockBasis::affine, dt, blow);
+    EXPECT_NEAR(made.velocity[0], 1, 1e-9) << dt;
+    EXPECT_NEAR(made.way.x, std::round(1 / dt) * dt - 0.505, dt / 2) << dt;
   }
 }
 

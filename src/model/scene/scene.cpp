@@ -21,6 +21,18 @@ double last_change_of_loads(const Scene& scene) {
   return last;
 }
 
+std::vector<double> bends_of_loads(const Model& model, const Settings& settings) {
+  std::vector<double> bends = settings.body_acceleration.curve.times;
+  const auto add = [&](const std::vector<double>& times) { bends.insert(bends.end(), times.begin(), times.end()); };
+  for (const CarriedPoint& point : model.loading_points) add(point.curve.times);
+  for (const EdgeLoad& load : model.edge_loads) add(load.bends);
+  if (model.continuum)
+    for (const ChangingTraction& traction : model.continuum->changing_tractions) add(traction.bends);
+  std::ranges::sort(bends);
+  bends.erase(std::ranges::unique(bends).begin(), bends.end());
+  return bends;
+}
+
 bool may_yield(const Scene& scene) {
   return scene.model.continuum &&
          std::ranges::any_of(scene.model.continuum->materials,

@@ -64,6 +64,10 @@ struct SceneChange {
 /// Returns the time from which loads, driven points and edges, and accelerations stay the same; 0: they never change.
 double last_change_of_loads(const Scene& scene);
 
+/// Returns the times of the rows of all tables of loads and accelerations, sorted. Between them loads are linear in
+/// time, unless a formula gives them.
+std::vector<double> bends_of_loads(const Model& model, const Settings& settings);
+
 /// Returns true if a material of its NMM bodies has a strength.
 bool may_yield(const Scene& scene);
 

@@ -38,7 +38,7 @@ ChangingTraction changing_of(const TractionPlan& plan) {
             return (factor.times.empty() ? 1 : factor.at(t).x) *
                    (on_edge.force(at, n, t) - on_edge.pressure(at, n, t) * n);
           },
-          plan.uses_time() ? std::numeric_limits<double>::infinity() : factor.last_change()};
+          plan.uses_time() ? std::numeric_limits<double>::infinity() : factor.last_change(), factor.times};
 }
 
 double gap_to(const Manifold& manifold, const ManifoldElement& element, Point p) {

@@ -101,7 +101,7 @@ EdgeLoad load_on(const BlockSide& side, const TractionPlan& plan, const Traction
             if (!factor.times.empty()) now.factor = factor.at(time).x;
             return now;
           },
-          is_fixed ? factor.last_change() : std::numeric_limits<double>::infinity()};
+          is_fixed ? factor.last_change() : std::numeric_limits<double>::infinity(), factor.times};
 }
 
 std::vector<Point> directions_of(Held held, Point normal) {

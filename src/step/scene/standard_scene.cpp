@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "contact/rows/point_motion.hpp"
 #include "geometry/polygon.hpp"
 #include "model/body_load.hpp"
+#include "model/scene/scene.hpp"
 #include "model/setup/choose_basis.hpp"
 #include "step/groups/make_groups.hpp"
 #include "step/scene/enforcement.hpp"
@@ -19,6 +21,8 @@ namespace keyblock {
 namespace {
 
 constexpr double kSlowSteps = 3;
+// A bend so near the end of a step, relative to its length, lies there: times of steps are sums.
+constexpr double kRoundOffOfTimes = 1e-9;
 // Speeds below this fraction of the fastest block are round-off of earlier solves, not an approach.
 constexpr double kSpeedRoundOff = 1e-10;
 
@@ -102,6 +106,7 @@ StandardScene standard_scene(Model model, Settings settings, std::shared_ptr<con
   for (const ConvexPieces& pieces : scene.pieces)
     scene.rounding.push_back(rounding * half_width_of(pieces, scene.model.start_vertices));
   scene.held = held_pairs(scene.model);
+  scene.load_bends = bends_of_loads(scene.model, scene.settings);
   scene.mass_centre = mass_centre_of(scene);
   return scene;
 }
@@ -164,6 +169,24 @@ UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, doubl
   if (!scene.unloaded.empty())
     for (const auto& group : scene.groups) group->unload(scene.unloaded, loads);
   return loads;
+}
+
+// Loads are linear between bends, so that their mean over a part is the value at its middle.
+UnknownsTable mean_loads(const StandardScene& scene, const UnknownsTable& q, double middle, double length) {
+  const double round_off = kRoundOffOfTimes * length;
+  const double end = middle + length / 2;
+  double from = middle - length / 2;
+  const auto first = std::ranges::upper_bound(scene.load_bends, from + round_off);
+  const auto last = std::ranges::lower_bound(scene.load_bends, end - round_off);
+  if (first >= last) return loads_at(scene, q, middle);
+  UnknownsTable mean = loads_at(scene, q, from + (*first - from) / 2);
+  mean *= (*first - from) / length;
+  for (auto bend = first; bend != last; ++bend) {
+    from = *bend;
+    const double to = std::next(bend) == last ? end : *std::next(bend);
+    mean = plus(mean, (to - from) / length, loads_at(scene, q, from + (to - from) / 2));
+  }
+  return mean;
 }
 
 Flexibility mass_flexibility(const StandardScene& scene) {

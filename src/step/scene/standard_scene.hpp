@@ -34,6 +34,7 @@ struct StandardScene {
   std::vector<ElementIndex> with_faces;  ///< elements that can be in contact
   std::vector<HeldPair> held;            ///< supports of elements that have unknowns, besides those of NMM bodies
   Point mass_centre;                     ///< of the movable blocks, at the start
+  std::vector<double> load_bends;        ///< bends_of_loads
   double load_share = 1;                 ///< load fraction, below 1 while loads are applied
   ChosenElements unloaded = {};          ///< bodies without load in the search for an initial state; empty: none
   std::vector<FacePull> pulls = {};      ///< not part of the loads, and not scaled with them
@@ -78,6 +79,10 @@ void add_centrifugal_force(const StandardScene& scene, const UnknownsTable& v, U
 /// Returns the loads on the unknowns at `time`, in the configuration q. They are weight, given acceleration, loads
 /// of points and edges, and bolts of constant force, all times the load fraction, and the pull of faces.
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time);
+
+/// Returns the mean loads over `length` of time about `middle`, exact for tables: a blow shorter than a step gives its
+/// whole impulse. Formulas of time count by the middles of the parts between rows of tables.
+UnknownsTable mean_loads(const StandardScene& scene, const UnknownsTable& q, double middle, double length);
 
 /// Returns M v.
 UnknownsTable momentum(const StandardScene& scene, const UnknownsTable& v);

@@ -85,7 +85,7 @@ class Attempt {
         dt_(dt),
         whole_(whole),
         rule_(step_rule(scene.settings, dt)),
-        loads_(loads_at(scene, start.q, time + rule_.load_time * dt)) {
+        loads_(mean_loads(scene, start.q, time + rule_.load_time * dt, dt)) {
     scales_ = scales_of(scene, loads_, start.q, start.v);
     add_centrifugal_force(scene, start.v, loads_);
     scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
