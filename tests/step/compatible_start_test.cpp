@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "tests/support/standard_scenes.hpp"
 
 namespace keyblock::compatible_start_test {
@@ -65,6 +69,35 @@ double first_acceleration() {
   return 1.5 * 9.81 * std::sin(theta) / std::hypot(kWidth, height());
 }
 
+/// `count` cubes of 1 m in a row, bonded to each other and to a fixed one.
+Scene bonded_row(int count) {
+  Blocks blocks;
+  for (int i = 0; i <= count; ++i) blocks.blocks.push_back(support::rectangle({i - 1.0, 0}, {i * 1.0, 1}));
+  blocks.fixed_points = {{{-0.9, 0.1}, 0, {}}, {{-0.9, 0.9}, 0, {}}};
+  Analysis analysis = plain_analysis(kStep, 100);
+  analysis.joint_materials[0].cohesion = analysis.joint_materials[0].tensile_strength = 1e9;
+  return standard_scene_of(blocks, analysis, standard_settings(analysis));
+}
+
+BlockPolygon block_of(const std::vector<Point>& corners) {
+  BlockPolygon block;
+  for (const Point& at : corners) block.outer.push_back({at});
+  return block;
+}
+
+/// Block 3, 2 m high and 2 m wide at its top, between two fixed ones to which it is bonded. It widens downwards, with
+/// sides at `lean` from the vertical.
+Scene key_block(double lean, double strength) {
+  const double bottom = 1 + 2 * std::tan(lean);
+  Blocks blocks;
+  blocks.blocks = {block_of({{-8, 0}, {-bottom, 0}, {-1, 2}, {-8, 2}}), block_of({{bottom, 0}, {8, 0}, {8, 2}, {1, 2}}),
+                   block_of({{-bottom, 0}, {bottom, 0}, {1, 2}, {-1, 2}})};
+  for (const double y : {0.5, 1.5})
+    for (const int side : {0, 1}) blocks.fixed_points.push_back({{side == 0 ? -7.0 : 7.0, y}, side, {}});
+  Analysis analysis = plain_analysis(0.01, 100);
+  analysis.joint_materials[0] = {20, strength, strength, {}};
+  return standard_scene_of(blocks, analysis, standard_settings(analysis));
+}
 }  // namespace
 
 // A heel pressed into its spring by the shift of the toe would throw the column over at 7e-4 rad/s, 30 times its speed
@@ -216,6 +249,28 @@ TEST(CompatibleStart, a_start_that_is_none_leaves_the_scene_as_drawn_and_ends_th
   ASSERT_TRUE(std::holds_alternative<StepFailure>(made));
   const std::string reason = std::get<StepFailure>(made).reason;
   EXPECT_NE(reason.find("no start under the first loads: block 2"), std::string::npos) << reason;
+}
+
+// A row of cubes with one strain each bends by shear alone. Its last centroid sinks by Σ V_i / (G A) times 1 m, and by
+// half of that in its own cube; V_i = γ (n - i + 1/2) is the mean shear of cube i.
+TEST(CompatibleStart, bonded_blocks_begin_as_statics_leaves_them) {
+  constexpr int kCubes = 4;
+  StandardStepper stepper(bonded_row(kCubes));
+  support::run_to(stepper, 0.02);
+  const double shear_modulus = 5e9 / (2 * (1 + 0.25));
+  double expected = 0;
+  for (int i = 1; i <= kCubes; ++i) expected += (i < kCubes ? 1 : 0.5) * 24525 * (kCubes - i + 0.5) / shear_modulus;
+  EXPECT_NEAR((0.5 - stepper.state().elements[ElementIndex{kCubes}].centroid.y) / expected, 1, 1e-3);
+}
+
+// Without any tension, cohesion carries 2 c H over the weight, 1.26 to 2.03 of it here.
+TEST(CompatibleStart, a_bonded_key_block_stays_in_its_roof) {
+  for (const auto& [lean, strength] : {std::pair{15.0, 40e3}, {30.0, 80e3}, {5.0, 40e3}}) {
+    StandardStepper stepper(key_block(radians(lean), strength));
+    const double from = stepper.state().elements[ElementIndex{2}].centroid.y;
+    support::run_to(stepper, 0.5);
+    EXPECT_NEAR(stepper.state().elements[ElementIndex{2}].centroid.y, from, 1e-5) << lean;
+  }
 }
 
 }  // namespace keyblock::compatible_start_test

@@ -59,6 +59,27 @@ TEST(Enforcement, automatic_is_decided_and_what_was_asked_for_stays) {
   EXPECT_EQ(decided.of(0), Enforcement::penalty);
 }
 
+/// Two blocks side by side on a floor, every face bonded or the floor alone.
+Model pair_on_floor(bool beside_each_other) {
+  Blocks blocks;
+  const double gap = beside_each_other ? 0 : 1;
+  blocks.blocks = {rectangle({-1, -1}, {6, 0}), rectangle({0, 0}, {2, 2}), rectangle({2 + gap, 0}, {4 + gap, 2})};
+  blocks.fixed_points = {{{0, -0.5}, 0, {}}, {{5, -0.5}, 0, {}}};
+  Analysis analysis = plain_analysis(1e-3, 1);
+  analysis.joint_materials[0].cohesion = 1e4;
+  return with_bases(model_from_blocks(blocks, analysis), BlockBasis::affine);
+}
+
+// The corner at which three bonded blocks meet is held twice: the forces there are not determined without springs.
+TEST(Enforcement, bonds_at_more_points_than_blocks_can_follow_decide_for_springs) {
+  Settings settings;
+  settings.standard.enforcement = Enforcement::automatic;
+  EXPECT_EQ(with_enforcement_decided(settings, pair_on_floor(true)).standard.enforcement.common, Enforcement::penalty);
+  EXPECT_EQ(with_enforcement_decided(settings, pair_on_floor(false)).standard.enforcement.common,
+            Enforcement::lagrange);
+  EXPECT_NE(why_enforcement(pair_on_floor(true), settings).find("bonded"), std::string::npos);
+}
+
 // Multipliers have no spring that could stop a block.
 TEST(Enforcement, springs_that_stop_impacts_decide_for_springs) {
   Settings settings;

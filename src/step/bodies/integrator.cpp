@@ -98,7 +98,8 @@ StepRule resting_rule(double tau) {
           .damping = {},
           .end_velocity = {1, 1, 0},
           .end_acceleration = {},
-          .judging_inertia = kJudging};
+          .judging_inertia = kJudging,
+          .breaks_bonds = false};
 }
 
 double damping_of_rule(const StandardChoices& choices, double dt) {

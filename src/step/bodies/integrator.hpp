@@ -35,6 +35,8 @@ struct StepRule {
   /// of the step. Without inertia a body answers a force mostly by rigid motion, which hides how far contact forces are
   /// from converged.
   double judging_inertia = 0;
+  /// False: bonds beyond their strength hold and are named. Pseudo steps pass through states that rock never takes.
+  bool breaks_bonds = true;
   double error_of_change = 0;        ///< local error of the position over dt² (a1 − a0)
   double error_of_acceleration = 0;  ///< the same over dt² a, for first-order rules
 

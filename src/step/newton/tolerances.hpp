@@ -199,10 +199,10 @@ namespace of_start_forces {
 
 inline constexpr double kForceTolerance = 1e-12;  // of the largest force on a block
 inline constexpr double kLooser = 1e6;            // factor of the accepted residual if the goal is out of reach
-inline constexpr double kUnbalanced = 1e-6;       // of the greatest acceleration by the loads
+inline constexpr double kUnbalanced = 1e-9;       // of the greatest acceleration by the loads
 
 // Contact stiffness over the inertia that keeps rigid motion finite while forces are distributed.
-inline constexpr double kLong = 1e3;
+inline constexpr double kLong = 1e6;
 // Weight of the proximal term over the flexibility of a contact, much less than the elastic part of it.
 inline constexpr double kRegular = 1e-7;
 // Slip prescribed for a sliding contact, over all others, so that it keeps sliding.

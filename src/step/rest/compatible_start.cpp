@@ -29,15 +29,8 @@ class CompatibleSettling {
 
   CompatibleStart run() {
     if (start_.tolerance == 0) return {std::move(start_.motion), {}};
-    for (int round = 0;
-         round < of_compatible_start::kStaticRounds ||
-         (round < of_compatible_start::kMostRounds && (misfit() > of_compatible_start::kFits || !start_.balances()));
-         ++round) {
-      settle(round >= of_compatible_start::kStaticRounds);
-      while (break_open_bonds() || stretch_bolts()) settle(round >= of_compatible_start::kStaticRounds);
-      tell_headway("start in equilibrium", share_of_fall(1, misfit(), of_compatible_start::kFits));
-      add_overlapping();
-    }
+    do fit();
+    while (break_bonds());
     remember();
     const std::string failure = greatest_shift_ > of_compatible_start::kLeverage * asked_ ? too_far() : std::string();
     const double left = misfit();
@@ -45,12 +38,32 @@ class CompatibleSettling {
   }
 
  private:
+  void fit() {
+    for (int round = 0;
+         round < of_compatible_start::kStaticRounds ||
+         (round < of_compatible_start::kMostRounds && (misfit() > of_compatible_start::kFits || !start_.balances()));
+         ++round) {
+      settle(round >= of_compatible_start::kStaticRounds);
+      while (stretch_bolts()) settle(round >= of_compatible_start::kStaticRounds);
+      tell_headway("start in equilibrium", share_of_fall(1, misfit(), of_compatible_start::kFits));
+      add_overlapping();
+    }
+  }
+
+  // Forces of rigid blocks are one solution of many: the strength of bonds is judged by those of elastic blocks.
+  bool break_bonds() {
+    if (start_.motion.bonds.empty()) return false;
+    start_.make_rows();
+    start_.distribute();
+    return break_open_bonds() || break_sheared_bonds();
+  }
+
   void settle(bool by_elasticity) {
     do {
       leave_if_stopped();
       start_.make_rows();
       start_.find();
-    } while (break_sheared_bonds() || let_go_of_weak_bolts());
+    } while (let_go_of_weak_bolts());
     if (by_elasticity) start_.distribute();
     strain();
     shift();
@@ -121,18 +134,17 @@ class CompatibleSettling {
     }
   }
 
-  // Contacts that carry force get the gap of their force. Others only must not overlap, or their springs would kick.
-  // Blocks wedged among blocks make W almost singular: combinations of pushes could close a gap only by a large shift.
-  // The proximal iterations of the solution leave these to the elastic contact.
+  // Contacts that carry get the gap of their force, and bonds the slip of their spring. Others only must not
+  // overlap, or their springs would kick. Blocks wedged among blocks make W almost singular: combinations of pushes
+  // could close a gap only by a large shift. The proximal iterations of the solution leave these to elastic contact.
   void shift() {
     const Table<ElementIndex, UnknownBlock> yielding = start_.counted_as(StartForces::kLightest);
     FrictionalProblem problem{
         ContactMatrix(start_.rows, {yielding}), Eigen::VectorXd::Zero(start_.forces.size()), {}, 0, 0, {}};
-    const std::vector<double> gaps = start_.gaps_from_wanted();
-    for (std::size_t i = 0; i < start_.touches.size(); ++i) {
-      problem.laws.push_back(start_.normal(i) != 0 ? kBilateral : ForceLaw{});
-      problem.b[static_cast<Eigen::Index>(2 * i)] = gaps[i];
-    }
+    const Eigen::VectorXd gaps = start_.gaps_from_wanted();
+    problem.b.head(gaps.size()) = gaps;
+    for (std::size_t i = 0; i < start_.touches.size(); ++i)
+      problem.laws.push_back(start_.law(i).is_bonded ? kHeld : start_.carries(i) ? kBilateral : ForceLaw{});
     start_.add_bolts(problem);
     for (std::size_t i = 0; i < start_.bolts.size(); ++i) {
       if (start_.tension(i) > 0) problem.laws[start_.touches.size() + i] = kBilateral;
@@ -189,7 +201,7 @@ class CompatibleSettling {
   ClosedContacts closed() const {
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < start_.touches.size(); ++i) {
-      if (start_.normal(i) == 0) continue;
+      if (!start_.carries(i)) continue;
       const ContactLaw law = start_.law(i);
       closed.push_back({start_.touches[i], memory_of(law, start_.normal(i), start_.forces[start_.tangential(i)])});
     }

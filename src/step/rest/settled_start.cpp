@@ -91,7 +91,7 @@ class Settling {
       tell_headway("start, glued blocks let go",
                    std::max(double(i + 1) / of_settled_start::kMostSteps,
                             share_of_fall(first_share, share, of_settled_start::kAtRest)));
-      if (share <= of_settled_start::kAtRest && std::exchange(searches_anew_, true)) break;
+      if (share <= of_settled_start::kAtRest && std::exchange(searches_anew_, true) && !break_overloaded()) break;
       if (goes_on_evenly(last)) {
         const double way = slid / stiffness * moved;
         const double most = of_settled_start::kFarthestSlide * scales_.size;
@@ -117,6 +117,12 @@ class Settling {
       stiffness = std::min({stiffness, longest, longest_of_wall()});
     }
     return 0;
+  }
+
+  // Breaks the bonds that are beyond their strength at rest; the first step of a run judges those of other ends.
+  bool break_overloaded() {
+    for (const Facing& facing : overloaded_) motion_.bonds.erase(facing);
+    return !std::exchange(overloaded_, {}).empty();
   }
 
   // Returns the limit of the next step of a large wall.
@@ -202,6 +208,7 @@ class Settling {
     const Eigen::VectorXd way = rates(made.rows, moved_);
     motion_.q = std::move(made.q);
     motion_.bonds = std::move(made.bonds);
+    overloaded_ = std::move(made.overloaded);
     motion_.constraints = std::move(made.constraints);
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < found_.size(); ++i) {
@@ -253,9 +260,10 @@ class Settling {
   UnknownsTable loads_;
   Scales scales_;
   Touches found_;
-  bool searches_anew_ = false;  ///< as the run will, once the contacts of the drawing are at rest
-  UnknownsTable moved_;         ///< in the last step that was solved
-  double share_of_wall_ = 0;    ///< of free motion, in the last step of a large wall
+  std::vector<Facing> overloaded_;  ///< bonds, in the last step that was solved
+  bool searches_anew_ = false;      ///< as the run will, once the contacts of the drawing are at rest
+  UnknownsTable moved_;             ///< in the last step that was solved
+  double share_of_wall_ = 0;        ///< of free motion, in the last step of a large wall
   int unsolved_ = 0;
 };
 

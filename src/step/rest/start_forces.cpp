@@ -40,7 +40,11 @@ bool has_light_blocks(const StandardScene& scene, double heaviest) {
 }  // namespace
 
 StartForces::StartForces(const StandardScene& of, Motion start)
-    : scene(of), motion(std::move(start)), loads(loads_at(of, motion.q, 0)), rigid(rigid_mass_inverses(of.bodies())) {
+    : scene(of),
+      motion(std::move(start)),
+      drawn(motion.q),
+      loads(loads_at(of, motion.q, 0)),
+      rigid(rigid_mass_inverses(of.bodies())) {
   for (const Unknowns& a : product(rigid, loads))
     if (a.size() > 0) acceleration_of_loads = std::max(acceleration_of_loads, a.head<2>().norm());
   const ContactRows of_bolts = bolt_rows(scene.model, scene.reference, motion.q);
@@ -115,6 +119,7 @@ void StartForces::distribute() {
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
   const double beyond = of_start_forces::kBeyond * problem.b.cwiseAbs().maxCoeff() +
                         of_start_forces::kBeyond * problem.w.diagonal().maxCoeff() * forces.cwiseAbs().maxCoeff();
+  const Eigen::VectorXd slip = slips();
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const ContactLaw law = contact_law(scene, motion.bonds, touches[i]);
     const Eigen::Index n = tangential(i) - 1;
@@ -122,6 +127,7 @@ void StartForces::distribute() {
     problem.w.add_to_diagonal(n, law.normal_compliance);
     problem.w.add_to_diagonal(n + 1, law.tangential_compliance);
     problem.b[n] += gap_of(touches[i], vertices) - law.rest_gap;
+    if (law.is_bonded) problem.b[n + 1] += slip[n + 1];
     const double force = forces[n + 1];
     if (std::abs(force) > 0 && std::abs(force) >= of_start_forces::kSliding * law.force.limit(normal(i)))
       problem.b[n + 1] = force > 0 ? -beyond : beyond;
@@ -152,27 +158,40 @@ Table<ElementIndex, UnknownBlock> StartForces::counted_as(double share) const {
   return blocks;
 }
 
-std::vector<double> StartForces::gaps_from_wanted() const {
+bool StartForces::carries(std::size_t touch) const {
+  return normal(touch) != 0 || law(touch).is_bonded;
+}
+
+Eigen::VectorXd StartForces::slips() const {
+  return rates(rows, plus(motion.q, -1, drawn));
+}
+
+Eigen::VectorXd StartForces::gaps_from_wanted() const {
   const auto vertices = vertices_at(scene.model, scene.reference, motion.q);
-  std::vector<double> gaps;
+  Eigen::VectorXd gaps = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(2 * touches.size()));
+  const Eigen::VectorXd slip = slips();
   for (std::size_t i = 0; i < touches.size(); ++i) {
-    const ContactLaw law = contact_law(scene, motion.bonds, touches[i]);
-    gaps.push_back(gap_of(touches[i], vertices) - law.rest_gap + normal(i) * law.normal_compliance);
+    const ContactLaw of = law(i);
+    const Eigen::Index t = tangential(i);
+    gaps[t - 1] = gap_of(touches[i], vertices) - of.rest_gap + normal(i) * of.normal_compliance;
+    if (of.is_bonded) gaps[t] = slip[t] + forces[t] * of.tangential_compliance;
   }
   return gaps;
 }
 
 double StartForces::missing() const {
-  const std::vector<double> gaps = gaps_from_wanted();
+  const Eigen::VectorXd gaps = gaps_from_wanted();
   double sum = 0;
-  for (std::size_t i = 0; i < gaps.size(); ++i) sum += normal(i) != 0 ? std::abs(gaps[i]) : std::max(0.0, -gaps[i]);
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    const double gap = gaps[tangential(i) - 1];
+    sum += (carries(i) ? std::abs(gap) : std::max(0.0, -gap)) + std::abs(gaps[tangential(i)]);
+  }
   for (std::size_t i = 0; i < bolts.size(); ++i)
     if (tension(i) > 0) sum += std::abs(elongation(i) - tension(i) / bolt(i).stiffness);
   return sum;
 }
 
 bool StartForces::balances() const {
-  if (bolts.empty()) return true;
   const UnknownsTable made = plus(product(rigid, loads), 1, answer(rows, {rigid}, forces));
   for (ElementIndex e : indices(made))
     if (made[e].size() > 0 &&

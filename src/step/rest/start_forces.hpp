@@ -36,12 +36,16 @@ struct StartForces {
   /// Returns the rigid inverse masses; blocks lighter than `share` of the heaviest count as that.
   Table<ElementIndex, UnknownBlock> counted_as(double share) const;
 
-  /// Returns the gaps of contacts less those that their forces require.
-  std::vector<double> gaps_from_wanted() const;
+  /// Returns gaps and slips of contacts less those that their forces require. Slip counts for bonds alone: friction may
+  /// have let faces expand freely.
+  Eigen::VectorXd gaps_from_wanted() const;
+  /// Returns true if the contact has a force or a bond.
+  bool carries(std::size_t touch) const;
+  /// Returns the motion along the rows since the scene was drawn.
+  Eigen::VectorXd slips() const;
   /// Returns the sum of the gaps to be closed.
   double missing() const;
-  /// Returns true if forces distributed by elasticity still give the accelerations. Only scenes with bolts need this
-  /// test; contacts have gaps for it.
+  /// Returns true if forces distributed by elasticity still give the accelerations.
   bool balances() const;
 
   ContactLaw law(std::size_t touch) const;
@@ -61,6 +65,7 @@ struct StartForces {
 
   const StandardScene& scene;
   Motion motion;
+  UnknownsTable drawn;  ///< q before any strain or shift: bonds keep the points that met there
   UnknownsTable loads;  ///< with pretensions and centrifugal terms
   Table<ElementIndex, UnknownBlock> rigid;
   Touches touches;

@@ -22,6 +22,10 @@ namespace {
 
 using namespace tolerances;
 
+// Travel from the last rest, as `travel_of` measures it, beyond which a bond that is overloaded breaks: the way then
+// leads to no rest that the bond could bear.
+constexpr double kFarFromRest = 1e-3;
+
 class StaticSolve {
  public:
   StaticSolve(const StandardScene& scene, const Motion& start, double time, int most_iterations)
@@ -35,6 +39,7 @@ class StaticSolve {
         may_yield_(keyblock::may_yield(scene)) {
     slip_start_.v.set_zero();
     now_ = slip_start_;
+    rested_ = now_.q;
   }
 
   StandardStep run() {
@@ -46,19 +51,24 @@ class StaticSolve {
     }
     const Balance at_start = balance_of(scene_, start_, time_, load_);
     result_.residual = at_start.share;
-    if (at_start.holds()) {
+    if (at_start.holds() && start_.bonds.empty()) {
       for (const auto& [touch, memory] : closed_.all()) result_.touches.push_back(touch);
       return finished();
     }
     result_.residual = 1;  // everything is out of balance
     for (; iterations_ < most_iterations_ && result_.failure.empty() && result_.converged; ++iterations_) {
       if (!iterate()) continue;
+      if (!overloaded_.empty() && travel_of(scene_, rested_, now_.q).share > kFarFromRest) break_overloaded();
       const Balance balance = balance_of(scene_, now_, time_, load_);
       bound_by(balance.share);
       way_ = std::max(way_, share_of_fall(1, balance.share, of_statics::kBalancedToBegin));  // residuals may rise
       tell_headway("search for the equilibrium", way_);
       result_.residual = balance.share;
-      if (balance.holds() || settles_for_less()) return finished();
+      if (balance.holds() || settles_for_less()) {
+        if (overloaded_.empty()) return finished();
+        break_overloaded();
+        continue;
+      }
       result_.moving = far_out_of_balance(balance);
       if (!result_.moving.empty()) result_.failure = no_equilibrium(scene_, result_.moving);
     }
@@ -122,6 +132,15 @@ class StaticSolve {
     return result_.residual <= of_statics::kBalanceAcceptable;
   }
 
+  // On the way to rest a block may press on a neighbour that it then leaves.
+  void break_overloaded() {
+    for (const Facing& facing : overloaded_) now_.bonds.erase(facing);
+    overloaded_.clear();
+    rested_ = now_.q;
+    last_look_ = std::numeric_limits<double>::infinity();
+    since_look_ = 0;
+  }
+
   // Returns true if the iteration is accepted; otherwise τ was cut.
   bool iterate() {
     ++solves_;
@@ -181,6 +200,7 @@ class StaticSolve {
       load_ =
           std::max(first_load_, made.forces.head(static_cast<Eigen::Index>(2 * touches.size())).cwiseAbs().maxCoeff());
     now_.bonds = made.bonds;
+    overloaded_ = made.overloaded;
     now_.constraints = made.constraints;
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < touches.size(); ++i) {
@@ -241,7 +261,9 @@ class StaticSolve {
   double bound_ = std::numeric_limits<double>::infinity();  ///< upper bound of τ after a rise of the imbalance
   double longest_ = 0;
   double growth_ = of_statics::kGrowth;
-  UnknownsTable moved_;  ///< in the last accepted iteration
+  UnknownsTable moved_;             ///< in the last accepted iteration
+  std::vector<Facing> overloaded_;  ///< bonds, in the last accepted iteration
+  UnknownsTable rested_;            ///< where they last broke, or the start
   bool turned_back_ = false;
   int since_look_ = 0;                                          ///< iterations
   double last_look_ = std::numeric_limits<double>::infinity();  ///< imbalance at the last check

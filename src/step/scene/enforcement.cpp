@@ -4,12 +4,15 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "base/union_find.hpp"
 #include "geometry/segment.hpp"
+#include "model/kinematics.hpp"
 #include "step/newton/tolerances.hpp"
 
 namespace keyblock {
@@ -21,6 +24,106 @@ bool has_corner_on(const Model& model, ElementIndex corners, ElementIndex edges,
     for (VertexIndex v : model.elements[edges].vertices())
       if (distance(Segment{place(v), place(model.vertices[v].next)}, place(corner)) <= tolerance) return true;
   return false;
+}
+
+// Rows of points that depend on one another to this share have forces of their own: points of drawings are rounded.
+constexpr double kDependent = 1e-4;
+// Sine of the angle up to which faces are parallel.
+constexpr double kParallel = 1e-3;
+
+Point place_of(const Model& model, VertexIndex vertex) {
+  return model.start_vertices[static_cast<std::size_t>(vertex.value)];
+}
+
+std::vector<ElementPair> pairs_within(const Model& model, double tolerance) {
+  State state;
+  state.vertices.assign(model.start_vertices.begin(), model.start_vertices.end());
+  std::vector<ElementPair> pairs = close_pairs(model, state, tolerance);
+  std::erase_if(pairs, [&](const ElementPair& pair) {
+    return !has_corner_on(model, pair.lower, pair.upper, tolerance) &&
+           !has_corner_on(model, pair.upper, pair.lower, tolerance);
+  });
+  return pairs;
+}
+
+/// Point at which two blocks meet along faces.
+struct Meeting {
+  Point at;
+  Point along;  ///< direction of the face, of length 1
+  bool is_bonded = false;
+};
+
+// Appends the corners of a block on the edges of another.
+void add_corners_on(const Model& model, ElementIndex corners, ElementIndex edges, double tolerance,
+                    std::vector<Meeting>& meetings) {
+  for (VertexIndex corner : model.elements[corners].vertices())
+    for (VertexIndex v : model.elements[edges].vertices()) {
+      const VertexIndex end = model.vertices[v].next;
+      const Segment edge{place_of(model, v), place_of(model, end)};
+      if (distance(edge, place_of(model, corner)) > tolerance) continue;
+      const JointMaterial& joint = model.joint_material(model.vertices[end].joint_material);
+      meetings.push_back({place_of(model, corner), (1 / distance(edge.start, edge.end)) * (edge.end - edge.start),
+                          joint.cohesion > 0 || joint.tensile_strength > 0});
+    }
+}
+
+// Returns the ends of the stretches that two blocks share, each once a direction. Corners that meet share none.
+std::vector<Meeting> meetings_of(const Model& model, const ElementPair& pair, double tolerance) {
+  std::vector<Meeting> all;
+  add_corners_on(model, pair.lower, pair.upper, tolerance, all);
+  add_corners_on(model, pair.upper, pair.lower, tolerance, all);
+  const auto is_along = [](const Meeting& a, const Meeting& b) {
+    return std::abs(cross(a.along, b.along)) < kParallel;
+  };
+  const auto is_at = [&](const Meeting& a, const Meeting& b) { return distance(a.at, b.at) <= tolerance; };
+  std::vector<Meeting> ends;
+  for (const Meeting& one : all) {
+    const bool has_other_end =
+        std::ranges::any_of(all, [&](const Meeting& other) { return is_along(one, other) && !is_at(one, other); });
+    const bool is_known = std::ranges::any_of(ends, [&](const Meeting& other) {
+      return is_at(one, other) && (is_along(one, other) || (one.is_bonded && other.is_bonded));
+    });
+    if (has_other_end && !is_known) ends.push_back(one);
+  }
+  return ends;
+}
+
+// Returns true if blocks meet at more points than their unknowns can follow, and some are bonded. Without springs the
+// forces are then not determined: a block bonded on two sides, or on one beside a wall, can have any thrust.
+bool has_redundant_bonds(const Model& model) {
+  const double size = std::sqrt(model.mean_area);
+  const double tolerance = tolerances::of_gaps::kDrawnTogether * size;
+  Table<ElementIndex, Eigen::Index> first;
+  Eigen::Index unknowns = 0;
+  for (const Element& element : model.elements) {
+    first.push_back(unknowns);
+    if (element.can_move()) unknowns += static_cast<Eigen::Index>(element.basis->unknown_count());
+  }
+  std::vector<Eigen::RowVectorXd> rows;
+  bool is_bonded = false;
+  for (const ElementPair& pair : pairs_within(model, tolerance)) {
+    if (!model.elements[pair.lower].can_move() && !model.elements[pair.upper].can_move()) continue;
+    for (const Meeting& meeting : meetings_of(model, pair, tolerance)) {
+      Eigen::MatrixXd apart = Eigen::MatrixXd::Zero(2, unknowns);
+      for (const auto& [e, sign] : {std::pair{pair.lower, 1.0}, {pair.upper, -1.0}}) {
+        const Element& element = model.elements[e];
+        if (!element.can_move()) continue;
+        const auto count = static_cast<Eigen::Index>(element.basis->unknown_count());
+        const Point offset = (1 / size) * (meeting.at - place_of(model, element.first_vertex));
+        apart.middleCols(first[e], count) = sign * jacobian(*element.basis, Unknowns::Zero(count), offset);
+      }
+      rows.emplace_back(-meeting.along.y * apart.row(0) + meeting.along.x * apart.row(1));
+      if (!meeting.is_bonded) continue;
+      rows.emplace_back(meeting.along.x * apart.row(0) + meeting.along.y * apart.row(1));
+      is_bonded = true;
+    }
+  }
+  if (!is_bonded) return false;
+  Eigen::MatrixXd all(static_cast<Eigen::Index>(rows.size()), unknowns);
+  for (std::size_t i = 0; i < rows.size(); ++i) all.row(static_cast<Eigen::Index>(i)) = rows[i];
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(all);
+  factors.setThreshold(kDependent);
+  return factors.rank() < all.rows();
 }
 
 // Up to this number of movable blocks multipliers serve even in a ring.
@@ -37,15 +140,7 @@ bool is_automatic(Enforcement enforcement) {
 }  // namespace
 
 std::vector<ElementPair> touching_pairs(const Model& model) {
-  const double tolerance = tolerances::of_gaps::kTouching * std::sqrt(model.mean_area);
-  State state;
-  state.vertices.assign(model.start_vertices.begin(), model.start_vertices.end());
-  std::vector<ElementPair> pairs = close_pairs(model, state, tolerance);
-  std::erase_if(pairs, [&](const ElementPair& pair) {
-    return !has_corner_on(model, pair.lower, pair.upper, tolerance) &&
-           !has_corner_on(model, pair.upper, pair.lower, tolerance);
-  });
-  return pairs;
+  return pairs_within(model, tolerances::of_gaps::kTouching * std::sqrt(model.mean_area));
 }
 
 bool has_ring(const Model& model, const std::vector<ElementPair>& touching) {
@@ -66,8 +161,9 @@ Settings with_enforcement_decided(Settings settings, const Model& model) {
                         std::ranges::any_of(own, [](const auto& material) { return is_automatic(material.second); });
   if (!is_asked) return settings;
   // Faces of many elements meet at more points than have independent forces.
-  const bool needs_springs = settings.standard.impact == ImpactLaw::springs || model.shares_unknowns() ||
-                             (!has_few_blocks(model) && has_ring(model, touching_pairs(model)));
+  const bool needs_springs =
+      settings.standard.impact == ImpactLaw::springs || model.shares_unknowns() ||
+      (has_few_blocks(model) ? has_redundant_bonds(model) : has_ring(model, touching_pairs(model)));
   const Enforcement decided = needs_springs ? Enforcement::penalty : Enforcement::lagrange;
   if (is_automatic(common)) common = decided;
   for (auto& [material, enforcement] : own)
@@ -78,7 +174,9 @@ Settings with_enforcement_decided(Settings settings, const Model& model) {
 std::string why_enforcement(const Model& model, const Settings& settings) {
   if (settings.standard.impact == ImpactLaw::springs) return "springs stop blocks that meet";
   if (model.shares_unknowns()) return "faces of NMM bodies";
-  if (has_few_blocks(model)) return fmt::format("at most {} blocks can move", kFewBlocks);
+  if (has_few_blocks(model))
+    return has_redundant_bonds(model) ? "blocks are bonded and touch at more points than they can follow"
+                                      : fmt::format("at most {} blocks can move", kFewBlocks);
   return has_ring(model, touching_pairs(model)) ? "blocks in contact form a ring" : "no blocks in contact form a ring";
 }
 

@@ -220,7 +220,7 @@ Touches newly_overlapping(const StandardScene& scene, const Motion& start, const
       }
       std::ranges::sort(sorted);
       for (const Touch& one : sorted)
-        if (one.facing.lower && lies_over_edge(one, vertices)) facings.push_back(one.facing);
+        if (one.facing.lower) facings.push_back(one.facing);
       std::ranges::sort(facings);
     }
     if (start.bonds.contains(touch.facing) && std::ranges::binary_search(facings, touch.facing)) return false;

@@ -181,18 +181,22 @@ bool SmoothContacts::follows_rate(std::size_t i) const {
   return may_follow_rates_ && !springs_stop() && memories_[i] && laws_[i].normal_compliance > 0;
 }
 
-bool SmoothContacts::break_bonds(const Eigen::VectorXd& forces) {
-  if (bonds_.empty()) return false;
-  const std::size_t before = bonds_.size();
+std::vector<Facing> SmoothContacts::overloaded_bonds(const Eigen::VectorXd& forces) const {
+  if (bonds_.empty()) return {};
   const Tried now = tried(problem_, forces);
   const NaturalMap map = natural_map(problem_, now);
+  std::vector<Facing> open;
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     if (!laws_[i].is_bonded || !is_open(map.grips[i])) continue;
-    if (now.y[static_cast<Eigen::Index>(2 * i)] > of_gaps::kBroken * free_.size()) bonds_.erase(touches_[i].facing);
+    if (now.y[static_cast<Eigen::Index>(2 * i)] > of_gaps::kBroken * free_.size()) open.push_back(touches_[i].facing);
   }
-  if (bonds_.size() == before)
-    for (const Facing& facing : sheared_bonds(touches_, laws_, forces, problem_.acceptable)) bonds_.erase(facing);
-  return bonds_.size() < before;
+  return open.empty() ? sheared_bonds(touches_, laws_, forces, problem_.acceptable) : open;
+}
+
+bool SmoothContacts::break_bonds(const Eigen::VectorXd& forces) {
+  const std::vector<Facing> overloaded = overloaded_bonds(forces);
+  for (const Facing& facing : overloaded) bonds_.erase(facing);
+  return !overloaded.empty();
 }
 
 Eigen::VectorXd SmoothContacts::remembered_forces() const {

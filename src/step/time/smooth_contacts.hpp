@@ -35,9 +35,10 @@ class SmoothContacts {
   KeptSystem& kept() { return kept_; }
   const ContactRows& rows() const { return *rows_; }
 
-  /// Breaks bonds that open. A bond at its limit that does not move, because its neighbour holds, stays. If no bond
-  /// opens, faces sheared beyond their strength lose all bonds and continue without cohesion (brittle joint). Returns
-  /// true if any bond broke.
+  /// Returns bonds that open. A bond at its limit that does not move, because its neighbour holds, stays. If no bond
+  /// opens, returns all bonds of the faces that are sheared beyond their strength (brittle joint).
+  std::vector<Facing> overloaded_bonds(const Eigen::VectorXd& forces) const;
+  /// Breaks them. Returns true if there were any.
   bool break_bonds(const Eigen::VectorXd& forces);
 
   /// Returns the forces of the last step. `forces_of`: those of an attempt with only the first contacts.

@@ -29,7 +29,8 @@ struct SmoothMotion : BodiesMotion {
   std::vector<bool> rate_laws;   ///< per contact: true if the force depends on the rate at the end, not on the gap
   std::vector<bool> way_laws;    ///< per contact: true if friction opposes the slip of the step, not its end velocity
   double residual = 0;
-  Bonds bonds;  ///< unbroken ones
+  Bonds bonds;                     ///< unbroken ones
+  std::vector<Facing> overloaded;  ///< of them, if the rule of the step breaks none
   ConstraintMemory constraints;
   int rounds = 0;     ///< Newton iterations
   int solves = 0;     ///< linear systems factorised

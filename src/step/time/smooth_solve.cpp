@@ -22,6 +22,7 @@ class SmoothSolve {
   SmoothSolve(const StandardScene& scene, const Motion& start, const UnknownsTable& loads, const Touches& touches,
               const ForceTolerance& tolerance, double time, double dt, const StepRule& rule, const SmoothMotion* before)
       : tolerance_(tolerance),
+        breaks_bonds_(rule.breaks_bonds),
         free_(scene, start, loads, rule, dt),
         contacts_(scene, start, touches, tolerance, time, dt, rule, free_) {
     starts_otherwise_ = free_.is_linear() && (before != nullptr || free_.goes_on_with_acceleration());
@@ -33,7 +34,8 @@ class SmoothSolve {
     do {
       settle();
       if (!result_.converged && starts_otherwise_) settle_from_velocity();
-    } while (result_.converged && contacts_.break_bonds(result_.forces));
+    } while (result_.converged && breaks_bonds_ && contacts_.break_bonds(result_.forces));
+    if (result_.converged && !breaks_bonds_) result_.overloaded = contacts_.overloaded_bonds(result_.forces);
     if (result_.residual > contacts_.problem().goal) result_.worst = worst_pair(contacts_.problem(), result_.forces);
     static_cast<BodiesMotion&>(result_) = free_.end(increments_, result_.converged);
     std::move(contacts_).put_end(result_);
@@ -160,6 +162,7 @@ class SmoothSolve {
   }
 
   ForceTolerance tolerance_;
+  bool breaks_bonds_;
   FreeMotion free_;
   SmoothContacts contacts_;
   UnknownsTable increments_;

@@ -239,4 +239,22 @@ TEST(SmoothSolve, a_residual_above_the_goal_names_its_touch) {
   EXPECT_FALSE(step.solve().worst);
 }
 
+// A pseudo step of statics passes through states that rock never takes: it names bonds beyond their strength.
+TEST(SmoothSolve, a_bond_beyond_its_strength_breaks_in_time_and_is_named_on_the_way_to_rest) {
+  Step step(support::block_on_slope(radians(30)), 0);
+  step.scene.model.joint_materials[0].cohesion = 0.49 * kWeight;  // W sin 30 along a face of 1 m needs 0.5 W
+  step.start.bonds = bonds_at(step.scene, step.start, scales_of(step.scene, step.loads(), step.start.q, step.start.v));
+  ASSERT_EQ(step.start.bonds.size(), 2U);
+  const SmoothMotion in_time = step.solve();
+  EXPECT_TRUE(in_time.bonds.empty());
+  EXPECT_TRUE(in_time.overloaded.empty());
+  step.rule = resting_rule(1);
+  const SmoothMotion on_the_way = step.solve();
+  EXPECT_EQ(on_the_way.bonds.size(), 2U);
+  EXPECT_EQ(on_the_way.overloaded.size(), 2U);
+  EXPECT_NEAR(std::abs(step.forces_with(kBlock, on_the_way)[1]), kWeight / 2, kForce);
+  step.scene.model.joint_materials[0].cohesion = 0.51 * kWeight;
+  EXPECT_TRUE(step.solve().overloaded.empty());
+}
+
 }  // namespace keyblock::smooth_solve_test
