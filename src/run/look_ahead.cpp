@@ -22,9 +22,10 @@
 #include "model/material_choices.hpp"
 #include "model/shared_covers.hpp"
 #include "problem/lines/outline_graph.hpp"
+#include "run/ahead/facing_faces.hpp"
+#include "run/ahead/incompressible_rock.hpp"
 #include "run/ahead/plausible_units.hpp"
 #include "run/ahead/spring_impacts.hpp"
-#include "run/ahead/unbonded_faces.hpp"
 #include "run/growth/bonded_faces.hpp"
 #include "step/scene/enforcement.hpp"
 
@@ -402,7 +403,8 @@ Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
   Warnings found = joined(implausible_units(problem, prepared.scene.settings, prepared.scene.model),
                           sudden_starts(problem, prepared));
   found = joined(std::move(found), spring_impacts(prepared.scene, problem.analysis->place));
-  found = joined(std::move(found), unbonded_faces(prepared.scene, problem.analysis->place));
+  found = joined(std::move(found), facing_faces(prepared.scene, problem.analysis->place));
+  found = joined(std::move(found), incompressible_rock(prepared.scene, problem.analysis->place));
   if (problem.covers) found = joined(std::move(found), bonded_crack_faces(prepared.scene, problem.covers->place));
   if (!is_of_blocks(prepared)) return found;
   return joined(std::move(found), Blocky(prepared).warnings(problem));

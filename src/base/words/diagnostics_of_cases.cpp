@@ -114,6 +114,10 @@ constexpr auto kCases = std::to_array<Diagnostic>({
     {"joint_material_clamped", warning, "A joint material does not exist",
      "The number of a joint material is outside the list of the analysis. The nearest number of the list is taken.",
      "Correct the number, or add the joint material to the analysis."},
+    {"joint_materials_differ", warning, "A joint has two joint materials",
+     "Two faces that lie side by side have joint materials of different strength. That of the face on which the corner "
+     "of the other lies counts. In a block, the joint material at a corner is that of the edge that arrives there.",
+     "Give both faces the same joint material."},
     {"loading_points_without_load", warning, "Loading points carry no load",
      "The analysis has fewer load curves than the geometry has loading points. The last points carry no load.",
      "Add the missing curves, or remove the points."},
@@ -156,6 +160,12 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "NMM bodies whose contact is ignored, or with excavations in section `covers`, are solved by linear statics. "
      "It knows neither fixed nor loading points.",
      "Give `displacements` and `forces` in the section `covers`."},
+    {"rock_may_lock", warning, "Nearly incompressible rock locks",
+     "NMM bodies in plane strain have a Poisson's ratio of 0.49 or more, and constant or derived functions. Such "
+     "functions cannot keep their area and bend: a cantilever of 2.5 sides over its depth is 3 % too stiff at 0.49, 9 "
+     "% "
+     "at 0.499 and 22 % at 0.4999 with derived functions.",
+     "Set functions of the section `covers` to linear, or refine the mesh until displacements stay."},
     {"setting_without_effect", warning, "A setting has no effect in this run",
      "No part of this run reads the setting. The message says which runs do.",
      "Remove the setting; `keyblock run --settings` lists what reads each."},

@@ -1,6 +1,6 @@
 // Cohesion of faces that are drawn apart: they are bonded across rounding, and the run says where they are not.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run/ahead/unbonded_faces.hpp"
+#include "run/ahead/facing_faces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "tests/support/standard_scenes.hpp"
 
-namespace keyblock::unbonded_faces_test {
+namespace keyblock::facing_faces_test {
 namespace {
 
 using support::radians;
@@ -43,31 +43,53 @@ double travel_in_half_a_second(double gap, double share_of_needed) {
 
 }  // namespace
 
-TEST(UnbondedFaces, cohesion_holds_a_block_across_the_rounding_of_its_drawing) {
+TEST(FacingFaces, cohesion_holds_a_block_across_the_rounding_of_its_drawing) {
   for (const double gap : {0.0, 2.4e-6, -2.4e-6, 5e-5, -5e-5}) {
     EXPECT_LT(travel_in_half_a_second(gap, 1.001), 1e-5) << gap;
     EXPECT_GT(travel_in_half_a_second(gap, 0.999), 0.2) << gap;  // g t²/2 (sin α - cos α tan φ) = 0.227 once broken
   }
 }
 
-TEST(UnbondedFaces, faces_that_meet_within_the_rounding_of_a_drawing_are_not_told) {
-  EXPECT_TRUE(unbonded_faces(cube_on_slope(2.4e-6, 5000), {}).empty());
-  EXPECT_TRUE(unbonded_faces(cube_on_slope(-5e-5, 5000), {}).empty());
-  EXPECT_TRUE(unbonded_faces(cube_on_slope(1e-3, 0), {}).empty());
+TEST(FacingFaces, statics_judges_cohesion_at_rest) {
+  for (const double share : {0.999, 1.001}) {
+    Scene scene = cube_on_slope(0, share * needed(cube_on_slope(0, 0)));
+    scene.settings.standard.motion = MotionRule::equilibrium;
+    StandardStepper stepper(scene);
+    EXPECT_EQ(std::holds_alternative<StepFailure>(stepper.advance()), share < 1) << share;
+  }
 }
 
-TEST(UnbondedFaces, a_gap_without_a_bond_is_told_with_its_width) {
-  const Warnings found = unbonded_faces(cube_on_slope(1e-3, 5000), {});
+TEST(FacingFaces, faces_that_meet_within_the_rounding_of_a_drawing_are_not_told) {
+  EXPECT_TRUE(facing_faces(cube_on_slope(2.4e-6, 5000), {}).empty());
+  EXPECT_TRUE(facing_faces(cube_on_slope(-5e-5, 5000), {}).empty());
+  EXPECT_TRUE(facing_faces(cube_on_slope(1e-3, 0), {}).empty());
+}
+
+TEST(FacingFaces, a_gap_without_a_bond_is_told_with_its_width) {
+  const Warnings found = facing_faces(cube_on_slope(1e-3, 5000), {});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].name, "strength_without_bond");
-  EXPECT_NE(found[0].sentence.find("a pair of its faces is drawn up to 0.001 apart"), std::string::npos)
+  EXPECT_NE(found[0].sentence.find("a pair of faces with it is drawn up to 0.001 apart"), std::string::npos)
       << found[0].sentence;
 }
 
-TEST(UnbondedFaces, strength_that_acts_nowhere_is_told) {
-  const Warnings found = unbonded_faces(cube_on_slope(0.5, 5000), {});
+TEST(FacingFaces, strength_that_acts_nowhere_is_told) {
+  const Warnings found = facing_faces(cube_on_slope(0.5, 5000), {});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NE(found[0].sentence.find("no two of its faces touch"), std::string::npos) << found[0].sentence;
 }
 
-}  // namespace keyblock::unbonded_faces_test
+TEST(FacingFaces, two_joint_materials_on_one_joint_are_told) {
+  Scene scene = cube_on_slope(0, 0);
+  EXPECT_TRUE(facing_faces(scene, {}).empty());
+  scene.model.joint_materials.push_back({30, 0, 0, {}});
+  EXPECT_TRUE(facing_faces(scene, {}).empty());  // no face has it
+  for (const VertexIndex v : scene.model.elements[ElementIndex{1}].vertices())
+    scene.model.vertices[v].joint_material = 1;
+  const Warnings found = facing_faces(scene, {});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].name, "joint_materials_differ");
+  EXPECT_NE(found[0].sentence.find("a pair of faces of one joint has"), std::string::npos) << found[0].sentence;
+}
+
+}  // namespace keyblock::facing_faces_test
