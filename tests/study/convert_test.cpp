@@ -14,8 +14,10 @@
 #include <sstream>
 
 #include "formats/case_file/keyblock_case.hpp"
+#include "formats/shi/dda_analysis.hpp"
 #include "formats/shi/dda_blocks.hpp"
 #include "formats/shi/dda_geometry.hpp"
+#include "formats/shi/nmm_analysis.hpp"
 #include "geometry/polygon.hpp"
 #include "study/convert/derived_geometry.hpp"
 #include "tests/support/content_text.hpp"
@@ -155,6 +157,19 @@ Content with_derived_geometry(Content content, const Conversion& conversion) {
   return content;
 }
 
+/// The content as a plain analysis file holds it: each material has its weight, and there is no gravity.
+Content with_weights(Content content, const Target& target) {
+  const auto is_plain = [](const Target::Part& part) {
+    return part.format == &formats::kDdaAnalysisShi || part.format == &formats::kDdaAnalysisBerkeley ||
+           part.format == &formats::kNmmAnalysis;
+  };
+  if (!content.analysis || !content.analysis->gravity || std::ranges::none_of(target.parts, is_plain)) return content;
+  for (BlockMaterial& rock : content.analysis->block_materials)
+    rock.unit_weight = rock.density * *content.analysis->gravity;
+  content.analysis->gravity.reset();
+  return content;
+}
+
 std::vector<std::string> items(const std::vector<Loss>& losses) {
   std::vector<std::string> names;
   for (const Loss& loss : losses) names.push_back(loss.item);
@@ -188,7 +203,7 @@ TEST(Convert, what_is_lost_between_any_two_formats_is_what_the_target_cannot_hol
         if (target.parts.front().left_out != nullptr) continue;
         ++compared;
         derived += is_derivation(conversion) ? 1 : 0;
-        const Content whole = with_derived_geometry(file.reading->content, conversion);
+        const Content whole = with_weights(with_derived_geometry(file.reading->content, conversion), target);
         EXPECT_EQ(rest_of(whole, conversion.losses), rest_of(read_back(conversion), conversion.losses))
             << pair << ", seed " << seed;
       }
@@ -468,6 +483,23 @@ TEST(Convert, what_does_not_fit_between_geometry_and_analysis_is_said) {
   std::vector<std::string> names;
   for (const Warning& warning : conversion.warnings) names.push_back(warning.name);
   EXPECT_EQ(names, (std::vector<std::string>{"joint_material_clamped", "surplus_load_curves"}));
+}
+
+TEST(Convert, plain_files_hold_the_weight_that_gravity_gives) {
+  Content content;
+  content.analysis.emplace();
+  content.analysis->gravity = 10;
+  content.analysis->step_count = 1;
+  content.analysis->time_step = content.analysis->allowed_displacement_ratio = 0.01;
+  content.analysis->block_materials = {BlockMaterial{}};
+  content.analysis->block_materials[0].density = 2500;
+  content.analysis->block_materials[0].youngs_modulus = 1e9;
+  content.analysis->joint_materials = {JointMaterial{}};
+  for (const char* target : {"dda-analysis-shi", "dda-analysis-berkeley", "nmm-analysis"}) {
+    const Conversion conversion = converted(content, *find_target(target));
+    EXPECT_EQ(read_back(conversion).analysis->block_materials[0].unit_weight, 25000) << target;
+    for (const Loss& loss : conversion.losses) EXPECT_NE(loss.item, "analysis.gravity") << target;
+  }
 }
 
 }  // namespace keyblock::study::convert_test

@@ -83,13 +83,24 @@ formats::ReadHint hint_of(const Content& content) {
   return hint;
 }
 
+bool has_part(const Target& target, const Format& format) {
+  return std::ranges::any_of(target.parts, [&](const Target::Part& part) { return part.format == &format; });
+}
+
+// Plain analysis files hold the weight of each material, and no gravity.
+void state_weights(Content& content, const Target& target) {
+  const bool holds_weights = has_part(target, formats::kDdaAnalysisShi) ||
+                             has_part(target, formats::kDdaAnalysisBerkeley) || has_part(target, formats::kNmmAnalysis);
+  if (!holds_weights || !content.analysis || !content.analysis->gravity) return;
+  for (BlockMaterial& material : content.analysis->block_materials)
+    material.unit_weight = material.density * *content.analysis->gravity;
+  content.analysis->gravity.reset();
+}
+
 // Files in Shi's formats hold one curve per point of the geometry, even an empty one.
 void complete_curves(Content& content, const Target& target) {
-  const auto is_part = [&](const Format& format) {
-    return std::ranges::any_of(target.parts, [&](const Target::Part& part) { return part.format == &format; });
-  };
-  const bool is_shi = is_part(formats::kDdaAnalysisShi);
-  if (!content.analysis || (!is_shi && !is_part(formats::kNmmAnalysis))) return;
+  const bool is_shi = has_part(target, formats::kDdaAnalysisShi);
+  if (!content.analysis || (!is_shi && !has_part(target, formats::kNmmAnalysis))) return;
   const formats::ReadHint counts = hint_of(content);
   const auto grow = [](std::vector<TimeCurve>& curves, std::optional<int> size) {
     curves.resize(std::max(curves.size(), static_cast<std::size_t>(size.value_or(0))));
@@ -189,6 +200,7 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
     conversion.losses.push_back({derived->from, 1, derived->sentence});
     conversion.warnings = joined(std::move(conversion.warnings), derived->warnings);
   }
+  state_weights(content, target);
   complete_curves(content, target);
   conversion.hint = hint_of(content);
   Content back;
