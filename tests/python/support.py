@@ -40,6 +40,17 @@ def box(left, bottom, right, top):
     return {"material": 1, "outer": [[left, bottom, 1], [right, bottom, 1], [right, top, 1], [left, top, 1]]}
 
 
+def wall_of(bricks, courses, steps=3):
+    """Content of a case file: courses of bricks on a fixed floor; every other course is set off by half a brick."""
+    blocks = [box(-1, -1, bricks + 1, 0)]
+    for course in range(courses):
+        for i in range(bricks):
+            left = i + (course % 2) * 0.5
+            blocks.append(box(left, 0.5 * course, left + 1, 0.5 * course + 0.5))
+    return {"keyblock": 2, "units": SI, "blocks": {"blocks": blocks, "fixed_points": [[-0.5, -0.5, 1], [bricks, -0.5, 1]]},
+            "analysis": {"step_count": steps, "time_step": "2 ms", **MATERIALS}}
+
+
 class Folder(unittest.TestCase):
     """Tests with a folder of their own, which is the current one."""
 
@@ -56,15 +67,7 @@ class Folder(unittest.TestCase):
         return path
 
     def wall(self, bricks, courses, steps=3):
-        """Courses of bricks on a fixed floor; every other course is set off by half a brick."""
-        blocks = [box(-1, -1, bricks + 1, 0)]
-        for course in range(courses):
-            for i in range(bricks):
-                left = i + (course % 2) * 0.5
-                blocks.append(box(left, 0.5 * course, left + 1, 0.5 * course + 0.5))
-        return kb.read(self.write("wall.json", {
-            "keyblock": 2, "units": SI, "blocks": {"blocks": blocks, "fixed_points": [[-0.5, -0.5, 1], [bricks, -0.5, 1]]},
-            "analysis": {"step_count": steps, "time_step": "2 ms", **MATERIALS}}))
+        return kb.read(self.write("wall.json", wall_of(bricks, courses, steps)))
 
     def beam(self, side):
         """A clamped NMM beam under its weight: one linear solve."""
