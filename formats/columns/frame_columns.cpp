@@ -80,6 +80,7 @@ FramePart loops_of(const Frame& frame) {
     int corners;
   };
   std::vector<Loop> loops;
+  loops.reserve(frame.elements.size());
   for (std::size_t i = 0; i < frame.elements.size(); ++i)
     for (const std::vector<Point>& loop : frame.elements[i].loops)
       loops.push_back({static_cast<int>(i), static_cast<int>(loop.size())});
@@ -90,12 +91,20 @@ FramePart loops_of(const Frame& frame) {
   return part;
 }
 
+std::size_t corner_count(const Frame& frame) {
+  std::size_t count = 0;
+  for (const ElementFrame& element : frame.elements)
+    for (const std::vector<Point>& loop : element.loops) count += loop.size();
+  return count;
+}
+
 FramePart corners_of(const Frame& frame, const FieldFrame& field) {
   struct Place {
     int row;
     Point at;
   };
   std::vector<Place> places;
+  places.reserve(corner_count(frame));
   for (std::size_t i = 0; i < frame.elements.size(); ++i)
     for (const std::vector<Point>& loop : frame.elements[i].loops)
       for (const Point& corner : loop) places.push_back({static_cast<int>(i), corner});

@@ -20,6 +20,7 @@ std::vector<std::vector<Point>> loops_of(const Element& element, const State& st
   VertexIndex v = element.first_vertex;
   for (int size : element.loop_sizes) {
     std::vector<Point>& loop = loops.emplace_back();
+    loop.reserve(static_cast<std::size_t>(size));
     for (int i = 0; i < size; ++i, ++v.value) loop.push_back(state.vertices[v]);
   }
   return loops;
@@ -75,6 +76,7 @@ Stress stress_beside_tip(const Stepper& stepper, ElementIndex e, Point at, Point
 
 Frame frame_of(const Model& model, const State& state, const StartPlaces& start, const Settings& settings) {
   Frame frame{state.step, state.time, {}, {}, {}, {}, {}, outlines_of(model, state)};
+  frame.elements.reserve(model.elements.size());
   for (ElementIndex e : indices(model.elements)) {
     const Element& element = model.elements[e];
     const ElementState& now = state.elements[e];
