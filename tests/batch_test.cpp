@@ -210,12 +210,13 @@ TEST(Batch, a_job_beyond_its_limits_fails_alone) {
 TEST(Batch, a_run_out_of_memory_is_not_told_as_out_of_time) {
   const fs::path root = fresh_folder("batch_both_limits");
   copy_case("sliding_block/a30_p20/a30_p20", root / "in");
-  for (const char* mebibytes : {"24", "38", "42"}) {
+  for (const char* mebibytes : {"24", "33", "34", "36", "38", "42"}) {
     const std::string out = root / mebibytes;
     run_keyblock({"batch", root / "in", "--run", "--profile", "standard", "--memory-limit", mebibytes, "--time-limit",
                   "100", "-o", out});
     const auto job = jobs_in(out)[0];
     EXPECT_FALSE(contains(job["message"], "processor time")) << job;
+    EXPECT_TRUE(contains(job["message"], "memory")) << job;
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <new>
 
 #include "formats/text/decimal_comma.hpp"
 #include "formats/text/split.hpp"
@@ -22,6 +23,7 @@ std::string_view local_name(std::string_view name) {
 
 /// pugixml stops one character before the end of an incomplete text.
 [[noreturn]] void refuse(const DocumentText& text, const pugi::xml_parse_result& result) {
+  if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();  // no fault of the file
   const std::size_t size = text.buffer.size();
   const auto offset = static_cast<std::size_t>(result.offset);
   if (offset + 1 >= size) throw InputError(text.map->place(size), "expected well-formed XML, found end of file");

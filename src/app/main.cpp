@@ -13,6 +13,7 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -188,11 +189,13 @@ void fill_closed_streams() {
     if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-ExitCode out_of_memory(const char* for_what) {
+// Ends the program at once: exit handlers, such as that of HDF5, crash on objects that were left half made.
+[[noreturn]] void leave_out_of_memory(const char* for_what) {
   const bool is_limited = has_memory_limit();
   spdlog::error("keyblock: error: there is not enough memory for {}{}", for_what,
                 is_limited ? " within the limit" : "");
-  return is_limited ? ExitCode::limit : ExitCode::numerical_failure;
+  std::fflush(nullptr);
+  std::_Exit(static_cast<int>(is_limited ? ExitCode::limit : ExitCode::numerical_failure));
 }
 
 int not_written(const char* program) {
@@ -202,8 +205,7 @@ int not_written(const char* program) {
 
 // Handles errors of the system: threads need memory, and tables are written to standard output.
 int code_of(const std::system_error& error, const char* program) {
-  if (error.code() == std::errc::resource_unavailable_try_again)
-    return static_cast<int>(out_of_memory("another thread"));
+  if (error.code() == std::errc::resource_unavailable_try_again) leave_out_of_memory("another thread");
   if (std::ferror(stdout) != 0)
     spdlog::error("keyblock: error: cannot write to standard output: {}", error.code().message());
   else
@@ -239,7 +241,7 @@ int main(int argc, char** argv) {
     spdlog::error("keyblock: error: {}", error.what());
     return keyblock::not_written(argv[0]);
   } catch (const std::bad_alloc&) {
-    return static_cast<int>(keyblock::out_of_memory("this"));
+    keyblock::leave_out_of_memory("this");
   } catch (const std::system_error& error) {
     return keyblock::code_of(error, argv[0]);
   } catch (const std::exception& error) {

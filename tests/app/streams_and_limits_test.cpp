@@ -97,4 +97,21 @@ TEST(StreamsAndLimits, too_little_memory_is_exit_5_however_little) {
   EXPECT_GT(limited, 0);
 }
 
+// The exit handler of HDF5 would crash on a file that is left half made.
+TEST(StreamsAndLimits, a_run_that_says_that_memory_is_short_exits_5) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the sanitizer reserves more than any limit";
+#endif
+  const std::string folder = fresh_folder("short_of_memory");
+  int said = 0;
+  for (int kibibytes = 34000; kibibytes <= 48000; kibibytes += 500) {
+    const auto run =
+        run_script(fmt::format("ulimit -v {}; exec {} --threads 1 -o {}/{}", kibibytes, run_of(4), folder, kibibytes));
+    if (!contains(run.messages, "not enough memory")) continue;
+    ++said;
+    EXPECT_EQ(run.exit_code, 5) << kibibytes << run.messages;
+  }
+  EXPECT_GT(said, 0);
+}
+
 }  // namespace keyblock::streams_and_limits_test

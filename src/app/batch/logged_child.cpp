@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <csignal>
-#include <cstdint>
 #include <cstring>
 #include <sstream>
 #include <string_view>
@@ -18,13 +17,6 @@
 namespace keyblock {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-constexpr int kNoRoomForLibraries = 127;  // exit code of the loader
-constexpr std::uintmax_t kMebibyte = 1048576;
-
-}  // namespace
 
 bool has_been_stopped(const ChildEnd& end) {
   if (end.ran_out_of_time) return false;
@@ -52,29 +44,29 @@ ChildEnd run_logged(const std::vector<std::string>& arguments, const ChildLimits
                                             : error.substr(at + kLevel.size()));
 }
 
-// The system cannot load a program larger than the limit, and ends it by a signal.
-bool is_below_the_program(const ChildLimits& limits) {
-  std::error_code error;
-  const auto size = fs::file_size("/proc/self/exe", error);
-  return !error && static_cast<std::uintmax_t>(limits.memory_mebibytes) * kMebibyte < size;
+// Below some limit the system, the loader or a library ends the program before it begins, each in its own way.
+bool can_start(const ChildLimits& limits) {
+  return run_child({"--version"}, limits, "/dev/null", "/dev/null").exit_code == 0;
 }
 
 bool is_starved(const ChildEnd& end, const ChildLimits& limits) {
-  const bool is_at_limit = end.exit_code == int(ExitCode::limit) && !end.ran_out_of_time;
-  return limits.memory_mebibytes > 0 &&
-         (end.exit_code == kNoRoomForLibraries || is_at_limit || (end.signal != 0 && is_below_the_program(limits)));
+  if (limits.memory_mebibytes <= 0 || end.ran_out_of_time || end.exit_code == int(ExitCode::ok)) return false;
+  return end.exit_code == int(ExitCode::limit) || !can_start(limits);
 }
 
-std::string signal_name(int signal) {
-  const char* abbreviation = sigabbrev_np(signal);
-  return abbreviation != nullptr ? fmt::format("SIG{}", abbreviation) : fmt::format("signal {}", signal);
+std::string signal_of(const ChildEnd& end, const ChildLimits& limits) {
+  const char* abbreviation = sigabbrev_np(end.signal);
+  const std::string name =
+      abbreviation != nullptr ? fmt::format("SIG{}", abbreviation) : fmt::format("signal {}", end.signal);
+  if (limits.memory_mebibytes <= 0) return name;
+  return fmt::format("{} under the limit of {} MiB of memory, which may be too small", name, limits.memory_mebibytes);
 }
 
 std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const fs::path& log) {
   if (end.ran_out_of_time) return fmt::format("stopped at the limit of {} s of processor time", limits.cpu_seconds);
   if (is_starved(end, limits))
     return fmt::format("the limit of {} MiB of memory is too small for it", limits.memory_mebibytes);
-  if (end.signal != 0) return fmt::format("ended by {}", signal_name(end.signal));
+  if (end.signal != 0) return fmt::format("ended by {}", signal_of(end, limits));
   const std::string error = error_in(log);
   return fmt::format("exit code {}{}{}", end.exit_code, error.empty() ? "" : ": ", error);
 }

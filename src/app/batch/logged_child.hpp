@@ -26,8 +26,9 @@ std::string error_in(const std::filesystem::path& log);
 /// Returns true if the process ended because its limit of memory was too small.
 bool is_starved(const ChildEnd& end, const ChildLimits& limits);
 
-/// Returns "SIGKILL", or "signal 40" for a signal without a name.
-std::string signal_name(int signal);
+/// Returns "SIGKILL", or "signal 40" for a signal without a name. Names the limit of memory, if there is one: libraries
+/// such as HDF5 crash if they get no memory.
+std::string signal_of(const ChildEnd& end, const ChildLimits& limits);
 
 /// Explains the end of a process without a result: a limit, a signal, or its exit code and last error.
 std::string why_it_ended(const ChildEnd& end, const ChildLimits& limits, const std::filesystem::path& log);

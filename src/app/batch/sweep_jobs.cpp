@@ -127,7 +127,7 @@ bool SweepJob::has_ended_early(const ChildEnd& end, const std::string& name, boo
   if (end.ran_out_of_time) return fail("time_limit");
   if (is_starved(end, plan_.limits)) return fail("memory_limit");
   if (end.signal != 0) {
-    why = signal_name(end.signal);
+    why = signal_of(end, plan_.limits);
     return fail("signal");
   }
   const bool is_answer = end.exit_code == int(ExitCode::ok) || end.exit_code == int(ExitCode::check_failed) ||
