@@ -3,6 +3,7 @@
 #include "settings/profile.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -109,7 +110,9 @@ constexpr std::array<Profile, 4> kProfiles{{{"legacy", legacy, "legacy", 1},
 
 const Profile& named(const std::string& name) {
   const auto profile = std::ranges::find(kProfiles, name, [](const Profile& p) { return std::string(p.name); });
-  if (profile == kProfiles.end()) throw std::invalid_argument(fmt::format("there is no profile \"{}\"", name));
+  if (profile == kProfiles.end())
+    throw std::invalid_argument(
+        fmt::format("expected a profile, one of {}, found \"{}\"", fmt::join(profile_names(), ", "), name));
   return *profile;
 }
 

@@ -55,8 +55,8 @@ class Cases(Folder):
         self.assertGreater(caught.exception.column, 0)
         self.assertIn("expected", str(caught.exception))
         self.assertIsInstance(caught.exception, kb.Error)
-        with self.assertRaises(kb.SettingError):
-            kb.Plan(slide(), profile="no_profile")
+        with self.assertRaisesRegex(kb.SettingError, 'one of legacy, draft, standard, reference, found "legasy"'):
+            kb.Plan(slide(), profile="legasy")
         with self.assertRaises(kb.SettingError):
             kb.Plan(slide(), settings={"no_setting": 1})
 
