@@ -220,6 +220,19 @@ TEST(Batch, a_run_out_of_memory_is_not_told_as_out_of_time) {
   }
 }
 
+TEST(Batch, the_cases_of_an_archive_are_listed_with_their_files_and_nothing_is_written) {
+  const fs::path root = fresh_folder("batch_list");
+  copy_case("sliding_block/a30_p20/a30_p20", root / "in");
+  write_text(root / "in/notes.txt", "no case");
+  const ProgramRun listed = run_keyblock({"batch", root / "in", "--list"});
+  EXPECT_EQ(listed.exit_code, 0);
+  EXPECT_EQ(listed.output, "a30_p20.geo a30_p20.ana\n");
+  const auto cases = nlohmann::json::parse(run_keyblock({"batch", root / "in", "--list", "--json"}).output);
+  ASSERT_EQ(cases.size(), 1U);
+  EXPECT_EQ(cases[0]["files"][1], (root / "in/a30_p20.ana").string());
+  EXPECT_EQ(run_keyblock({"batch", root / "none", "--list"}).exit_code, 3);
+}
+
 TEST(Batch, a_check_beyond_its_limits_fails_alone_and_the_others_are_told_as_without_limits) {
   const fs::path root = fresh_folder("batch_check_limits");
   copy_case("sliding_block/a30_p20/a30_p20", root / "in");

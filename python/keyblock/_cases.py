@@ -161,13 +161,15 @@ class Case:
         return f"<Case {names}{' with changed values' if self._values else ''}>"
 
 
-def read(*paths: StrPath, layers: StrPath | None = None, unit: str | None = None, join: float | None = None) -> Case:
-    """Reads the files of a case in any order, or its folder.
+def read(*paths: StrPath | Sequence[StrPath], layers: StrPath | None = None, unit: str | None = None,
+         join: float | None = None) -> Case:
+    """Reads the files of a case in any order, or its folder; also a list of files, such as one of `cases`.
 
     layers: table of the layers of a DXF drawing. unit: unit of length of the drawing. join: distance of `keyblock check
     --join`. Raises InputError with file, line and column.
     """
-    files = [os.fspath(p) for p in (*paths, *(() if layers is None else (layers,)))]
+    given = [file for p in paths for file in (p if isinstance(p, (list, tuple)) else (p,))]
+    files = [os.fspath(p) for p in (*given, *(() if layers is None else (layers,)))]
     return _read_again(files, {k: v for k, v in (("unit", unit), ("join", join)) if v is not None})
 
 

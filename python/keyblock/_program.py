@@ -147,10 +147,19 @@ def fit(curve: StrPath, triaxial: bool = False, toughness: str | None = None, co
                                                               strain_factor=strain_factor, friction=friction)], (0, 1)))
 
 
-def cases(name: str, root: StrPath | None = None) -> list[Path]:
-    """Returns the folders of the cases of a verification problem, such as "stress_intensity", sorted.
+def cases(folder: StrPath, root: StrPath | None = None) -> list[Path | tuple[Path, ...]]:
+    """Returns the cases at or below a folder, sorted: those that `keyblock batch` runs. `read` and `Run` take each.
 
-    root: folder of the problems; by default KEYBLOCK_CASES, else legacy_cases below the current folder.
+    A case is its folder if that has a `case.json`, a file, or a tuple of files. folder: also the name of a verification
+    problem, such as "stress_intensity". root: folder of the problems; by default KEYBLOCK_CASES, else legacy_cases below
+    the current folder.
     """
-    root = Path(root or os.environ.get("KEYBLOCK_CASES") or "legacy_cases")
-    return sorted(p.parent for p in (root / name).glob("*/case.json"))
+    if root is not None or not os.path.isdir(folder):
+        folder = Path(root or os.environ.get("KEYBLOCK_CASES") or "legacy_cases") / folder
+    found: dict[Path | tuple[Path, ...], None] = {}
+    for case in json.loads(_run(["batch", folder, "--list", "--json"])):
+        files = tuple(map(Path, case["files"]))
+        own = files[0].parent
+        is_folder = files[0].stem == own.name and (own / "case.json").is_file()
+        found[own if is_folder else files if len(files) > 1 else files[0]] = None
+    return list(found)

@@ -2,9 +2,12 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import csv
 import hashlib
+import json
 import math
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -236,6 +239,19 @@ class Program(Folder):
         self.assertTrue(kb.fit("curve.csv"))
         self.assertTrue(kb.convert("block.json", output="block.dxf"))
         self.assertEqual(len(kb.cases("sliding_block", CASES)), 21)
+
+    def test_cases_are_those_of_a_batch(self):
+        shutil.copytree(CASES / "block_at_rest" / "static", "archive/old/with_case/static")
+        shutil.copytree(CASES / "sliding_block" / "a30_p25", "archive/old/bare", ignore=shutil.ignore_patterns("case.json", "*.csv"))
+        kb.new("block", "archive/own/block.json")
+        bare = tuple(Path(f"archive/old/bare/a30_p25.{ending}") for ending in ("geo", "ana"))
+        expected = [bare, Path("archive/old/with_case/static"), Path("archive/own/block.json")]
+        self.assertEqual(kb.cases("archive"), expected)
+        self.assertEqual(kb.cases("old", "archive"), expected[:2])
+        self.assertEqual([kb.read(case).profile for case in expected], ["legacy", "legacy", "standard"])
+        subprocess.run([kb.program(), "batch", "archive", "--check", "-o", "out"], check=True, capture_output=True)
+        with open("out/catalogue.csv", newline="", encoding="utf-8") as rows:
+            self.assertEqual(len([row for row in csv.DictReader(rows) if row["outcome"] in ("ok", "warnings")]), 3)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,14 @@
 // `keyblock batch`: checks, runs or converts every case of an archive, with a journal for resuming and a catalogue.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <chrono>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/batch/batch_archive.hpp"
@@ -41,6 +43,7 @@ using report::CatalogueRow;
 struct BatchOptions {
   std::string root;
   std::string folder;
+  bool is_list = false;
   bool is_check = false;
   bool is_run = false;
   std::string format;  ///< to convert to; empty: none
@@ -61,7 +64,7 @@ struct BatchOptions {
 
 BatchPlan plan_of(const BatchOptions& options) {
   if ((options.is_check ? 1 : 0) + (options.is_run ? 1 : 0) + (options.format.empty() ? 0 : 1) != 1)
-    throw UsageError("batch: expected one of --check, --run and --convert FORMAT");
+    throw UsageError("batch: expected one of --check, --run, --convert FORMAT and --list");
   if (options.folder.empty()) throw UsageError("batch: expected -o OUT for the catalogue and the results");
   const std::string format = options.format.empty() ? "" : std::string(study::target_named(options.format).name);
   const BatchTask task = options.is_check ? BatchTask::check : options.is_run ? BatchTask::run : BatchTask::convert;
@@ -227,8 +230,23 @@ ExitCode finish(const BatchOptions& options, const BatchPlan& plan, const FileTr
   return std::ranges::count(rows, "failed", &CatalogueRow::outcome) == 0 ? ExitCode::ok : ExitCode::check_failed;
 }
 
+/// Prints the cases of the archive that can be run.
+ExitCode list_cases(const BatchOptions& options) {
+  nlohmann::ordered_json cases = nlohmann::ordered_json::array();
+  for (const study::BatchJob& job : survey(options.root, {}, options.largest_mebibytes, thread_count(options)).jobs) {
+    if (job.kind != study::JobKind::whole) continue;
+    if (!options.as_json) fmt::print("{}\n", fmt::join(job.files, " "));
+    std::vector<std::string> files;
+    for (const std::string& file : job.files) files.push_back(study::place_of(options.root, file).string());
+    cases.push_back({{"name", job.name}, {"files", files}, {"paired_by", job.paired_by}});
+  }
+  if (options.as_json) fmt::print("{}\n", cases.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  return ExitCode::ok;
+}
+
 ExitCode run_batch(const BatchOptions& given) {
   if (!given.row_files.empty()) return print_row(given);
+  if (given.is_list) return list_cases(given);
   BatchOptions options = given;
   if (!options.shard_words.empty()) options.shard = shard_of(options.shard_words);
   const BatchPlan plan = plan_of(options);
@@ -269,10 +287,12 @@ Action configure_batch(CLI::App& app) {
   app.add_option("-o,--output", options->folder,
                  "folder for catalogue.csv, .json and .html, journal.jsonl and results (required)")
       ->type_name("FOLDER");
-  app.add_flag("--check", options->is_check,
-               "check every case: contents, warnings, errors (one of --check, --run and --convert is required)");
+  app.add_flag(
+      "--check", options->is_check,
+      "check every case: contents, warnings, errors (one of --check, --run, --convert and --list is required)");
   app.add_flag("--run", options->is_run, "run every case under the profiles legacy and standard and compare them");
   app.add_option("--convert", options->format, "convert every case to this format, as `keyblock convert --to`");
+  app.add_flag("--list", options->is_list, "print the files of each case that can be run, and run nothing");
   app.add_option("--profile", options->profile, "use only this profile")->check(one_word_of(profile_names()));
   app.add_option("--jobs", options->threads, "jobs at a time (default: number of cores)")->check(CLI::Range(1, 1024));
   app.add_option("--time-limit", options->limits.cpu_seconds,
