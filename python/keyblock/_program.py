@@ -7,6 +7,7 @@ from __future__ import annotations
 import csv
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -55,8 +56,20 @@ def _run(arguments: Iterable[Any], accepted: tuple[int, ...] = (0,)) -> str:
         raise
     if child.returncode in accepted:
         return out
-    lines = [line for line in errors.splitlines() if "error" in line] or errors.splitlines()[-1:] or out.splitlines()[-1:]
-    raise ProgramError("\n".join(lines), child.returncode)
+    told = [line for line in errors.splitlines() if not line.startswith("Run with --help")]
+    lines = [line for line in told if "error" in line] or told[-1:] or out.splitlines()[-1:]
+    raise ProgramError(_in_arguments("\n".join(lines)), child.returncode)
+
+
+_ARGUMENTS = {"design": "over", "set": "settings"}
+
+
+def _in_arguments(message: str) -> str:
+    """Names arguments of Python instead of options: over= for --over."""
+    def argument(option: re.Match[str]) -> str:
+        name = option[1].replace("-", "_")
+        return _ARGUMENTS.get(name, name) + (option[2] or "=")
+    return re.sub(r"(?<![\w-])--([a-z]+(?:-[a-z]+)*)(:?)", argument, message)
 
 
 def _options(**given: Any) -> list[str]:

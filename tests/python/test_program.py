@@ -253,6 +253,16 @@ class Program(Folder):
         with open("out/catalogue.csv", newline="", encoding="utf-8") as rows:
             self.assertEqual(len([row for row in csv.DictReader(rows) if row["outcome"] in ("ok", "warnings")]), 3)
 
+    def test_messages_name_what_exists_and_arguments_of_python(self):
+        with self.assertRaisesRegex(kb.Error, "one of slope, arch, beam, tunnel, block, found"):
+            kb.new("foo", "foo.json")
+        case = kb.new("block", "block.json")
+        with self.assertRaisesRegex(kb.Error, "out: expected displacement, .*found nothing") as caught:
+            kb.sweep(case, {"steps": [2]}, out="nothing")
+        self.assertNotIn("--", str(caught.exception))
+        self.assertEqual(kb._program._in_arguments("expected --over or --design, found a--b; --time-limit: 3"),
+                         "expected over= or over=, found a--b; time_limit: 3")
+
 
 if __name__ == "__main__":
     unittest.main()
