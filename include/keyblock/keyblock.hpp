@@ -51,6 +51,9 @@ class KEYBLOCK_API Case {
   const std::vector<Warning>& warnings() const;
   /// Names of the units of length, mass and time; each empty where the case does not declare it.
   std::vector<std::string> units() const;
+  /// The profile of a `Run` that requests none: that of the case file, `standard` for a case of Keyblock's own,
+  /// `legacy` for files of Shi's programs. Throws SettingError if `case.json` says that it is not run.
+  std::string profile() const;
   /// The case as a case file of Keyblock (`keyblock formats --schema`).
   std::string json() const;
   /// A value of that file by its JSON pointer (RFC 6901), as JSON: "/analysis/joint_materials/0/friction_angle_deg".

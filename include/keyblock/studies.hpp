@@ -23,6 +23,7 @@ struct Trial {
 
 struct Strength {
   std::optional<double> stands, falls;  ///< the bracket of the factor of safety
+  std::string profile, why_profile;     ///< of all trials; `standard` for old files that request none
   std::string end;                      ///< "bracketed", "falls", "stands", "undecided", "stopped"
   std::vector<Trial> trials;
   std::vector<std::string> notes;
@@ -54,6 +55,7 @@ struct Tip {
 
 struct Intensity {
   std::vector<Tip> tips;
+  std::string profile, why_profile;  ///< `standard` for old files that request none
   std::vector<Warning> warnings;
 };
 

@@ -111,6 +111,19 @@ class Case:
         return tuple(self._case.units)
 
     @property
+    def dialect(self) -> str:
+        """Program of the original files: berkeley, shi, ddaml or manifold; empty for a case of Keyblock's own."""
+        try:
+            return str(self.get("/analysis/dialect"))
+        except _keyblock.SettingError:
+            return ""
+
+    @property
+    def profile(self) -> str:
+        """Profile of a `Run` that names none. Studies take another one for old files: see `factor_of_safety`."""
+        return self._case.profile
+
+    @property
     def files(self) -> tuple[str, ...]:
         """Files of the case; empty if its content was changed."""
         return () if self._values else self._read

@@ -234,6 +234,7 @@ class Strength:
     """Factor of safety: the bracket, its trials, and the states on both sides.
 
     stands: largest factor at which the case is stable, or None. falls: smallest factor at which it is unstable, or None.
+    profile: of all trials; why_profile: the reason for it.
     end: bracketed, falls, stands, undecided or stopped. trials: list of Trial. notes: sentences. warnings: list of Warning.
     standing: Frame of the equilibrium at `stands`. falling: Frame at `falls`: the end of the search, out of balance, or an
     equilibrium far from the drawing. Each stays None if the search has none; neither has contacts.
@@ -241,12 +242,13 @@ class Strength:
 
     def __init__(self, found: _keyblock.Strength, units: tuple[str, ...]) -> None:
         self.stands, self.falls, self.end = found.stands, found.falls, found.end
+        self.profile, self.why_profile = found.profile, found.why_profile
         self.trials, self.notes, self.warnings = found.trials, found.notes, found.warnings
         self.standing = None if found.standing is None else Frame(found.standing, units)
         self.falling = None if found.falling is None else Frame(found.falling, units)
 
     def __repr__(self) -> str:
-        return f"<Strength {self.end}, stands {self.stands}, falls {self.falls}>"
+        return f"<Strength {self.end}, stands {self.stands}, falls {self.falls}, profile {self.profile}>"
 
 
 def factor_of_safety(case: Case | StrPath, what: str = "", within: float = 0.0, profile: str | None = None,
@@ -254,8 +256,9 @@ def factor_of_safety(case: Case | StrPath, what: str = "", within: float = 0.0, 
     """Divides the strength of "joints", "rock" or "both" until the case is unstable, as `keyblock fos`.
 
     what, within: empty and 0 take what the `case.json` of a folder requests, else "joints" and 0.01. The result has the
-    bracket (`stands`, `falls`), `end`, `trials`, `notes`, `warnings`, and the frames `standing` and `falling`. Unlike the
-    command it makes no second search on a coarser mesh. Raises SettingError for another word or a width below 0.
+    bracket (`stands`, `falls`), `end`, `trials`, `notes`, `warnings`, and the frames `standing` and `falling`. profile: None
+    takes what the files request, else standard, also for old files: the rules of Shi's programs, which `Run` follows there,
+    find no equilibrium. Unlike the command it makes no second search on a coarser mesh. Raises SettingError for another word or a width below 0.
     """
     case = case if isinstance(case, Case) else read(case)
     return Strength(_keyblock.factor_of_safety(case._case, what, within, profile or "", setting_pairs(settings),
@@ -263,11 +266,12 @@ def factor_of_safety(case: Case | StrPath, what: str = "", within: float = 0.0, 
 
 
 class Tips(list):  # type: ignore[type-arg]
-    """List of Tip. `warnings`: list of Warning, of reading, preparing and computing."""
+    """List of Tip. `warnings`: list of Warning, of reading, preparing and computing. `profile`, `why_profile`: of the run."""
 
-    def __init__(self, tips: Iterable[_keyblock.Tip] = (), warnings: Iterable[_keyblock.Warning] = ()) -> None:
+    def __init__(self, tips: Iterable[_keyblock.Tip] = (), warnings: Iterable[_keyblock.Warning] = (), profile: str = "",
+                 why_profile: str = "") -> None:
         super().__init__(tips)
-        self.warnings = list(warnings)
+        self.warnings, self.profile, self.why_profile = list(warnings), profile, why_profile
 
 
 def stress_intensity(case: Case | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,

@@ -396,6 +396,8 @@ void bind_studies(py::module_& m) {
   py::class_<kb::Strength>(m, "Strength", "Factor of safety: the bracket and its trials.")
       .def_readonly("stands", &kb::Strength::stands, "Largest factor at which the case is stable, or None.")
       .def_readonly("falls", &kb::Strength::falls, "Smallest factor at which the case is unstable, or None.")
+      .def_readonly("profile", &kb::Strength::profile)
+      .def_readonly("why_profile", &kb::Strength::why_profile, "Reason for the profile.")
       .def_readonly("end", &kb::Strength::end, "bracketed, falls, stands, undecided or stopped.")
       .def_readonly("trials", &kb::Strength::trials)
       .def_readonly("notes", &kb::Strength::notes)
@@ -436,7 +438,7 @@ void bind_studies(py::module_& m) {
         const kb::Intensity found = computed(context, [=] {
           return kb::stress_intensity(of, {profile, settings}, context);
         });
-        return std::make_pair(found.tips, found.warnings);
+        return std::make_tuple(found.tips, found.warnings, found.profile, found.why_profile);
       },
       py::arg("case"), py::arg("profile"), py::arg("settings"), py::arg("context"));
 }
@@ -531,6 +533,7 @@ void bind_case(py::module_& m) {
           py::arg("paths"), py::arg("unit") = "", py::arg("join") = 0)
       .def_property_readonly("warnings", &kb::Case::warnings)
       .def_property_readonly("units", &kb::Case::units)
+      .def_property_readonly("profile", &kb::Case::profile)
       .def("json", &kb::Case::json)
       .def("get", &kb::Case::get, py::arg("pointer"))
       .def("pointers", &kb::Case::pointers, py::arg("pointer"))

@@ -58,6 +58,10 @@ std::vector<std::string> Case::units() const {
   return {units.length, units.mass, units.time};
 }
 
+std::string Case::profile() const {
+  return guarded([&] { return profile_for(data_->open, data_->open.input.problem).name; });
+}
+
 std::string Case::json() const {
   return guarded([&] { return text_of(*data_); });
 }

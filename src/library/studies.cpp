@@ -60,12 +60,18 @@ Strength factor_of_safety(const Case& of, std::string_view what, double within, 
     if (!(within >= 0)) throw SettingError(fmt::format("within: expected a width above 0, or 0, found {}", within));
     if (within > 0) given.within = within;
     const ReductionAsked asked = completed(std::move(given), of.data().open.file.reduction);
-    const study::StrengthTrials trials(for_study(of, choices), *asked.what, exempt_of(asked.exempt));
+    const ConfiguredCase made = for_study(of, choices);
+    const study::StrengthTrials trials(made, *asked.what, exempt_of(asked.exempt));
     const study::SearchOptions options{asked.from, asked.to, *asked.within};
     const study::FactorOfSafety found = study::factor_of_safety(trials, options);
     context.state().context.tell(nullptr, 0);
-    Strength strength{
-        found.bracket.stands, found.bracket.falls, study::name_of(found.end), {}, found.notes, {}, {}, {}};
+    Strength strength;
+    strength.stands = found.bracket.stands;
+    strength.falls = found.bracket.falls;
+    strength.profile = made.profile.name;
+    strength.why_profile = made.profile.why;
+    strength.end = study::name_of(found.end);
+    strength.notes = found.notes;
     const Problem& problem = of.data().open.input.problem;
     strength.warnings = public_warnings(joined(joined(of.data().open.input.warnings, trials.prepared().warnings),
                                                look_ahead(problem, trials.prepared())));
@@ -81,10 +87,14 @@ Strength factor_of_safety(const Case& of, std::string_view what, double within, 
 Intensity stress_intensity(const Case& of, const Choices& choices, const Context& context) {
   return guarded([&] {
     const Under under(context.state().context);
-    const study::CaseIntensity found = study::intensity_at_end(for_study(of, choices));
+    const ConfiguredCase made = for_study(of, choices);
+    const study::CaseIntensity found = study::intensity_at_end(made);
     if (!found.failure.empty()) throw Error(found.failure);
     context.state().context.tell(nullptr, 0);
-    Intensity all{{}, public_warnings(joined(of.data().open.input.warnings, found.warnings))};
+    Intensity all{{},
+                  made.profile.name,
+                  made.profile.why,
+                  public_warnings(joined(of.data().open.input.warnings, found.warnings))};
     for (const study::TipAtEnd& tip : found.tips) all.tips.push_back(tip_of(tip));
     return all;
   });

@@ -263,6 +263,20 @@ class Program(Folder):
         self.assertEqual(kb._program._in_arguments("expected --over or --design, found a--b; --time-limit: 3"),
                          "expected over= or over=, found a--b; time_limit: 3")
 
+    def test_a_factor_of_safety_names_the_profile_of_the_command(self):
+        old = [CASES / "sliding_block" / "a30_p20" / f"a30_p20.{ending}" for ending in ("geo", "ana")]
+        for profile in (None, "reference"):
+            found = kb.factor_of_safety(kb.read(old), "joints", within=0.1, profile=profile)
+            told = subprocess.run([kb.program(), "fos", *old, "--to-within", "0.1", "--json", *kb._program._options(profile=profile)],
+                                  capture_output=True, text=True)
+            told = json.loads(told.stdout)
+            self.assertEqual((found.profile, found.stands), (told["profile"], told["bracket"]["stands"]))
+            self.assertEqual(found.profile, profile or "standard")
+            self.assertIn(found.profile, repr(found))
+            self.assertTrue(found.why_profile)
+        crack = kb.stress_intensity(kb.cases("stress_intensity", CASES)[0])
+        self.assertEqual((crack.profile, bool(crack.why_profile)), ("standard", True))
+
 
 if __name__ == "__main__":
     unittest.main()

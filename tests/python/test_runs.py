@@ -41,6 +41,16 @@ class Cases(Folder):
         with self.assertRaises(kb.InputError):
             base.with_value("/analysis/no_such_thing", 1)
 
+    def test_a_case_has_a_dialect_and_a_profile(self):
+        own = kb.read(kb.new("block", "block.json"))
+        self.assertEqual([(c.dialect, c.profile) for c in (slide(), own)], [("ddaml", "legacy"), ("", "standard")])
+        self.assertEqual(kb.Plan(slide()).profile, slide().profile)
+        self.assertEqual(own.with_value("/analysis/dialect", "shi").dialect, "shi")
+
+    def test_a_list_of_files_is_read_as_the_files(self):
+        files = [CASES / "sliding_block" / "a30_p20" / f"a30_p20.{ending}" for ending in ("geo", "ana")]
+        self.assertEqual(kb.read(files).files, kb.read(*files).files)
+
     def test_a_name_stands_for_an_index(self):
         path = self.wall(2, 1).files[0]
         case = kb.read(path)
