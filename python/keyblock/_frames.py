@@ -191,14 +191,16 @@ def _svg(frame: Frame, colour: Any, width: int) -> str:
 def plot(frame: Frame, colour: Any = None, ax: Any = None, label: str | None = None, **options: Any) -> Any:
     """Draws the blocks of a frame with Matplotlib and returns the axes.
 
-    colour: a number per block, or the name of a column of blocks; by default the displacement. ax: axes to draw on.
-    label: text of the colour bar. options: those of matplotlib.collections.PathCollection, such as cmap and edgecolors.
+    colour: a number per block, or the name of a column of blocks; by default the displacement. ax: axes to draw on; by
+    default those of a new figure. label: text of the colour bar. options: those of
+    matplotlib.collections.PathCollection, such as cmap and edgecolors.
     """
     import matplotlib.pyplot as plt
     from matplotlib.collections import PathCollection
     from matplotlib.path import Path
     values, name = _values(frame, colour)
-    ax = ax or plt.gca()
+    if ax is None:
+        _, ax = plt.subplots()
     paths = []
     for loops in frame.polygons():
         vertices, codes = [], []

@@ -251,6 +251,11 @@ class Frames(Folder):
         matplotlib.use("agg")
         axes = kb.plot(frame, colour="rotation", cmap="viridis")
         self.assertEqual(len(axes.collections[-1].get_paths()), 7)
+        import matplotlib.pyplot as plt
+        other = kb.plot(frame)
+        self.assertNotEqual(other.figure, axes.figure)
+        self.assertIs(kb.plot(frame, ax=axes), axes)
+        plt.close("all")
 
     def test_a_mesh_has_every_block(self):
         try:
