@@ -112,23 +112,36 @@ class Frame:
             blocks[row].append(loop)
         return blocks
 
+    def _outlines(self) -> tuple[Array, Array]:
+        """First corner of the outline of each block, and its number of corners."""
+        _, outer = np.unique(self.loop_block, return_index=True)  # the outline comes before the holes
+        first = np.concatenate(([0], np.cumsum(self.loop_corners)))
+        return first[outer], self.loop_corners[outer]
+
     def to_meshio(self) -> Any:
         """Returns a meshio.Mesh of the blocks as polygons, with their numbers, displacement and stress; needs meshio.
 
         Holes are left out. Corners are not shared by blocks.
         """
         import meshio
-        corners, first = self.vertices, np.concatenate(([0], np.cumsum(self.loop_corners)))
-        _, outer = np.unique(self.loop_block, return_index=True)  # the outline comes first
-        counts = self.loop_corners[outer]
+        first, counts = self._outlines()
         cells, rows = [], []
         for count in np.unique(counts):
             of_count = np.flatnonzero(counts == count)
-            kind = {3: "triangle", 4: "quad"}.get(int(count), "polygon")
-            cells.append((kind, first[outer[of_count]][:, None] + np.arange(count)))
+            cells.append((_MESHIO_CELLS.get(int(count), "polygon"), first[of_count][:, None] + np.arange(count)))
             rows.append(of_count)
-        data = {name: [self.column("blocks", name)[r] for r in rows] for name in ("block", "material", "displacement", "stress")}
-        return meshio.Mesh(np.column_stack((corners, np.zeros(len(corners)))), cells, cell_data=data)
+        data = {name: [self.column("blocks", name)[r] for r in rows] for name in _CELL_DATA}
+        return meshio.Mesh(_in_space(self.vertices), cells, cell_data=data)
+
+    def to_pyvista(self) -> Any:
+        """Returns a pyvista.UnstructuredGrid of the blocks as polygons, with the data of `to_meshio`; needs pyvista."""
+        import pyvista
+        first, counts = self._outlines()
+        cells = np.concatenate([np.r_[n, np.arange(at, at + n)] for at, n in zip(first, counts)] or [np.empty(0, int)])
+        grid = pyvista.UnstructuredGrid(cells, np.full(len(counts), _VTK_POLYGON, np.uint8), _in_space(self.vertices))
+        for name in _CELL_DATA:
+            grid.cell_data[name] = self.column("blocks", name).copy()  # VTK would keep it, and these are read-only
+        return grid
 
     def svg(self, colour: Any = None, width: int = 640) -> str:
         """Returns a picture as SVG text: blocks coloured by a number of each, by default their displacement."""
@@ -154,6 +167,15 @@ def _values(frame: Frame, colour: Any) -> tuple[Array, str]:
         raise ValueError(f"colour: expected a number for each of {len(frame.number)} blocks, "
                          f"found an array of shape {values.shape}")
     return values, name
+
+
+_CELL_DATA = ("block", "material", "displacement", "stress")
+_MESHIO_CELLS = {3: "triangle", 4: "quad"}  # by their corners; others are polygons
+_VTK_POLYGON = 7
+
+
+def _in_space(corners: Array) -> Array:
+    return np.column_stack((corners, np.zeros(len(corners))))
 
 
 # Ends and middle of a sequential scale, light to dark.

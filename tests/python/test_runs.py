@@ -10,6 +10,8 @@ import threading
 import time
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
 
 import numpy as np
 
@@ -267,6 +269,30 @@ class Frames(Folder):
         self.assertEqual([(c.type, len(c.data)) for c in mesh.cells], [("triangle", 1), ("quad", 1)])
         self.assertEqual([list(n) for n in mesh.cell_data["block"]], [[1], [2]])
         mesh.write("block.vtu")
+
+    def test_a_grid_for_pyvista_has_every_block(self):
+        """A stand-in of PyVista keeps what it is given; VTK, if it is installed, reads the cells."""
+        pyvista = SimpleNamespace(UnstructuredGrid=lambda *given: SimpleNamespace(given=given, cell_data={}))
+        run = kb.Run(kb.new("block", "block.json"))
+        run.go_on()
+        with mock.patch.dict(sys.modules, pyvista=pyvista):
+            grid = run.frame().to_pyvista()
+        cells, kinds, points = grid.given
+        self.assertEqual((list(cells), list(kinds), points.shape), ([3, 0, 1, 2, 4, 3, 4, 5, 6], [7, 7], (7, 3)))
+        self.assertEqual(points[:, :2].tolist(), run.frame().vertices.tolist())
+        self.assertEqual(list(grid.cell_data), ["block", "material", "displacement", "stress"])
+        self.assertEqual(grid.cell_data["displacement"].tolist(), run.frame().displacement.tolist())
+        try:
+            import vtk
+            from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+        except ImportError:
+            self.skipTest("VTK is not installed")
+        places, polygons, read = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkUnstructuredGrid()
+        places.SetData(numpy_to_vtk(points))
+        polygons.ImportLegacyFormat(numpy_to_vtkIdTypeArray(cells.astype(np.int64)))
+        read.SetPoints(places)
+        read.SetCells(int(kinds[0]), polygons)
+        self.assertEqual([read.GetCell(i).GetNumberOfPoints() for i in range(read.GetNumberOfCells())], [3, 4])
 
     def test_a_frame_of_4901_blocks_is_cheap(self):
         run = kb.Run(kb.Plan(self.wall(70, 70), settings={"start": "sudden"}))
