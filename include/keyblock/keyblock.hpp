@@ -122,7 +122,7 @@ struct Outcome {
   Facts facts;             ///< the values behind the reason; `blocks`: those that move away or turned inside out
   int steps = 0;
   double time = 0;
-  double displacement = std::nan("");  ///< the largest of any point at the end, as in run.json; no number before
+  double displacement = std::nan("");  ///< the largest of any corner at the end, from the drawing; no number before
   double speed = std::nan("");         ///< of the fastest block at the end; no number before
   std::vector<std::string> sentences;  ///< how the motion ended
   std::vector<Warning> warnings;       ///< of the plan and the run, doubts among them

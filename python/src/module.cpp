@@ -376,7 +376,8 @@ void bind_values(py::module_& m) {
       .def_property_readonly("points", [](const kb::Outcome& o) { return o.facts.points; })
       .def_readonly("steps", &kb::Outcome::steps)
       .def_readonly("time", &kb::Outcome::time)
-      .def_readonly("displacement", &kb::Outcome::displacement, "The largest of any point at the end; nan before.")
+      .def_readonly("displacement", &kb::Outcome::displacement,
+                    "The largest of any corner of a block or element at the end, from the case as drawn; nan before.")
       .def_readonly("speed", &kb::Outcome::speed, "Of the fastest block at the end; nan before.")
       .def_readonly("sentences", &kb::Outcome::sentences, "How the motion ended.")
       .def_readonly("warnings", &kb::Outcome::warnings, "Of the plan and the run, doubts among them.")
