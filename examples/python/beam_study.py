@@ -13,6 +13,7 @@ rock = {"name": "rock", "density": 2350, "youngs_modulus": 14.7e9, "poissons_rat
 beam = kb.read(kb.new("beam", "beam.json", force=True)).with_value("/analysis/block_materials/0", rock)
 e, nu, w, length, height = rock["youngs_modulus"], rock["poissons_ratio"], rock["density"] * 9.81, 10, 1
 theory = w * length**4 / (8 * e / (1 - nu**2) * height**3 / 12) + w * length**2 / (2 * 5 / 6 * e / (2 + 2 * nu) * height)
+# %%
 smallest = float(sys.argv[1]) if len(sys.argv) > 1 else 0.05
 table = kb.sweep(beam, {"/covers/mesh/side": [s for s in (1, 0.5, 0.25, 0.1, 0.05) if s >= smallest]},
                  out=lambda run: {"tip": run.frame().point_displacement[0, 1], "unknowns": run.plan.unknowns})

@@ -16,6 +16,7 @@ run, film, speeds = kb.Run(case), Path("film"), []
 film.mkdir(exist_ok=True)
 
 
+# %%
 def until(r):
     f = r.frame()
     speeds.append(np.hypot(*f.velocity.T).max())
@@ -24,5 +25,6 @@ def until(r):
     return np.hypot(*f.displacement[f.index_of(2)]) > 0.5 or len(speeds) > 50 and speeds[-1] < speeds[-50]
 
 
+# %%
 run.go_on(until)
 print(f"step {run.last.number}, time {run.last.time:.3g}: {len(list(film.iterdir()))} pictures in {film}")

@@ -13,9 +13,11 @@ import numpy as np
 
 base = kb.read("legacy_cases/sliding_block/a30_p20")
 angle = "/analysis/joint_materials/0/friction_angle_deg"
+# %%
 degrees = range(10, 30, int(sys.argv[1]) if len(sys.argv) > 1 else 1)
 table = kb.sweep(base, {angle: degrees}, out=lambda run: np.hypot(*run.frame().displacement[1]), profile="standard",
                  time_limit=60)
+# %%
 theory = 0.5 * 9.81 * (np.sin(np.pi / 6) - np.cos(np.pi / 6) * np.tan(np.radians(table[angle])))
 plt.plot(table[angle], theory, "-", table[angle], table["out"], "o")
 plt.savefig("sliding_angles.svg")

@@ -4,12 +4,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import contextlib
 import io
+import json
 import os
 import re
 import subprocess
 import sys
 import unittest
 from pathlib import Path
+from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).parent))
 from support import ROOT, Folder  # noqa: E402
@@ -71,6 +73,22 @@ class Page(Folder):
                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
                 self.assertEqual(done.returncode, 0, f"{name}\n{done.stdout}")
                 self.assertRegex(done.stdout, pattern, name)
+
+    def test_notebooks_are_those_of_the_scripts_and_run(self):
+        made = subprocess.run([sys.executable, "-B", ROOT / "docs/make_notebooks.py", "--check"], capture_output=True, text=True)
+        self.assertEqual(made.returncode, 0, made.stdout)
+        for name in ("docs", "legacy_cases"):
+            os.symlink(ROOT / name, self.folder / name)
+        (self.folder / "examples/notebooks").mkdir(parents=True)
+        for name in (name for name, (arguments, _) in EXAMPLES.items() if not arguments):  # the others take minutes
+            cells = json.loads((ROOT / f"examples/notebooks/{name}.ipynb").read_text(encoding="utf-8"))["cells"]
+            os.chdir(self.folder / "examples/notebooks")
+            names, out = {}, io.StringIO()
+            with contextlib.redirect_stdout(out), mock.patch("sys.argv", ["kernel", "-f", "kernel.json"]):
+                for cell in cells:
+                    if cell["cell_type"] == "code":
+                        exec(compile("".join(cell["source"]), f"{name}.ipynb, {cell['id']}", "exec"), names)
+            self.assertRegex(out.getvalue(), EXAMPLES[name][1], name)
 
 
 if __name__ == "__main__":
