@@ -71,8 +71,8 @@ TEST(GivenAcceleration, linear_acceleration_is_second_order_in_standard) {
   }
 }
 
-// A blow of 4 ms gives v = 1 m/s in steps from a quarter of it to 25 times as long; it ends at mid-blow, so that
-// s = v (1 - 0.505) to the position of the blow within its step.
+// A blow of 4 ms gives v = 1 m/s in steps from a quarter of it to 25 times as long. The way is v (1 - 0.505), to the
+// place of the blow within its step.
 TEST(GivenAcceleration, a_blow_shorter_than_a_step_gives_its_whole_impulse) {
   const BodyAcceleration blow{{}, {{0.503, 0.505, 0.507}, {{0, 0}, {500, 0}, {0, 0}}, {}}, {}};
   for (const double dt : {0.001, 0.003, 0.005, 0.01, 0.1}) {

@@ -91,7 +91,7 @@ class Settling {
       tell_headway("start, glued blocks let go",
                    std::max(double(i + 1) / of_settled_start::kMostSteps,
                             share_of_fall(first_share, share, of_settled_start::kAtRest)));
-      if (share <= of_settled_start::kAtRest && std::exchange(searches_anew_, true) && !break_overloaded()) break;
+      if (share <= of_settled_start::kAtRest && std::exchange(searches_anew_, true)) break;
       if (goes_on_evenly(last)) {
         const double way = slid / stiffness * moved;
         const double most = of_settled_start::kFarthestSlide * scales_.size;
@@ -117,12 +117,6 @@ class Settling {
       stiffness = std::min({stiffness, longest, longest_of_wall()});
     }
     return 0;
-  }
-
-  // Breaks the bonds that are beyond their strength at rest; the first step of a run judges those of other ends.
-  bool break_overloaded() {
-    for (const Facing& facing : overloaded_) motion_.bonds.erase(facing);
-    return !std::exchange(overloaded_, {}).empty();
   }
 
   // Returns the limit of the next step of a large wall.
@@ -186,7 +180,8 @@ class Settling {
   // forces. It then moves nothing, but contacts that it found stay.
   bool step(double stiffness_over_inertia) {
     const double tau = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
-    const StepRule rule = resting_rule(tau / std::numbers::sqrt2);
+    StepRule rule = resting_rule(tau / std::numbers::sqrt2);
+    rule.breaks_bonds = true;  // the release of the glue is a load path of its own
     if (searches_anew_) {
       found_ = touches_of(scene_, motion_, scales_, scene_.settings.time_step);
       leave_overlaps(scene_, motion_, scales_, found_);
@@ -208,7 +203,6 @@ class Settling {
     const Eigen::VectorXd way = rates(made.rows, moved_);
     motion_.q = std::move(made.q);
     motion_.bonds = std::move(made.bonds);
-    overloaded_ = std::move(made.overloaded);
     motion_.constraints = std::move(made.constraints);
     std::vector<ClosedContact> closed;
     for (std::size_t i = 0; i < found_.size(); ++i) {
@@ -260,10 +254,9 @@ class Settling {
   UnknownsTable loads_;
   Scales scales_;
   Touches found_;
-  std::vector<Facing> overloaded_;  ///< bonds, in the last step that was solved
-  bool searches_anew_ = false;      ///< as the run will, once the contacts of the drawing are at rest
-  UnknownsTable moved_;             ///< in the last step that was solved
-  double share_of_wall_ = 0;        ///< of free motion, in the last step of a large wall
+  bool searches_anew_ = false;  ///< as the run will, once the contacts of the drawing are at rest
+  UnknownsTable moved_;         ///< in the last step that was solved
+  double share_of_wall_ = 0;    ///< of free motion, in the last step of a large wall
   int unsolved_ = 0;
 };
 
