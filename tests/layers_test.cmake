@@ -32,7 +32,7 @@ set(inner_run settings_of bodies stages growth,mesh,ahead,verdict . follow)
 set(inner_step stepper newton bodies groups scene time rest .)
 set(inner_job files,curves folder run_heading,run_record verdict page .)
 set(inner_report drawing page,document . rock)
-set(inner_serve http . study served_results unsaved service)
+set(inner_serve http . study,live served_results unsaved service)
 set(inner_study strength cases trade,batch,convert,element,fit,fracture,sweep)
 set(inner_app helpers . run_words,handout input templates,shell strength commands,batch,rock)
 

@@ -54,35 +54,46 @@ std::string sentence_of(const std::exception& error, const ServedFolder& folder)
   return window_words(words);
 }
 
+/// Returns what `work` returns, or the refusal that an error of it means.
+template <class Work>
+auto caught(const ServedFolder& folder, const Work& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const BadRequest& error) {
+    return refusal(400, error.what());
+  } catch (const NotServed& error) {
+    return refusal(404, error.what());
+  } catch (const UsageError& error) {  // a file that may not be overwritten
+    return refusal(409, sentence_of(error, folder));
+  } catch (const InputError& error) {
+    return refusal(422, sentence_of(error, folder));
+  } catch (const std::exception& error) {
+    return refusal(500, sentence_of(error, folder));
+  }
+}
+
 }  // namespace
 
-Service::Service(const ServedFolder& folder, const Drafts& drafts, Jobs& jobs)
+Service::Service(const ServedFolder& folder, const Drafts& drafts, Jobs& jobs, std::function<void()> wake)
     : folder_(folder),
       drafts_(drafts),
       jobs_(jobs),
       program_(folder.root(), drafts),
       copies_(folder, drafts),
       results_(folder, drafts, program_, copies_),
+      live_(folder, std::move(wake)),
       unsaved_(drafts, program_) {}
 
 Reply Service::answer(const Request& request) {
-  try {
+  Reply reply = caught(folder_, [&] {
     const Target target = target_of(request.target);
     if (request.method == "GET") return get(target);
     const Json body = Json::parse(request.body, nullptr, false);
     if (!body.is_object()) throw BadRequest("expected a JSON object");
     return post(target.path, body);
-  } catch (const BadRequest& error) {
-    return refusal(400, error.what());
-  } catch (const NotServed& error) {
-    return refusal(404, error.what());
-  } catch (const UsageError& error) {  // a file that may not be overwritten
-    return refusal(409, sentence_of(error, folder_));
-  } catch (const InputError& error) {
-    return refusal(422, sentence_of(error, folder_));
-  } catch (const std::exception& error) {
-    return refusal(500, sentence_of(error, folder_));
-  }
+  });
+  if (reply.later) reply.later = [this, later = std::move(reply.later)] { return caught(folder_, later); };
+  return reply;
 }
 
 Reply Service::get(const Target& target) {
@@ -93,6 +104,7 @@ Reply Service::get(const Target& target) {
   if (path == "/api/thumbnail") return thumbnail(parameters);
   if (path == "/api/picture") return results_.picture(parameters);
   if (path == "/api/record") return json_reply(results_.record(parameters));
+  if (path == "/api/live") return live_.answer(parameters);
   if (path == "/api/compare") return json_reply(results_.compare(parameters));
   if (path == "/api/jobs") return json_reply({{"jobs", jobs_.list()}});
   if (const std::vector<std::string> words = printing(path); !words.empty()) return printed(words);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,6 +10,7 @@
 #include "serve/child.hpp"
 #include "serve/http/http.hpp"
 #include "serve/jobs.hpp"
+#include "serve/live/live_frames.hpp"
 #include "serve/served_folder.hpp"
 #include "serve/served_results.hpp"
 #include "serve/study/input_copies.hpp"
@@ -20,8 +22,8 @@ namespace keyblock::serve {
 /// server.
 class Service {
  public:
-  /// Refers to all three.
-  Service(const ServedFolder& folder, const Drafts& drafts, Jobs& jobs);
+  /// Refers to all three. `wake` is called by other threads when a reply that waits may have come.
+  Service(const ServedFolder& folder, const Drafts& drafts, Jobs& jobs, std::function<void()> wake);
 
   Reply answer(const Request& request);
 
@@ -59,6 +61,7 @@ class Service {
   Program program_;
   InputCopies copies_;
   ServedResults results_;
+  LiveFrames live_;
   Unsaved unsaved_;
   std::mutex saving_;  ///< held from the check of a file to its replacement
 };

@@ -130,6 +130,24 @@ TEST(PageWriter, a_body_that_changes_begins_an_epoch_though_all_counts_stay) {
   EXPECT_NE(page.shape(0).place, page.shape(1).place);
 }
 
+TEST(PageWriter, a_page_goes_on_with_frames_of_its_last_epoch_or_of_new_ones) {
+  const PageFrame first = moved(0, 0);
+  PageWriter same(report::origin_of(first.shape), first.shape);
+  same.add(moved(5, 0.3));
+  const auto update = std::move(same).update();
+  EXPECT_EQ(update.at("frames").at(0).at("step"), 5);
+  EXPECT_EQ(update.at("frames").at(0).at("epoch"), -1) << "the page has these bodies";
+  EXPECT_TRUE(update.at("epochs").empty());
+  EXPECT_EQ(update.at("chunks").size(), update.at("texts").size());
+  PageFrame cut = moved(6, 0.1);
+  cut.shape.places[9].x = 1007;
+  PageWriter changed(report::origin_of(first.shape), first.shape);
+  changed.add(cut);
+  const auto other = std::move(changed).update();
+  EXPECT_EQ(other.at("frames").at(0).at("epoch"), 0);
+  EXPECT_TRUE(other.at("texts").contains(other.at("epochs").at(0).at("geometry")));
+}
+
 TEST(PageWriter, tables_in_time_keep_the_frames_that_have_them) {
   std::vector<PageFrame> frames{moved(0, 0), moved(1, 0.1), moved(2, 0.2)};
   for (const std::size_t f : {0, 2}) {

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -53,9 +54,14 @@ class Running {
   explicit Running(const serve::ServerLimits& limits)
       : server_(0, limits), thread_([this] {
           server_.run([](const Request&) { return std::nullopt; },
-                      [](const Request& request) {
+                      [this](const Request& request) {
                         if (request.target == "/throw") throw std::runtime_error("no");
-                        return Reply{200, "text/plain", request.body};
+                        Reply reply{200, "text/plain", request.body};
+                        if (request.target == "/later")
+                          reply.later = [this] {
+                            return is_due ? std::optional(Reply{200, "", "late"}) : std::nullopt;
+                          };
+                        return reply;
                       });
         }) {}
   ~Running() {
@@ -63,6 +69,9 @@ class Running {
     thread_.join();
   }
   unsigned short port() const { return server_.port(); }
+  void wake() { server_.wake(); }
+
+  std::atomic<bool> is_due = false;  ///< for the replies of "/later"
 
  private:
   HttpServer server_;
@@ -91,6 +100,27 @@ TEST(HttpServer, a_slow_client_is_cut_off_and_keeps_nobody_waiting) {
   EXPECT_EQ(slow.rest().find("200"), std::string::npos);
   EXPECT_GT(Clock::now() - begun, std::chrono::milliseconds(250));
   EXPECT_LT(Clock::now() - begun, std::chrono::seconds(20));
+}
+
+TEST(HttpServer, a_reply_that_comes_later_keeps_no_thread_and_comes_when_woken) {
+  serve::ServerLimits limits;
+  limits.threads = 1;
+  limits.waiting = 2;
+  limits.between_looks = std::chrono::hours(1);
+  Running server(limits);
+  const std::string request = "GET /later HTTP/1.1\r\nConnection: close\r\n\r\n";
+  const Client first(server.port()), second(server.port()), third(server.port()), quick(server.port());
+  for (const Client* client : {&first, &second, &third}) {
+    client->send(request);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_TRUE(third.rest().starts_with("HTTP/1.1 503")) << "two may wait";
+  quick.send("GET / HTTP/1.1\r\nConnection: close\r\n\r\n");
+  EXPECT_TRUE(quick.rest().starts_with("HTTP/1.1 200"));
+  server.is_due = true;
+  server.wake();
+  EXPECT_TRUE(first.rest().ends_with("late"));
+  EXPECT_TRUE(second.rest().ends_with("late"));
 }
 
 TEST(HttpServer, connections_beyond_the_limit_are_refused_if_all_were_let_in) {

@@ -98,6 +98,135 @@ class Server:
         return code
 
 
+class Followed:
+    """A result folder whose frames a test puts in place one by one."""
+
+    def __init__(self, server, name, last=1):
+        if not (server.folder / "made").exists():
+            job = server.json("POST", "/api/run", {"paths": ["case.json"], "result": "made", "record_every": 1})[1]["id"]
+            server.wait_for(job)
+        self.server, self.name, self.frames = server, name, server.folder / name / "frames"
+        self.frames.mkdir(parents=True)
+        for step in range(last + 1):
+            self.put(step)
+
+    def put(self, step, parts=("contacts_", "joints_", "")):
+        for part in parts:
+            ending = "vtp" if part else "vtu"
+            made = self.server.folder / f"made/frames/{part}{min(step, 4):08}.{ending}"
+            if made.exists():
+                draft = self.frames / ".keyblock_draft_1_0"
+                shutil.copy(made, draft)
+                draft.rename(self.frames / f"{part}{step:08}.{ending}")
+
+    def ask(self, after, stamp="", epoch=0, **headers):
+        target = f"/api/live?result={self.name}&after={after}&epoch={epoch}&stamp={stamp}&running=0"
+        status, text, _ = self.server.ask("GET", target, **headers)
+        return status, json.loads(text)
+
+
+class LiveTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server()
+
+    @classmethod
+    def tearDownClass(cls):
+        assert cls.server.end() == 0
+
+    def test_the_newest_frame_comes_when_it_is_whole(self):
+        run = Followed(self.server, "whole")
+        stamp = run.ask(1)[1]["stamp"]
+        with ThreadPoolExecutor(1) as client:
+            begun = time.monotonic()
+            asked = client.submit(run.ask, 1, stamp)
+            time.sleep(0.3)
+            run.put(2, ("contacts_", "joints_"))
+            time.sleep(0.3)
+            run.put(2, ("",))
+            status, news = asked.result()
+        self.assertGreater(time.monotonic() - begun, 0.6, "contacts alone are no frame")
+        self.assertEqual((status, [f["step"] for f in news["frames"]], news["epochs"]), (200, [2], []))
+        self.assertEqual(sorted(c["id"] for c in news["chunks"]), sorted(news["texts"]))
+        for step in (3, 4):
+            run.put(step)
+        self.assertEqual([f["step"] for f in run.ask(2, news["stamp"])[1]["frames"]], [4], "no queue")
+        begun = time.monotonic()
+        self.assertEqual(run.ask(4, run.ask(4)[1]["stamp"])[1], {"is_running": False})
+        self.assertTrue(4 < time.monotonic() - begun < 9, "nothing new within five seconds")
+
+    def test_frames_that_were_replaced_are_told(self):
+        run = Followed(self.server, "anew", 4)
+        stamp = run.ask(4)[1]["stamp"]
+        self.assertTrue(run.ask(7)[1]["is_anew"], "beyond the end")
+        self.assertTrue(run.ask(4, stamp, epoch=9)[1]["is_anew"])
+        with ThreadPoolExecutor(1) as client:
+            asked = client.submit(run.ask, 4, stamp)
+            time.sleep(0.3)
+            (run.frames / "00000004.vtu").unlink()  # as a resumed run does with frames after its checkpoint
+            self.assertTrue(asked.result()[1]["is_anew"])
+        run.put(4)
+        self.assertTrue(run.ask(4, stamp)[1]["is_anew"], "the same step, written again")
+
+    def test_a_result_that_is_removed_is_told(self):
+        run = Followed(self.server, "removed")
+        stamp = run.ask(1)[1]["stamp"]
+        with ThreadPoolExecutor(1) as client:
+            asked = client.submit(run.ask, 1, stamp)
+            time.sleep(0.3)
+            shutil.rmtree(run.frames.parent)
+            self.assertEqual(asked.result()[0], 404)
+        self.assertEqual(run.ask(1, stamp)[0], 404)
+        again = Followed(self.server, "removed")
+        stamp = again.ask(1)[1]["stamp"]
+        with ThreadPoolExecutor(1) as client:
+            asked = client.submit(again.ask, 1, stamp)
+            time.sleep(0.3)
+            begun = time.monotonic()
+            again.put(2)
+            self.assertEqual(asked.result()[1]["frames"][0]["step"], 2)
+        self.assertLess(time.monotonic() - begun, 2)
+
+    def test_the_guards_hold(self):
+        run = Followed(self.server, "guarded")
+        self.assertEqual(run.ask(0, Origin="http://evil.example")[0], 403)
+        self.assertEqual(run.ask(0, Host="evil.example")[0], 403)
+        self.assertEqual(run.ask(0, cookie=None)[0], 403)
+        for wrong in ("-1", "x", "", "1e3", "99999999999"):
+            self.assertEqual(run.ask(wrong)[0], 400, wrong)
+        outside = self.server.top / "outside"
+        shutil.copytree(run.frames, outside)
+        (self.server.folder / "linked").mkdir()
+        os.symlink(outside, self.server.folder / "linked/frames")
+        self.assertEqual(self.server.ask("GET", "/api/live?result=linked&after=0&epoch=0")[0], 404)
+        (run.frames / "00000002.vtu").write_text("half a file")
+        self.assertEqual(run.ask(1)[0], 422)
+
+    def test_a_hundred_watch_at_once(self):
+        run = Followed(self.server, "many")
+        stamp = run.ask(1)[1]["stamp"]
+        head = f"Host: {self.server.host}\r\nCookie: {self.server.cookie}\r\nConnection: close\r\n\r\n"
+        clients = []
+        for _ in range(100):
+            client = socket.create_connection(("127.0.0.1", int(self.server.port)), timeout=30)
+            target = f"/api/live?result=many&after=1&epoch=0&stamp={stamp}&running=0"
+            client.sendall(f"GET {target} HTTP/1.1\r\n{head}".encode())
+            clients.append(client)
+        time.sleep(0.5)
+        begun = time.monotonic()
+        self.assertEqual(self.server.ask("GET", "/api/list")[0], 200)
+        self.assertLess(time.monotonic() - begun, 2, "others are answered meanwhile")
+        run.put(2)
+        begun = time.monotonic()
+        replies = []
+        for client in clients:
+            with client.makefile("rb") as stream:
+                replies.append(stream.read())
+            client.close()
+        self.assertLess(time.monotonic() - begun, 2)
+        self.assertTrue(all(b'"step":2' in reply for reply in replies))
+
+
 class ServeTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -139,7 +268,8 @@ class ServeTest(unittest.TestCase):
                    "..%2fsecret.json", "%2e%2e/secret.json", "link.json", ".hidden.json", "./.hidden.json", "",
                    "case.json%00.svg", "....//secret.json", "case.json/../../secret.json"]
         for path in secrets:
-            for target in ("/api/read?path=", "/api/drawing?path=", "/api/thumbnail?path=", "/page?result=", "/report?result=", "/api/record?result="):
+            for target in ("/api/read?path=", "/api/drawing?path=", "/api/thumbnail?path=", "/page?result=", "/report?result=", "/api/record?result=",
+                           "/api/live?after=0&epoch=0&result="):
                 status, text, _ = self.server.ask("GET", target + path)
                 self.assertIn(status, (400, 404), target + path)
                 self.assertNotIn(b"secret\"", text)

@@ -127,6 +127,17 @@ export interface Head {
   still?: StillThing[];
 }
 
+/** What a page adds to its head to go on: frames count from 0, new epochs too; -1 is the last epoch of the page. */
+export interface Update {
+  frames: FrameHead[];
+  epochs: EpochHead[];
+  fields: FieldHead[];
+  parts: Record<string, PartHead>;
+  chunks: ChunkHead[];
+  /** Chunks as base64, by their ids. */
+  texts: Record<string, string>;
+}
+
 /** Thrown for data that the page cannot show; its message is for the reader. */
 export class PageError extends Error {}
 

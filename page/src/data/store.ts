@@ -1,6 +1,6 @@
 // Keeps decoded chunks and decodes those that are needed next.
 
-import { type ChunkHead, type FieldHead, type Head, PageError } from './contract';
+import { type ChunkHead, type FieldHead, type Head, PageError, type Update } from './contract';
 import {
   decode_field,
   decode_geometry,
@@ -50,18 +50,56 @@ export class Store {
   private readonly parts = new Map<string, PartRows[]>();
   private readonly waiting = new Map<string, Promise<void>>();
   readonly field_heads = new Map<string, FieldHead>();
+  /** Chunks of later frames that are not decoded yet. */
+  private readonly later_texts = new Map<string, string>();
 
   constructor(
     readonly head: Head,
     private readonly text_of: (id: string) => string | null,
   ) {
     for (const field of [MOTION, VERTEX_MOTION, ...head.fields]) this.field_heads.set(field.name, field);
-    for (const chunk of head.chunks) {
-      const list = this.by_what.get(chunk.what);
-      if (list) list.push(chunk);
-      else this.by_what.set(chunk.what, [chunk]);
-    }
+    for (const chunk of head.chunks) this.add_chunk(chunk);
     for (const list of this.by_what.values()) list.sort((a, b) => a.from - b.from);
+  }
+
+  private add_chunk(chunk: ChunkHead): void {
+    const list = this.by_what.get(chunk.what);
+    if (list) list.push(chunk);
+    else this.by_what.set(chunk.what, [chunk]);
+  }
+
+  /** Adds frames that a run has written since. Returns whether they have fields that no frame before had. */
+  append(update: Update): boolean {
+    const { head } = this;
+    const frames = head.frames.length;
+    const epochs = head.epochs.length;
+    const own_id = (id: string) => `${frames}.${id}`;
+    const had_vertices = this.has('vertex_motion');
+    const new_fields = update.fields.filter(field => !this.field_heads.has(field.name));
+    for (const field of new_fields) {
+      head.fields.push(field);
+      this.field_heads.set(field.name, field);
+    }
+    head.parts = { ...update.parts, ...head.parts };
+    for (const [id, text] of Object.entries(update.texts)) this.later_texts.set(own_id(id), text);
+    for (const own of update.epochs) head.epochs.push({ ...own, geometry: own_id(own.geometry) });
+    for (const own of update.chunks) {
+      this.add_chunk({
+        ...own,
+        id: own_id(own.id),
+        from: frames + own.from,
+        to: frames + own.to,
+        epoch: epochs + own.epoch,
+        frames: own.frames?.map(f => frames + f),
+      });
+    }
+    for (const own of update.frames) head.frames.push({ ...own, epoch: epochs + own.epoch });
+    return new_fields.length > 0 || this.has('vertex_motion') !== had_vertices;
+  }
+
+  /** Names of all fields and tables. */
+  kinds(): string[] {
+    return [...this.by_what.keys()];
   }
 
   has(what: string): boolean {
@@ -107,7 +145,8 @@ export class Store {
   }
 
   private async bytes_of(id: string): Promise<Uint8Array> {
-    const text = this.text_of(id);
+    const text = this.later_texts.get(id) ?? this.text_of(id);
+    this.later_texts.delete(id);
     if (text === null) throw new PageError('A part of this page is missing: it was cut off or changed.');
     return inflate(from_base64(text));
   }
@@ -130,6 +169,12 @@ export class Store {
     return this.once(id, async () => {
       this.geometries.set(epoch, decode_geometry(await this.bytes_of(id)));
     });
+  }
+
+  /** Decodes what the drawing of a frame needs: bodies, their motion, and the fields and tables in `more`. */
+  async need_frame(frame: number, more: (string | null | undefined)[]): Promise<void> {
+    const wanted = ['motion', 'vertex_motion', ...more].filter(what => what !== null && what !== undefined);
+    await Promise.all([this.need_geometry(this.epoch_of(frame)), ...wanted.map(what => this.need(what, frame))]);
   }
 
   /** Decodes the chunk of a field or table that holds a frame, if there is one. */

@@ -1,5 +1,7 @@
 // Requests of `keyblock serve`, as SERVER.md lists them.
 
+import type { Update } from '../data/contract';
+
 export interface FileEntry {
   path: string;
   bytes: number;
@@ -63,6 +65,15 @@ export interface Job {
   messages?: string;
 }
 
+/** News of a run: frames that the page lacks, a change of the run, or neither after some seconds. */
+export interface News extends Partial<Update> {
+  is_running: boolean;
+  /** Changes with the file of the newest frame. */
+  stamp?: string;
+  /** The frames of the page are no longer those of the run. */
+  is_anew?: boolean;
+}
+
 export interface Difference {
   path: string;
   first?: unknown;
@@ -101,10 +112,10 @@ export function address(path: string, parameters: Record<string, string>): strin
   return `${path}?${new URLSearchParams(parameters)}`;
 }
 
-async function get<T>(path: string, parameters: Record<string, string> = {}): Promise<T> {
+async function get<T>(path: string, parameters: Record<string, string> = {}, end?: AbortSignal): Promise<T> {
   let reply: Response;
   try {
-    reply = await fetch(Object.keys(parameters).length ? address(path, parameters) : path);
+    reply = await fetch(Object.keys(parameters).length ? address(path, parameters) : path, { signal: end });
   } catch {
     throw new RequestError(0, 'The server does not answer: start keyblock serve again.');
   }
@@ -125,6 +136,13 @@ async function post<T>(path: string, body: unknown): Promise<T> {
   return answer<T>(reply);
 }
 
+export const live = (result: string, shown: Record<string, string>, end: AbortSignal) =>
+  get<News>('/api/live', { result, ...shown }, end);
+/** The page of a result (HTML). */
+export async function page(result: string): Promise<string> {
+  const reply = await fetch(address('/page', { result }));
+  return reply.ok ? reply.text() : answer<string>(reply);
+}
 export const list = () => get<Listing>('/api/list');
 export const read = (path: string) =>
   get<{ path: string; is_text: boolean; sha256: string; text?: string }>('/api/read', { path });

@@ -4,6 +4,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { show, show_with } from '../draw/numbers';
 import * as api from './api';
 import type { Units } from './edit/schema';
+import { follow, type LivePage } from './follow';
 import { Handouts } from './handouts';
 import * as state from './state';
 import { StrengthView } from './strength';
@@ -15,19 +16,21 @@ export function ResultView({ path }: { path: string }) {
   const job = state.jobs.value.find(own => own.result === path && (own.state === 'runs' || own.state === 'waits'));
   const is_strength = entry?.kind === 'fos';
   const others = (state.listing.value?.results ?? []).filter(own => own.path !== path && own.kind === 'run');
-  const [stamp, set_stamp] = useState(0);
-  // A run that goes on is shown anew every few seconds if its reader asks for it.
-  const [follow, set_follow] = useState(false);
+  const frame = useRef<HTMLIFrameElement>(null);
+  // Without a frame of the run there is no page yet.
+  const [tries, set_tries] = useState(0);
+  const [told, set_told] = useState('');
+  const loaded = () => {
+    const page = (frame.current?.contentWindow as Page)?.keyblock_page as LivePage | undefined;
+    if (page) void follow(path, page, ended.current.signal, set_told);
+    else if (job) setTimeout(() => set_tries(before => before + 1), 1000);
+  };
+  const ended = useRef(new AbortController());
   useEffect(() => {
-    if (!follow || !job) return;
-    const timer = setInterval(() => set_stamp(before => before + 1), 5000);
-    return () => clearInterval(timer);
-  }, [follow, job?.id]);
-  const ended = useRef(false);
-  useEffect(() => {
-    if (!job && ended.current) set_stamp(before => before + 1);
-    ended.current = !!job;
-  }, [!!job]);
+    ended.current = new AbortController();
+    set_told('');
+    return () => ended.current.abort();
+  }, [path]);
   const source = api.address('/page', { result: path });
   if (is_strength) return <StrengthView path={path} />;
   if (entry?.kind === 'sweep') return <SweepView path={path} is_finished={entry.is_finished} />;
@@ -43,13 +46,6 @@ export function ResultView({ path }: { path: string }) {
               {job.steps ? `step ${job.step} of ${job.steps}` : job.state}
               {job.left && `, ${job.left} left`}
             </span>
-            <button type="button" class="small" onClick={() => set_stamp(stamp + 1)}>
-              Show newest frames
-            </button>
-            <label class="check">
-              <input type="checkbox" checked={follow} onChange={event => set_follow(event.currentTarget.checked)} />
-              <span>Follow</span>
-            </label>
             <button
               type="button"
               class="small"
@@ -74,6 +70,9 @@ export function ResultView({ path }: { path: string }) {
             Go on
           </button>
         )}
+        <span class="note" role="status">
+          {told}
+        </span>
         <span class="space" />
         {others.length > 0 && (
           <select
@@ -94,7 +93,7 @@ export function ResultView({ path }: { path: string }) {
         </a>
         {!job && <Handouts path={path} />}
       </div>
-      <iframe key={stamp} title={`Page of ${path}`} src={source} />
+      <iframe key={`${path} ${tries}`} ref={frame} title={`Page of ${path}`} src={source} onLoad={loaded} />
     </div>
   );
 }

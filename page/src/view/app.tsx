@@ -36,14 +36,14 @@ export const is_bare = location.hash === '#bare';
 export function App() {
   return (
     <div class={`page${is_bare ? ' bare' : ''}`}>
-      <Header />
+      <Header key={`header ${state.edition.value}`} />
       <main>
         <div class="stage">
           <Drawing />
           <p class="print-only caption">{caption_of(state.frame.value, state.magnification.value)}</p>
           <Player />
         </div>
-        <Side />
+        <Side key={`side ${state.edition.value}`} />
       </main>
       {state.help_open.value && <Help />}
       {state.recording.value && (
@@ -65,9 +65,11 @@ export function App() {
   );
 }
 
+const RUNNING = { tone: 'plain', words: 'running', reason: '' };
+
 function Header() {
   const { head } = state;
-  const { verdict } = head;
+  const verdict = state.is_running.value ? RUNNING : head.verdict;
   const dark = state.is_dark.value;
   return (
     <header>

@@ -18,7 +18,15 @@ import * as state from './state';
 export let shown: Figure | null = null;
 
 /** Times of drawing, for the tests of the page. */
-export const timing = { frames: 0, first_picture: 0, last_draw: 0, renderer: '', cost: null as Cost | null };
+export const timing = {
+  frames: 0,
+  first_picture: 0,
+  last_draw: 0,
+  renderer: '',
+  cost: null as Cost | null,
+  /** Called after each picture with the step that it shows. */
+  on_drawn: null as ((step: number) => void) | null,
+};
 
 function draw_mode(): string {
   return new URLSearchParams(location.search).get('draw') ?? '';
@@ -92,6 +100,7 @@ export function Drawing() {
       timing.frames++;
       timing.last_draw = performance.now() - start;
       if (!timing.first_picture) timing.first_picture = performance.now();
+      timing.on_drawn?.(state.head.frames[figure.pose.frame].step);
     };
     const stop = effect(() => {
       const figure = figure_now();

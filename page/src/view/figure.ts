@@ -1,7 +1,7 @@
 // Makes the figure of the present state: what the renderers and the exports draw.
 
 import { NO_ROW, type PartHead } from '../data/contract';
-import type { PartRows } from '../data/decode';
+import type { Geometry, PartRows } from '../data/decode';
 import { show } from '../draw/numbers';
 import type { Arrows, ContactMarks, Crosses, Figure, LineMarks, PointMarks } from '../draw/paint';
 import { pick_body, pick_point, typical_size } from '../draw/pick';
@@ -349,7 +349,7 @@ export function caption_of(frame: number, s: number): string {
   return parts.join(' · ');
 }
 
-const typical = new Map<number, number>();
+const typical = new WeakMap<Geometry, number>();
 
 /** The figure, or nothing while its frame is not decoded. */
 export function figure_now(): Figure | null {
@@ -359,10 +359,10 @@ export function figure_now(): Figure | null {
   if (!pose) return null;
   const rest = state.layers.value.undeformed ? (pose_of(state.store, pose.frame, 0) ?? null) : null;
   const shade = shade_at(pose);
-  let width = typical.get(pose.epoch);
+  let width = typical.get(pose.geometry);
   if (width === undefined) {
     width = typical_size(pose);
-    typical.set(pose.epoch, width);
+    typical.set(pose.geometry, width);
   }
   return {
     size: state.size.value,

@@ -2,8 +2,7 @@
 
 import { effect } from '@preact/signals';
 import { render } from 'preact';
-import { accept_head, PageError } from '../data/contract';
-import { Store } from '../data/store';
+import { PageError } from '../data/contract';
 import { pick_body } from '../draw/pick';
 import { part_at, shown_range } from '../draw/scene';
 import { App } from './app';
@@ -12,6 +11,8 @@ import { shown, timing } from './drawing';
 import { record_video, svg_text, video_kind } from './exports';
 import { ident_of, nth_of } from './figure';
 import { on_key } from './keys';
+import * as live from './live';
+import { data_of, decode_all } from './live';
 import { start_clock } from './player';
 import { capital } from './run';
 import * as state from './state';
@@ -29,20 +30,14 @@ function refuse(text: string): void {
   );
 }
 
-function text_of(id: string): string | null {
-  return document.getElementById(id)?.textContent ?? null;
-}
-
 async function start(): Promise<void> {
-  const text = text_of('keyblock-head');
-  if (text === null) throw new PageError('This page holds no results: write one with "keyblock view RESULT".');
+  const data = data_of(document);
+  if (data === null) throw new PageError('This page holds no results: write one with "keyblock view RESULT".');
   if (typeof DecompressionStream === 'undefined') {
     throw new PageError('This browser is too old for this page: it needs one of 2023 or newer.');
   }
-  // Marks of direction in a name would turn the words around it.
-  const head = accept_head(JSON.parse(text.replace(/[\u202a-\u202e\u2066-\u2069]/g, '')));
+  const { head, store } = data;
   document.title = `${head.title} – Keyblock`;
-  const store = new Store(head, text_of);
 
   const dark = window.matchMedia('(prefers-color-scheme: dark)');
   state.system_dark.value = dark.matches;
@@ -60,13 +55,8 @@ async function start(): Promise<void> {
   });
   window.addEventListener('keydown', on_key);
 
-  state.start_state(head, store);
-  const frame = state.frame.value;
-  await store.need_geometry(store.epoch_of(frame));
-  await store.need('vertex_motion', frame);
-  await store.need('motion', frame);
-  const field = state.measure.value?.field;
-  if (field) await store.need(field, frame);
+  state.start_state(head, store, head.frames.length - 1);
+  await store.need_frame(state.frame.value, [state.measure.value?.field]);
   state.decoded.value++;
   render(<App />, root);
   start_clock();
@@ -75,20 +65,14 @@ async function start(): Promise<void> {
   effect(() => {
     const f = state.frame.value;
     const own = state.measure.value?.field;
+    const { store } = state;
     const wanted = ['motion', 'vertex_motion', ...(own ? [own] : [])].filter(what => store.covers(what, f));
     if (!wanted.some(what => !store.field_now(what, f))) return;
     void Promise.all(wanted.map(what => store.need(what, f))).then(() => {
       state.decoded.value++;
     });
   });
-  let last = performance.now();
-  await store.need_all(['motion', 'vertex_motion', ...(field ? [field] : []), 'contacts'], () => {
-    if (performance.now() - last < 120) return;
-    last = performance.now();
-    state.decoded.value++;
-  });
-  state.all_decoded.value = true;
-  state.decoded.value++;
+  await decode_all();
   all_decoded_at = performance.now();
 }
 
@@ -110,6 +94,7 @@ function choose(what: string, i: number): boolean {
 Object.assign(window, {
   keyblock_page: {
     state,
+    live,
     timing,
     chart_times,
     figure: () => shown,

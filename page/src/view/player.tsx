@@ -46,6 +46,7 @@ export function start_clock(): void {
 }
 
 export function Player() {
+  void state.edition.value;
   const { head } = state;
   const frame = state.frame.value;
   const own = head.frames[frame];
@@ -84,6 +85,17 @@ export function Player() {
           hint="End"
           run={() => state.go_to(last)}
         />
+        {state.is_running.value && (
+          <button
+            type="button"
+            class="live"
+            aria-pressed={frame === last}
+            title="Show each new frame of the run (End)"
+            onClick={() => state.go_to(last)}
+          >
+            Live
+          </button>
+        )}
       </div>
       <div class="track">
         <input

@@ -19,6 +19,12 @@ export const all_decoded = signal(false);
 export const failure = signal('');
 
 export const frame = signal(0);
+/** Number of frames; it grows while a run goes on. */
+export const count = signal(0);
+/** Whether the run of this page goes on. */
+export const is_running = signal(false);
+/** Counts heads and lists of measures: what reads them begins anew. */
+export const edition = signal(0);
 export const playing = signal(false);
 export const speed = signal(1);
 export const repeat = signal(false);
@@ -88,14 +94,30 @@ export const renderer = signal({ name: '', reason: '' });
 
 export const help_open = signal(false);
 
-export const measure = computed(() => measures.find(m => m.id === measure_id.value) ?? null);
+export const measure = computed(() => {
+  void edition.value;
+  return measures.find(m => m.id === measure_id.value) ?? null;
+});
 
-export function start_state(new_head: Head, new_store: Store): void {
-  head = new_head;
-  store = new_store;
+/** Takes the data of a run, or takes them anew, at one of their frames. */
+export function start_state(new_head: Head, new_store: Store, at: number): void {
+  batch(() => {
+    head = new_head;
+    store = new_store;
+    count.value = head.frames.length;
+    frame.value = at;
+    begin_edition();
+  });
+}
+
+/** Looks again for measures, and for all that was taken from data. */
+export function begin_edition(): void {
   measures = measures_of(head, store);
   if (!measures.some(m => m.id === measure_id.value)) measure_id.value = '';
-  frame.value = head.frames.length - 1;
+  run_ranges.clear();
+  forces = { largest: 0, frames: new Set() };
+  edition.value++;
+  decoded.value++;
 }
 
 /** Whether load, not time, goes on from frame to frame. A run without record is static if its load factor changes. */
@@ -115,7 +137,7 @@ export function set_layer(layer: Layer, on: boolean): void {
   layers.value = { ...layers.value, [layer]: on };
 }
 
-export const last_frame = () => head.frames.length - 1;
+export const last_frame = () => count.value - 1;
 
 export function go_to(next: number): void {
   frame.value = Math.max(0, Math.min(last_frame(), Math.round(next)));
@@ -176,22 +198,23 @@ export function run_range(own: Measure): Range {
   return entry.range;
 }
 
-let force_range: { largest: number; done: boolean } = { largest: 0, done: false };
+let forces = { largest: 0, frames: new Set<number>() };
 
 /** Largest contact force over the run, as far as decoded. */
 export function largest_force(): number {
   void decoded.value;
-  if (force_range.done) return force_range.largest;
-  let largest = 0;
   for (let f = 0; f < head.frames.length; f++) {
+    if (forces.frames.has(f)) continue;
     const rows = store.part_now('contacts', f);
     const normal = rows?.columns.normal_force;
     const shear = rows?.columns.shear_force;
     if (!normal) continue;
-    for (let i = 0; i < normal.length; i++) largest = Math.max(largest, Math.hypot(normal[i], shear?.[i] ?? 0));
+    forces.frames.add(f);
+    for (let i = 0; i < normal.length; i++) {
+      forces.largest = Math.max(forces.largest, Math.hypot(normal[i], shear?.[i] ?? 0));
+    }
   }
-  force_range = { largest, done: all_decoded.value };
-  return largest;
+  return forces.largest;
 }
 
 /** Extent of the undeformed model and of its last places. */

@@ -1,9 +1,9 @@
 import { deflateSync } from 'node:zlib';
 import { describe, expect, test } from 'vitest';
-import { accept_head, NO_ROW, PageError } from '../../src/data/contract';
+import { accept_head, NO_ROW, PageError, type Update } from '../../src/data/contract';
 import { decode_field, decode_geometry, decode_part, from_base64, from_planes, inflate } from '../../src/data/decode';
 import { offset_of, Store, value_at } from '../../src/data/store';
-import { encode_field, encode_geometry, encode_part, round_bits, to_planes } from '../encode';
+import { encode_field, encode_geometry, encode_part, PageWriter, round_bits, to_planes } from '../encode';
 import { make_wall, noise, wall_bodies } from '../scenes';
 
 const text_of = (chunks: { id: string; text: string }[]) => (id: string) => chunks.find(c => c.id === id)?.text ?? null;
@@ -132,6 +132,42 @@ describe('store', () => {
     expect(store.field_now('nothing', 3)).toBeUndefined();
     expect(store.covers('motion', 59)).toBe(true);
     expect(store.covers('nothing', 59)).toBe(false);
+  });
+
+  test('frames of a run that goes on are added, with their bodies if those change', async () => {
+    const wall = make_wall({ columns: 4, rows: 3, frames: 2 });
+    const whole = make_wall({ columns: 4, rows: 3, frames: 3 });
+    const other = make_wall({ columns: 2, rows: 2, frames: 1 });
+    const store = new Store(wall.head, text_of(wall.writer.chunks));
+    /** The only frame of a scene, or its last one, as the server sends it. */
+    const update = (scene: typeof wall, epoch: number): Update => {
+      const f = scene.head.frames.length - 1;
+      const writer = new PageWriter();
+      const geometry = scene.writer.chunks.find(own => own.id === scene.head.epochs[0].geometry)!;
+      const motion = writer.add(encode_field(scene.motion.slice(f), 6, 14));
+      return {
+        frames: [{ ...scene.head.frames[f], epoch }],
+        epochs: epoch < 0 ? [] : [{ ...scene.head.epochs[0], geometry: 'g' }],
+        fields: [],
+        parts: {},
+        chunks: [{ id: motion, what: 'motion', from: 0, to: 0, epoch }],
+        texts: { g: geometry.text, [motion]: writer.chunks[0].text },
+      };
+    };
+    expect(store.append(update(whole, -1))).toBe(false);
+    expect(store.append(update(other, 0))).toBe(false);
+    expect(store.head.frames.map(own => own.epoch)).toEqual([0, 0, 0, 1]);
+    for (const [f, motion] of [
+      [2, whole.motion[2]],
+      [3, other.motion[0]],
+    ] as const) {
+      await store.need_frame(f, []);
+      const at = store.field_now('motion', f)!;
+      expect(store.geometry_now(store.epoch_of(f))!.bodies).toBe(motion.length);
+      motion.forEach(([value], row) => {
+        expect(Math.abs(value_at(at, 0, row) - value)).toBeLessThanOrEqual(Math.abs(value) * 3.1e-5);
+      });
+    }
   });
 
   test('tables stored at some frames only', () => {

@@ -207,6 +207,10 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
         return page(start_page);
       case '/page':
         return page(built().replace('<!--keyblock-data-->', () => scripts));
+      case '/api/live':
+        // No run goes on: the second request waits.
+        if (url.searchParams.get('stamp')) await new Promise(resolve => setTimeout(resolve, 5000));
+        return send({ is_running: false, stamp: '1' });
       case '/api/list':
         return send({
           folder: 'cases',

@@ -37,7 +37,7 @@ ExitCode serve_folder(const ServeOptions& options) {
     throw UsageError(fmt::format("--port {}: {}", options.port, error.code().message()));
   }
   serve::Jobs jobs(folder.root(), drafts, static_cast<std::size_t>(options.at_once));
-  serve::Service service(folder, drafts, jobs);
+  serve::Service service(folder, drafts, jobs, [&] { server->wake(); });
   const serve::Guard guard(serve::random_token(), server->port());
   fmt::print("{}\n", guard.address());
   std::fflush(stdout);

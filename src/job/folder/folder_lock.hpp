@@ -7,6 +7,9 @@
 
 namespace keyblock {
 
+/// Returns true if a run holds the lock of `folder`. Without such a folder, or without locks, no run does.
+bool is_locked(const std::filesystem::path& folder);
+
 /// Lock of a run on the folder that it writes into. The kernel releases it when the process ends, even if it is killed.
 /// Nothing is left in the folder.
 class FolderLock {

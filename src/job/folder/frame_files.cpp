@@ -69,6 +69,10 @@ std::map<int, fs::path> frames_in(const fs::path& folder) {
   return frames;
 }
 
+fs::path frame_file(const fs::path& folder, int step) {
+  return folder / frame_file(kParts.front(), step);
+}
+
 fs::path frame_part(const fs::path& folder, std::string_view part, int step) {
   return folder / kFrameFolder / fmt::format("{}_{:08}.vtp", part, step);
 }
@@ -77,14 +81,15 @@ void FrameFiles::write(const formats::FrameColumns& frame, const Units& units) {
   const formats::FrameColumns columns = formats::with_derived(frame, materials_);
   const auto& [blocks, points, lines, cracks, joints] = kParts;
   const auto has = [&](std::string_view part) { return columns.part(part).rows > 0; };
-  const bool is_first = files_.empty();
-  write(frame_file(blocks, frame.step), frame.time, formats::vtu(columns, units, coding_));
+  const std::size_t first = files_.size();
   // ParaView takes from the first instant alone whether there is more than one part (5.11), so that one has contacts.
-  if (is_first || has("contacts"))
+  if (first == 0 || has("contacts"))
     write(frame_file(points, frame.step), frame.time, formats::contacts_vtp(columns, units, coding_));
   if (has("contacts")) write(frame_file(joints, frame.step), frame.time, formats::joints_vtp(columns, units, coding_));
   if (has("bolts")) write(frame_file(lines, frame.step), frame.time, formats::bolts_vtp(columns, units, coding_));
   if (has("cracks")) write(frame_file(cracks, frame.step), frame.time, formats::cracks_vtp(columns, units, coding_));
+  write(frame_file(blocks, frame.step), frame.time, formats::vtu(columns, units, coding_));
+  std::rotate(files_.begin() + static_cast<std::ptrdiff_t>(first), files_.end() - 1, files_.end());
 }
 
 void FrameFiles::write(const std::string& name, double time, const std::string& text) {

@@ -23,6 +23,9 @@ inline constexpr const char* kFrameFolder = "frames";
 /// Returns the files of the bodies in the folder of a run, by step.
 std::map<int, std::filesystem::path> frames_in(const std::filesystem::path& folder);
 
+/// Returns the file of the bodies at a step.
+std::filesystem::path frame_file(const std::filesystem::path& folder, int step);
+
 /// Returns the file of a part, "contacts", "joints", "bolts" or "cracks". A frame without rows of it has no
 /// such file, but the first has contacts.
 std::filesystem::path frame_part(const std::filesystem::path& folder, std::string_view part, int step);
@@ -34,7 +37,8 @@ class FrameFiles {
 
   std::set<std::filesystem::path> paths() const;
 
-  /// Writes the bodies, and files of contacts (at first even without any), joints, bolts and cracks if there are any.
+  /// Writes files of contacts (at first even without any), joints, bolts and cracks if there are any, then that of the
+  /// bodies: a frame that has it is whole.
   void write(const formats::FrameColumns& frame, const Units& units);
   /// Sets the materials of the bodies, which elastic strain needs. Call it before the first frame.
   void choose(std::vector<BlockMaterial> materials, formats::VtkCoding coding) {

@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kFractionBits = 23;
 constexpr double kSmallest = 1e-30;
-constexpr int kLevel = 6;
 
 }  // namespace
 
@@ -53,11 +52,11 @@ std::string little_endian(std::span<const std::uint32_t> words) {
   return bytes;
 }
 
-std::string packed_text(const std::string& bytes) {
+std::string packed_text(const std::string& bytes, int level) {
   uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
   if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                bytes.size(), kLevel) != Z_OK)
+                bytes.size(), level) != Z_OK)
     throw std::runtime_error("zlib cannot pack the page");
   packed.resize(size);
   return base64(packed);

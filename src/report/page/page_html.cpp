@@ -31,7 +31,7 @@ std::string_view built_page() {
   return {keyblock_run_page, static_cast<std::size_t>(keyblock_run_page_end - keyblock_run_page)};
 }
 
-std::string page_with(const nlohmann::ordered_json& head, std::string_view chunks) {
+std::string page_with(const nlohmann::ordered_json& head, const std::vector<PageText>& chunks) {
   const std::string_view page = built_page();
   const std::size_t place = page.find(kPlace);
   if (place == std::string_view::npos) throw std::logic_error("the built page has no place for data");
@@ -43,7 +43,11 @@ std::string page_with(const nlohmann::ordered_json& head, std::string_view chunk
     else
       text += c;
   text += "</script>\n";
-  text += chunks;
+  for (const auto& [id, chunk] : chunks) {
+    text += "<script type=\"text/plain\" id=\"" + id + "\">";
+    text += chunk;
+    text += "</script>\n";
+  }
   text += page.substr(place + kPlace.size());
   return text;
 }

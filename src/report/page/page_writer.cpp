@@ -105,17 +105,25 @@ void add_words(std::vector<std::uint32_t>& words, const PageColumn& column, Poin
 
 }  // namespace
 
+Point origin_of(const PageShape& first) {
+  return extent_of(first.places).middle();
+}
+
+PageWriter::PageWriter(Point origin, PageShape shape) : level_(kLiveLevel), origin_(origin), shape_(std::move(shape)) {
+  centroids_ = centroids_of(*shape_);
+}
+
 void PageWriter::add(PageFrame frame) {
-  if (!origin_) origin_ = extent_of(frame.shape.places).middle();
-  const bool is_new = epochs_.empty() || !is_same(shape_, frame.shape);
+  if (!origin_) origin_ = origin_of(frame.shape);
+  const bool is_new = !shape_ || !is_same(*shape_, frame.shape);
   if (is_new || waiting_.size() == kFramesOfChunk) write_chunks();
   if (is_new) begin_epoch(frame.shape);
   frames_.push_back({{"step", frame.step},
                      {"time", frame.time},
                      {"load_factor", frame.load_factor},
-                     {"epoch", epochs_.size() - 1},
+                     {"epoch", epoch()},
                      {"stage", frame.stage}});
-  motions_.push_back(motions_of(shape_, centroids_, frame.moves));
+  motions_.push_back(motions_of(*shape_, centroids_, frame.moves));
   frame.shape = {};
   waiting_.push_back(std::move(frame));
 }
@@ -141,23 +149,19 @@ void PageWriter::begin_epoch(const PageShape& shape) {
   epochs_.push_back({{"bodies", shape.bodies()},
                      {"loops", shape.loop_body.size()},
                      {"vertices", shape.places.size()},
-                     {"geometry", add_script(little_endian(words))}});
+                     {"geometry", add_text(little_endian(words))}});
 }
 
-std::string PageWriter::add_script(const std::string& bytes) {
-  std::string id = fmt::format("c{}", scripts_count_++);
-  scripts_ += fmt::format("<script type=\"text/plain\" id=\"{}\">", id);
-  scripts_ += packed_text(bytes);
-  scripts_ += "</script>\n";
-  return id;
+std::string PageWriter::add_text(const std::string& bytes) {
+  return texts_.emplace_back(fmt::format("c{}", texts_.size()), packed_text(bytes, level_)).first;
 }
 
 Json& PageWriter::add_chunk(const std::string& what, const std::string& bytes) {
-  chunks_.push_back({{"id", add_script(bytes)},
+  chunks_.push_back({{"id", add_text(bytes)},
                      {"what", what},
                      {"from", written_},
                      {"to", written_ + waiting_.size() - 1},
-                     {"epoch", epochs_.size() - 1}});
+                     {"epoch", epoch()}});
   return chunks_.back();
 }
 
@@ -188,18 +192,19 @@ void PageWriter::write_chunks() {
 
 void PageWriter::write_motion() {
   name_field({"motion", "Motion", "", PageRowsOf::body, {"ux", "uy", "g11", "g12", "g21", "g22"}}, kMotionBits);
-  FieldWords words(6, waiting_.size(), shape_.bodies());
+  FieldWords words(6, waiting_.size(), shape_->bodies());
   for (std::size_t part = 0; part < 6; ++part)
     for (std::size_t f = 0; f < waiting_.size(); ++f)
-      for (std::size_t b = 0; b < shape_.bodies(); ++b) words.set(part, f, b, motions_[f].bodies[b][part], kMotionBits);
+      for (std::size_t b = 0; b < shape_->bodies(); ++b)
+        words.set(part, f, b, motions_[f].bodies[b][part], kMotionBits);
   add_chunk("motion", std::move(words).bytes());
 }
 
 void PageWriter::write_vertex_motion() {
   name_field({"vertex_motion", "Displacement of corners", "", PageRowsOf::vertex, {"x", "y"}}, kMotionBits);
-  FieldWords words(2, waiting_.size(), shape_.places.size());
+  FieldWords words(2, waiting_.size(), shape_->places.size());
   for (std::size_t f = 0; f < waiting_.size(); ++f)
-    for (std::size_t v = 0; v < shape_.places.size(); ++v) {
+    for (std::size_t v = 0; v < shape_->places.size(); ++v) {
       words.set(0, f, v, waiting_[f].moves[v].x, kMotionBits);
       words.set(1, f, v, waiting_[f].moves[v].y, kMotionBits);
     }
@@ -210,7 +215,7 @@ void PageWriter::write_field(const PageField& field) {
   const int bits = field.states.empty() ? field.bits : 23;
   name_field(field, bits);
   const std::size_t parts = field.parts();
-  const std::size_t rows = field.on == PageRowsOf::body ? shape_.bodies() : shape_.places.size();
+  const std::size_t rows = field.on == PageRowsOf::body ? shape_->bodies() : shape_->places.size();
   FieldWords words(parts, waiting_.size(), rows);
   for (std::size_t f = 0; f < waiting_.size(); ++f) {
     const PageValues* values = values_of(waiting_[f], field.name);
@@ -248,16 +253,26 @@ void PageWriter::write_part(const std::string& name) {
   if (recorded.size() < waiting_.size()) chunk["frames"] = std::move(indices);
 }
 
-std::string PageWriter::finish(Json head) && {
+Json PageWriter::members() {
   write_chunks();
+  return {{"frames", std::move(frames_)},
+          {"epochs", std::move(epochs_)},
+          {"fields", std::move(fields_)},
+          {"chunks", std::move(chunks_)},
+          {"parts", std::move(parts_)}};
+}
+
+std::string PageWriter::finish(Json head) && {
   const Point origin = origin_.value_or(Point{});
   head["origin"] = {origin.x, origin.y};
-  head["frames"] = std::move(frames_);
-  head["epochs"] = std::move(epochs_);
-  head["fields"] = std::move(fields_);
-  head["chunks"] = std::move(chunks_);
-  head["parts"] = std::move(parts_);
-  return page_with(head, scripts_);
+  head.update(members());
+  return page_with(head, texts_);
+}
+
+Json PageWriter::update() && {
+  Json found = members();
+  for (auto& [id, text] : texts_) found["texts"][id] = std::move(text);
+  return found;
 }
 
 }  // namespace keyblock::report

@@ -23,7 +23,9 @@
 #include <vector>
 
 #include "report/page/affine_motion.hpp"
+#include "report/page/page_bytes.hpp"
 #include "report/page/page_frame.hpp"
+#include "report/page/page_html.hpp"
 
 namespace keyblock::report {
 
@@ -32,8 +34,16 @@ inline constexpr int kMotionBits = 14;
 inline constexpr int kRowBits = 12;    ///< of contacts, bolts and other tables in time
 inline constexpr int kPlaceBits = 18;  ///< of places in such tables
 
+/// Returns the place that a page counts from if this is the shape of its first frame: the middle of all corners.
+Point origin_of(const PageShape& first);
+
 class PageWriter {
  public:
+  PageWriter() = default;
+
+  /// Goes on where a page ends that counts from `origin`, and whose last epoch has this shape.
+  PageWriter(Point origin, PageShape shape);
+
   /// Adds the next frame. A body that changed begins a new epoch.
   void add(PageFrame frame);
 
@@ -43,7 +53,13 @@ class PageWriter {
   /// Returns the page: the built one with the head and the chunks. `head` has the members that frames do not give.
   std::string finish(nlohmann::ordered_json head) &&;
 
+  /// Returns what a page adds to its head to go on: frames, epochs, fields, chunks, parts; and `texts`, the coded
+  /// numbers by their ids. Frames count from 0, new epochs too; -1 is the last epoch of the page.
+  nlohmann::ordered_json update() &&;
+
  private:
+  nlohmann::ordered_json members();
+  int epoch() const { return static_cast<int>(epochs_.size()) - 1; }
   void begin_epoch(const PageShape& shape);
   void write_chunks();
   void write_motion();
@@ -53,17 +69,17 @@ class PageWriter {
   void write_part(const std::string& name);
   void name_field(const PageField& field, int bits);
   nlohmann::ordered_json& add_chunk(const std::string& what, const std::string& bytes);
-  std::string add_script(const std::string& bytes);
+  std::string add_text(const std::string& bytes);
 
   nlohmann::ordered_json frames_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json epochs_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json fields_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json chunks_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json parts_ = nlohmann::ordered_json::object();
-  std::string scripts_;
-  int scripts_count_ = 0;
+  std::vector<PageText> texts_;
+  int level_ = kPageLevel;
   std::optional<Point> origin_;
-  PageShape shape_;                   ///< of the epoch
+  std::optional<PageShape> shape_;    ///< of the epoch
   std::vector<Point> centroids_;      ///< of the epoch
   std::vector<PageFrame> waiting_;    ///< frames of the next chunk, without their shapes
   std::vector<BodyMotions> motions_;  ///< of those

@@ -12,16 +12,19 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/thread_pool.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
 #include <csignal>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <list>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace keyblock::serve {
 namespace {
@@ -35,6 +38,76 @@ constexpr std::uint32_t kMostHeader = 16384;
 
 class Session;
 
+/// Returns what `work` returns; a refusal if it throws.
+template <class Work>
+std::optional<Reply> caught(const Work& work) {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    return refusal(500, error.what());
+  }
+}
+
+/// Requests whose reply comes later. All calls come from the thread of the context; replies are made in the pool.
+class LateReplies {
+ public:
+  LateReplies(asio::io_context& context, asio::thread_pool& pool, const ServerLimits& limits)
+      : context_(context), pool_(pool), limits_(limits), next_look_(context) {}
+
+  /// Calls `give` with the reply that comes. Returns false if too many wait.
+  bool add(std::function<std::optional<Reply>()> later, std::function<void(Reply)> give) {
+    if (count_ >= limits_.waiting) return false;
+    ++count_;
+    waiting_.push_back({std::move(later), std::move(give)});
+    look();
+    return true;
+  }
+
+  void look() {
+    looks_again_ = true;
+    if (std::exchange(is_looking_, true)) return;
+    looks_again_ = false;
+    asio::post(pool_, [this, waiting = std::exchange(waiting_, {})]() mutable {
+      for (Waiting& own : waiting) own.reply = caught(own.later);
+      asio::post(context_, [this, waiting = std::move(waiting)]() mutable { on_looked(std::move(waiting)); });
+    });
+  }
+
+ private:
+  struct Waiting {
+    std::function<std::optional<Reply>()> later;
+    std::function<void(Reply)> give;
+    std::optional<Reply> reply = {};
+  };
+
+  void on_looked(std::vector<Waiting> waiting) {
+    is_looking_ = false;
+    for (Waiting& own : waiting) {
+      if (!own.reply) {
+        waiting_.push_back(std::move(own));
+        continue;
+      }
+      --count_;
+      own.give(std::move(*own.reply));
+    }
+    if (looks_again_) return look();
+    if (waiting_.empty()) return;
+    next_look_.expires_after(limits_.between_looks);
+    next_look_.async_wait([this](beast::error_code error) {
+      if (!error) look();
+    });
+  }
+
+  asio::io_context& context_;
+  asio::thread_pool& pool_;
+  const ServerLimits& limits_;
+  asio::steady_timer next_look_;
+  std::vector<Waiting> waiting_;
+  std::size_t count_ = 0;  ///< those that are looked at included
+  bool is_looking_ = false;
+  bool looks_again_ = false;  ///< something has happened since the look began
+};
+
 /// What all connections share.
 struct Shared {
   explicit Shared(const ServerLimits& of) : limits(of), pool(of.threads) {}
@@ -45,6 +118,8 @@ struct Shared {
   asio::thread_pool pool;  ///< in which requests are answered
   std::atomic<std::size_t> connections = 0;
   std::list<std::weak_ptr<Session>> strangers;  ///< connections by age that were not let in yet
+  asio::io_context context{1};                  ///< its waiting calls own sessions, which refer to the members above
+  LateReplies late{context, pool, limits};
 };
 
 /// Fields that decide about a request, of which a second one could hide the first.
@@ -158,20 +233,20 @@ class Session : public std::enable_shared_from_this<Session> {
     stream_.expires_never();
     asio::post(shared_.pool, [self = shared_from_this()] {
       const http::request<http::string_body> request = self->parser_->release();
-      Reply reply = self->answer(request);
+      std::optional<Reply> reply = caught([&] { return self->shared_.handler(request_from(request)); });
       asio::post(self->stream_.get_executor(),
-                 [self, reply = std::move(reply), keeps = request.keep_alive()]() mutable {
+                 [self, reply = std::move(*reply), keeps = request.keep_alive()]() mutable {
+                   if (reply.later) return self->wait(std::move(reply.later), keeps);
                    self->write(std::move(reply), keeps);
                  });
     });
   }
 
-  Reply answer(const http::request<http::string_body>& request) const {
-    try {
-      return shared_.handler(request_from(request));
-    } catch (const std::exception& error) {
-      return refusal(500, error.what());
-    }
+  void wait(std::function<std::optional<Reply>()> later, bool keeps_alive) {
+    const bool waits = shared_.late.add(std::move(later), [self = shared_from_this(), keeps_alive](Reply reply) {
+      self->write(std::move(reply), keeps_alive);
+    });
+    if (!waits) write(refusal(503, "too many requests wait"), keeps_alive);
   }
 
   void write(Reply reply, bool keeps_alive) {
@@ -200,7 +275,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
 struct HttpServer::Parts {
   Parts(unsigned short port, const ServerLimits& limits)
-      : shared(limits), acceptor(context), signals(context, SIGINT, SIGTERM, SIGHUP) {
+      : shared(limits), acceptor(shared.context), signals(shared.context, SIGINT, SIGTERM, SIGHUP) {
     const Tcp::endpoint here(asio::ip::address_v4::loopback(), port);
     acceptor.open(here.protocol());
     acceptor.set_option(asio::socket_base::reuse_address(true));
@@ -216,8 +291,7 @@ struct HttpServer::Parts {
     });
   }
 
-  Shared shared;  // outlives the context, whose waiting calls own the sessions
-  asio::io_context context{1};
+  Shared shared;
   Tcp::acceptor acceptor;
   asio::signal_set signals;
 };
@@ -243,13 +317,17 @@ void HttpServer::run(Guarding guard, Handler handler, const std::function<void()
     if (!error) stop();
   });
   parts_->accept();
-  parts_->context.run();
+  parts_->shared.context.run();
   if (on_stop) on_stop();
   parts_->shared.pool.join();
 }
 
+void HttpServer::wake() {
+  asio::post(parts_->shared.context, [this] { parts_->shared.late.look(); });
+}
+
 void HttpServer::stop() {
-  parts_->context.stop();
+  parts_->shared.context.stop();
 }
 
 }  // namespace keyblock::serve

@@ -12,10 +12,12 @@
 namespace keyblock::serve {
 
 struct ServerLimits {
-  std::size_t connections = 64;  ///< one more closes the oldest that was not let in yet, or is refused with status 503
+  std::size_t connections = 256;  ///< one more closes the oldest that was not let in yet, or is refused with status 503
+  std::size_t waiting = 128;      ///< requests whose reply comes later; one more is refused with status 503
   std::size_t body = 16U << 20U;
   std::chrono::milliseconds patience{15000};       ///< for a request to arrive, and for a reply to leave
   std::chrono::milliseconds first_patience{3000};  ///< for the header of the first request on a connection
+  std::chrono::milliseconds between_looks{250};    ///< for a reply that comes later
   std::size_t threads = 8;                         ///< that answer; one more carries bytes
 };
 
@@ -36,6 +38,9 @@ class HttpServer {
   /// Answers requests until SIGINT, SIGTERM, SIGHUP or `stop`; then calls `on_stop` and waits for the answers under
   /// way. Several threads call `handler`; if it throws, the reply has status 500.
   void run(Guarding guard, Handler handler, const std::function<void()>& on_stop = {});
+
+  /// Looks for replies that come later at once. May be called by another thread.
+  void wake();
 
   /// May be called by another thread.
   void stop();
