@@ -291,6 +291,34 @@ class ServeTest(unittest.TestCase):
                 sweep = {"paths": ["case.json"], "result": "no", "over": [f"{key}={name}"]}
                 self.assertEqual(self.server.ask("POST", "/api/sweep", sweep)[0], 404, sweep)
 
+    def test_a_case_names_no_file_outside(self):
+        server = self.server
+        outside = server.top / "outside.json"
+        outside.write_text(json.dumps({"keyblock": 2, "blocks": CASE["blocks"]}))
+        table = server.top / "quake.txt"
+        table.write_text("0 0 0\n1 0 0\n")
+        os.symlink(outside, server.folder / "to_outside.json")
+        (server.folder / "inside.json").write_text(outside.read_text())
+        rest = {"keyblock": 2, "analysis": CASE["analysis"]}
+        for name in ("../outside.json", str(outside), "to_outside.json"):
+            case = json.dumps({**rest, "drawing": name})
+            (server.folder / "names.json").write_text(case)
+            for body in ({"paths": ["names.json"]}, {"path": "names.json", "text": case}):
+                report = server.json("POST", "/api/check", body)[1]
+                self.assertEqual(report["exit_code"], 3, (name, report))
+                self.assertTrue(any(word in report["errors"][0]["sentence"] for word in ("within the served", "no file")))
+            self.assertEqual(server.ask("GET", "/api/drawing?path=names.json")[0], 422)
+            job = server.json("POST", "/api/run", {"paths": ["names.json"], "result": "names"})[1]["id"]
+            self.assertEqual(server.wait_for(job)["exit_code"], 3)
+        for name, code in (("../quake.txt", 3), (str(table), 3)):
+            case = {**CASE, "run": {"set": {"body_acceleration_file": name}}}
+            (server.folder / "shaken.json").write_text(json.dumps(case))
+            self.assertEqual(server.json("POST", "/api/check", {"paths": ["shaken.json"]})[1]["exit_code"], code)
+        (server.folder / "names.json").write_text(json.dumps({**rest, "drawing": "inside.json"}))
+        self.assertEqual(server.json("POST", "/api/check", {"paths": ["names.json"]})[1]["errors"], [])
+        for file in (outside, table):
+            file.unlink()
+
     def test_units_with_a_slash_are_no_paths(self):
         report = self.server.json("POST", "/api/check", {"paths": ["case.json"], "set": {"gravity": "9.5 m/s2"}})[1]
         self.assertEqual((report["errors"], report["case"]["settings"]["gravity.y"]), ([], -9.5))

@@ -6,11 +6,13 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <system_error>
 
 #include "app/command.hpp"
+#include "base/bytes/file_bytes.hpp"
 #include "base/error.hpp"
 #include "serve/http/guard.hpp"
 #include "serve/http/http_server.hpp"
@@ -18,6 +20,8 @@
 
 namespace keyblock {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct ServeOptions {
   std::string folder = ".";
@@ -30,6 +34,8 @@ ExitCode serve_folder(const ServeOptions& options) {
   setenv("KEYBLOCK_LOG_SECONDS", "0.5", 0);  // of the runs that it starts
   const serve::ServedFolder folder(options.folder);
   const serve::Drafts drafts;
+  setenv(kReadsBelow, fmt::format("{}\n{}", folder.root().string(), fs::canonical(drafts.folder()).string()).c_str(),
+         1);
   std::unique_ptr<serve::HttpServer> server;
   try {
     server = std::make_unique<serve::HttpServer>(static_cast<unsigned short>(options.port), serve::ServerLimits{});

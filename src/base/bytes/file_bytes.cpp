@@ -10,6 +10,10 @@
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
 
 #include "base/context.hpp"
 #include "base/error.hpp"
@@ -19,9 +23,26 @@
 namespace keyblock {
 namespace {
 
+/// Throws InputError for a file outside of the folders that a reader may look into; links are followed.
+void require_permitted(const std::string& path) {
+  namespace fs = std::filesystem;
+  const char* const folders = std::getenv(kReadsBelow);
+  if (folders == nullptr) return;
+  std::error_code error;
+  const fs::path file = fs::weakly_canonical(fs::absolute(located(path)), error);
+  std::istringstream lines(folders);
+  for (std::string folder; std::getline(lines, folder);) {
+    const fs::path below(folder);
+    if (!error && std::mismatch(below.begin(), below.end(), file.begin(), file.end()).first == below.end()) return;
+  }
+  throw InputError({path}, "expected a file within the served folder, found one outside of it");
+}
+
 class OpenFile {
  public:
-  explicit OpenFile(const std::string& path) : descriptor_(open(located(path).c_str(), O_RDONLY | O_CLOEXEC)) {
+  explicit OpenFile(const std::string& path) {
+    require_permitted(path);
+    descriptor_ = open(located(path).c_str(), O_RDONLY | O_CLOEXEC);
     struct stat status {};
     if (descriptor_ < 0 || fstat(descriptor_, &status) != 0)
       throw InputError({path}, "expected a readable file, found one that cannot be opened");
@@ -46,7 +67,7 @@ class OpenFile {
   }
 
  private:
-  int descriptor_;
+  int descriptor_ = -1;
   std::size_t size_ = 0;
 };
 

@@ -6,7 +6,12 @@
 
 namespace keyblock {
 
-/// Returns the bytes of a regular file. Throws InputError if it cannot be opened, or is shorter than the system says.
+/// Variable of the environment with folders, one per line. If it is set, no file outside of them is read: `serve` sets
+/// it, since a case may name any file.
+inline constexpr const char* kReadsBelow = "KEYBLOCK_READS_BELOW";
+
+/// Returns the bytes of a regular file. Throws InputError if it cannot be opened, lies outside of `kReadsBelow`, or is
+/// shorter than the system says.
 std::string file_bytes(const std::string& path);
 
 /// The same, of a file longer than `most` its first bytes.
