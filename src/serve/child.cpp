@@ -5,15 +5,18 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 namespace keyblock::serve {
@@ -22,6 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kCannotStart = 126;
+constexpr std::string_view kDrafts = "keyblock-serve-";
+constexpr std::chrono::seconds kOldDrafts{60};
 constexpr std::chrono::seconds kPatience{120};  // for a check, a drawing, a page
 constexpr std::chrono::milliseconds kPause{10};
 constexpr std::size_t kMostOutput = 64U << 20U;  // bytes
@@ -47,6 +52,21 @@ bool send_to(const std::string& file, int descriptor) {
   for (int descriptor = STDERR_FILENO + 1; descriptor < 1024; ++descriptor) close(descriptor);
   if (is_ready) execv("/proc/self/exe", words.arguments.data());
   _exit(kCannotStart);
+}
+
+/// Removes the user's folders of drafts that no server holds.
+void remove_left_behind() {
+  std::error_code error;
+  std::vector<fs::path> left;
+  for (const fs::directory_entry& entry : fs::directory_iterator(fs::temp_directory_path(), error)) {
+    struct stat status {};
+    if (!entry.path().filename().string().starts_with(kDrafts) || lstat(entry.path().c_str(), &status) != 0) continue;
+    // A younger folder may belong to a server that is about to lock it.
+    const bool is_old = std::time(nullptr) - status.st_mtime > kOldDrafts.count();
+    if (S_ISDIR(status.st_mode) && status.st_uid == getuid() && is_old && !is_locked(entry.path()))
+      left.push_back(entry.path());
+  }
+  for (const fs::path& folder : left) fs::remove_all(folder, error);
 }
 
 std::string beginning_of(const fs::path& file) {
@@ -95,9 +115,11 @@ void Child::send(int signal) const {
 }
 
 Drafts::Drafts() {
-  std::string name = (fs::temp_directory_path() / "keyblock-serve-XXXXXX").string();
+  remove_left_behind();
+  std::string name = (fs::temp_directory_path() / (std::string(kDrafts) + "XXXXXX")).string();
   if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a folder for temporary files");
   folder_ = name;
+  lock_ = FolderLock(folder_);
 }
 
 Drafts::~Drafts() {

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "job/folder/folder_lock.hpp"
+
 namespace keyblock::serve {
 
 /// Process of this program. It has its own process group, so that Ctrl-C at the terminal does not reach it. It is
@@ -36,7 +38,8 @@ class Child {
   std::optional<int> code_;
 };
 
-/// Fresh folder below the system's temporary one, readable by the user alone; removed at the end.
+/// Fresh folder below the system's temporary one, readable by the user alone; removed at the end. Folders that killed
+/// servers left behind are removed at the start.
 class Drafts {
  public:
   Drafts();
@@ -50,6 +53,7 @@ class Drafts {
 
  private:
   std::filesystem::path folder_;
+  FolderLock lock_;  ///< tells other servers that this one lives
 };
 
 struct Answer {

@@ -587,6 +587,24 @@ def children_of(process):
 
 
 class EndOfServerTest(unittest.TestCase):
+    def test_drafts_of_a_killed_server_are_removed_at_the_next_start(self):
+        temporary = Path(tempfile.gettempdir())
+        before = set(temporary.glob("keyblock-serve-*"))
+        killed = Server()
+        (left,) = set(temporary.glob("keyblock-serve-*")) - before
+        killed.end(signal.SIGKILL)
+        living = Server()
+        (own,) = set(temporary.glob("keyblock-serve-*")) - before - {left}
+        foreign = temporary / "keyblock-serve-link"
+        foreign.symlink_to(living.folder)
+        for folder in (left, own):
+            os.utime(folder, (0, 0))
+        Server().end()
+        self.assertEqual([left.exists(), own.exists(), living.folder.exists()], [False, True, True])
+        foreign.unlink()
+        living.end()
+        self.assertFalse(own.exists())
+
     def test_a_killed_command_leaves_no_drafts(self):
         server = Server()
         rows = ",".join(f"[0, {i}, 1, {i}, 1]" for i in range(400_000))
