@@ -8,6 +8,8 @@
 #include <array>
 #include <chrono>
 #include <fstream>
+#include <iterator>
+#include <regex>
 #include <string_view>
 
 namespace keyblock::serve {
@@ -19,6 +21,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::string_view, 16> kInputs{".json",  ".yaml", ".yml", ".dxf", ".geo", ".ana",
                                                    ".blk",   ".cv",   ".df",  ".xml", ".dc",  ".block",
                                                    ".ddaml", ".txt",  ".dat", ".csv"};
+
+constexpr std::size_t kHeadOfCase = 4096;  // bytes, in which a case has its first key
 
 bool is_hidden(const fs::path& name) {
   return name.string().starts_with(".") && name != "." && name != "..";
@@ -45,10 +49,25 @@ bool is_sweep(const fs::path& folder) {
   return stream && head == kHead;
 }
 
+enum class Record { none, sound, broken };
+
+/// Looks at the record of a run. A file of its name may be a case: it says so by its first key.
+Record record_in(const fs::path& folder) {
+  static const std::regex kCaseKey("\"?keyblock\"?\\s*:");
+  const fs::path file = folder / "run.json";
+  std::error_code error;
+  if (!fs::is_regular_file(fs::symlink_status(file, error))) return Record::none;
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (const Json json = Json::parse(text, nullptr, false); json.is_object())
+    return json.contains("keyblock") ? Record::none : Record::sound;
+  return std::regex_search(text.substr(0, kHeadOfCase), kCaseKey) ? Record::none : Record::broken;
+}
+
 bool is_result(const fs::path& folder) {
   std::error_code error;
   return fs::is_directory(folder / "frames", error) || fs::exists(folder / "fos.json", error) ||
-         fs::exists(folder / "checkpoint.h5", error) || is_sweep(folder);
+         fs::exists(folder / "checkpoint.h5", error) || is_sweep(folder) || record_in(folder) != Record::none;
 }
 
 /// Returns "run", "fos" or "sweep".
@@ -109,6 +128,7 @@ Json ServedFolder::list() const {
         results.push_back({{"path", name(entry.path())},
                            {"kind", kind_of(entry.path())},
                            {"time", seconds_of(entry)},
+                           {"is_broken", record_in(entry.path()) == Record::broken},
                            {"is_finished", fs::exists(entry.path() / last_file_of(kind_of(entry.path())), of_entry)},
                            {"has_checkpoint", fs::exists(entry.path() / "checkpoint.h5", of_entry)}});
     } else if (entry.is_regular_file(of_entry) && is_input(entry.path()) && files.size() < kMostEntries) {

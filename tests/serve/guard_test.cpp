@@ -108,6 +108,23 @@ TEST(ServedFolder, sweeps_are_results_and_batches_are_not) {
   EXPECT_FALSE(results[1].at("is_finished").get<bool>());
 }
 
+TEST(ServedFolder, a_broken_record_is_a_broken_result_and_no_case) {
+  const std::string top = support::fresh_folder("served_broken");
+  for (const char* folder : {"/broken", "/sound", "/framed/frames", "/cases"})
+    std::filesystem::create_directories(top + folder);
+  support::write_text(top + "/broken/run.json", "{\"program\": \"keyblock\", \"verdi");
+  support::write_text(top + "/framed/run.json", "");
+  support::write_text(top + "/sound/run.json", "{\"program\": \"keyblock\"}");
+  support::write_text(top + "/cases/run.json", "// a case\n{\"keyblock\": 2, oops");
+  const Json list = serve::ServedFolder(top).list();
+  const Json& results = list.at("results");
+  ASSERT_EQ(results.size(), 3U);
+  const std::vector<bool> broken{true, true, false};
+  for (std::size_t i = 0; i < broken.size(); ++i) EXPECT_EQ(results[i].at("is_broken"), broken[i]) << results[i];
+  ASSERT_EQ(list.at("files").size(), 1U);
+  EXPECT_EQ(list.at("files")[0].at("path"), "cases/run.json");
+}
+
 TEST(RequestWords, settings_become_no_options) {
   const serve::ServedFolder folder(support::fresh_folder("served_words"));
   EXPECT_EQ(serve::setting_arguments(folder, Json::parse(R"({"profile": "standard", "set": {"steps": "-5"}})")),

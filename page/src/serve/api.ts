@@ -12,6 +12,8 @@ export interface ResultEntry {
   path: string;
   time: number;
   is_finished: boolean;
+  /** The record of the run is damaged. */
+  is_broken?: boolean;
   has_checkpoint: boolean;
   kind?: 'run' | 'fos' | 'sweep';
 }

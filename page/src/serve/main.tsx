@@ -99,6 +99,8 @@ function matches(name: string): boolean {
   return name.toLowerCase().includes(filter.value.trim().toLowerCase());
 }
 
+const state_of = (own: api.ResultEntry) => (own.is_broken ? 'record damaged' : own.is_finished ? '' : 'not finished');
+
 function Side() {
   const now = route.value;
   const current = now.kind === 'case' ? now.paths[0] : now.kind === 'result' ? now.path : '';
@@ -140,7 +142,7 @@ function Side() {
               <a href={state.link('result', own.path)} aria-current={current === own.path ? 'page' : undefined}>
                 {leaf_of(own.path)}
                 <span>
-                  {folder_of(own.path)} {!own.is_finished && 'not finished'}
+                  {folder_of(own.path)} {state_of(own)}
                 </span>
               </a>
             </li>
@@ -213,10 +215,7 @@ function Home() {
                 <a class="card" href={state.link('result', own.path)}>
                   <Thumb source={api.address('/api/picture', { result: own.path })} />
                   <b>{leaf_of(own.path)}</b>
-                  <span>
-                    {own.is_finished ? '' : 'not finished, '}
-                    {state.when(own.time)}
-                  </span>
+                  <span>{[state_of(own), state.when(own.time)].filter(Boolean).join(', ')}</span>
                 </a>
               </li>
             ))}

@@ -34,6 +34,12 @@ export function ResultView({ path }: { path: string }) {
   const source = api.address('/page', { result: path });
   if (is_strength) return <StrengthView path={path} />;
   if (entry?.kind === 'sweep') return <SweepView path={path} is_finished={entry.is_finished} />;
+  if (entry?.is_broken)
+    return (
+      <p class="note pad" role="alert">
+        The record of {path} is damaged: run.json holds no record of a run. Run the case again.
+      </p>
+    );
   // The listing holds the kind of a result; without it the frame would ask for a page that may not exist.
   if (!state.listing.value) return <p class="note pad">Reading the folder…</p>;
   return (

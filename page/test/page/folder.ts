@@ -184,7 +184,7 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
     server: null as unknown as Server,
     address: '',
     files: new Map(Object.entries(files)),
-    results: new Set(['first', 'second', ...(files['strength/fos.json'] ? ['strength'] : [])]),
+    results: new Set(['first', 'second', ...(files['strength/fos.json'] ? ['strength', 'broken'] : [])]),
     asked: [],
   };
   const sum = (text: string) => createHash('sha256').update(text).digest('hex');
@@ -219,6 +219,7 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
             path,
             time: 1.79e9,
             is_finished: true,
+            is_broken: path === 'broken',
             has_checkpoint: false,
             kind: own.files.has(`${path}/fos.json`) ? 'fos' : own.files.has(`${path}/table.csv`) ? 'sweep' : 'run',
           })),

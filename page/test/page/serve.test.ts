@@ -60,7 +60,13 @@ describe.skipIf(!has_browser)('window', () => {
       'first',
       'second',
       'strength',
+      'broken',
     ]);
+    const broken = page.getByRole('navigation').getByRole('link', { name: 'broken' });
+    expect(await broken.textContent()).toContain('record damaged');
+    await broken.click();
+    expect(await page.getByRole('alert').textContent()).toContain('The record of broken is damaged');
+    expect(await page.locator('iframe').count()).toBe(0);
     expect(await page.locator('nav img').count()).toBe(0);
     await page.context().close();
   });
