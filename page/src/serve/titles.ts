@@ -31,7 +31,22 @@ const OF_RECORD: Record<string, string> = {
   'counts.greatest_dt': 'Longest step',
   'counts.passes': 'Iterations',
   'counts.most_passes': 'Most iterations of a step',
+  'counts.steps_by_passes[1].steps': 'Steps without iterations',
+  'counts.steps_by_passes[2].steps': 'Steps of 1 to 3 iterations',
+  'counts.steps_by_passes[3].steps': 'Steps of 4 to 10 iterations',
+  'counts.steps_by_passes[4].steps': 'Steps of 11 to 40 iterations',
+  'counts.steps_by_passes[5].steps': 'Steps of more than 40 iterations',
+  'counts.redone_attempts': 'Attempts made again',
+  'counts.fallback_solves': 'Solves by the fallback',
+  'counts.unresolved_parts': 'Parts of steps short of their target',
+  'counts.locked_overlaps': 'Overlaps left by impacts',
+  'counts.greatest_displacement_ratio': 'Greatest displacement ratio of a step',
   'ledger.closure.energy': 'Error of the energy balance',
+  'ledger.largest_energy': 'Largest energy',
+  'requirements.unknowns': 'Unknowns',
+  'requirements.basis': 'Basis of the unknowns',
+  'start.misfit': 'Force out of balance at the start',
+  'start.unsolved_steps': 'Settling steps without a solution',
   is_static: 'Static analysis',
   recorded_every: 'Steps between frames',
 };
@@ -80,7 +95,7 @@ export function title_of_entry({ path }: Difference, schema: Schema | null): str
   const steps = steps_of(
     path
       .replace(/^(outcome|extremes|counts)\./, '')
-      .replace(/^ledger\.(end\.)?/, 'energy_balance.')
+      .replace(/^ledger\.(end\.)?/, 'energy_balance:.')
       .replace(/\.value$/, ''),
   );
   return capital(steps.map(own => (typeof own === 'number' ? String(own + 1) : in_words(own))).join(' '));
