@@ -10,7 +10,7 @@ import type { Path } from './case_text';
 import { PlaceBox } from './editor';
 import type { Point, Polygon } from './scene';
 import { scene_of } from './scene';
-import { meaning_of, schema_at, title_of } from './schema';
+import { meaning_of, schema_at, title_of, with_titles } from './schema';
 import { fault_of, first_form, OUTLINE_KEYS, type SceneForm, scene_text, spec_of } from './sets';
 import { SetsForm, words_at } from './sets_form';
 import { tool_of } from './tools';
@@ -30,7 +30,8 @@ function useDrawn(form: SceneForm) {
   const [version, set_version] = useState(0);
   const key = JSON.stringify(form);
   const asked = useRef(0);
-  const refuse = (words: string) => set_status({ words, is_bad: true });
+  const refuse = (words: string) =>
+    set_status({ words: with_titles(words, [state.joint_schema.value, state.schema.value]), is_bad: true });
   useEffect(() => {
     const number = ++asked.current;
     if (fault) {

@@ -65,6 +65,35 @@ export function title_of(key: string, own: Schema | undefined): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
+const titles = new WeakMap<Schema, Map<string, string>>();
+
+/** Titles of all keys of a schema, by their keys. */
+function titles_in(schema: Schema): Map<string, string> {
+  let found = titles.get(schema);
+  if (found) return found;
+  found = new Map();
+  const visit = (own: unknown): void => {
+    if (typeof own !== 'object' || own === null) return;
+    for (const [key, value] of Object.entries((own as Schema).properties ?? {}))
+      if (value.title && !found.has(key)) found.set(key, value.title);
+    Object.values(own).forEach(visit);
+  };
+  visit(schema);
+  titles.set(schema, found);
+  return found;
+}
+
+/** Replaces the keys in a sentence of the program by the titles that forms show. */
+export function with_titles(sentence: string, schemas: (Schema | null)[]): string {
+  return sentence.replace(/\b[a-z]+(_[a-z]+)+\b/g, key => {
+    for (const schema of schemas) {
+      const title = schema && titles_in(schema).get(key);
+      if (title) return `“${title}”`;
+    }
+    return key;
+  });
+}
+
 /** Dimension or unit of a number: "F/L²", "°"; empty if it has none. */
 export function dimension_of(own: Schema): string {
   const unit = own['x-unit'] ?? 'none';
