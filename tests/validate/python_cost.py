@@ -80,7 +80,9 @@ def frame(kb, wall):
     Path("wall.json").write_text(json.dumps(wall), encoding="utf-8")
     run = kb.Run("wall.json", settings={"start": "sudden"})
     times = []
-    for _ in range(200):
+    for i in range(200):
+        if i % 20 == 0:
+            time.sleep(1)  # another program on the same processor slows this one down
         began = time.process_time()
         run.frame().vertices
         times.append(time.process_time() - began)
