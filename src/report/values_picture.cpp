@@ -87,7 +87,7 @@ Map map_of(const ValuesPicture& picture, const ValuesColumn& output) {
 
 void draw_bar(SvgPage& page, Point corner, double height, const Map& map) {
   constexpr int kSteps = 48;
-  page.text({corner.x, corner.y - 10}, map.output.name, {.size = 12, .bold = true});
+  page.text({kWidth - kMargin, corner.y - 20}, map.output.name, {.size = 12, .anchor = Anchor::end, .bold = true});
   for (int i = 0; i < kSteps; ++i)
     page.rectangle({corner.x, corner.y + height * i / kSteps}, 14, height / kSteps + 0.4,
                    {.fill = hex(heat_colour(1 - (i + 0.5) / kSteps))});

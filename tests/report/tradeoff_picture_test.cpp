@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <regex>
+#include <string>
 
 #include "report/drawing/ticks.hpp"
 #include "report/sweep_picture.hpp"
+#include "report/values_picture.hpp"
 
 namespace keyblock::report::tradeoff_picture_test {
 namespace {
@@ -52,6 +55,19 @@ TEST(SweepPicture, writes_errors_into_cells_and_crosses_those_that_failed) {
       {"a map", "", {"x2", "x1"}, {"1e9"}, "step", "stiffness", {{{1e-3, "", "why"}, {none, "failed", "it fell"}}}});
   for (const char* part : {"a map", ">0.001<", ">failed<", "<title>it fell</title>", ">x2<", ">1e9<"})
     EXPECT_TRUE(contains(svg, part)) << part;
+}
+
+TEST(ValuesPicture, the_heading_of_the_colours_ends_within_the_page) {
+  const std::string name = "largest displacement of a point that was named at length [m]";
+  const std::string svg = values_picture({"two keys",
+                                          {{"angle", {10, 20}, {"10", "20"}}, {"steps", {1, 2}, {"1", "2"}}},
+                                          {{name, {0.5, 1}, {}}},
+                                          {"finished", "finished"}});
+  std::smatch page, heading;
+  ASSERT_TRUE(std::regex_search(svg, page, std::regex("viewBox=\"0 0 ([0-9.]+) "))) << svg;
+  const std::regex ends("<text x=\"([0-9.]+)\"[^>]*text-anchor=\"end\"[^>]*>largest displacement of");
+  ASSERT_TRUE(std::regex_search(svg, heading, ends)) << svg;
+  EXPECT_LT(std::stod(heading[1]), std::stod(page[1]));
 }
 
 }  // namespace keyblock::report::tradeoff_picture_test
