@@ -231,6 +231,7 @@ TEST(Batch, the_cases_of_an_archive_are_listed_with_their_files_and_nothing_is_w
   ASSERT_EQ(cases.size(), 1U);
   EXPECT_EQ(cases[0]["files"][1], (root / "in/a30_p20.ana").string());
   EXPECT_EQ(run_keyblock({"batch", root / "none", "--list"}).exit_code, 3);
+  EXPECT_EQ(run_keyblock({"batch", root / "in", "--list", "--run"}).exit_code, 2);
 }
 
 TEST(Batch, a_check_beyond_its_limits_fails_alone_and_the_others_are_told_as_without_limits) {

@@ -292,7 +292,10 @@ Action configure_batch(CLI::App& app) {
       "check every case: contents, warnings, errors (one of --check, --run, --convert and --list is required)");
   app.add_flag("--run", options->is_run, "run every case under the profiles legacy and standard and compare them");
   app.add_option("--convert", options->format, "convert every case to this format, as `keyblock convert --to`");
-  app.add_flag("--list", options->is_list, "print the files of each case that can be run, and run nothing");
+  app.add_flag("--list", options->is_list, "print the files of each case that can be run, and run nothing")
+      ->excludes("--check")
+      ->excludes("--run")
+      ->excludes("--convert");
   app.add_option("--profile", options->profile, "use only this profile")->check(one_word_of(profile_names()));
   app.add_option("--jobs", options->threads, "jobs at a time (default: number of cores)")->check(CLI::Range(1, 1024));
   app.add_option("--time-limit", options->limits.cpu_seconds,
