@@ -76,7 +76,7 @@ class Study:
                 here = os.readlink(f"/proc/{entry}/cwd") == str(self.folder)
             except OSError:
                 continue
-            is_program = line[0] == b"keyblock" or line[0] == wanted[0]
+            is_program = line[0] == b"keyblock-job" or line[0] == wanted[0]
             if here and is_program and all(any(w in word for word in line) for w in wanted[1:]):
                 found.append(int(entry))
         return found
@@ -277,7 +277,8 @@ def check_killed_run(asked, folder, name, work, whole):
     found = study.table()
     others = [(a, b) for a, b in zip(whole, found) if a != b]
     is_one = len(found) == len(whole) and len(others) == 1 and ",signal,SIGKILL," in others[0][1]
-    print(f"{name}: {study.count} rows, a run killed: {'that row alone' if is_one else f'{len(others)} OTHER ROWS'}", flush=True)
+    what = "that row alone" if is_one else f"{len(others)} OTHER ROWS" if others else "NONE WAS FOUND"
+    print(f"{name}: {study.count} rows, a run killed: {what}", flush=True)
     return not is_one
 
 
