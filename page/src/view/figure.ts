@@ -211,6 +211,8 @@ export function points_of(pose: Pose): { marks: PointMarks; at: PartAt }[] {
     const at = part_at(state.store, what, pose.frame);
     const places = at && places_of(what, at.rows, pose);
     if (!at || !places) continue;
+    // A run writes these tables from time to time: at later frames they would stand where they were.
+    if (state.is_running.value && at.frame !== pose.frame) continue;
     const number = at.rows.columns.point;
     const marks: PointMarks = {
       name: what,
