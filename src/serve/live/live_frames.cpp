@@ -53,7 +53,7 @@ std::string stamp_of(const fs::path& file) {
   return fmt::format("{}-{}-{}", found.st_ino, found.st_mtim.tv_sec, found.st_mtim.tv_nsec);
 }
 
-/// What a page shows, as its request tells.
+/// Says what a page shows.
 struct Shown {
   int step = 0;            ///< of its last frame
   int epoch = 0;           ///< step at which its last epoch began

@@ -34,7 +34,7 @@ class CompatibleSettling {
     remember();
     const std::string failure = greatest_shift_ > of_compatible_start::kLeverage * asked_ ? too_far() : std::string();
     const double left = misfit();
-    return {std::move(start_.motion), failure, left, start_.carrying_bolts(), weak_bolts_.empty() && start_.balances()};
+    return {std::move(start_.motion), failure, left, start_.carrying_bolts()};
   }
 
  private:

@@ -14,7 +14,6 @@ struct CompatibleStart {
   std::string failure;    ///< one sentence if no start was found; otherwise empty
   double misfit = 0;      ///< gaps left by the shifts, over the gaps of the first round
   int bolts = 0;          ///< bolts stretched by the loads beyond their pretension
-  bool balances = false;  ///< true if no bolt breaks at once, and forces fit the accelerations
 };
 
 /// Computes the start in four parts:
