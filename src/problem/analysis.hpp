@@ -65,6 +65,9 @@ struct JointMaterial {
   Place place;
 
   double friction_tangent() const { return std::tan(friction_angle_deg * std::numbers::pi / 180); }
+
+  /// Returns true if it can bond faces.
+  bool has_strength() const { return cohesion > 0 || tensile_strength > 0; }
 };
 
 /// DDAML `Boltproperties`.

@@ -83,7 +83,7 @@ template <class Predicate>
 std::size_t joints_with(const Model& model, Predicate holds) {
   return static_cast<std::size_t>(std::ranges::count_if(joints_in_use(model), [&](int joint) {
     const auto number = static_cast<std::size_t>(joint);
-    return number < model.joint_materials.size() && holds(model.joint_materials[number]);
+    return number < model.joint_materials.size() && std::invoke(holds, model.joint_materials[number]);
   }));
 }
 
@@ -250,8 +250,7 @@ Reason friction(const Model& model, const Settings& settings) {
 
 Reason bond(const Model& model, const Settings& settings) {
   if (!is_standard(settings) || !can_touch(model)) return std::nullopt;
-  const std::size_t strong =
-      joints_with(model, [](const JointMaterial& j) { return j.cohesion > 0 || j.tensile_strength > 0; });
+  const std::size_t strong = joints_with(model, &JointMaterial::has_strength);
   if (strong == 0) return std::nullopt;
   return fmt::format("{} of {} in use hold{} cohesion or tension until the first slip or opening", strong,
                      counted(joints_in_use(model).size(), "joint material"), strong == 1 ? "s" : "");

@@ -22,10 +22,6 @@ constexpr double kSideBySide = 1e-2;
 // Sine of the angle up to which parts of an edge lie on one line.
 constexpr double kInLine = 1e-6;
 
-bool has_strength(const JointMaterial& joint) {
-  return joint.cohesion > 0 || joint.tensile_strength > 0;
-}
-
 bool is_like(const JointMaterial& a, const JointMaterial& b) {
   return a.friction_angle_deg == b.friction_angle_deg && a.cohesion == b.cohesion &&
          a.tensile_strength == b.tensile_strength;
@@ -34,7 +30,7 @@ bool is_like(const JointMaterial& a, const JointMaterial& b) {
 // Returns the number of a joint material with strength that faces have; negative without any.
 int with_strength(const Model& model) {
   for (const Vertex& vertex : model.vertices)
-    if (!vertex.is_inner && has_strength(model.joint_material(vertex.joint_material))) return vertex.joint_material;
+    if (!vertex.is_inner && model.joint_material(vertex.joint_material).has_strength()) return vertex.joint_material;
   return -1;
 }
 
@@ -71,7 +67,7 @@ class FacingFaces {
     for (const Touch& touch : meeting_touches(scene_, motion_, scales_, kSideBySide * scales_.size)) {
       if (!touch.facing.lower || touch.stretch <= 0) continue;
       const double gap = gap_of(touch, vertices_);
-      if (keyblock::has_strength(scene_, touch) && !bonded.contains({touch.facing.lower, touch.facing.upper}))
+      if (has_strength(scene_, touch) && !bonded.contains({touch.facing.lower, touch.facing.upper}))
         apart_.add(touch, gap);
       if (has_two_materials(touch)) differing_.add(touch, gap);
     }

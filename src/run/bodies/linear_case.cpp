@@ -109,8 +109,7 @@ void require_linear_tips(const Problem& problem, const Settings& settings) {
   if (!problem.covers->mesh.materials.empty()) refuse("blocks among the NMM bodies");
   if (!is_untouched(problem, settings))
     refuse("contact of several bodies, or contact with fixed points, loading points or bolts");
-  const auto holds = [](const JointMaterial& joint) { return joint.cohesion != 0 || joint.tensile_strength != 0; };
-  if (faces_touch(problem) && std::ranges::any_of(problem.analysis->joint_materials, holds))
+  if (faces_touch(problem) && std::ranges::any_of(problem.analysis->joint_materials, &JointMaterial::has_strength))
     refuse("cohesion or tensile strength of joints whose faces touch");
   const std::vector<BlockMaterial>& materials = problem.analysis->block_materials;
   if (std::ranges::any_of(materials, &BlockMaterial::is_nonlinear)) refuse("a strength or crack_closure");

@@ -28,8 +28,7 @@ Warnings bonded_crack_faces(const Scene& scene, const Place& place) {
   if (scene.is_untouched || !model.continuum) return {};
   const auto is_bonded = [&](int number) {
     if (number < 0 || static_cast<std::size_t>(number) >= model.joint_materials.size()) return false;
-    const JointMaterial& joint = model.joint_material(number);
-    return joint.cohesion > 0 || joint.tensile_strength > 0;
+    return model.joint_material(number).has_strength();
   };
   const auto warning = [&](const std::string& which, int number) {
     const JointMaterial& joint = model.joint_material(number);

@@ -126,8 +126,7 @@ std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<Cont
 }
 
 bool has_strength(const StandardScene& scene, const Touch& touch) {
-  const JointMaterial& joint = scene.model.joint_material(touch.joint_material);
-  return touch.stretch > 0 && (joint.cohesion > 0 || joint.tensile_strength > 0);
+  return touch.stretch > 0 && scene.model.joint_material(touch.joint_material).has_strength();
 }
 
 Bonds bonds_at(const StandardScene& scene, const Motion& motion, const Scales& scales) {

@@ -61,9 +61,8 @@ void add_corners_on(const Model& model, ElementIndex corners, ElementIndex edges
       const VertexIndex end = model.vertices[v].next;
       const Segment edge{place_of(model, v), place_of(model, end)};
       if (distance(edge, place_of(model, corner)) > tolerance) continue;
-      const JointMaterial& joint = model.joint_material(model.vertices[end].joint_material);
       meetings.push_back({place_of(model, corner), (1 / distance(edge.start, edge.end)) * (edge.end - edge.start),
-                          joint.cohesion > 0 || joint.tensile_strength > 0});
+                          model.joint_material(model.vertices[end].joint_material).has_strength()});
     }
 }
 

@@ -17,7 +17,7 @@ namespace keyblock::study {
 namespace {
 
 bool has_strength(const JointMaterial& joint) {
-  return joint.friction_angle_deg > 0 || joint.cohesion > 0 || joint.tensile_strength > 0;
+  return joint.friction_angle_deg > 0 || joint.has_strength();
 }
 
 // Returns the places in the list of materials that are not exempt.
