@@ -70,7 +70,7 @@ fronts: packages ## cases | 20 min | measures error against computing time in fi
 	$(call front,cantilever,legacy_cases/cantilever/blocks_16x4 --vary basis$(comma)enforcement$(comma)penalty)
 	$(call front,cook,legacy_cases/cook_membrane/coarse --repeat 3)
 	$(call front,slope,$(FRONTS)/slope.json --vary step --limit 100)
-	build/keyblock sweep legacy_cases/masonry_arch/quake_thin_falls --against finest --finest 16 \
+	build/keyblock tradeoff legacy_cases/masonry_arch/quake_thin_falls --map --against finest --finest 16 \
 	  --picture $(FRONTS)/arch_map.svg --force >$(FRONTS)/arch_map.txt
 
 comma = ,

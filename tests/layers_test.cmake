@@ -34,7 +34,7 @@ set(inner_job files,curves folder run_heading,run_record verdict page .)
 set(inner_report drawing page,document . rock)
 set(inner_serve http . study,live served_results unsaved service)
 set(inner_study strength cases trade,batch,convert,element,fit,fracture,sweep)
-set(inner_app helpers . run_words,handout input templates,shell strength commands,batch,rock)
+set(inner_app helpers . run_words,handout input templates,shell strength commands,batch,rock,trade)
 
 # Shi's rules are fenced off: the standard step does not see them, and they see of it the stepper that both are, and the size of a step.
 set(legacy_sees_of_step step/stepper.hpp step/time/step_size.hpp)

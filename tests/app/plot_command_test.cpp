@@ -179,7 +179,7 @@ TEST(PlotCommand, endings_other_than_those_of_pictures_are_refused) {
       << plot.messages;
   EXPECT_FALSE(std::filesystem::exists(out + "/x.eps"));
   for (const std::vector<std::string>& words : {std::vector<std::string>{"cut", "a.geo", "--svg", "a.eps"},
-                                                {"sweep", out, "--picture", "a.gif"},
+                                                {"tradeoff", out, "--picture", "a.gif"},
                                                 {"fit", "a.csv", "--svg", "a.jpg"},
                                                 {"cut", "a.geo", "-o", "a.svg"},
                                                 {"fit", "a.csv", "-o", "a.PNG"}}) {

@@ -111,11 +111,11 @@ TEST(TradeoffCommand, files_without_expected_values_are_held_against_their_own_l
   EXPECT_TRUE(contains(json["reference"]["words"], "step /8"));
 }
 
-TEST(SweepCommand, writes_map_table_and_picture) {
-  const std::string folder = fresh_folder("sweep");
-  const std::vector<std::string> command{"sweep", kSlide,    "--penalties",       "10,1",      "--steps",
-                                         "8,4",   "--table", folder + "/map.csv", "--picture", folder + "/map.svg",
-                                         "--json"};
+TEST(TradeoffMap, writes_map_table_and_picture) {
+  const std::string folder = fresh_folder("tradeoff_map");
+  const std::vector<std::string> command{"tradeoff",          kSlide,  "--map",   "--penalties",       "10,1",
+                                         "--steps",           "8,4",   "--table", folder + "/map.csv", "--picture",
+                                         folder + "/map.svg", "--json"};
   const ProgramRun made = run_keyblock(command);
   ASSERT_EQ(made.exit_code, 0) << made.messages;
   const Json json = Json::parse(made.output);
@@ -129,14 +129,23 @@ TEST(SweepCommand, writes_map_table_and_picture) {
   EXPECT_EQ(run_keyblock(command).exit_code, 2);
 }
 
-TEST(SweepCommand, cells_over_the_limit_say_so_and_a_map_of_nothing_else_is_exit_4) {
-  const ProgramRun made = run_keyblock({"sweep", kSlide, "--penalties", "1", "--steps", "1", "--limit", "0.0001"});
+TEST(TradeoffMap, cells_over_the_limit_say_so_and_a_map_of_nothing_else_is_exit_4) {
+  const ProgramRun made =
+      run_keyblock({"tradeoff", kSlide, "--map", "--penalties", "1", "--steps", "1", "--limit", "0.0001"});
   EXPECT_EQ(made.exit_code, 4);
   EXPECT_TRUE(contains(made.output, "over limit")) << made.output;
 }
 
-TEST(SweepCommand, a_case_without_contact_steps_is_exit_2) {
-  EXPECT_EQ(run_keyblock({"sweep", KEYBLOCK_SOURCE_DIR "/legacy_cases/cook_membrane/coarse"}).exit_code, 2);
+TEST(TradeoffMap, its_options_need_it_and_it_excludes_others) {
+  EXPECT_EQ(run_keyblock({"tradeoff", kSlide, "--steps", "1"}).exit_code, 2);
+  EXPECT_EQ(run_keyblock({"tradeoff", kSlide, "--map", "--budget", "1s"}).exit_code, 2);
+  const ProgramRun former = run_keyblock({"sweep", kSlide});
+  EXPECT_EQ(former.exit_code, 2);
+  EXPECT_TRUE(contains(former.messages, "keyblock tradeoff --map")) << former.messages;
+}
+
+TEST(TradeoffMap, a_case_without_contact_steps_is_exit_2) {
+  EXPECT_EQ(run_keyblock({"tradeoff", KEYBLOCK_SOURCE_DIR "/legacy_cases/cook_membrane/coarse", "--map"}).exit_code, 2);
 }
 
 TEST(RunCommand, a_settings_file_is_overruled_by_the_command_line_and_its_faults_are_exit_3) {

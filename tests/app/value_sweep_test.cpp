@@ -255,8 +255,8 @@ TEST(ValueSweep, wrong_usage_is_found_before_any_job) {
   const std::string file = slope_in(folder);
   for (const Words& wrong :
        {Words{"--over", "/no/such=1"}, Words{"--over", "no_setting=1"}, Words{"--over", "steps=1", "--out", "colour"},
-        Words{"--over", "steps=normal(1,1)"}, Words{"--over", "steps=1", "--shard", "3/2"},
-        Words{"--over", "steps=1", "--penalties", "1"}, Words{"--over", "joints:/seed=1"}, Words{"--random", "3"}}) {
+        Words{"--over", "steps=normal(1,1)"}, Words{"--over", "steps=1", "--shard", "3/2"}, Words{"--set", "steps=1"},
+        Words{"--over", "joints:/seed=1"}, Words{"--random", "3"}}) {
     const ProgramRun run = run_keyblock(Words{"sweep", file, "-o", folder + "/out"} + wrong);
     EXPECT_EQ(run.exit_code, 2) << wrong[1] << run.messages;
     EXPECT_FALSE(fs::exists(folder + "/out"));

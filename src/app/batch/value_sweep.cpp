@@ -1,4 +1,4 @@
-// `keyblock sweep --over`: runs a case under many values, each in a process of its own, and writes one table.
+// `keyblock sweep`: runs a case under many values, each in a process of its own, and writes one table.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -370,6 +370,10 @@ ExitCode finish(const ValueSweepOptions& options, const ReadySweep& sweep, const
 }  // namespace
 
 ExitCode sweep_values(const ValueSweepOptions& options) {
+  if (options.over.empty() && options.design_file.empty())
+    throw UsageError(
+        "sweep: expected --over or --design, found neither; `keyblock tradeoff --map` maps errors over contact "
+        "stiffness and step");
   if (options.folder.empty())
     throw UsageError("sweep: no folder given for the results; usage: keyblock sweep CASE --over KEY=VALUES -o FOLDER");
   const Shard shard = options.shard.empty() ? Shard{} : shard_of(options.shard);

@@ -34,8 +34,6 @@ struct ValueSweepOptions {
   bool is_resumed = false;
   bool force = false;
   bool as_json = false;
-
-  bool is_asked() const { return !over.empty() || !design_file.empty(); }
 };
 
 /// Runs the sweep, a shard of it, or writes the table of all shards. Throws UsageError, InputError,

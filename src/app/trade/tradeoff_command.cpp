@@ -12,10 +12,10 @@
 #include <numeric>
 
 #include "app/command.hpp"
-#include "app/commands/study_options.hpp"
 #include "app/helpers/picture_file.hpp"
 #include "app/option_checks.hpp"
 #include "app/stop_request.hpp"
+#include "app/trade/tradeoff_map.hpp"
 #include "base/context.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
@@ -32,7 +32,8 @@ using Json = nlohmann::ordered_json;
 using study::MeasuredRun;
 using study::Tradeoff;
 
-struct TradeoffOptions : StudyOptions {
+struct TradeoffOptions : MapOptions {
+  bool is_map = false;
   bool is_full = false;
   std::vector<std::string> vary;
   std::size_t most = 200;
@@ -254,6 +255,22 @@ ExitCode run_tradeoff(const TradeoffOptions& options) {
   return is_in_doubt || (chooses && !choice) ? ExitCode::check_failed : ExitCode::ok;
 }
 
+/// Adds the options of the map, which has runs and outputs of its own.
+void add_map_options(CLI::App& options, TradeoffOptions& chosen) {
+  CLI::Option* map = options.add_flag("--map", chosen.is_map, "map the error over contact stiffness and step instead");
+  for (const char* name : {"--vary", "--full", "--most", "--budget", "--error", "--output"})
+    map->excludes(options.get_option(name));
+  options.add_option("--penalties", chosen.penalties, "factors on the contact stiffness (default: 100 10 1 0.1 0.01)")
+      ->delimiter(',')
+      ->check(above_zero())
+      ->needs(map);
+  options.add_option("--steps", chosen.steps, "factors on the step (default: 4 2 1 0.5 0.25)")
+      ->delimiter(',')
+      ->check(above_zero())
+      ->needs(map);
+  options.add_option("--table", chosen.table, "write the map as a table (CSV)")->type_name("FILE")->needs(map);
+}
+
 }  // namespace
 
 Action configure_tradeoff(CLI::App& options) {
@@ -275,10 +292,11 @@ Action configure_tradeoff(CLI::App& options) {
       .add_option("-o,--output", chosen->output,
                   "file for the picked settings, for run --settings-file (default: CASE.settings)")
       ->type_name("FILE");
+  add_map_options(options, *chosen);
   return [chosen] {
     context().use_threads(1);  // costs are processor time
     listen_for_stops();
-    return run_tradeoff(*chosen);
+    return chosen->is_map ? map_errors(*chosen) : run_tradeoff(*chosen);
   };
 }
 

@@ -1,5 +1,5 @@
-// Declares the common options of `tradeoff` and `sweep`: the case, the limits of its runs, the reference, and the load
-// of the machine.
+// Declares the options of `tradeoff` and of its map: the case, the limits of its runs, the reference, and the load of
+// the machine.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

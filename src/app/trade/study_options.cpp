@@ -1,6 +1,6 @@
 // Checks outputs and references before the runs, which may take minutes.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/study_options.hpp"
+#include "app/trade/study_options.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
