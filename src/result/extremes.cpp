@@ -14,7 +14,7 @@ struct Displaced {
   Point from;
 
   void look_at(Point start, Point displacement) {
-    if (length(displacement) <= way) return;
+    if (!is_clearly_greater(length(displacement), way)) return;
     way = length(displacement);
     from = start;
   }
@@ -49,6 +49,10 @@ Displaced greatest_displacement(const FieldElement& element) {
 
 }  // namespace
 
+bool is_clearly_greater(double value, double than) {
+  return value > (1 + kTie) * than;
+}
+
 std::pair<double, double> principal(const Stress& stress) {
   const double mean = (stress.xx + stress.yy) / 2;
   const double radius = std::hypot((stress.xx - stress.yy) / 2, stress.xy);
@@ -69,7 +73,7 @@ Extremes extremes_of(const Frame& start, const Frame& end, const FieldFrame& fie
     const Displaced displaced =
         is_from_drawing ? greatest_displacement(field.elements[e]) : greatest_displacement(first, end.elements[e]);
     const auto [least, greatest] = principal(end.elements[e].stress);
-    if (displaced.way > found.displacement) {
+    if (is_clearly_greater(displaced.way, found.displacement)) {
       found.displacement = displaced.way;
       found.displaced_from = displaced.from;
       found.displaced_element = index;

@@ -17,6 +17,12 @@ std::pair<double, double> principal(const Stress& stress);
 /// (σxx − σyy) (Mohr 1882).
 double principal_angle(const Stress& stress);
 
+/// Places that differ by less count as equal: the first one is named, whatever the rounding of the machine.
+inline constexpr double kTie = 1e-9;
+
+/// Returns true if a value above 0 exceeds another one by more than a tie.
+bool is_clearly_greater(double value, double than);
+
 struct Extremes {
   double displacement = 0;     ///< greatest of a corner
   int displaced_element = 0;   ///< element of that corner, its number from 0

@@ -47,6 +47,14 @@ TEST(Extremes, name_the_elements_that_moved_and_bore_most) {
   EXPECT_DOUBLE_EQ(extremes_of(start, end).displacement, 6);
 }
 
+// Both triangles moved by 5: which one is named may not depend on rounding.
+TEST(Extremes, name_the_first_of_places_that_moved_equally_far) {
+  const Frame start = frame_of({triangle({0, 0}, {}), triangle({2, 0}, {})});
+  const Frame end = frame_of({triangle({3, 4}, {}), triangle({5, 4 + 1e-12}, {})});
+  EXPECT_EQ(extremes_of(start, end).displaced_element, 0);
+  EXPECT_DOUBLE_EQ(extremes_of(start, end).displaced_from.x, 0);
+}
+
 // A start in equilibrium had moved the square by 3 before the first frame, the run by 4 across.
 TEST(Extremes, displacements_count_from_the_drawing_where_the_field_tells_them) {
   const Frame start = frame_of({triangle({3, 0}, {})});

@@ -10,6 +10,7 @@
 #include "base/words/plain_number.hpp"
 #include "job/verdict/energy_scale.hpp"
 #include "problem/units/readable.hpp"
+#include "result/extremes.hpp"
 #include "run/prepare.hpp"
 
 namespace keyblock {
@@ -109,14 +110,14 @@ EndOfMotion end_of_motion(const Prepared& prepared, const RunRecord& record, con
   EndOfMotion end;
   for (std::size_t e = 0; e < last.elements.size(); ++e) {
     const double speed = speed_of(last.elements[e]);
-    if (e > 0 && speed <= end.speed) continue;
+    if (e > 0 && !is_clearly_greater(speed, end.speed)) continue;
     end.speed = speed;
     end.fastest = number_of(last, e);
     end.fastest_at = last.elements[e].centroid;
   }
   for (std::size_t i = 0; i < last.measured_points.size(); ++i) {
     const double way = is_there(last.measured_points[i]) ? length(last.measured_points[i].displacement) : 0;
-    if (end.farthest_point && way <= end.farthest_point_way) continue;
+    if (end.farthest_point && !is_clearly_greater(way, end.farthest_point_way)) continue;
     end.farthest_point = i;
     end.farthest_point_way = way;
   }
