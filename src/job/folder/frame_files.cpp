@@ -38,20 +38,37 @@ std::string frame_file(const FramePart& part, int step) {
   return fmt::format("{}/{}{:08}{}", kFrameFolder, part.opening, step, part.ending);
 }
 
-bool is_of(const FramePart& part, const fs::path& file) {
-  const std::string stem = file.stem().string();
-  return file.extension() == part.ending && stem.starts_with(part.opening) && stem.size() >= part.opening.size() + 8 &&
-         std::ranges::all_of(stem.substr(part.opening.size()), [](char c) { return c >= '0' && c <= '9'; });
+constexpr std::size_t kDigits = 8;  // of a step, at least
+
+// A page that follows a run lists thousands of files per frame: paths are not taken apart into other paths.
+std::string_view name_in(const fs::path& file) {
+  const std::string_view path = file.native();
+  return path.substr(path.rfind('/') + 1);
+}
+
+/// Returns the digits of the step in the name of a file of a part; empty for other files.
+std::string_view step_in(const FramePart& part, std::string_view name) {
+  if (!name.starts_with(part.opening) || !name.ends_with(part.ending)) return {};
+  name.remove_prefix(part.opening.size());
+  name.remove_suffix(std::min(name.size(), part.ending.size()));
+  const bool is_step = name.size() >= kDigits && std::ranges::all_of(name, [](char c) { return c >= '0' && c <= '9'; });
+  return is_step ? name : std::string_view();
 }
 
 int part_number(const fs::path& file) {
-  const auto part = std::ranges::find_if(kParts, [&](const FramePart& p) { return is_of(p, file); });
+  const std::string_view name = name_in(file);
+  const auto part = std::ranges::find_if(kParts, [&](const FramePart& p) { return !step_in(p, name).empty(); });
   return static_cast<int>(part - kParts.begin());
+}
+
+bool is_file(const fs::directory_entry& entry) {
+  std::error_code error;
+  return !entry.is_symlink(error) && entry.is_regular_file(error);  // known from the directory
 }
 
 /// Returns true for files that `frame_file` names; all other files there are the user's.
 bool is_frame(const fs::directory_entry& entry) {
-  return part_number(entry.path()) < static_cast<int>(kParts.size()) && fs::is_regular_file(entry.symlink_status());
+  return part_number(entry.path()) < static_cast<int>(kParts.size()) && is_file(entry);
 }
 
 }  // namespace
@@ -60,10 +77,10 @@ std::map<int, fs::path> frames_in(const fs::path& folder) {
   std::map<int, fs::path> frames;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / kFrameFolder, error)) {
-    if (part_number(entry.path()) != 0 || !is_frame(entry)) continue;
-    const std::string stem = entry.path().stem().string();
+    const std::string_view digits = step_in(kParts.front(), name_in(entry.path()));
     int step = 0;
-    if (std::from_chars(stem.data(), stem.data() + stem.size(), step).ec == std::errc())
+    if (digits.empty() || !is_file(entry)) continue;
+    if (std::from_chars(digits.data(), digits.data() + digits.size(), step).ec == std::errc())
       frames.emplace(step, entry.path());
   }
   return frames;
