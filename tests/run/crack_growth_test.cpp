@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -12,6 +13,7 @@
 #include "formats/registry.hpp"
 #include "run/checkpoint.hpp"
 #include "run/prepare.hpp"
+#include "run/record.hpp"
 #include "run/run.hpp"
 #include "run/steppers.hpp"
 #include "tests/support/program.hpp"
@@ -52,6 +54,35 @@ TEST(CrackGrowth, left_before_any_step_it_goes_on_to_the_same_bytes) {
     for (std::size_t step = i; step < 3; ++step) again->advance();
     EXPECT_TRUE(bytes_of(*again) == end) << i;
   }
+}
+
+// The mesh around the tip is made anew at each step. Curves follow an element by its number: it must stay in its place.
+TEST(CrackGrowth, elements_keep_their_numbers_and_places) {
+  Problem problem =
+      problem_of(KEYBLOCK_SOURCE_DIR "/legacy_cases/crack_growth/cantilever_straight/cantilever_straight.json");
+  problem.analysis->step_count = 3;
+  const std::unique_ptr<Stepper> stepper = stepper_for(prepare(problem, "standard", {}).scene);
+  Frame before = frame_now(*stepper);
+  double farthest = 0;
+  std::size_t renamed = 0, moved = 0;
+  for (int step = 0; step < 3; ++step) {
+    ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+    const Frame after = frame_now(*stepper);
+    const ElementsByNumber known(before);
+    for (std::size_t e = 0; e < after.elements.size(); ++e) {
+      const ElementFrame* same = known.find(number_of(after, e));
+      if (same == nullptr) continue;
+      const double width = std::sqrt(2 * same->area);  // of a triangle
+      const double way = distance(after.elements[e].centroid, same->centroid);
+      farthest = std::max(farthest, way / width);
+      moved += way > 1e-3 * width ? 1U : 0U;
+      renamed += number_of(after, e) != static_cast<int>(e) ? 1U : 0U;
+    }
+    before = after;
+  }
+  EXPECT_LT(farthest, 2);  // a piece of a larger element
+  EXPECT_GT(renamed, 0U);
+  EXPECT_LT(moved, 3 * before.elements.size() / 2);  // in three steps: those around the tip
 }
 
 // The arms of a plate are pulled apart until its crack runs into a hole: the run ends before all steps are made, and

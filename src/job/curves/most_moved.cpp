@@ -32,8 +32,9 @@ struct FollowedParts {
 FollowedParts followed_by(const History& history, const Frame& start, const FieldFrame& field) {
   FollowedParts followed{history.of_measured_points ? "measured point" : "block", {}};
   const std::size_t count = history.rows.front().points.size();
-  const bool are_blocks = field.elements.size() != count || body_count(field) == count;
-  if (history.of_measured_points || are_blocks) {
+  const bool have_changed = field.elements.size() != count;  // no body then tells the elements of the start
+  if (have_changed && !history.of_measured_points && !field.is_of_blocks) followed.word = "element";
+  if (history.of_measured_points || have_changed || body_count(field) == count) {
     for (std::size_t i = 0; i < count; ++i) followed.parts.push_back({{i, 1.0}});
     return followed;
   }

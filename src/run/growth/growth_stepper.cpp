@@ -15,7 +15,9 @@
 #include "model/setup/free_pieces.hpp"
 #include "model/setup/scale_loads.hpp"
 #include "result/describe.hpp"
+#include "run/growth/parents.hpp"
 #include "run/growth/solution_of.hpp"
+#include "run/stages/chain.hpp"
 #include "step/scene_steppers.hpp"
 
 namespace keyblock {
@@ -68,13 +70,18 @@ bool are_pressed(const std::vector<TipState>& tips) {
 
 GrowthStepper::GrowthStepper(Scene first) : first_(std::move(first)), cracks_(first_.growth->cracks) {
   front_.cracks = cracks_;
+  next_number_ = static_cast<int>(first_.model.elements.size());
   now_ = scene_stepper(with_factor(first_, 1));
   state_ = now_->state();
 }
 
 GrowthStepper::GrowthStepper(Scene first, Archive& saved) : first_(std::move(first)) {
   describe_growth(saved);
-  saved.group("scene", [&] { now_ = restored_scene_stepper(scene_with(front_.cracks, load_factor_), saved); });
+  saved.group("scene", [&] {
+    Scene scene = scene_with(front_.cracks, load_factor_);
+    restore_names(saved, scene.model);
+    now_ = restored_scene_stepper(std::move(scene), saved);
+  });
   const int step = state_.step;
   const double time = state_.time;
   state_ = now_->state();
@@ -84,7 +91,10 @@ GrowthStepper::GrowthStepper(Scene first, Archive& saved) : first_(std::move(fir
 
 void GrowthStepper::save(Archive& archive) {
   describe_growth(archive);
-  archive.group("scene", [&] { now_->save(archive); });
+  archive.group("scene", [&] {
+    save_names(archive, now_->model());
+    now_->save(archive);
+  });
 }
 
 void GrowthStepper::describe_growth(Archive& archive) {
@@ -92,6 +102,7 @@ void GrowthStepper::describe_growth(Archive& archive) {
   archive.value("time", state_.time);
   archive.value("load_factor", load_factor_);
   archive.value("is_done", is_done_);
+  archive.value("next_number", next_number_);
   describe(archive, "cracks", cracks_);
   describe(archive, front_);
   archive.group("notes", [&] { describe(archive, notes_); });
@@ -105,7 +116,10 @@ std::variant<GrowthStepper::Solved, StepFailure> GrowthStepper::solved(const std
                                                                        double factor) const {
   Solved result;
   try {
-    result.stepper = scene_stepper(scene_with(cracks, factor));
+    Scene scene = scene_with(cracks, factor);
+    result.next_number = next_number_;
+    name_elements(now_->model(), scene.model, parents_by_place(now_->model(), scene.model), result.next_number);
+    result.stepper = scene_stepper(std::move(scene));
   } catch (const InputError& error) {
     return failure({"cracks_cannot_go_on", {{}, {{"input", error.what()}}}});
   }
@@ -220,6 +234,7 @@ std::variant<StepReport, StepFailure> GrowthStepper::advance() {
   StepReport report = under_load.report;
   report.passes += under_unit.report.passes;
   now_ = std::move(under_load.stepper);
+  next_number_ = under_load.next_number;
   const int step = state_.step + 1;
   const CrackFront before = std::exchange(front_, {cracks_, std::move(under_load.tips), next.starts});
   note_bends(notes_, step, before, front_);

@@ -43,6 +43,7 @@ class GrowthStepper : public StepperOfScenes {
     StepReport report;
     std::vector<TipState> tips;
     std::vector<CrackStart> starts;  ///< of cracks in intact rock
+    int next_number = 0;             ///< of an element
   };
 
   void describe_growth(Archive& archive);
@@ -69,6 +70,7 @@ class GrowthStepper : public StepperOfScenes {
   double load_factor_ = 1;
   CrackNotes notes_;
   bool is_done_ = false;
+  int next_number_ = 0;  ///< of an element that comes
 };
 
 }  // namespace keyblock

@@ -123,13 +123,6 @@ void describe_faces(Archive& archive, PartingFaces& faces) {
   });
 }
 
-void describe_names(Archive& archive, std::vector<Identity>& names) {
-  archive.list("names", names, [&](Identity& name) {
-    archive.value("number", name.number);
-    archive.value("origin", name.origin);
-  });
-}
-
 /// Returns the energy per length of an extending tip, K_Ic²/E': behind its kink it is of mode I at the toughness.
 double energy_of(const Continuum& continuum, const TipState& tip) {
   return energy_release(rock_at(continuum, tip_of(continuum.manifold, tip)), {tip.toughness, 0});
@@ -214,11 +207,7 @@ GrowthUnderLoads::GrowthUnderLoads(Scene first, Archive& saved) : first_(std::mo
   Scene scene =
       front_.cracks.empty() && first_.growth->cracks.empty() ? first_ : scene_with(first_, front_.cracks, refined_);
   saved.group("scene", [&] {
-    std::vector<Identity>& names = scene.model.identities.elements;
-    describe_names(saved, names);
-    if (!names.empty() && names.size() != scene.model.elements.size())
-      saved.refuse("names", fmt::format("expected the names of {} elements, found {}", scene.model.elements.size(),
-                                        names.size()));
+    restore_names(saved, scene.model);
     now_ = std::make_unique<StandardStepper>(std::move(scene), saved);
   });
   place_on(model().continuum->manifold, parting_, first_.growth->plan.place);
@@ -228,8 +217,7 @@ GrowthUnderLoads::GrowthUnderLoads(Scene first, Archive& saved) : first_(std::mo
 void GrowthUnderLoads::save(Archive& archive) {
   describe(archive);
   archive.group("scene", [&] {
-    std::vector<Identity> names = model().identities.elements;
-    describe_names(archive, names);
+    save_names(archive, model());
     now_->save(archive);
   });
 }

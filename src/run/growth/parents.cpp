@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/parents.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,6 +54,13 @@ Point inner_point(const Manifold& manifold, std::size_t e) {
   const auto loops = loops_of(manifold, e);
   const std::optional<Point> inside = point_inside(loops);
   return inside ? *inside : centroid(loops.front());
+}
+
+void describe_names(Archive& archive, std::vector<Identity>& names) {
+  archive.list("names", names, [&](Identity& name) {
+    archive.value("number", name.number);
+    archive.value("origin", name.origin);
+  });
 }
 
 /// Returns the parents of elements in unchanged triangles; -1 for the others.
@@ -116,6 +125,19 @@ Table<ElementIndex, ElementIndex> parents_by_place(const Model& before, const Mo
   for (int b = 0; b < blocks; ++b) parents.push_back({b});
   for (const int p : parent) parents.push_back({blocks + p});
   return parents;
+}
+
+void save_names(Archive& archive, const Model& model) {
+  std::vector<Identity> names = model.identities.elements;
+  describe_names(archive, names);
+}
+
+void restore_names(Archive& saved, Model& model) {
+  std::vector<Identity>& names = model.identities.elements;
+  describe_names(saved, names);
+  if (!names.empty() && names.size() != model.elements.size())
+    saved.refuse("names",
+                 fmt::format("expected the names of {} elements, found {}", model.elements.size(), names.size()));
 }
 
 }  // namespace keyblock

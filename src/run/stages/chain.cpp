@@ -57,7 +57,8 @@ SceneMap map_between(const Model& before, const Model& after, Table<ElementIndex
   return map;
 }
 
-/// If an element has several pieces, the first keeps its number.
+}  // namespace
+
 void name_elements(const Model& before, Model& after, const Table<ElementIndex, ElementIndex>& parents,
                    int& next_number) {
   Table<ElementIndex, char> is_taken(before.elements.size(), 0);
@@ -69,8 +70,6 @@ void name_elements(const Model& before, Model& after, const Table<ElementIndex, 
     after.identities.elements.push_back(identity);
   }
 }
-
-}  // namespace
 
 SceneChange change_between(const Model& before, Scene after, Table<ElementIndex, ElementIndex> parents,
                            int& next_number) {

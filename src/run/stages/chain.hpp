@@ -41,8 +41,13 @@ Table<ElementIndex, ElementIndex> block_parents(const Model& before, const Model
 /// Returns the end conditions of the scene of a stage.
 SceneEnd end_of(const Stage& stage, const StageChoices& choices);
 
-/// Returns the change to a scene with the same fixed points and bolts in order; `parents` are those of its elements. If
-/// an element has several pieces, the first keeps its number, others are numbered from `next_number`.
+/// Gives elements the numbers of their parents. If an element has several pieces, the first keeps its number, others
+/// are numbered from `next_number`.
+void name_elements(const Model& before, Model& after, const Table<ElementIndex, ElementIndex>& parents,
+                   int& next_number);
+
+/// Returns the change to a scene with the same fixed points and bolts in order; `parents` are those of its elements,
+/// which are named by them.
 SceneChange change_between(const Model& before, Scene after, Table<ElementIndex, ElementIndex> parents,
                            int& next_number);
 
