@@ -30,6 +30,7 @@ namespace {
 
 constexpr double kLargestMove = 0.08;  // of the extent, in the deformed mesh
 constexpr double kBarHeight = 240;
+constexpr double kUsualCaption = 13;
 constexpr double kNarrowCaption = 12;
 constexpr double kNote = 20;          // height of a line of notes in a narrow picture
 constexpr double kNoteBaseline = 10;  // below its upper edge
@@ -361,7 +362,9 @@ std::string field_picture(const FieldPicture& whole) {
   if (box.empty()) return page.str();
   const auto map = [&](std::size_t k) { return PageMap(box, panels.corners[k], panels.rooms[k]); };
   const auto caption = [&](std::size_t k, const std::string& words) {
-    page.text(panels.corners[k] - Point{0, 8}, words, {.size = is_alone ? kNarrowCaption : 13.0});
+    const double size = is_alone ? kNarrowCaption : kUsualCaption;
+    const double wide = is_alone ? room : panels.rooms[k].x;
+    page.text(panels.corners[k] - Point{0, 8}, words, {.size = std::min(1.0, wide / text_width(words, size)) * size});
   };
   if (!is_alone) draw_meshes(page, {map(0), map(1)}, picture, whole, deformed, factor, caption);
   const PageMap large = map(2);

@@ -17,7 +17,7 @@ std::pair<double, double> principal(const Stress& stress);
 /// (σxx − σyy) (Mohr 1882).
 double principal_angle(const Stress& stress);
 
-/// Places that differ by less count as equal: the first one is named, whatever the rounding of the machine.
+/// Values that differ by less count as equal. The first place of equal values is named on all machines.
 inline constexpr double kTie = 1e-9;
 
 /// Returns true if a value above 0 exceeds another one by more than a tie.

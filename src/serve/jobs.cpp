@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <csignal>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <regex>
 #include <utility>
 
@@ -31,12 +33,27 @@ std::string tail_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Step, number of steps and time left of the last progress line.
+/// Step, number of steps and time left of the last progress line; bracket of the trials so far.
 struct Progress {
   int step = 0;
   int steps = 0;
   std::string left;
+  std::optional<double> stands, falls;
 };
+
+// Reads the lines of a search, such as "F = 1.25: stable".
+void put_trials(const std::string& messages, Progress& progress) {
+  static const std::regex kTrial("(^|\n)F = ([0-9.e+-]{1,20}): (stable|unstable)");
+  for (std::sregex_iterator at(messages.begin(), messages.end(), kTrial), end; at != end; ++at) {
+    const std::string number = (*at)[2];
+    double factor = 0;
+    if (std::from_chars(number.data(), number.data() + number.size(), factor).ec != std::errc()) continue;
+    if ((*at)[3] == "stable")
+      progress.stands = std::max(progress.stands.value_or(factor), factor);
+    else
+      progress.falls = std::min(progress.falls.value_or(factor), factor);
+  }
+}
 
 Progress progress_in(const std::string& messages) {
   static const std::regex kLine("step ([0-9]{1,9})/([0-9]{1,9})[^\n]*");
@@ -50,6 +67,7 @@ Progress progress_in(const std::string& messages) {
   }
   std::smatch left;
   if (std::regex_search(line, left, kLeft)) progress.left = left[1];
+  put_trials(messages, progress);
   return progress;
 }
 
@@ -127,6 +145,8 @@ Json Jobs::json_of(const Job& job) const {
   json["step"] = progress.step;
   json["steps"] = progress.steps;
   json["left"] = progress.left;
+  if (progress.stands) json["stands"] = *progress.stands;
+  if (progress.falls) json["falls"] = *progress.falls;
   json["seconds"] =
       std::chrono::duration<double>((job.state == State::runs ? Clock::now() : job.finished) - job.begun).count();
   if (job.state == State::runs) return json;

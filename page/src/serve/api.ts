@@ -62,6 +62,9 @@ export interface Job {
   step?: number;
   steps?: number;
   left?: string;
+  /** Greatest factor found stable so far, least one found unstable. */
+  stands?: number;
+  falls?: number;
   seconds?: number;
   exit_code?: number;
   messages?: string;

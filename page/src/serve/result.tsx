@@ -6,6 +6,7 @@ import * as api from './api';
 import type { Units } from './edit/schema';
 import { follow, type LivePage } from './follow';
 import { Handouts } from './handouts';
+import { last_messages, progress_of } from './runs';
 import * as state from './state';
 import { StrengthView } from './strength';
 import { SweepView } from './study';
@@ -14,6 +15,8 @@ import { title_of_entry, units_of_entry } from './titles';
 export function ResultView({ path }: { path: string }) {
   const entry = state.listing.value?.results.find(own => own.path === path);
   const job = state.jobs.value.find(own => own.result === path && (own.state === 'runs' || own.state === 'waits'));
+  const last = state.jobs.value.filter(own => own.result === path).pop();
+  const failed = last?.kind === 'resume' && last.state === 'ended' && last.exit_code === 3 ? last : null;
   const is_strength = entry?.kind === 'fos';
   const others = (state.listing.value?.results ?? []).filter(own => own.path !== path && own.kind === 'run');
   const frame = useRef<HTMLIFrameElement>(null);
@@ -48,10 +51,7 @@ export function ResultView({ path }: { path: string }) {
         <h2>{path}</h2>
         {job && (
           <>
-            <span class="note">
-              {job.steps ? `step ${job.step} of ${job.steps}` : job.state}
-              {job.left && `, ${job.left} left`}
-            </span>
+            <span class="note">{job.state === 'runs' ? progress_of(job) : job.state}</span>
             <button
               type="button"
               class="small"
@@ -79,6 +79,11 @@ export function ResultView({ path }: { path: string }) {
         <span class="note" role="status">
           {told}
         </span>
+        {!job && failed && (
+          <span class="note bad" role="alert">
+            {last_messages(failed.messages ?? '') || `The run ended with code ${failed.exit_code}.`}
+          </span>
+        )}
         <span class="space" />
         {others.length > 0 && (
           <select

@@ -285,10 +285,10 @@ export function JobItem({ job }: { job: api.Job }) {
       : job.state === 'waits'
         ? 'waits'
         : job.state === 'runs'
-          ? `${job.steps ? `step ${job.step} of ${job.steps}` : 'starting'}${job.left ? `, ${job.left} left` : ''}`
+          ? progress_of(job)
           : job.state === 'stopped'
             ? entry?.has_checkpoint
-              ? `paused${job.step ? ` at step ${job.step}` : ''}`
+              ? 'paused'
               : 'stopped'
             : failed
               ? `ended with code ${job.exit_code}`
@@ -339,9 +339,28 @@ export function JobItem({ job }: { job: api.Job }) {
       <p class="note" aria-live="polite">
         {answer || words}
       </p>
-      {failed && job.messages && <pre class="messages">{job.messages.trim().split('\n').slice(-6).join('\n')}</pre>}
+      {failed && job.messages && <pre class="messages">{last_messages(job.messages)}</pre>}
     </li>
   );
+}
+
+/** Sentence on how far a job has come that runs. */
+export function progress_of(job: api.Job): string {
+  const tried = [
+    job.stands !== undefined && `stable at ${show(job.stands, 4)}`,
+    job.falls !== undefined && `unstable at ${show(job.falls, 4)}`,
+  ].filter(Boolean);
+  const steps = job.steps ? `step ${job.step} of ${job.steps}` : tried.join(', ') || 'starting';
+  return `${steps}${job.left ? `, ${job.left} left` : ''}`;
+}
+
+/** The last lines of messages without those that told the progress. */
+export function last_messages(messages: string): string {
+  const lines = messages.trim().split('\n');
+  return lines
+    .filter(line => !/^(initial state and )?step [0-9]+/.test(line))
+    .slice(-6)
+    .join('\n');
 }
 
 /** Record of a run or of a search, as far as a list of jobs shows it. */
@@ -353,7 +372,7 @@ interface Recorded {
 /** Sentence on the factor that an ended search found, or on the criterion at which an ended run stopped. */
 function useAnswer(job: api.Job): string {
   const [answer, set_answer] = useState('');
-  const has_record = job.state === 'ended' && ['run', 'resume', 'fos'].includes(job.kind);
+  const has_record = ['ended', 'stopped'].includes(job.state) && ['run', 'resume', 'fos'].includes(job.kind);
   useEffect(() => {
     set_answer('');
     if (!has_record) return;
@@ -361,7 +380,7 @@ function useAnswer(job: api.Job): string {
     void api
       .record(job.result)
       .then(own => {
-        if (!is_old) set_answer(answer_in(own as Recorded));
+        if (!is_old) set_answer(answer_in(own as Recorded, job.state === 'stopped'));
       })
       .catch(() => {});
     return () => {
@@ -371,8 +390,9 @@ function useAnswer(job: api.Job): string {
   return answer;
 }
 
-function answer_in({ factor_of_safety, outcome }: Recorded): string {
+function answer_in({ factor_of_safety, outcome }: Recorded, is_stopped: boolean): string {
   if (typeof factor_of_safety === 'number') return `Factor of safety ${show(factor_of_safety, 4)}`;
-  if (!outcome?.ended_early) return '';
-  return `stopped after ${outcome.steps} ${outcome.steps === 1 ? 'step' : 'steps'}: ${outcome.ended_early}`;
+  if (!outcome || !(is_stopped || outcome.ended_early)) return '';
+  const steps = `${outcome.steps} ${outcome.steps === 1 ? 'step' : 'steps'}`;
+  return is_stopped ? `paused after ${steps}` : `stopped after ${steps}: ${outcome.ended_early}`;
 }

@@ -39,7 +39,11 @@ export function CurvesTab() {
   if (!tables.length) {
     return (
       <div class="empty">
-        <p>This run recorded no tables.</p>
+        <p>
+          {state.is_running.value
+            ? 'The run goes on. Its curves come at the end, or when it is stopped.'
+            : 'This run recorded no tables.'}
+        </p>
       </div>
     );
   }

@@ -65,7 +65,11 @@ export function RunTab() {
       <div class="stack">
         <section class="group">
           <h2>Record of the run</h2>
-          <p>The run was stopped before it wrote its record. Frames and tables up to there are shown.</p>
+          <p>
+            {state.is_running.value
+              ? 'The run goes on. It writes its record and its tables at the end, or when it is stopped.'
+              : 'The run was stopped before it wrote its record. Frames and tables up to there are shown.'}
+          </p>
           <p class="note">{head.precision}</p>
         </section>
       </div>

@@ -13,6 +13,7 @@
 #include "app/handout/strength_document.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
+#include "job/folder/frame_files.hpp"
 #include "job/folder/output_files.hpp"
 #include "report/document/frame_thumbnail.hpp"
 
@@ -24,16 +25,16 @@ using Json = nlohmann::ordered_json;
 using report::Verdict;
 
 constexpr std::size_t kLargestSmall = 300'000;  // bytes of a picture that a card shows whole
-constexpr std::size_t kMostWithPictures = 60;   // results; more would make a page of some hundred megabytes
+constexpr std::string_view kResults = "results ";
+constexpr std::size_t kMostWithPictures = 60;  // results; more would make a page of some hundred megabytes
 
 std::vector<fs::path> results_below(const fs::path& folder) {
-  constexpr int kDeepest = 4;
   std::vector<fs::path> results;
   const auto options = fs::directory_options::skip_permission_denied;
   for (auto entry = fs::recursive_directory_iterator(folder, options); entry != fs::recursive_directory_iterator();
        ++entry) {
-    if (entry.depth() >= kDeepest) entry.disable_recursion_pending();
     const fs::path name = entry->path().filename();
+    if (name == kFrameFolder) entry.disable_recursion_pending();
     if (entry->is_regular_file() && (name == kRecord || name == kStrengthRecord))
       results.push_back(entry->path().parent_path());
   }
@@ -142,8 +143,11 @@ std::string summary_of(const std::vector<Result>& results) {
   std::map<std::pair<Verdict, std::string>, std::size_t> counts;  // good ones first
   for (const Result& result : results) ++counts[{result.verdict, result.state}];
   std::string words = counted(results.size(), "result");
-  for (const auto& [state, count] : counts)
-    words += fmt::format("{} {} {}", words.find(':') == std::string::npos ? ":" : ",", count, state.second);
+  for (const auto& [state, count] : counts) {
+    const std::string_view what = state.second;  // "results unreliable": the word is there already
+    words += fmt::format("{} {} {}", words.find(':') == std::string::npos ? ":" : ",", count,
+                         what.substr(what.starts_with(kResults) ? kResults.size() : 0));
+  }
   return words + ".";
 }
 

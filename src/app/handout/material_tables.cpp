@@ -69,7 +69,7 @@ std::string strength_in_words(const BlockMaterial& rock, const Units& units) {
 // Returns the downward gravity of the record, or else that of the case.
 double gravity_of(const ResultRecord& record, const Analysis& analysis) {
   const Json& upward = member(record.at("settings"), "gravity.y");
-  return upward.is_number() ? -upward.get<double>() : analysis.gravity.value_or(0);
+  return upward.is_number() ? 0 - upward.get<double>() : analysis.gravity.value_or(0);  // not -0
 }
 
 report::DocumentTable rocks_of(const Analysis& analysis, const std::vector<std::string>& names,

@@ -55,7 +55,8 @@ std::optional<DocumentPicture> displacement_curves(const fs::path& folder, const
       request.names.push_back(name);
   if (request.names.empty() || record.at("outcome.steps") == 0) return std::nullopt;
   return DocumentPicture{recorded_picture(folder, request, "", record.units()),
-                         "Displacements of the measured points over time"};
+                         record.at("counts.measured_points") == 0 ? "Displacements over time"
+                                                                  : "Displacements of the measured points over time"};
 }
 
 }  // namespace
@@ -77,6 +78,7 @@ std::string program_of(const RunRecordFile& record) {
 std::vector<DocumentPicture> run_pictures(const fs::path& folder, std::size_t most) {
   return pictures_in(folder,
                      {{"picture.svg", "Blocks at the end of the run, with the start in outline"},
+                      {"cracks.svg", "Cracks at the end of the run"},
                       {"field.svg", "Field at the end of the run; stress is positive in tension"},
                       {"energy.svg", "Energies over time"},
                       {kReactionFile, "Reactions of the supports"}},
@@ -96,6 +98,7 @@ Handout run_document(const fs::path& folder, const std::string& project) {
   add_if_filled(sections, stage_section(record));
   add_if_filled(sections, bolt_section(folder, record));
   add_if_filled(sections, contact_section(folder, record));
+  add_if_filled(sections, crack_section(folder, record));
   add_if_filled(sections, model_section(record));
   add_if_filled(sections, assumption_section(record));
   add_if_filled(sections, material_section(record));

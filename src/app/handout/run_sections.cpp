@@ -56,7 +56,10 @@ DocumentSection result_section(const RunRecordFile& record) {
   Rows rows;
   const auto with_block = [&](const std::string& path, const Measure& measure) {
     const std::string value = record.quantity(path + ".value", measure);
-    return value.empty() ? value : fmt::format("{} (block {})", value, plain_text(record.at(path + ".element")));
+    const bool has_elements = record.at("counts.elements").is_number();
+    return value.empty() ? value
+                         : fmt::format("{} ({} {})", value, has_elements ? "element" : "block",
+                                       plain_text(record.at(path + ".element")));
   };
   put(rows, "largest displacement", with_block("extremes.greatest_displacement", measures::kLength));
   put(rows, "least principal stress", with_block("extremes.least_principal_stress", measures::kStress));
@@ -142,6 +145,20 @@ DocumentSection setting_section(const RunRecordFile& record) {
   return {"Settings", {}, {}, {{{"setting", "value", "unit"}, rows}}};
 }
 
+namespace {
+
+/// Returns the sentence of a line "slope.json:3:5: note: sentence [code]"; another line as it is.
+std::string sentence_in(std::string line, const std::string& code) {
+  const std::string end = fmt::format(" [{}]", code);
+  if (line.ends_with(end)) line.resize(line.size() - end.size());
+  for (const char* word : {": error: ", ": warning: ", ": note: "})
+    if (const std::size_t at = line.find(word); at != std::string::npos)
+      return line.substr(at + std::string_view(word).size());
+  return line;
+}
+
+}  // namespace
+
 DocumentSection warning_section(const RunRecordFile& record) {
   DocumentSection section{"Warnings and notes"};
   Rows rows;
@@ -150,8 +167,8 @@ DocumentSection warning_section(const RunRecordFile& record) {
     const Diagnostic* known = find_diagnostic(code);
     const DiagnosticLevel level = level_of(code);
     if (level == DiagnosticLevel::silent) continue;
-    rows.push_back(
-        {std::string(word_of(level)), plain_text(member(warning, "first")), known ? std::string(known->remedy) : ""});
+    rows.push_back({std::string(word_of(level)), sentence_in(plain_text(member(warning, "first")), code),
+                    known ? std::string(known->remedy) : ""});
   }
   if (rows.empty())
     section.paragraphs.push_back("None.");

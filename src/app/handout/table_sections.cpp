@@ -14,6 +14,7 @@
 
 #include "base/bytes/file_bytes.hpp"
 #include "base/bytes/sha256.hpp"
+#include "base/words/plain_number.hpp"
 #include "formats/text/csv.hpp"
 #include "problem/units/readable.hpp"
 
@@ -27,6 +28,8 @@ using Json = nlohmann::ordered_json;
 using report::DocumentSection;
 
 using Rows = std::vector<std::vector<std::string>>;
+
+constexpr int kDigitsOfLoadFactor = 4;
 
 std::optional<formats::CsvTable> table_of(const fs::path& file) {
   if (!fs::is_regular_file(file)) return std::nullopt;
@@ -128,6 +131,30 @@ DocumentSection contact_section(const fs::path& folder, const RunRecordFile& rec
                                              table->rows.back().cells[csv_column(*table, "step")]));
     section.tables.push_back(
         {{"joint", "contacts", "closed", "sliding", "largest normal force", "largest shear force"}, rows});
+    return section;
+  });
+}
+
+DocumentSection crack_section(const fs::path& folder, const RunRecordFile& record) {
+  return made("Cracks", [&]() -> DocumentSection {
+    const auto table = table_of(folder / "tips.csv");
+    DocumentSection section{"Cracks", {}, {}, {}};
+    if (!table || table->rows.empty()) return section;
+    const auto cell = [&](const formats::CsvRow& row, const char* name) { return row.cells[csv_column(*table, name)]; };
+    const auto number = [&](const formats::CsvRow& row, const char* name, const Measure& measure) {
+      return readable(csv_real(*table, row, csv_column(*table, name)), measure, record.units());
+    };
+    const std::string last = cell(table->rows.back(), "step");
+    Rows rows;
+    for (const formats::CsvRow& row : table->rows)
+      if (cell(row, "step") == last)
+        rows.push_back({cell(row, "crack"), number(row, "x", measures::kLength), number(row, "y", measures::kLength),
+                        number(row, "length", measures::kLength), number(row, "K_I", measures::kToughness),
+                        number(row, "K_II", measures::kToughness), number(row, "toughness", measures::kToughness)});
+    const double factor = csv_real(*table, table->rows.back(), csv_column(*table, "load_factor"));
+    section.paragraphs.push_back(fmt::format("Crack tips at step {}, under {} times the loads of the case.", last,
+                                             plain(factor, kDigitsOfLoadFactor)));
+    section.tables.push_back({{"crack", "tip x", "tip y", "length", "K_I", "K_II", "toughness"}, rows});
     return section;
   });
 }

@@ -16,6 +16,7 @@
 namespace keyblock::report {
 namespace {
 
+constexpr double kUnseen = 1e-4;    // of the largest number beside a bar of colours: a smaller one is written as 0
 constexpr double kRoundOff = 1e-9;  // of the range of a scale: what is beyond it by less is not
 constexpr double kExtreme = 0.005;  // share of patches, or of their area, beyond either end of the colours
 
@@ -233,13 +234,13 @@ void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourSca
     page.rectangle({corner.x, corner.y + height * i / kSteps}, 14, height / kSteps + 0.4, {.fill = colour});
   }
   const int exponent = make_axis(shown.factor * scale.low, shown.factor * scale.high, 4).exponent;
-  const double round_off = kRoundOff * std::max(std::abs(scale.low), std::abs(scale.high));
+  const double least_shown = kUnseen * std::max(std::abs(scale.low), std::abs(scale.high));
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const std::string_view beyond = share == 0 && scale.has_above ? "≥ " : share == 1 && scale.has_below ? "≤ " : "";
     const double value = std::lerp(scale.high, scale.low, share);
     page.text({corner.x + 20, corner.y + share * height + 4},
               fmt::format("{}{:.3g}", beyond,
-                          std::abs(value) > round_off ? value * shown.factor / std::pow(10, exponent) : 0),
+                          std::abs(value) > least_shown ? value * shown.factor / std::pow(10, exponent) : 0),
               {.size = 11});
   }
   const std::string label = with_exponent(shown.label(quantity.name), exponent);
