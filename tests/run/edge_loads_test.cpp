@@ -75,6 +75,24 @@ Stress stress_of(const Stepper& stepper, int element, const Frame& frame) {
 const std::vector<Frame> kFrames{{}, {0, {1e4, -3e3}, 1}, {0.7, {2, 5}, 1}, {0, {}, 1000}, {-2.1, {30, 40}, 1000}};
 constexpr const char* kStatics = R"("motion": "static")";
 
+// The edge keeps its length, so that the block is pressed sideways by ν/(1 - ν) of its mean weight, 10 kPa.
+TEST(EdgeLoads, a_block_that_stands_on_a_held_edge_starts_in_equilibrium) {
+  for (const Frame& frame : kFrames) {
+    const Point down = frame.vector({0, -10 * frame.unit});
+    const std::string loads = fmt::format(R"("displacements": [{{{}, "held": "both"}}])", frame.chain({0, 0}, {2, 0}));
+    const std::string run =
+        fmt::format(R"("motion": "dynamic", "gravity.x": {:.17g}, "gravity.y": {:.17g})", down.x, down.y);
+    std::unique_ptr<Stepper> stepper = stepper_of(case_of(frame, block(frame, {0, 0}, {2, 1}), loads, run));
+    for (int step = 0; step < 2; ++step) {
+      const Stress s = stress_of(*stepper, 0, frame);
+      EXPECT_NEAR(s.yy, -1e4, 1e-3);
+      EXPECT_NEAR(s.xx, -1e4 * kPoisson / (1 - kPoisson), 1e-3);
+      EXPECT_NEAR(s.xy, 0, 1e-3);
+      if (step == 0) stepper->advance();
+    }
+  }
+}
+
 TEST(EdgeLoads, a_bar_under_end_traction_has_its_stress_and_stretch) {
   constexpr double kTraction = 2e5, kLength = 4;
   for (const Frame& frame : kFrames) {

@@ -150,14 +150,10 @@ class CompatibleSettling {
       if (start_.tension(i) > 0) problem.laws[start_.touches.size() + i] = kBilateral;
       problem.b[start_.bolt_row(i)] = start_.tension(i) / start_.bolt(i).stiffness - start_.elongation(i);
     }
-    double missing = start_.missing();
+    const double missing = start_.missing();
     problem.laws.insert(problem.laws.end(), start_.scene.held.size(), kHeld);
-    if (!start_.scene.held.empty()) {
-      const Eigen::VectorXd off =
-          offsets(start_.scene.model, start_.scene.reference, start_.motion.q, start_.scene.held, 0);
-      problem.b.tail(off.size()) = off;
-      missing += off.cwiseAbs().sum();
-    }
+    const Eigen::VectorXd off = start_.held_offsets();
+    problem.b.tail(off.size()) = off;
     if (missing == 0) return;
     problem.goal = problem.acceptable =
         of_compatible_start::kShiftTolerance * missing / problem.w.diagonal().maxCoeff();

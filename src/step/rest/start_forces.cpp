@@ -138,6 +138,8 @@ void StartForces::distribute() {
     problem.b[bolt_row(i)] -= elongation(i);
   }
   problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
+  const Eigen::VectorXd off = held_offsets();
+  problem.b.tail(off.size()) += off;
   problem.proximal = of_start_forces::kRegular * problem.w.diagonal();
   problem.acceptable = tolerance;
   const FrictionalSolution found = newton(problem, elastic.size() > 0 ? elastic : forces);
@@ -179,6 +181,11 @@ Eigen::VectorXd StartForces::gaps_from_wanted() const {
   return gaps;
 }
 
+Eigen::VectorXd StartForces::held_offsets() const {
+  if (scene.held.empty()) return {};
+  return offsets(scene.model, scene.reference, motion.q, scene.held, 0);
+}
+
 double StartForces::missing() const {
   const Eigen::VectorXd gaps = gaps_from_wanted();
   double sum = 0;
@@ -188,7 +195,7 @@ double StartForces::missing() const {
   }
   for (std::size_t i = 0; i < bolts.size(); ++i)
     if (tension(i) > 0) sum += std::abs(elongation(i) - tension(i) / bolt(i).stiffness);
-  return sum;
+  return sum + held_offsets().cwiseAbs().sum();
 }
 
 bool StartForces::balances() const {

@@ -43,7 +43,9 @@ struct StartForces {
   bool carries(std::size_t touch) const;
   /// Returns the motion along the rows since the scene was drawn.
   Eigen::VectorXd slips() const;
-  /// Returns the sum of the gaps to be closed.
+  /// Returns the ways of held points from where they are held.
+  Eigen::VectorXd held_offsets() const;
+  /// Returns the sum of the gaps and of the ways of held points to be closed.
   double missing() const;
   /// Returns true if forces distributed by elasticity still give the accelerations.
   bool balances() const;
