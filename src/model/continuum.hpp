@@ -33,6 +33,12 @@ struct ChangingTraction {
   std::vector<double> bends = {};  ///< times of the rows of its table
 };
 
+/// Pressure of a traction. The traction has its force on the undisplaced edge; steps add what changes as it turns.
+struct FollowingPressure {
+  BoundaryPart along;
+  std::function<double(Point x, Point normal, double time)> pressure;
+};
+
 struct PrescribedDisplacement {
   BoundaryPart along;
   Held held = Held::both;
@@ -68,6 +74,7 @@ struct Continuum {
   bool gives_initial_zz = false;  ///< true if `initial_stress` gives it; else the law computes stress across the plane
   std::vector<Traction> tractions;
   std::vector<ChangingTraction> changing_tractions = {};
+  std::vector<FollowingPressure> pressures = {};
   std::vector<PrescribedDisplacement> prescribed;
   std::vector<PointForce> point_forces;
   std::vector<PointSpring> point_springs;

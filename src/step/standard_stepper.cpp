@@ -113,8 +113,9 @@ First asked_motion(const StandardScene& scene) {
   const bool as_drawn = is_in_time && choices.start == StartRule::sudden;
   const bool slides_in_balance =
       std::ranges::all_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_compatible_start(); });
-  if (!as_drawn && is_in_time && !slides_in_balance && choices.start == StartRule::compatible)
-    return resting_first(scene, std::move(motion));
+  // Blocks that may yield have stress that forces alone do not give.
+  const bool seeks_rest = choices.start == StartRule::compatible || !scene.model.continuum;
+  if (!as_drawn && is_in_time && !slides_in_balance && seeks_rest) return resting_first(scene, std::move(motion));
   if (as_drawn || !slides_in_balance || has_initial_stress(scene)) return {std::move(motion), {}, {}};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);

@@ -73,7 +73,7 @@ void add_traction(const Continuum& continuum, const CoverBasis& basis, const Tra
   }
 }
 
-ChangingLoads::ChangingLoads(const Continuum& continuum, const CoverBasis& basis) {
+ChangingLoads::ChangingLoads(const Continuum& continuum, const CoverBasis& basis) : following_(continuum, basis) {
   for (const ChangingTraction& traction : continuum.changing_tractions)
     for (const ElementSide& side : sides_along(continuum.manifold, traction.along)) {
       const ElementShape shape = basis.shape(side.element);
@@ -84,13 +84,47 @@ ChangingLoads::ChangingLoads(const Continuum& continuum, const CoverBasis& basis
     }
 }
 
-void ChangingLoads::add(double time, Eigen::VectorXd& loads) const {
+void ChangingLoads::add(const Eigen::VectorXd& d, double time, Eigen::VectorXd& loads) const {
+  following_.add(d, time, loads);
   for (const Side& side : sides_) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(side.functions.size()));
     for (const Sample& sample : side.samples)
       sum += sample.weight * (sample.displacement.transpose() * vector(side.force(sample.at, side.normal, time)));
     for (std::size_t i = 0; i < side.functions.size(); ++i)
       loads.segment<2>(2 * side.functions[i]) += sum.segment<2>(2 * static_cast<Eigen::Index>(i));
+  }
+}
+
+FollowingLoads::FollowingLoads(const Continuum& continuum, const CoverBasis& basis) {
+  for (const FollowingPressure& pressed : continuum.pressures)
+    for (const ElementSide& side : sides_along(continuum.manifold, pressed.along)) {
+      const ElementShape shape = basis.shape(side.element);
+      const Point along = side.edge.end - side.edge.start, normal = side.normal();
+      Side& loaded = sides_.emplace_back(Side{pressed.pressure,
+                                              normal,
+                                              dot(Point{along.y, -along.x}, normal) > 0 ? 1.0 : -1.0,
+                                              shape.displacement(side.edge.end) - shape.displacement(side.edge.start),
+                                              {shape.functions.begin(), shape.functions.end()},
+                                              {}});
+      for (const EdgePoint& p : points_of_traction(side, shape))
+        loaded.samples.push_back({p.at, p.weight / length(along), shape.displacement(p.at)});
+    }
+}
+
+void FollowingLoads::add(const Eigen::VectorXd& d, double time, Eigen::VectorXd& loads) const {
+  if (d.size() == 0) return;
+  for (const Side& side : sides_) {
+    const auto count = static_cast<Eigen::Index>(side.functions.size());
+    Eigen::VectorXd own(2 * count);
+    for (Eigen::Index i = 0; i < count; ++i)
+      own.segment<2>(2 * i) = d.segment<2>(2 * side.functions[static_cast<std::size_t>(i)]);
+    const Eigen::Vector2d stretch = side.stretch * own;
+    const Eigen::Vector2d change = side.turn * Eigen::Vector2d(stretch.y(), -stretch.x());
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(2 * count);
+    for (const Sample& sample : side.samples)
+      sum -= sample.weight * side.pressure(sample.at, side.normal, time) * (sample.displacement.transpose() * change);
+    for (Eigen::Index i = 0; i < count; ++i)
+      loads.segment<2>(2 * side.functions[static_cast<std::size_t>(i)]) += sum.segment<2>(2 * i);
   }
 }
 

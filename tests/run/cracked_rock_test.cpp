@@ -77,6 +77,33 @@ TEST(CrackedRock, rock_that_cannot_yield_has_no_plastic_outputs) {
   }
 }
 
+// A column of 8 m under its weight, one DDA block on a smooth base. Dynamics begins where statics ends and stays there.
+TEST(CrackedRock, a_block_whose_stress_is_no_line_of_strain_starts_in_its_equilibrium) {
+  const auto column = [](const std::string& law, const char* motion) {
+    return R"({"keyblock": 2, "blocks": {"blocks": [{"material": 1, "outer": [[-1, -1, 1], [3, -1, 1], [3, 0, 1],
+      [-1, 0, 1]]}, {"material": 2, "outer": [[0, 0, 1], [2, 0, 1], [2, 8, 1], [0, 8, 1]]}],
+      "fixed_points": [[-0.5, -0.5, 1], [2.5, -0.5, 1]]}, "analysis": {"step_count": 20, "time_step": 0.002,
+      "gravity": 10, "plane_strain": true, "joint_materials": [{"friction_angle_deg": 0}], "block_materials": [
+      {"density": 2500, "youngs_modulus": 1e9, "poissons_ratio": 0},
+      {"density": 2500, "youngs_modulus": 1e9, "poissons_ratio": 0, )" +
+           law + R"(}]}, "run": {"set": {"motion": ")" + motion + R"("}}})";
+  };
+  const std::string yields =
+      R"("strength": {"surface": "tresca", "cohesion": 40e3, "after": {"cohesion": 80e3, "plastic_strain": 0.01}})";
+  const std::string closes = R"("crack_closure": {"initial_modulus": 2e7, "closure_strain": 1e-3})";
+  for (const std::string& law : {yields, closes}) {
+    const Done rest = run_of("rest", column(law, "static"));
+    const Done moves = run_of("moves", column(law, "dynamic"));
+    EXPECT_EQ(moves.exit_code, 0) << moves.messages;
+    const auto motion = [](const Done& done) {
+      return nlohmann::json::parse(read_text(done.out + "/run.json"))["outcome"]["motion"];
+    };
+    const double way = motion(rest)["farthest"]["displacement"];
+    EXPECT_NEAR(motion(moves)["farthest"]["displacement"].get<double>(), way, 1e-4 * way) << law;
+    EXPECT_LT(motion(moves)["fastest"]["speed"].get<double>(), 1e-6) << law;
+  }
+}
+
 TEST(CrackedRock, what_cannot_be_run_is_refused) {
   const Done legacy = run_of("legacy", square("", kClosure), {"--profile", "legacy"});
   EXPECT_EQ(legacy.exit_code, 3);

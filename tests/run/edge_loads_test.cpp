@@ -315,6 +315,30 @@ TEST(EdgeLoads, a_roller_of_the_first_stage_lets_go_in_the_second) {
   EXPECT_NEAR(v[19], 4000 * 0.1 / Pushed().mass, 2e-3);
 }
 
+// A body of 2 m by 1 m spins by 3 rad/s under a pressure of 10 kPa on one side: its momentum is ∫ p n(t) dt.
+TEST(EdgeLoads, a_pressure_turns_with_blocks_and_with_NMM_bodies) {
+  constexpr double kSpin = 3, kTime = 0.6;
+  for (const char* covers : {"", R"("covers": {"mesh": {"side": 0.45}},)"}) {
+    double error = 0;
+    for (const int steps : {60, 120}) {
+      const double before = error;
+      const auto stepper = stepper_of(fmt::format(
+          R"({{"keyblock": 2, "blocks": {{"blocks": [{}]}}, {}
+          "loads": {{"tractions": [{{{}, "pressure": 1e4}}]}}, "analysis": {{"step_count": {}, "time_step": {},
+          "gravity": 0, "joint_materials": [{{}}], "block_materials": [{{"density": 2000, "youngs_modulus": 1e9,
+          "poissons_ratio": 0.25, "initial_velocity": [0, 0, {}]}}]}}}})",
+          block({}, {0, 0}, {2, 1}), covers, Frame{}.chain({2, 0}, {2, 1}), steps, kTime / steps, kSpin));
+      for (int step = 0; step < steps; ++step) ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
+      const Point exact = (-1e4 / kSpin) * Point{std::sin(kSpin * kTime), 1 - std::cos(kSpin * kTime)};
+      error = distance(stepper->ledger().momentum.linear, exact) / length(exact);
+      EXPECT_LT(error, 2 * kSpin * kTime / steps);  // the pressure is that of the start of each step
+      if (before > 0) {
+        EXPECT_LT(error, 0.6 * before);
+      }
+    }
+  }
+}
+
 TEST(EdgeLoads, a_traction_on_an_NMM_body_ends_with_its_stage) {
   constexpr double kEnds = 2e5, kStays = 2e3;
   std::string text = case_of({}, block({}, {0, 0}, {4, 1}),

@@ -282,7 +282,8 @@ function Thumb({ source, second }: { source: string; second?: string }) {
 /** Saves files into the folder; none is replaced. The first new one is opened. */
 async function add_files(files: FileList | null | undefined): Promise<void> {
   const added: string[] = [];
-  for (const file of files ?? []) {
+  const all = [...(files ?? [])]; // the list of an input empties when its value does
+  for (const file of all) {
     const text = await file.text();
     const saved = await state.attempt(() => api.save(file.name, text));
     if (!saved) break;

@@ -45,6 +45,12 @@ export function ResultView({ path }: { path: string }) {
     );
   // The listing holds the kind of a result; without it the frame would ask for a page that may not exist.
   if (!state.listing.value) return <p class="note pad">Reading the folder…</p>;
+  if (!entry && !last)
+    return (
+      <p class="note pad" role="alert">
+        There is no result {path} in this folder.
+      </p>
+    );
   return (
     <div class="result">
       <div class="bar">

@@ -329,7 +329,7 @@ export function JobItem({ job }: { job: api.Job }) {
             {is_open ? 'Watch' : 'Open'}
           </a>
         )}
-        {job.kind === 'both' && job.state === 'ended' && !failed && (
+        {job.kind === 'both' && job.state === 'ended' && has_both(job.result) && (
           <a class="button" href={state.link('compare', `${job.result}/standard`, `${job.result}/legacy`)}>
             Compare
           </a>
@@ -342,6 +342,12 @@ export function JobItem({ job }: { job: api.Job }) {
       {failed && job.messages && <pre class="messages">{last_messages(job.messages)}</pre>}
     </li>
   );
+}
+
+/** Whether the results of both profiles are there, also if the checks of one failed. */
+function has_both(result: string): boolean {
+  const results = state.listing.value?.results ?? [];
+  return ['standard', 'legacy'].every(profile => results.some(own => own.path === `${result}/${profile}`));
 }
 
 /** Sentence on how far a job has come that runs. */

@@ -22,17 +22,17 @@ function number_in(text: string): number | undefined {
 }
 
 /** Pointers of the numbers in a case file, with their values: "/analysis/gravity". */
-export function pointers_in(text: string): [string, number][] {
+export function pointers_in(text: string): [string, number | string][] {
   let value: unknown;
   try {
     value = JSON.parse(without_comments(text));
   } catch {
     return [];
   }
-  const found: [string, number][] = [];
+  const found: [string, number | string][] = [];
   const walk = (own: unknown, path: string) => {
     if (found.length >= 500) return;
-    if (typeof own === 'number') found.push([path, own]);
+    if (typeof own === 'number' || (typeof own === 'string' && QUANTITY.test(own))) found.push([path, own]);
     // Lists of numbers are coordinates.
     else if (Array.isArray(own)) {
       if (!own.some(item => typeof item === 'number'))
@@ -47,9 +47,13 @@ export function pointers_in(text: string): [string, number][] {
   return found;
 }
 
-/** Text of a case file as JSON: comments become blanks. */
+/** Number with a unit: "20 deg". */
+const QUANTITY = /^[-+]?[0-9.]+(e[-+]?[0-9]+)? *[^0-9 ].*$/i;
+
+/** Text of a case file as JSON: comments become blanks, and so do commas before a closing bracket. */
 function without_comments(text: string): string {
-  return text.replace(/"(?:[^"\\]|\\.)*"|\/\/[^\n]*|\/\*[\s\S]*?\*\//g, part => (part[0] === '"' ? part : ' '));
+  const plain = text.replace(/"(?:[^"\\]|\\.)*"|\/\/[^\n]*|\/\*[\s\S]*?\*\//g, part => (part[0] === '"' ? part : ' '));
+  return plain.replace(/"(?:[^"\\]|\\.)*"|,(?=\s*[\]}])/g, part => (part[0] === '"' ? part : ' '));
 }
 
 function CaseHead({ paths, title }: { paths: string[]; title: string }) {
@@ -81,7 +85,7 @@ function SweepForm({ paths }: { paths: string[] }) {
   const suggestion = new_result(`${stem_of(paths[0])}_sweep`, taken);
   const over = keys.filter(([key, values]) => key && values).map(([key, values]) => `${key}=${values}`);
   const start = async () => {
-    const body: Record<string, unknown> = { over, out: words_of(out) };
+    const body: Record<string, unknown> = { over, out: words_of(out.replaceAll(',', ' ')) };
     if (words_of(histories).length) body.histories = words_of(histories);
     const started = await state.attempt(() => api.sweep(paths, result || suggestion, body));
     if (started) await state.refresh_jobs();

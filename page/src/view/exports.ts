@@ -120,6 +120,9 @@ export function save_blocks_csv(): void {
   if (text) save(new Blob([text], { type: 'text/csv' }), file_name('csv'));
 }
 
+/** Columns of contacts that contacts.csv of a run calls otherwise. */
+const AS_IN_TABLES: Record<string, string> = { joint: 'joint_material', joint_line: 'joint' };
+
 /** Closed contacts of the present frame. */
 export function contacts_csv(): string | null {
   const { store, head } = state;
@@ -129,7 +132,8 @@ export function contacts_csv(): string | null {
   if (!at || !columns || !geometry) return null;
   const names = columns.flatMap(c => {
     const unit = c.unit ? ` [${c.unit}]` : '';
-    return (c.parts ?? 1) === 2 ? [`${c.name}_x${unit}`, `${c.name}_y${unit}`] : [`${c.name}${unit}`];
+    const name = AS_IN_TABLES[c.name] ?? c.name;
+    return (c.parts ?? 1) === 2 ? [`${name}_x${unit}`, `${name}_y${unit}`] : [`${name}${unit}`];
   });
   const lines: (string | number | null)[][] = [['step', ...names]];
   for (let i = 0; i < at.rows.rows; i++) {
@@ -141,6 +145,7 @@ export function contacts_csv(): string | null {
         if (c.name === 'block' || c.name === 'other') {
           line.push(value < geometry.bodies ? geometry.number[value] : null);
         } else if (c.names?.length) line.push(c.names[value] ?? value);
+        else if (c.name === 'joint') line.push(value + 1);
         else if (c.name === 'place') line.push(number(value + head.origin[p], 7));
         else line.push(c.type === 'u32' ? value : number(value, 6));
       }

@@ -111,9 +111,11 @@ std::vector<ChangedValue> changed_values(const ResultRecord& record) {
 // Returns the files of the case; throws InputError if one is not as it was.
 std::vector<std::string> unchanged_inputs(const ResultRecord& record) {
   std::vector<std::string> files;
+  const fs::path from = plain_text(record.at("made_by.folder"));  // to which names of files refer
   for (const Json& input : record.list("inputs")) {
     if (input.contains("setting")) continue;
-    const std::string file = plain_text(member(input, "file"));
+    const std::string name = plain_text(member(input, "file"));
+    const std::string file = fs::is_regular_file(from / name) ? (from / name).string() : name;
     if (!fs::is_regular_file(file)) throw InputError({file}, "expected the input file of this result, found none");
     if (sha256(file_bytes(file)) != plain_text(member(input, "sha256")))
       throw InputError({file}, "expected the file as it was read, found another content");

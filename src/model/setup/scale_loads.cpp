@@ -18,6 +18,7 @@ Continuum with_loads(Continuum continuum, double factor) {
   if (continuum.body_force) continuum.body_force = times(continuum.body_force);
   for (Traction& part : continuum.tractions) part.force = times(part.force);
   for (ChangingTraction& part : continuum.changing_tractions) part.force = times(part.force);
+  for (FollowingPressure& part : continuum.pressures) part.pressure = times(part.pressure);
   for (PrescribedDisplacement& part : continuum.prescribed) part.value = times(part.value);
   for (PointForce& force : continuum.point_forces) force.force = factor * force.force;
   return continuum;

@@ -41,6 +41,14 @@ ChangingTraction changing_of(const TractionPlan& plan) {
           plan.uses_time() ? std::numeric_limits<double>::infinity() : factor.last_change(), factor.times};
 }
 
+FollowingPressure pressure_of(const TractionPlan& plan) {
+  const TractionOnEdge on_edge = traction_on_edge(plan);
+  const TimeCurve factor = curve_of(plan.over_time);
+  return {plan.along, [=](Point at, Point n, double t) {
+            return (factor.times.empty() ? 1 : factor.at(t).x) * on_edge.pressure(at, n, t);
+          }};
+}
+
 double gap_to(const Manifold& manifold, const ManifoldElement& element, Point p) {
   const auto loops = manifold.polygon(element);
   double nearest = std::numeric_limits<double>::max();
@@ -101,11 +109,13 @@ CoverPlan what_is_left_of(CoverPlan plan, const Manifold& bodies, const Blocks& 
 }
 
 void put_loads(Continuum& continuum, const CoverPlan& plan) {
-  for (const TractionPlan& part : plan.tractions)
+  for (const TractionPlan& part : plan.tractions) {
     if (part.changes_over_time())
       continuum.changing_tractions.push_back(changing_of(part));
     else
       continuum.tractions.push_back(traction_of(part));
+    if (!Compiled(part.pressure, kInTime).is_zero()) continuum.pressures.push_back(pressure_of(part));
+  }
   for (const DisplacementPlan& part : plan.displacements) continuum.prescribed.push_back(displacement_of(part));
   const Compiled fx(plan.body_force.x, kInBody), fy(plan.body_force.y, kInBody);
   if (!fx.is_zero() || !fy.is_zero())

@@ -45,7 +45,7 @@ class CoverScene : public Groundwork {
   Eigen::VectorXd carried_over(Eigen::VectorXd v) const;  ///< v times the fraction that each body keeps per step
   /// Returns the weight, with constant tractions and support loads.
   const Eigen::VectorXd& weight() const { return weight_; }
-  void add_changing_loads(double time, Eigen::VectorXd& loads) const { changing_.add(time, loads); }
+  const ChangingLoads& changing() const { return changing_; }
   const Eigen::VectorXd& initial_force() const { return initial_force_; }
   /// Returns true if supports of the problem, apart from fixed points, hold a body.
   bool has_supports() const;

@@ -57,7 +57,7 @@ void BlockBodies::carry_over(const SceneParts& scene, UnknownsTable& v) const {
   for (ElementIndex e : indices(v)) v[e] *= scene.settings.velocity_carry_over.of(scene.model.elements[e].material);
 }
 
-void BlockBodies::put_own_loads(double, UnknownsTable& loads) const {
+void BlockBodies::put_own_loads(const UnknownsTable&, double, UnknownsTable& loads) const {
   loads.reserve(bodies_.size());
   for (const Body& body : bodies_) loads.push_back(body.weight);
 }

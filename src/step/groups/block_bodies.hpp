@@ -31,7 +31,7 @@ class BlockBodies : public BodyGroup {
   void add_to(MassRange& range, double contact_stiffness) const override;
 
   void carry_over(const SceneParts& scene, UnknownsTable& v) const override;
-  void put_own_loads(double time, UnknownsTable& loads) const override;
+  void put_own_loads(const UnknownsTable& q, double time, UnknownsTable& loads) const override;
   void add_inertia(Point acceleration, UnknownsTable& loads) const override;
   void add_to(Scales& scales, const UnknownsTable& loads, const UnknownsTable& q,
               const UnknownsTable& v) const override;

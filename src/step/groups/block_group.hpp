@@ -17,6 +17,7 @@ class BlockGroup final : public BlockBodies {
       : BlockBodies(std::move(bodies), std::move(of_others)), yields_(std::move(yields)), kept_(bodies_.size()) {}
 
   bool is_linear() const override { return yields_.empty(); }
+  bool has_compatible_start() const override { return yields_.empty(); }
   bool may_yield() const override { return !yields_.empty(); }
 
   void put_start(const SceneParts& scene, BodiesMotion& motion) const override;

@@ -160,8 +160,8 @@ class BodyGroup {
   virtual void put_start(const SceneParts& scene, BodiesMotion& motion) const = 0;
   /// Multiplies v by the fraction of velocity that each material keeps from step to step.
   virtual void carry_over(const SceneParts& scene, UnknownsTable& v) const = 0;
-  /// Writes the weight; on NMM bodies also their tractions and support loads.
-  virtual void put_own_loads(double time, UnknownsTable& loads) const = 0;
+  /// Writes the weight; on NMM bodies also support loads, and their tractions at q.
+  virtual void put_own_loads(const UnknownsTable& q, double time, UnknownsTable& loads) const = 0;
   /// Adds M times a uniform field.
   virtual void add_inertia(Point acceleration, UnknownsTable& loads) const = 0;
   virtual void add_to(Scales& scales, const UnknownsTable& loads, const UnknownsTable& q,

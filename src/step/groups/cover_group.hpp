@@ -36,9 +36,9 @@ class CoverGroup final : public BodyGroup {
 
   void put_start(const SceneParts& scene, BodiesMotion& motion) const override;
   void carry_over(const SceneParts& scene, UnknownsTable& v) const override;
-  void put_own_loads(double time, UnknownsTable& loads) const override {
+  void put_own_loads(const UnknownsTable& q, double time, UnknownsTable& loads) const override {
     loads.shared = bodies_->weight();
-    bodies_->add_changing_loads(time, loads.shared);
+    bodies_->changing().add(q.shared, time, loads.shared);
   }
   void add_inertia(Point acceleration, UnknownsTable& loads) const override;
   void add_to(Scales& scales, const UnknownsTable& loads, const UnknownsTable& q,

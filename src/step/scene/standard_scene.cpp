@@ -153,7 +153,7 @@ void add_centrifugal_force(const StandardScene& scene, const UnknownsTable& v, U
 
 UnknownsTable loads_at(const StandardScene& scene, const UnknownsTable& q, double time) {
   UnknownsTable loads;
-  for (const auto& group : scene.groups) group->put_own_loads(time, loads);
+  for (const auto& group : scene.groups) group->put_own_loads(q, time, loads);
   if (has_body_acceleration(scene.settings)) {
     const Eigen::Vector2d acceleration = body_acceleration_at(scene.settings, time);
     for (const auto& group : scene.groups) group->add_inertia({acceleration.x(), acceleration.y()}, loads);
