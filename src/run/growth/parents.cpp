@@ -50,10 +50,16 @@ int nearest_to(const Manifold& manifold, Point p) {
   return nearest;
 }
 
+// The middle of a piece often lies on a side of the mesh before, where rounding would choose the parent. A point that
+// is off the middle by no simple fraction does not.
+constexpr double kOffMiddle = 0.1387;
+
 Point inner_point(const Manifold& manifold, std::size_t e) {
   const auto loops = loops_of(manifold, e);
   const std::optional<Point> inside = point_inside(loops);
-  return inside ? *inside : centroid(loops.front());
+  const Point middle = inside ? *inside : centroid(loops.front());
+  const Point off = middle + kOffMiddle * (loops.front().front() - middle);
+  return holds(loops, off) ? off : middle;
 }
 
 void describe_names(Archive& archive, std::vector<Identity>& names) {
