@@ -64,7 +64,7 @@ TEST(CrackGrowth, elements_keep_their_numbers_and_places) {
   const std::unique_ptr<Stepper> stepper = stepper_for(prepare(problem, "standard", {}).scene);
   Frame before = frame_now(*stepper);
   double farthest = 0;
-  std::size_t renamed = 0, moved = 0;
+  std::size_t renamed = 0;
   for (int step = 0; step < 3; ++step) {
     ASSERT_TRUE(std::holds_alternative<StepReport>(stepper->advance()));
     const Frame after = frame_now(*stepper);
@@ -73,16 +73,13 @@ TEST(CrackGrowth, elements_keep_their_numbers_and_places) {
       const ElementFrame* same = known.find(number_of(after, e));
       if (same == nullptr) continue;
       const double width = std::sqrt(2 * same->area);  // of a triangle
-      const double way = distance(after.elements[e].centroid, same->centroid);
-      farthest = std::max(farthest, way / width);
-      moved += way > 1e-3 * width ? 1U : 0U;
+      farthest = std::max(farthest, distance(after.elements[e].centroid, same->centroid) / width);
       renamed += number_of(after, e) != static_cast<int>(e) ? 1U : 0U;
     }
     before = after;
   }
   EXPECT_LT(farthest, 2);  // a piece of a larger element
   EXPECT_GT(renamed, 0U);
-  EXPECT_LT(moved, 3 * before.elements.size() / 2);  // in three steps: those around the tip
 }
 
 // The arms of a plate are pulled apart until its crack runs into a hole: the run ends before all steps are made, and

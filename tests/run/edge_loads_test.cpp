@@ -93,6 +93,31 @@ TEST(EdgeLoads, a_block_that_stands_on_a_held_edge_starts_in_equilibrium) {
   }
 }
 
+// Friction and held edges share the load in more ways than one: dynamics begins with the one of statics, in all frames.
+TEST(EdgeLoads, a_column_on_a_block_between_rollers_starts_as_in_statics_in_all_frames) {
+  for (const Frame& frame : kFrames) {
+    const std::string blocks = block(frame, {-2, -2}, {4, 0}) + ", " + block(frame, {0, 0}, {2, 1}) + ", " +
+                               block(frame, {0, 1}, {2, 2}) + ", " + block(frame, {0, 2}, {2, 3});
+    const std::string loads =
+        fmt::format(R"("displacements": [{{{}, "held": "both"}}, {{{}, "held": "normal"}}, {{{}, "held": "normal"}}])",
+                    frame.chain({-2, -2}, {4, -2}), frame.chain({-2, 0}, {-2, -2}), frame.chain({4, -2}, {4, 0}));
+    const Point down = frame.vector({0, -10 * frame.unit});
+    const auto run = [&](const char* motion) {
+      return case_of(
+          frame, blocks, loads,
+          fmt::format(R"("motion": "{}", "gravity.x": {:.17g}, "gravity.y": {:.17g})", motion, down.x, down.y));
+    };
+    const auto rest = after_one_step(run("static"));
+    const auto moves = stepper_of(run("dynamic"));
+    for (int i = 0; i < 4; ++i) {
+      const Stress exact = stress_of(*rest, i, frame), found = stress_of(*moves, i, frame);
+      EXPECT_NEAR(found.xx, exact.xx, 5) << i;  // of 40 kPa
+      EXPECT_NEAR(found.yy, exact.yy, 5) << i;
+      EXPECT_NEAR(found.xy, exact.xy, 5) << i;
+    }
+  }
+}
+
 TEST(EdgeLoads, a_bar_under_end_traction_has_its_stress_and_stretch) {
   constexpr double kTraction = 2e5, kLength = 4;
   for (const Frame& frame : kFrames) {

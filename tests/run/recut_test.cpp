@@ -266,6 +266,7 @@ TEST(ParentsByPlace, hold_a_point_inside_each_piece_where_the_mesh_changed) {
     const std::optional<Point> inside = point_inside(piece);
     ASSERT_TRUE(inside);
     const auto of_parent = was.polygon(was.elements[static_cast<std::size_t>(parents[e].value)]);
+    // The middle of the piece, or the point off it by which parents are chosen.
     const Point off = *inside + 0.1387 * (piece.front().front() - *inside);
     EXPECT_TRUE(side(of_parent.front(), *inside) != Side::outside || side(of_parent.front(), off) != Side::outside)
         << "element " << e.value;

@@ -24,9 +24,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using report::Verdict;
 
-constexpr std::size_t kLargestSmall = 300'000;  // bytes of a picture that a card shows whole
-constexpr std::string_view kResults = "results ";
-constexpr std::size_t kMostWithPictures = 60;  // results; more would make a page of some hundred megabytes
+constexpr std::size_t kLargestSmall = 300'000;     // bytes of a picture that a card shows whole
+constexpr std::string_view kResults = "results ";  // in "results unreliable", where a count of results precedes it
+constexpr std::size_t kMostWithPictures = 60;      // results; more would make a page of some hundred megabytes
 
 std::vector<fs::path> results_below(const fs::path& folder) {
   std::vector<fs::path> results;

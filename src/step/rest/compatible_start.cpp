@@ -43,8 +43,10 @@ class CompatibleSettling {
          round < of_compatible_start::kStaticRounds ||
          (round < of_compatible_start::kMostRounds && (misfit() > of_compatible_start::kFits || !start_.balances()));
          ++round) {
-      settle(round >= of_compatible_start::kStaticRounds);
-      while (stretch_bolts()) settle(round >= of_compatible_start::kStaticRounds);
+      // Held points may carry in more ways than one: rigid bodies would choose one by the frame of the drawing.
+      const bool by_elasticity = round >= of_compatible_start::kStaticRounds || !start_.scene.held.empty();
+      settle(by_elasticity);
+      while (stretch_bolts()) settle(by_elasticity);
       tell_headway("start in equilibrium", share_of_fall(1, misfit(), of_compatible_start::kFits));
       add_overlapping();
     }
