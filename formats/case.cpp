@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "base/context.hpp"
+#include "base/nearest.hpp"
 #include "formats/dxf/dxf.hpp"
 #include "formats/dxf/dxf_layer_table.hpp"
 #include "formats/dxf/dxf_units.hpp"
@@ -98,6 +100,14 @@ bool take_layers(FileReading& file, LayerTable& all) {
 
 bool is_dxf(const FileReading& file) {
   return file.choice && file.choice->format == &kDxf;
+}
+
+/// Refuses a unit that no drawing has, and a distance that is none. Throws UsageError.
+void check_choices(const DrawingChoices& asked) {
+  const std::string fault = asked.unit.empty() ? std::string() : unless_one_of(asked.unit, dxf_unit_names());
+  if (!fault.empty()) throw UsageError("--unit: " + fault);
+  if (!(std::isfinite(asked.join) && asked.join >= 0))
+    throw UsageError(fmt::format("--join: expected a number above 0, found \"{}\"", asked.join));
 }
 
 /// Choices of the command line override those of the case file.
@@ -251,6 +261,7 @@ InputError with_what_was_left_out(const InputError& error, const Problem& proble
 }  // namespace
 
 std::vector<FileReading> read_files(const std::vector<std::string>& paths, const DrawingChoices& asked) {
+  check_choices(asked);
   std::vector<FileReading> files;
   for (const std::string& path : paths) files.push_back(open(path));
   open_named_drawings(files);

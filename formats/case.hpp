@@ -21,8 +21,8 @@ struct FileReading {
 };
 
 /// Reads every file, even if others fail; geometry first, because Shi's analysis file needs its counts. Coordinates of
-/// a DXF file are converted to the length unit that another file declares. Throws UsageError if `choices` are for a
-/// drawing and no suitable one is given.
+/// a DXF file are converted to the length unit that another file declares. Throws UsageError for `choices` that no
+/// drawing has, and if they are for a drawing and no suitable one is given.
 std::vector<FileReading> read_files(const std::vector<std::string>& paths, const DrawingChoices& choices = {});
 
 /// Adds the units of a file to those of others. Throws InputError, at `place`, if two declare different units.

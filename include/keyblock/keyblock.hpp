@@ -38,7 +38,7 @@ struct Choices {
 
 /// Choices for a drawing among the files of a case, as `--unit` and `--join`.
 struct Drawing {
-  std::string unit = {};  ///< of length, of a DXF file instead of its own
+  std::string unit = {};  ///< of length, of a DXF file instead of its own: in, ft, mm, cm, m, km, yd or dm
   double join = 0;        ///< ends of lines nearer than this to a line are joined to it; 0: none
 };
 
@@ -46,7 +46,7 @@ struct Drawing {
 class KEYBLOCK_API Case {
  public:
   /// The files of a case in any order, a table of DXF layers among them, or its folder. Throws InputError, SettingError
-  /// for choices without a drawing that they fit.
+  /// for choices that no drawing has or without a drawing that they fit.
   static Case read(const std::vector<std::string>& paths, const Drawing& drawing = {});
   const std::vector<Warning>& warnings() const;
   /// Names of the units of length, mass and time; each empty where the case does not declare it.

@@ -178,8 +178,9 @@ def read(*paths: StrPath | Sequence[StrPath], layers: StrPath | None = None, uni
          join: float | None = None) -> Case:
     """Reads the files of a case in any order, or its folder; also a list of files, such as one of `cases`.
 
-    layers: table of the layers of a DXF drawing. unit: unit of length of the drawing. join: distance of `keyblock check
-    --join`. Raises InputError with file, line and column.
+    layers: table of the layers of a DXF drawing. unit: unit of length of a DXF drawing, instead of its own: in, ft, mm,
+    cm, m, km, yd or dm. join: ends of lines nearer than this to a line are joined to it [unit of the drawing].
+    Raises InputError with file, line and column, and SettingError for another unit, or a distance below 0.
     """
     given = [file for p in paths for file in (p if isinstance(p, (list, tuple)) else (p,))]
     files = [os.fspath(p) for p in (*given, *(() if layers is None else (layers,)))]

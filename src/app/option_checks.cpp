@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/nearest.hpp"
@@ -34,11 +33,7 @@ CLI::Validator zero_or_above() {
 }
 
 CLI::Validator one_word_of(const std::vector<std::string>& words) {
-  return {[words](std::string& text) {
-            if (std::ranges::find(words, text) != words.end()) return std::string();
-            return fmt::format("expected one of {}, found \"{}\"{}", fmt::join(words, ", "), text,
-                               nearest_words(text, words));
-          },
+  return {[words](std::string& text) { return unless_one_of(text, words); },
           fmt::format("{{{}}}", fmt::join(words, ","))};
 }
 

@@ -3,6 +3,7 @@
 #include "base/nearest.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numeric>
@@ -43,6 +44,11 @@ std::string nearest(std::string_view name, const std::vector<std::string>& names
 std::string nearest_words(std::string_view name, const std::vector<std::string>& names) {
   const std::string found = nearest(name, names);
   return found.empty() ? found : fmt::format("; did you mean \"{}\"?", found);
+}
+
+std::string unless_one_of(std::string_view name, const std::vector<std::string>& names) {
+  if (std::ranges::find(names, name) != names.end()) return {};
+  return fmt::format("expected one of {}, found \"{}\"{}", fmt::join(names, ", "), name, nearest_words(name, names));
 }
 
 }  // namespace keyblock

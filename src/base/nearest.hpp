@@ -19,4 +19,7 @@ std::string nearest(std::string_view name, const std::vector<std::string>& names
 /// Returns `; did you mean "…"?`, or an empty text.
 std::string nearest_words(std::string_view name, const std::vector<std::string>& names);
 
+/// Returns `expected one of A, B, found "…"` with the nearest name, or an empty text if the name is one of them.
+std::string unless_one_of(std::string_view name, const std::vector<std::string>& names);
+
 }  // namespace keyblock

@@ -29,5 +29,12 @@ TEST(Nearest, names_what_is_near_and_nothing_that_is_far) {
   EXPECT_EQ(nearest("ab", {"cd", "ef"}), "");
 }
 
+TEST(Nearest, a_name_that_is_none_of_a_list_is_refused_with_the_list) {
+  EXPECT_EQ(unless_one_of("steps", {"steps", "time"}), "");
+  EXPECT_EQ(unless_one_of("far", {"steps", "time"}), "expected one of steps, time, found \"far\"");
+  EXPECT_EQ(unless_one_of("step", {"steps", "time"}),
+            "expected one of steps, time, found \"step\"; did you mean \"steps\"?");
+}
+
 }  // namespace
 }  // namespace keyblock::nearest_test

@@ -120,6 +120,24 @@ TEST(Api, errors_name_their_place) {
   EXPECT_THROW(kb::Case::read({}), kb::SettingError);
 }
 
+TEST(Api, units_and_distances_that_no_drawing_has_are_refused_as_by_the_program) {
+  const std::string docs = std::string(KEYBLOCK_SOURCE_DIR) + "/docs/";
+  const auto refusal = [&](const kb::Drawing& drawing) {
+    try {
+      kb::Case::read({docs + "quarry.dxf", docs + "bench.json", docs + "quarry_layers.csv"}, drawing);
+    } catch (const kb::SettingError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal({"mm", 0.001}), "");
+  EXPECT_EQ(refusal({"furlong", 0}), "--unit: expected one of in, ft, mm, cm, m, km, yd, dm, found \"furlong\"");
+  EXPECT_EQ(refusal({"MM", 0}).substr(0, 20), "--unit: expected one");
+  EXPECT_EQ(refusal({"", -1}), "--join: expected a number above 0, found \"-1\"");
+  EXPECT_NE(refusal({"", std::nan("")}), "");
+  EXPECT_NE(refusal({"", INFINITY}), "");
+}
+
 // A block on a plane steeper than its friction has no equilibrium.
 TEST(Api, a_failure_is_told_by_values) {
   kb::Run run(kb::Plan(slide(), {"standard", {{"motion", "static"}}}));

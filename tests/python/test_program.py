@@ -214,6 +214,19 @@ class Program(Folder):
         with self.assertRaises(kb.InputError):
             kb.read(ROOT / "docs/quarry.dxf", ROOT / "docs/bench.json", layers="nothing.csv")
 
+    def test_units_and_distances_of_drawings_are_refused_as_by_the_program(self):
+        files = [ROOT / "docs/quarry.dxf", ROOT / "docs/bench.json"]
+        layers = {"layers": ROOT / "docs/quarry_layers.csv"}
+        for name, wrong in (("unit", "furlong"), ("unit", "MM"), ("join", -1.0), ("join", float("nan"))):
+            with self.subTest(name, wrong=wrong):
+                with self.assertRaises(kb.SettingError) as caught:
+                    kb.read(*files, **layers, **{name: wrong})
+                told = subprocess.run([kb.program(), "check", *files, f"--{name}={wrong}"], capture_output=True, text=True)
+                self.assertEqual(told.returncode, 2)
+                said = str(caught.exception).rpartition("found")[0].partition("expected")[2]
+                self.assertTrue(said and said in told.stderr, str(caught.exception))
+        self.assertGreater(kb.Plan(kb.read(*files, **layers, unit="mm", join=1.0)).blocks, 30)
+
     def test_joints_depend_on_the_seed(self):
         texts = [kb.joints(str(ROOT / "docs/slope.json"), f"{i}.geo", seed=seed).read_text() for i, seed in enumerate((1, 1, 2))]
         self.assertEqual(texts[0], texts[1])
