@@ -100,7 +100,8 @@ TEST(HistoriesCommand, all_kinds_come_in_long_form_with_units) {
 // Each history searches only the measured points of its own.
 TEST(HistoriesCommand, many_of_one_point_share_a_measured_point_and_large_tables_are_told_of_before_the_run) {
   std::string rows;
-  for (int i = 0; i < 5000; ++i) rows += std::string(i == 0 ? "" : ", ") + R"({"point": [0.5, 2.5]})";
+  for (int i = 0; i < 5000; ++i)
+    rows += (i == 0 ? R"({"name": ")" : R"(, {"name": ")") + std::to_string(i) + R"(", "point": [0.5, 2.5]})";
   const std::string folder = case_in("many_histories", R"(, "outputs": {"histories": [)" + rows + "]}");
   const auto run = run_keyblock({"run", folder + "/case.json", "-o", folder + "/out", "--set", "steps=3"});
   EXPECT_EQ(run.exit_code, 0) << run.messages;
@@ -253,6 +254,28 @@ TEST(HistoriesCommand, what_cannot_be_followed_is_refused_before_anything_is_wri
   const std::string two = case_in("histories_two", R"(, "outputs": {"histories": [{"block": 1, "joint": 5}]})");
   EXPECT_TRUE(contains(run_keyblock({"check", two + "/case.json"}).messages,
                        "expected one of point, block, contact, joint, line and bolt in a history, found 2"));
+}
+
+TEST(HistoriesCommand, two_items_of_one_name_are_refused_and_one_given_twice_counts_once) {
+  const std::string folder = case_in("histories_named", R"(, "outputs": {"histories": [{"block": 2}]})");
+  const auto followed = [&](const std::string& history) {
+    return run_keyblock(
+        {"run", folder + "/case.json", "-o", folder + "/out", "--force", "--history", "block:3", "--history", history});
+  };
+  for (const auto& [history, two] :
+       std::vector<std::pair<std::string, std::string>>{{"joint:2", "block 2 and joint 2"},
+                                                        {"3=block:1", "block 3 and block 1"},
+                                                        {"2=point:0.5,2.5", "block 2 and point 0.5 2.5"}}) {
+    const auto run = followed(history);
+    EXPECT_EQ(run.exit_code, 3) << history;
+    EXPECT_TRUE(contains(run.messages, "--history " + history + ": error: expected a name of its own for each history"))
+        << run.messages;
+    EXPECT_TRUE(contains(run.messages, two)) << run.messages;
+  }
+  ASSERT_EQ(followed("second=block:2").exit_code, 0);
+  const std::size_t lines = lines_of(folder + "/out/histories.csv");
+  EXPECT_EQ(followed("block:2").exit_code, 0);
+  EXPECT_EQ(lines_of(folder + "/out/histories.csv") - 1, (lines - 1) / 3 * 2);
 }
 
 // Two stages; the second cuts the upper block in two: four blocks in all, and a fifth in neither.

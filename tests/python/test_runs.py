@@ -337,6 +337,11 @@ class Frames(Folder):
         self.assertEqual((top.attrs["units"]["velocity_y"], top.attrs["units"]["time"]), ("m/s", "s"))
         with self.assertRaises(kb.SettingError):
             run.history("crest")
+        with self.assertRaisesRegex(kb.InputError, 'found "a" for two: block 2 and block 1'):
+            kb.Run(self.wall(2, 2), history=["a=block:2", "a=block:1"])
+        twice = kb.Run(self.wall(2, 2), history=["block:2", "block:2"])
+        twice.go_on()
+        self.assertEqual((twice.histories(), len(twice.history("2")["time"])), (["2"], 4))
 
 
 class Stubs(unittest.TestCase):

@@ -48,13 +48,6 @@ TEST(StopCriterion, rows_meet_it_or_not_and_a_missing_quantity_is_an_error) {
   EXPECT_THROW(met("crest.force_x>1"), InputError);
 }
 
-TEST(StopCriterion, histories_of_one_name_do_not_share_it) {
-  const std::string twice = std::string(kRows) + "3,0.1,block,crest,displacement_x,0.5,m\n";
-  EXPECT_THROW(stop_criterion_of("crest.d>0.1", kMetres).met_by(twice), InputError);
-  EXPECT_THROW(stop_criterion_of("crest.dx>0.1", kMetres).met_by(twice), InputError);
-  EXPECT_EQ(stop_criterion_of("crest.vx>1", kMetres).met_by(twice), "crest.velocity_x is 1.5, above 1");
-}
-
 TEST(StopCriterion, a_run_stops_there_and_goes_on) {
   const std::string folder = fresh_folder("stop_when"), file = folder + "/block.json", out = folder + "/out";
   run_keyblock({"new", "block", "-o", file});

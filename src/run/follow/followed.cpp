@@ -320,6 +320,16 @@ double size_of(const Model& model, ElementIndex e) {
   return length(box.size());
 }
 
+/// Tables and outputs tell histories apart by their names. Throws InputError if two items have one.
+void require_same_item(HistoryPlan first, HistoryPlan second, const std::string& name) {
+  first.name.clear();
+  second.name.clear();
+  if (first == second) return;
+  throw InputError(second.place,
+                   fmt::format("expected a name of its own for each history, found \"{}\" for two: {} {} and {} {}",
+                               name, word_of(first), name_of(first), word_of(second), name_of(second)));
+}
+
 std::string what_bore_nothing(const HistoryPlan& plan) {
   if (plan.contact)
     return fmt::format("no contact of blocks {} and {} is closed", plan.contact->first + 1, plan.contact->second + 1);
@@ -358,8 +368,16 @@ Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, co
                    const Units& units)
     : units_(units) {
   const PointsByPlace points = points_by_place(first.model);
+  std::map<std::string, std::size_t> by_name;
   for (const HistoryPlan& plan : plans) {
-    One& one = all_.emplace_back(plan, name_of(plan), -1);
+    One one{plan, name_of(plan)};
+    if (plan.bolt && plan.name.empty())
+      if (const std::string name = name_of_bolt(first, *plan.bolt); !name.empty()) one.name = name;
+    const auto [same, is_new] = by_name.try_emplace(one.name, all_.size());
+    if (!is_new) {
+      require_same_item(all_[same->second].plan, plan, one.name);
+      continue;
+    }
     if (plan.point) one.point = point_at(points, plan);
     if (plan.block) require_block(first, *plan.block, plan);
     if (plan.contact) require_block(first, std::max(plan.contact->first, plan.contact->second), plan);
@@ -367,8 +385,7 @@ Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, co
     if (plan.joint) require_joint(joints, *plan.joint, plan);
     if (plan.line) require_line(first, *plan.line, plan);
     if (plan.bolt) require_bolt(first, *plan.bolt, plan);
-    if (plan.bolt && plan.name.empty())
-      if (const std::string name = name_of_bolt(first, *plan.bolt); !name.empty()) one.name = name;
+    all_.push_back(std::move(one));
   }
 }
 

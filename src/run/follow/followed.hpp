@@ -35,8 +35,9 @@ class Followed {
  public:
   Followed() = default;
 
-  /// Takes histories whose points are measured points of the scene already (`with_followed_points`). Throws InputError
-  /// if a block or joint does not exist, or a point lies in no block.
+  /// Takes histories whose points are measured points of the scene already (`with_followed_points`); one that is
+  /// given twice counts once. Throws InputError if a block or joint does not exist, a point lies in no block, or two
+  /// items have one name.
   Followed(const std::vector<HistoryPlan>& plans, const Scene& first, const DrawnJoints& joints, const Units& units);
 
   bool is_empty() const { return all_.empty(); }

@@ -84,18 +84,12 @@ std::string StopCriterion::met_by(const std::string& rows) const {
   std::vector<std::string> there;
   std::optional<double> value;
   double squares = 0;
-  const std::string first = quantity == kLength ? "displacement_x" : quantity;
-  int histories = 0;
   std::istringstream lines(rows);
   for (std::string line; std::getline(lines, line);) {
     const std::vector<std::string> cells = cells_of(line);
     if (cells.size() < 6) continue;
     there.push_back(fmt::format("{}.{}", cells[3], cells[4]));
     if (cells[3] != history) continue;
-    if (cells[4] == first && ++histories > 1)
-      throw InputError(
-          {"--stop-when " + words},
-          fmt::format("expected one history named {}, found several; give them names of their own", history));
     const double number = plain_number(cells[5]).value_or(0);
     if (cells[4] == quantity) value = number;
     if (quantity == kLength && (cells[4] == "displacement_x" || cells[4] == "displacement_y")) {
