@@ -22,7 +22,7 @@ import numpy as np
 from . import _keyblock, _program
 from ._cases import Case, StrPath, _plain, read, setting_pairs
 from ._pool import Failed, Pool
-from ._runs import Run, factor_of_safety
+from ._runs import Run, Strength, factor_of_safety
 
 
 class Table(list):  # type: ignore[type-arg]
@@ -252,10 +252,18 @@ def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, setti
             row.update({"verdict": "error", "doubt": str(error), name: float("nan")})
             continue
         if found.end != "bracketed" and row["verdict"] in ("", "finished"):  # the number beside it is no factor
-            row["verdict"] = found.end
+            row.update({"verdict": found.end, "doubt": _last_trial(found)})
         row["verdict"] = row["verdict"] or "finished"
         row[name] = found.stands if found.stands is not None else float("nan")
     return row
+
+
+def _last_trial(found: Strength) -> str:
+    """Factor, verdict and reason of the last trial, in the words of the program."""
+    if not found.trials:
+        return ""
+    last = found.trials[-1]
+    return f"F = {last.factor:.6g}: {last.verdict}{last.why and ': ' + last.why}"
 
 
 def _plain_dict(values: Mapping[str, Any]) -> dict[str, Any]:

@@ -118,7 +118,7 @@ TEST(ValueSweep, a_factor_that_is_only_a_bound_is_no_finished_row) {
   const ProgramRun made = run_keyblock({"sweep", file, "--over", "/analysis/joint_materials/0/friction_angle_deg=89.9",
                                         "--out", "displacement,fos", "-o", folder + "/out"});
   EXPECT_EQ(made.exit_code, 1) << made.output;
-  EXPECT_TRUE(contains(made.output, ",stands,")) << made.output;
+  EXPECT_TRUE(contains(made.output, ",stands,F = 16: stands,")) << made.output;
 }
 
 TEST(ValueSweep, a_longer_grid_computes_what_is_missing) {

@@ -178,11 +178,22 @@ class Sweeps(Folder):
         self.assertGreater(row["displacement"], 0)
 
     def test_a_search_without_a_bracket_is_no_finished_row(self):
-        found = SimpleNamespace(end="stands", stands=64.0)
-        with mock.patch("keyblock._sweeps.factor_of_safety", lambda *_, **__: found):
-            for out in (["fos"], ["fos", "steps"], ["steps", "fos"]):
-                row = kb._sweeps._row(slide(), {"steps": 2}, out, None, None, ())
-                self.assertEqual((row["verdict"], row["fos"]), ("stands", 64))
+        stable = SimpleNamespace(factor=64.0, verdict="stands", why="")
+        undecided = SimpleNamespace(factor=128.0, verdict="undecided", why="forces do not settle")
+        for end, trials, doubt in (("stands", [stable], "F = 64: stands"),
+                                   ("undecided", [stable, undecided], "F = 128: undecided: forces do not settle")):
+            found = SimpleNamespace(end=end, stands=64.0, trials=trials)
+            with mock.patch("keyblock._sweeps.factor_of_safety", lambda *_, **__: found):
+                for out in (["fos"], ["fos", "steps"], ["steps", "fos"]):
+                    row = kb._sweeps._row(slide(), {"steps": 2}, out, None, None, ())
+                    self.assertEqual((row["verdict"], row["fos"], row["doubt"]), (end, 64, doubt))
+
+    def test_a_search_without_a_bracket_has_the_same_reason_by_program_and_by_function(self):
+        values = {FRICTION: [89.9]}
+        by_program, = kb.sweep(slide(), values, out=["fos"])
+        by_function, = kb.sweep(lambda: slide(), values, out=["fos"])
+        self.assertEqual((by_program["verdict"], by_program["doubt"]), ("stands", "F = 16: stands"))
+        self.assertEqual(by_program["doubt"], by_function["doubt"])
 
     def test_a_function_has_the_histories(self):
         row, = kb.sweep(slide(), {"steps": [2]}, out=lambda run: len(run.history("top")["time"]),

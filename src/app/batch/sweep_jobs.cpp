@@ -201,7 +201,10 @@ bool SweepJob::find_safety(const SweepOutput& output) {
   result_.out[output.name] = study::value_of_fos(text);
   const std::string how = Json::parse(text).value("end", "bracketed");
   const bool is_good_so_far = result_.verdict.empty() || result_.verdict == "finished";
-  if (is_good_so_far && how != "bracketed") result_.verdict = how;
+  if (is_good_so_far && how != "bracketed") {
+    result_.verdict = how;
+    result_.doubt = study::last_trial_of(text);
+  }
   return true;
 }
 

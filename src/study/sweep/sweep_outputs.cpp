@@ -202,6 +202,15 @@ Json value_of_fos(const std::string& fos_json) {
   return json.is_object() ? json.value(Json::json_pointer("/bracket/stands"), Json()) : Json();
 }
 
+std::string last_trial_of(const std::string& fos_json) {
+  const Json trials = Json::parse(fos_json).value("trials", Json::array());
+  if (trials.empty()) return {};
+  const Json& last = trials.back();
+  const std::string why = last.value("why", "");
+  return fmt::format("F = {:.6g}: {}{}", last.value("factor", 0.0), last.value("verdict", ""),
+                     why.empty() ? why : ": " + why);
+}
+
 SweptValue value_of_sif(const SweepOutput& output, const std::string& sif_json) {
   const Json json = Json::parse(sif_json);
   const auto [owner, quantity] = at_dot(output.name);

@@ -50,6 +50,9 @@ SweptValue value_of_run(const SweepOutput& output, const std::filesystem::path& 
 /// Returns the largest stable factor in fos.json; null if there is none.
 nlohmann::ordered_json value_of_fos(const std::string& fos_json);
 
+/// Returns factor, verdict and reason of the last trial in fos.json; empty if there is none.
+std::string last_trial_of(const std::string& fos_json);
+
 /// Returns the value of a tip in the output of `keyblock sif --json`. Throws like `value_of_run`.
 SweptValue value_of_sif(const SweepOutput& output, const std::string& sif_json);
 
