@@ -7,7 +7,6 @@ from __future__ import annotations
 import csv
 import json
 import os
-import re
 import shutil
 import signal
 import subprocess
@@ -17,6 +16,7 @@ from typing import Any, Iterable
 
 from . import _keyblock
 from ._cases import Case, StrPath, end_with_parent
+from ._words import in_arguments
 
 
 class ProgramError(_keyblock.Error):
@@ -39,10 +39,18 @@ def program() -> str:
     return found
 
 
-def _run(arguments: Iterable[Any], accepted: tuple[int, ...] = (0,)) -> str:
-    """Output of the program. Ctrl-C stops it within a second; it keeps its checkpoint. It ends if this process is killed."""
-    child = subprocess.Popen([program(), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                             preexec_fn=end_with_parent)
+def _run(arguments: Iterable[Any], accepted: tuple[int, ...] = (0,), lacks: Iterable[str] = ()) -> str:
+    """Output of the program. Ctrl-C stops it within a second; it keeps its checkpoint. It ends if this process is killed.
+
+    lacks: options that the function has no argument for.
+    """
+    path = program()
+    try:
+        child = subprocess.Popen([path, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                 preexec_fn=end_with_parent)
+    except OSError as error:
+        raise ProgramError(f"the program {path} does not start: {error.strerror}; KEYBLOCK_PROGRAM may name another",
+                           127) from error
     try:
         out, errors = child.communicate()
     except BaseException:
@@ -58,18 +66,7 @@ def _run(arguments: Iterable[Any], accepted: tuple[int, ...] = (0,)) -> str:
         return out
     told = [line for line in errors.splitlines() if not line.startswith("Run with --help")]
     lines = [line for line in told if "error" in line] or told[-1:] or out.splitlines()[-1:]
-    raise ProgramError(_in_arguments("\n".join(lines)), child.returncode)
-
-
-_ARGUMENTS = {"design": "over", "set": "settings"}
-
-
-def _in_arguments(message: str) -> str:
-    """Names arguments of Python instead of options: over= for --over."""
-    def argument(option: re.Match[str]) -> str:
-        name = option[1].replace("-", "_")
-        return _ARGUMENTS.get(name, name) + (option[2] or "=")
-    return re.sub(r"(?<![\w-])--([a-z]+(?:-[a-z]+)*)(:?)", argument, message)
+    raise ProgramError(in_arguments("\n".join(lines), lacks), child.returncode)
 
 
 def _options(**given: Any) -> list[str]:

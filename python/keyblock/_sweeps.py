@@ -383,7 +383,8 @@ def _with_files(texts: Mapping[str, str], command: Iterable[str]) -> str:
         for name, text in texts.items():
             with open(os.path.join(own, name), "w", encoding="utf-8") as file:
                 file.write(text)
-        return _program._run([word.replace(_OWN, own + os.sep) for word in map(str, command)], (0, 1))
+        return _program._run([word.replace(_OWN, own + os.sep) for word in map(str, command)], (0, 1),
+                             lacks=["force"])
 
 
 def _on_workers(client: Any, texts: Mapping[str, str], command: list[str], rows: int) -> None:

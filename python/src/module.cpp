@@ -290,10 +290,20 @@ PyObject* new_type(py::module_& m, const char* name, const char* doc, const py::
   return type;
 }
 
+/// Returns a message with arguments of Python instead of options of the command line.
+py::str in_arguments(const std::string& message) {
+  if (message.find("--") == std::string::npos) return message;
+  return py::module_::import("keyblock._words").attr("in_arguments")(message);
+}
+
+void raise_error(PyObject* type, const std::exception& error) {
+  PyErr_SetObject(type, in_arguments(error.what()).ptr());
+}
+
 void raise_input_error(const kb::InputError& error) {
   const py::object type = py::reinterpret_borrow<py::object>(input_error_type);
-  const py::object raised = type(error.what());
-  raised.attr("file") = error.place.file;
+  const py::object raised = type(in_arguments(error.what()));
+  raised.attr("file") = in_arguments(error.place.file);
   raised.attr("line") = error.place.line;
   raised.attr("column") = error.place.column;
   PyErr_SetObject(input_error_type, raised.ptr());
@@ -314,11 +324,11 @@ void bind_errors(py::module_& m) {
     } catch (const kb::InputError& error) {
       raise_input_error(error);
     } catch (const kb::SettingError& error) {
-      PyErr_SetString(setting_error_type, error.what());
+      raise_error(setting_error_type, error);
     } catch (const kb::Stopped& error) {
-      PyErr_SetString(stopped_type, error.what());
+      raise_error(stopped_type, error);
     } catch (const kb::Error& error) {
-      PyErr_SetString(error_type, error.what());
+      raise_error(error_type, error);
     }
   });
 }

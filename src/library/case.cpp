@@ -20,12 +20,12 @@ std::string text_of(const Case::Data& data) {
   return formats::case_file_text(data.open.input.files);
 }
 
-// Throws Error: an existing file is not a wrong setting.
+// Throws Error: an existing file is not a wrong setting, and nothing here overwrites one.
 void require_nothing_there(const std::filesystem::path& file) {
   try {
     require_free(file, Overwrite::no);
-  } catch (const UsageError& error) {
-    throw Error(error.what());
+  } catch (const UsageError&) {
+    throw Error(file.string() + " exists; give another name");
   }
 }
 

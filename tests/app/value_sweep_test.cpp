@@ -341,7 +341,11 @@ TEST(ValueSweep, a_table_of_more_runs_stays) {
   for (const char* option : {"--resume", "--merge"}) {
     const ProgramRun smaller = run_keyblock(command("2,3") + Words{option});
     EXPECT_EQ(smaller.exit_code, 2);
-    EXPECT_TRUE(contains(smaller.messages, "has 1 run that this sweep lacks; --force replaces it")) << smaller.messages;
+    EXPECT_TRUE(
+        contains(smaller.messages, "has 1 run that this sweep lacks; give another folder, or --force to replace it"))
+        << smaller.messages;
+    const ProgramRun other = run_keyblock(command("2,3") + Words{option, "--set", "time_step=1 ms"});
+    EXPECT_TRUE(contains(other.messages, "a sweep of another case, output or limit")) << other.messages;
     EXPECT_EQ(read_text(folder + "/out/table.csv"), table);
   }
   EXPECT_EQ(run_keyblock(command("2,3") + Words{"--merge", "--force"}).exit_code, 0);

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
@@ -273,8 +274,45 @@ class Program(Folder):
         with self.assertRaisesRegex(kb.Error, "out: expected displacement, .*found nothing") as caught:
             kb.sweep(case, {"steps": [2]}, out="nothing")
         self.assertNotIn("--", str(caught.exception))
-        self.assertEqual(kb._program._in_arguments("expected --over or --design, found a--b; --time-limit: 3"),
+        said = kb._words.in_arguments
+        self.assertEqual(said("expected --over or --design, found a--b; --time-limit: 3"),
                          "expected over= or over=, found a--b; time_limit: 3")
+        self.assertEqual(said("--history block:7: error: expected; --history: 3"), "history=block:7: error: expected; history: 3")
+        self.assertEqual(said("a exists; give another name, or --force to overwrite it"),
+                         "a exists; give another name, or force=True to overwrite it")
+        self.assertEqual(said("a lacks b; give another folder, or --force to replace it", ["force"]),
+                         "a lacks b; give another folder")
+        self.assertEqual(said("found none; run … -o out --force begins a run there"), "found none; record begins a run there")
+        self.assertEqual(said("try --set slivers=glue"), 'try settings={"slivers": "glue"}')
+
+    def test_messages_of_the_library_name_arguments_of_python_too(self):
+        kb.new("block", "block.json")
+        with self.assertRaisesRegex(kb.SettingError, "^history: expected"):
+            kb.Run("block.json", history=["blok:1"])
+        with self.assertRaisesRegex(kb.InputError, "^history=block:7: error: ") as caught:
+            kb.Run("block.json", history=["block:7"])
+        self.assertEqual(caught.exception.file, "history=block:7")
+        with self.assertRaisesRegex(kb.Error, "block.json exists; give another name$"):
+            kb.read("block.json").write("block.json")
+        kb.record("block.json", "out", settings={"steps": 2}, pictures=False)
+        with self.assertRaisesRegex(kb.Error, "out.* or force=True to overwrite"):
+            kb.record("block.json", "out")
+        with self.assertRaisesRegex(kb.Error, "; record begins a run there$"):
+            kb.resume(self.folder)
+
+    def test_a_program_that_does_not_start_is_an_error_of_the_package(self):
+        with mock.patch.dict("os.environ", {"KEYBLOCK_PROGRAM": "/nope"}):
+            with self.assertRaisesRegex(kb.ProgramError, "the program /nope does not start: No such file") as caught:
+                kb.new("block", "block.json")
+        self.assertEqual(caught.exception.code, 127)
+
+    def test_a_sweep_says_why_it_refuses_a_folder(self):
+        case = kb.read(kb.new("block", "block.json"))
+        kb.sweep(case, {"steps": [2, 3]}, folder="out")
+        with self.assertRaisesRegex(kb.Error, "has 1 run that this sweep lacks; give another folder$"):
+            kb.sweep(case, {"steps": [2]}, folder="out")
+        with self.assertRaisesRegex(kb.Error, "a sweep of another case, output or limit"):
+            kb.sweep(case, {"steps": [2]}, folder="out", out="speed")
 
     def test_a_factor_of_safety_names_the_profile_of_the_command(self):
         old = [CASES / "sliding_block" / "a30_p20" / f"a30_p20.{ending}" for ending in ("geo", "ana")]

@@ -126,8 +126,8 @@ void require_no_larger_table(const fs::path& folder, const std::vector<std::stri
   const auto lost =
       std::ranges::count_if(table.rows, [&](const formats::CsvRow& row) { return !own.contains(row.cells[job]); });
   if (lost > 0)
-    throw UsageError(fmt::format("{} has {} that this sweep lacks; --force replaces it", file.string(),
-                                 counted(static_cast<std::size_t>(lost), "run")));
+    throw UsageError(fmt::format("{} has {} that this sweep lacks; give another folder, or --force to replace it",
+                                 file.string(), counted(static_cast<std::size_t>(lost), "run")));
 }
 
 bool has_files_of_sweep(const fs::path& folder) {

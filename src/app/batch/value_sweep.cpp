@@ -392,8 +392,8 @@ ExitCode sweep_values(const ValueSweepOptions& options) {
   if (!options.is_merged) lock.emplace(options.folder, shard);
   const bool goes_on = options.is_resumed || options.is_merged;
   if (options.force && !goes_on) remove_sweep(options.folder);
-  if (!options.force && shard.is_whole()) require_no_larger_table(options.folder, sweep.jobs);
   std::map<std::string, SweepResult> known = known_results(sweep);
+  if (!options.force && shard.is_whole()) require_no_larger_table(options.folder, sweep.jobs);
   if (fs::exists(sweep.plan.folder / shard.journal_name()) && !goes_on)
     throw UsageError(
         fmt::format("{} holds a sweep; --resume goes on with it, --force begins it again", options.folder));
