@@ -14,7 +14,9 @@ with kb.Context(threads=2, time_limit=300, progress=True) as c:
 print("quarry: stable at", s.stands, "unstable at", s.falls, *s.notes, sep="\n  ")
 
 # %%
-spec = {"slope": {"height": 10, "angle": 60, "toe": 5, "crest": 10, "base": 3}, "fixed": [[-5, -2.9, 20, -2.9]],
+spec = {"slope": {"height": 10, "angle": 60, "toe": 5, "crest": 10, "base": 3},
+        # base, back and front: a side without a fixed line is a free face, whose failure would be counted
+        "fixed": [[-6, -2.98, 17, -2.98], [15.753, -4, 15.753, 11], [-4.98, -4, -4.98, 1]],
         "sets": [{"dip": 35, "spacing": 2, "trace": 100, "scatter": 0.2, "dip_scatter_deg": 3, "joint": 1},
                  {"dip": 118, "spacing": 3, "trace": 100, "scatter": 0.2, "dip_scatter_deg": 3, "joint": 2}]}
 rock = kb.read("docs/bench.json").with_value("/analysis/joint_materials/*/friction_angle_deg", 36)
