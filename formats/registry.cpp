@@ -59,8 +59,10 @@ constexpr std::array<const Format*, 20> kFormats{
     &kCsv,
 };
 
+constexpr const char* kKnown = "a case file or a DDA geometry, block or analysis file";
+
 [[noreturn]] void refuse(const Place& place, std::string_view found) {
-  throw InputError(place, fmt::format("expected a DDA geometry, block or analysis file, found {}", found));
+  throw InputError(place, fmt::format("expected {}, found {}", kKnown, found));
 }
 
 bool is_blank(std::string_view text) {
@@ -107,6 +109,8 @@ void refuse_other_files(const Source& source) {
   if (text.starts_with("%PDF-") || text.starts_with("%!PS"))
     refuse({source.name}, "a page for printing (PDF or PostScript)");
   if (const std::string_view name = drawing_program_binary(text); !name.empty()) refuse({source.name}, name);
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    refuse({source.name}, "text in UTF-16; save it as UTF-8");
   if (const std::size_t at = find_binary(text); at != std::string_view::npos)
     refuse(TextMap(source.name, text).place(at), "a binary file");
   const std::size_t first = text.find_first_not_of(" \t\r\n\f\v");
@@ -147,7 +151,7 @@ bool is_poor_dda_analysis(const Choice& choice) {
 
 [[noreturn]] void refuse_nothing_fits(const Source& source, const Tokens& tokens) {
   if (tokens.word_count == 0) refuse({source.name}, "nothing but comments");
-  Cursor(tokens).fail("a DDA geometry, block or analysis file");
+  Cursor(tokens).fail(kKnown);
 }
 
 }  // namespace

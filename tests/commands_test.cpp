@@ -387,8 +387,9 @@ TEST(Commands, a_long_file_that_is_no_text_is_refused_by_its_beginning) {
   std::filesystem::resize_file(file, 2'000'000'000);
   const ProgramRun check = run_keyblock({"check", file});
   EXPECT_EQ(check.exit_code, 3);
-  EXPECT_TRUE(contains(check.messages,
-                       file + ":1:1: error: expected a DDA geometry, block or analysis file, found a binary file"))
+  EXPECT_TRUE(contains(
+      check.messages,
+      file + ":1:1: error: expected a case file or a DDA geometry, block or analysis file, found a binary file"))
       << check.messages;
   EXPECT_LT(check.peak_megabytes, 1000);
 }

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/counted.hpp"
+#include "base/nearest.hpp"
 #include "formats/all_content.hpp"
 #include "formats/case_file/keyblock_case.hpp"
 
@@ -22,9 +24,25 @@ struct Found {
   const Json* value;  ///< null: a new key
 };
 
-std::invalid_argument no_value(std::string_view pointer) {
+std::invalid_argument no_value(std::string_view pointer, const std::string& why = {}) {
   return std::invalid_argument(
-      fmt::format("expected a pointer to a value of the case, such as /analysis/time_step, found {}", pointer));
+      fmt::format("expected a pointer to a value of the case, such as /analysis/time_step, found {}{}", pointer, why));
+}
+
+/// Names the part of a pointer that leads nowhere, and the nearest key or name.
+std::string why_nowhere(const Found& place, const std::string& part) {
+  const Json& whole = *place.value;
+  const std::string at = place.at.empty() ? "the case" : place.at.to_string();
+  std::vector<std::string> names;
+  if (whole.is_object())
+    for (const auto& [key, value] : whole.items()) names.push_back(key);
+  else if (whole.is_array())
+    for (const Json& item : whole)
+      if (item.is_object() && item.contains("name") && item["name"].is_string())
+        names.push_back(item["name"].get<std::string>());
+  const std::string count =
+      whole.is_array() ? fmt::format(", {} from 0,", counted(whole.size(), "item")) : std::string();
+  return fmt::format(": {}{} has no {}{}", at, count, part, nearest_words(part, names));
 }
 
 bool is_item(const Json& item, std::size_t index, const std::string& part) {
@@ -53,9 +71,9 @@ std::vector<Found> places_in(const Json& json, std::string_view pointer, bool or
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::vector<Found> next;
     for (const Found& place : found) add_children(next, place, parts[i], or_new && i + 1 == parts.size());
+    if (next.empty()) throw no_value(pointer, why_nowhere(found.front(), parts[i]));
     found = std::move(next);
   }
-  if (found.empty()) throw no_value(pointer);
   return found;
 }
 

@@ -76,7 +76,7 @@ std::vector<std::string> Case::pointers(std::string_view pointer) const {
 
 Case Case::with(std::string_view pointer, std::string_view value) const {
   return guarded([&] {
-    if (!Json::accept(value)) throw SettingError(fmt::format("expected a value as JSON, found {}", value));
+    if (!Json::accept(value)) throw SettingError(fmt::format("{}: expected a value as JSON, found {}", pointer, value));
     OpenCase open = data_->open;
     const ChangedValue changed{std::string(pointer), std::string(value)};
     change_values(open, {changed});

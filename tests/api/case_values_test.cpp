@@ -32,6 +32,24 @@ TEST(CaseValues, names_and_stars_stand_for_numbers) {
   EXPECT_THROW(pointers_to("/none/y", kList, true), std::invalid_argument);
 }
 
+TEST(CaseValues, a_pointer_to_nothing_is_told_by_the_part_that_is_wrong) {
+  const auto told = [](const char* pointer, bool or_new) {
+    try {
+      pointers_to(pointer, kList, or_new);
+    } catch (const std::invalid_argument& error) {
+      const std::string text = error.what();
+      return text.substr(text.find(pointer) + std::string(pointer).size());
+    }
+    return std::string("found");
+  };
+  EXPECT_EQ(told("/lists/0/x", true), ": the case has no lists; did you mean \"list\"?");
+  EXPECT_EQ(told("/list/2/x", true), ": /list, 2 items from 0, has no 2");
+  EXPECT_EQ(told("/list/beding/x", true), ": /list, 2 items from 0, has no beding; did you mean \"bedding\"?");
+  EXPECT_EQ(told("/list/0/colour", false), ": /list/0 has no colour");
+  EXPECT_EQ(told("/list/0/x/y", false), ": /list/0/x has no y");
+  EXPECT_EQ(told("/list/*/y", false), ": /list/0 has no y");
+}
+
 TEST(CaseValues, a_case_beside_a_drawing_keeps_names_and_other_values) {
   const std::string root = KEYBLOCK_SOURCE_DIR "/docs/";
   const OpenCase open =

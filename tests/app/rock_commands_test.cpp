@@ -60,6 +60,7 @@ TEST(RockCommands, element_refuses_what_is_no_strain_or_is_not_read) {
            {{"--confining", "3"}, "--confining: expected none with --path uniaxial"},
            {{"--path", path, "--to=-0.01"}, "--to: expected none"},
            {{"--path", path, "--cycles", "2"}, "--cycles: expected none"},
+           {{"--material", "0"}, "--material: expected a number above 0, found \"0\""},
            {{"--size", "0"}, "--size: expected a number above 0, found \"0\""},
            {{"--path", "cyclic", "--cycles", "10000", "--steps", "1000000"},
             "--steps: expected at most 1e+07 points of a curve, found 2e+10 of 20000 legs of 1000000 steps"},

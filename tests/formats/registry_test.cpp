@@ -41,17 +41,24 @@ TEST(Registry, damaged_files_go_to_the_reader_they_resemble) {
 }
 
 TEST(Registry, other_files_are_refused_by_name) {
-  EXPECT_EQ(error_of(""), "f: error: expected a DDA geometry, block or analysis file, found an empty file");
+  EXPECT_EQ(error_of(""),
+            "f: error: expected a case file or a DDA geometry, block or analysis file, found an empty file");
   EXPECT_EQ(error_of(" \r\n\t"),
-            "f: error: expected a DDA geometry, block or analysis file, found nothing but white space");
-  EXPECT_EQ(error_of("\xEF\xBB\xBF"), "f: error: expected a DDA geometry, block or analysis file, found an empty file");
+            "f: error: expected a case file or a DDA geometry, block or analysis file, found nothing but white space");
+  EXPECT_EQ(error_of("\xEF\xBB\xBF"),
+            "f: error: expected a case file or a DDA geometry, block or analysis file, found an empty file");
   EXPECT_EQ(error_of("# only this"),
-            "f: error: expected a DDA geometry, block or analysis file, found nothing but comments");
+            "f: error: expected a case file or a DDA geometry, block or analysis file, found nothing but comments");
   EXPECT_EQ(error_of(std::string("0.01\n\0", 6)),
-            "f:2:1: error: expected a DDA geometry, block or analysis file, found a binary file");
+            "f:2:1: error: expected a case file or a DDA geometry, block or analysis file, found a binary file");
   EXPECT_EQ(error_of("\n<!DOCTYPE html><p>"),
-            "f:2:1: error: expected a DDA geometry, block or analysis file, found an HTML page");
-  EXPECT_EQ(error_of("hello"), "f:1:1: error: expected a DDA geometry, block or analysis file, found \"hello\"");
+            "f:2:1: error: expected a case file or a DDA geometry, block or analysis file, found an HTML page");
+  EXPECT_EQ(error_of("hello"),
+            "f:1:1: error: expected a case file or a DDA geometry, block or analysis file, found \"hello\"");
+  for (const std::string& text : {std::string("\xFF\xFE{\0", 4), std::string("\xFE\xFF\0{", 4)})
+    EXPECT_EQ(error_of(text),
+              "f: error: expected a case file or a DDA geometry, block or analysis file, found text in UTF-16; save it "
+              "as UTF-8");
   EXPECT_EQ(error_of("<other/>"), "f:1:2: error: expected the root element DDA of a DDAML file, found other");
 }
 
