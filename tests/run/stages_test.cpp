@@ -305,6 +305,10 @@ TEST(Stages, what_cannot_be_is_an_error) {
             }).find("expected a bolt from 1 to 0, found 1"),
             std::string::npos);
   EXPECT_NE(with([](Stage& s) {
+              s.settings = {{"body_acceleration_file", "acc.csv"}};
+            }).find("expected body_acceleration_file in the settings of the whole run"),
+            std::string::npos);
+  EXPECT_NE(with([](Stage& s) {
               s.held = {{{50, 50}, {}}};
             }).find("a point of held_points in a block, found none at (50, 50)"),
             std::string::npos);

@@ -99,6 +99,9 @@ std::vector<StageChoices> choices_of_stages(const Problem& problem, const std::s
     RunChoices& choices = asked.choices;
     choices.setting_places.resize(choices.settings.size(), choices.place);
     for (const auto& setting : stage.settings) {
+      if (setting.first == "body_acceleration_file")  // one table is read, for the whole run
+        throw InputError(stage.place,
+                         "expected body_acceleration_file in the settings of the whole run, found it in a stage");
       choices.settings.push_back(setting);
       choices.setting_places.push_back(stage.place);
     }
