@@ -91,6 +91,8 @@ class KEYBLOCK_API Plan {
   int unknowns() const;
   int blocks() const;  ///< on covers: elements
   int steps() const;
+  /// Times of the start and of all steps, if none is cut and no stage ends early [time].
+  std::vector<double> step_times() const;
 
   struct Data;
   const std::shared_ptr<const Data>& data() const { return data_; }

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
+import math
 import os
 import threading
 import time
@@ -20,9 +21,9 @@ class Run:
     """Steps of a case, made one at a time. Nothing is printed, and nothing is written unless `record` made the run.
 
     case: a Case, a Plan, or the path of a case. profile, settings, history: see Plan. threads: see Context; not
-    beside a context. load: a function of
-    time that returns the acceleration (ax, ay) of a force per mass on every block. It is called once per step of the
-    plan, before the run. Its values go to the setting `body_acceleration_file`.
+    beside a context. load: a function of time that returns the acceleration (ax, ay) of a force per mass on every block,
+    both in units of the case. It is called once per step, before the run. Its values go to the setting
+    `body_acceleration_file`, which a Plan has already: load needs a case.
 
     Iteration makes the steps: `for step in run`. Ctrl-C stops the computation within about a second and raises
     KeyboardInterrupt; a factorisation that runs may end behind it. A stopped run does not go on. Several runs in several
@@ -36,6 +37,8 @@ class Run:
             raise ValueError("threads: expected none beside a context, which has its own; give them to the Context")
         self.context = context or Context(threads)
         self.load_seconds = 0.0
+        if load is not None and isinstance(case, Plan):
+            raise ValueError("load: expected a case, found a Plan, whose settings are fixed; load is one of them")
         if load is not None:
             settings = dict(settings or {}, **self._table_of(load, case, profile, settings))
         if isinstance(case, Plan):
@@ -52,14 +55,13 @@ class Run:
     def _table_of(self, load: Callable[[float], tuple[float, float]], case: Any, profile: str | None,
                   settings: Any) -> dict[str, str]:
         import tempfile
-        plan = case if isinstance(case, Plan) else Plan(case, profile, settings, self.context)
-        dt = float(plan.settings["time_step"])
+        times = Plan(case, profile, settings, self.context)._plan.step_times
         self._file = tempfile.NamedTemporaryFile("w", suffix=".csv")  # read while the plan is made
         began = time.perf_counter()
-        rows = [(i * dt, *load(i * dt)) for i in range(plan.steps + 1)]
+        rows = [(t, *_acceleration(load(t), t)) for t in times]
         self.load_seconds = time.perf_counter() - began
-        rows.append((rows[-1][0] + dt, *rows[-1][1:]))  # the run may end behind the last row by round-off
-        self._file.write("time,ax,ay\n" + "".join(f"{t!r},{float(x)!r},{float(y)!r}\n" for t, x, y in rows))
+        rows.append((2 * times[-1] - times[-2], *rows[-1][1:]))  # the run may end behind the last row by round-off
+        self._file.write("time,ax,ay\n" + "".join(f"{t!r},{x!r},{y!r}\n" for t, x, y in rows))
         self._file.flush()
         return {"body_acceleration_file": self._file.name}
 
@@ -228,6 +230,17 @@ def _in_folder(of: _keyblock.Run, folder: StrPath, context: _keyblock.Context, c
     run.context, run.load_seconds, run._stepper, run._folder = context, 0.0, threading.RLock(), Path(folder).absolute()
     run._run, run._case, run._choices, run._plan = of, case, choices, plan
     return run
+
+
+def _acceleration(value: Any, at: float) -> tuple[float, float]:
+    """Numbers of an acceleration that `load` returned for a time."""
+    try:
+        x, y = map(float, value)
+    except (TypeError, ValueError):
+        x = y = float("nan")
+    if not (math.isfinite(x) and math.isfinite(y)):
+        raise ValueError(f"load: expected an acceleration (ax, ay) of finite numbers at time {at:g}, found {value!r}")
+    return x, y
 
 
 class Strength:

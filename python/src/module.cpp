@@ -565,7 +565,8 @@ void bind_case(py::module_& m) {
       .def_property_readonly("warnings", &kb::Plan::warnings)
       .def_property_readonly("unknowns", &kb::Plan::unknowns)
       .def_property_readonly("blocks", &kb::Plan::blocks)
-      .def_property_readonly("steps", &kb::Plan::steps);
+      .def_property_readonly("steps", &kb::Plan::steps)
+      .def_property_readonly("step_times", &kb::Plan::step_times);
 }
 
 void bind_run(py::module_& m) {

@@ -49,5 +49,15 @@ int Plan::steps() const {
   return data_->planned.prepared.scene.settings.step_count;
 }
 
+std::vector<double> Plan::step_times() const {
+  std::vector<double> times{0};
+  for (const Scene* scene : scenes_of(data_->planned.prepared.scene)) {
+    const double begin = times.back();
+    const int steps = scene->end.steps > 0 ? scene->end.steps : scene->settings.step_count;
+    for (int i = 1; i <= steps; ++i) times.push_back(begin + i * scene->settings.time_step);
+  }
+  return times;
+}
+
 }  // namespace v1
 }  // namespace keyblock::api

@@ -158,6 +158,18 @@ TEST(Api, a_failure_is_told_by_values) {
   for (const kb::Warning& warning : outcome.warnings) EXPECT_FALSE(warning.level.empty()) << warning.code;
 }
 
+TEST(Api, a_plan_has_the_times_of_its_steps_in_all_stages) {
+  const kb::Case bricks = wall(1, 1);
+  const kb::Case staged = bricks.with("/stages", R"([{"steps": 1}, {"steps": 2, "set": {"time_step": "4 ms"}}])");
+  const std::vector<std::pair<kb::Case, std::vector<double>>> known{{bricks, {0.0, 0.002, 0.004, 0.006}},
+                                                                    {staged, {0.0, 0.002, 0.006, 0.01}}};
+  for (const auto& [of, expected] : known) {
+    const std::vector<double> times = kb::Plan(of).step_times();
+    ASSERT_EQ(times.size(), expected.size());
+    for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-15);
+  }
+}
+
 TEST(Api, a_run_left_by_its_caller_goes_on_to_the_same_bits) {
   const kb::Plan plan(slide());
   const kb::Context context(1);

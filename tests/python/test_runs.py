@@ -166,6 +166,22 @@ class Runs(Folder):
         self.assertAlmostEqual(outcome.time, times[-1], delta=1e-15)
         self.assertNotIn("acceleration_held_after_table", [w.code for w in outcome.warnings])
 
+    def test_a_load_covers_stages_of_other_steps(self):
+        stages = [{"steps": 2}, {"steps": 3, "set": {"time_step": "4 ms"}}]
+        times = []
+        run = kb.Run(self.wall(1, 1).with_value("/stages", stages), load=lambda t: (0.5, times.append(t) or 0.0))
+        outcome = run.go_on()
+        np.testing.assert_allclose(times, [0, 0.002, 0.004, 0.008, 0.012, 0.016], rtol=1e-12)
+        self.assertAlmostEqual(outcome.time, times[-1], delta=1e-12)
+        self.assertNotIn("acceleration_held_after_table", [w.code for w in outcome.warnings])
+
+    def test_a_load_is_two_finite_numbers_of_a_case(self):
+        for wrong in (3.0, (1.0,), (0.0, float("nan")), None, "ab"):
+            with self.assertRaisesRegex(ValueError, r"load: expected an acceleration \(ax, ay\) .* at time 0, found"):
+                kb.Run(slide(), settings={"steps": 2}, load=lambda t: wrong)
+        with self.assertRaisesRegex(ValueError, "load: expected a case, found a Plan"):
+            kb.Run(kb.Plan(slide()), load=lambda t: (0, 0))
+
     def test_200_runs_in_one_process_keep_memory_flat(self):
         plan = kb.Plan(slide())
 
