@@ -41,12 +41,19 @@ def checked(name: str, value: Any, is_whole: bool = False) -> Any:
     return int(value) if is_whole and value is not None else value
 
 
+def texts(given: str | Iterable[str]) -> list[str]:
+    """Returns a list of texts; one text is a list of one."""
+    return [given] if isinstance(given, str) else list(given)
+
+
 class Context(_keyblock.Context):
     """Stops a computation and limits its threads and its time.
 
     threads: threads of a step, at most 256; 0 means all processors. Results do not depend on it.
     time_limit: seconds until the context stops what runs under it; None means no limit. The clock starts here.
     progress: True prints the progress of long searches to standard error.
+
+    timed_out: True if the time limit stopped it; `end` of an outcome is "stopped" then, as after `stop`.
 
     A context that was stopped stays stopped. The clock and the progress lines end with the context, or with the block of
     `with Context(...) as c:`.
@@ -55,6 +62,7 @@ class Context(_keyblock.Context):
     def __init__(self, threads: int | None = None, time_limit: float | None = None, progress: bool = False) -> None:
         checked("time_limit", time_limit)
         super().__init__(_threads if threads is None else threads)
+        self.timed_out = False
         ended = self._ended = threading.Event()
         if time_limit is not None or progress:
             of = weakref.ref(self, lambda _: ended.set())  # the thread does not keep the context
@@ -77,6 +85,7 @@ def _watch(of: weakref.ref[Context], ended: threading.Event, time_limit: float |
         if context is None:
             return
         if end is not None and time.monotonic() >= end:
+            context.timed_out = True
             context.stop()
             return
         what, share = context.headway
@@ -200,14 +209,15 @@ class Plan:
 
     profile: legacy, draft, standard or reference; None takes what the files request.
     settings: a dict, as `--set` of the program: {"time_step": "2 ms", "steps": 500}. True and False mean on and off.
-    history: quantities that a run keeps in memory, such as "crest=point:12,20". Raises InputError, SettingError, Stopped.
+    history: quantities that a run keeps in memory, such as "crest=point:12,20": a text or a list. Raises InputError,
+    SettingError, Stopped.
     """
 
     def __init__(self, case: Case | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
-                 context: _keyblock.Context | None = None, history: Iterable[str] = ()) -> None:
+                 context: _keyblock.Context | None = None, history: str | Iterable[str] = ()) -> None:
         self._case = case if isinstance(case, Case) else read(case)
         self._choices = (profile or "", setting_pairs(settings))
-        self._history = list(history)
+        self._history = texts(history)
         self._plan = _keyblock.Plan(self._case._case, *self._choices, self._history, context or Context())
 
     @property

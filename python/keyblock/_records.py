@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping
 
 from . import _keyblock
-from ._cases import Case, Context, StrPath, checked, read, setting_pairs
+from ._cases import Case, Context, StrPath, checked, read, setting_pairs, texts
 from ._program import number_of
 
 
@@ -85,7 +85,7 @@ def _results(folder: StrPath, end: str) -> Results:
 
 
 def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
-           every: int = 0, history: Iterable[str] = (), force: bool = False, pictures: bool = True, contacts: str = "",
+           every: int = 0, history: str | Iterable[str] = (), force: bool = False, pictures: bool = True, contacts: str = "",
            frames: str = "automatic", checkpoint_every: float = 30, on_step: Callable[[_keyblock.Step], Any] | None = None,
            context: _keyblock.Context | None = None, until: Callable[[Any], Any] | None = None) -> Results:
     """Runs a case to its end, with all files in a folder that `keyblock run` leaves there; returns its Results.
@@ -98,6 +98,7 @@ def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, se
     """
     checked("every", every, is_whole=True)
     checked("checkpoint_every", checkpoint_every)
+    history = texts(history)
     case = case if isinstance(case, Case) else read(case)
     choices, context = (profile or "", setting_pairs(settings)), context or Context()
     if until is not None:
@@ -106,7 +107,7 @@ def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, se
                          lambda: recorded(case, folder, choices, every, history, force, pictures, contacts, frames,
                                           checkpoint_every, context))
     return _results(folder, _keyblock.record(case._case, os.fspath(folder), every, force, pictures, checkpoint_every,
-                                             list(history), contacts, frames, on_step, *choices, context).end)
+                                             history, contacts, frames, on_step, *choices, context).end)
 
 
 def _ended_by(until: Callable[[Any], Any], on_step: Callable[[_keyblock.Step], Any] | None, folder: StrPath,

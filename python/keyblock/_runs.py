@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping
 
 from . import _keyblock
-from ._cases import Case, Context, Plan, StrPath, checked, read, setting_pairs
+from ._cases import Case, Context, Plan, StrPath, checked, read, setting_pairs, texts
 from ._frames import Frame
 from ._records import Results
 
@@ -31,7 +31,7 @@ class Run:
     """
 
     def __init__(self, case: Case | Plan | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
-                 threads: int | None = None, context: _keyblock.Context | None = None, history: Iterable[str] = (),
+                 threads: int | None = None, context: _keyblock.Context | None = None, history: str | Iterable[str] = (),
                  load: Callable[[float], tuple[float, float]] | None = None) -> None:
         if context is not None and threads is not None:
             raise ValueError("threads: expected none beside a context, which has its own; give them to the Context")
@@ -181,8 +181,8 @@ class Run:
         """End, reason, sentences, warnings and doubts; its `end` is "running" before the end."""
         return self._run.outcome
 
-    def record(self, folder: StrPath, every: int = 0, history: Iterable[str] = (), force: bool = False, pictures: bool = True,
-               contacts: str = "", frames: str = "automatic", checkpoint_every: float = 30,
+    def record(self, folder: StrPath, every: int = 0, history: str | Iterable[str] = (), force: bool = False,
+               pictures: bool = True, contacts: str = "", frames: str = "automatic", checkpoint_every: float = 30,
                context: _keyblock.Context | None = None) -> Run:
         """Returns a run of the same case, from its start, that writes into a folder what `keyblock run` leaves there.
 
@@ -191,8 +191,9 @@ class Run:
         folder of an interrupted run. The table of a `load` is a temporary file, which `resume` does not find later: for
         a run to resume, name a file of your own in the setting `body_acceleration_file`.
         """
-        run = recorded(self.plan.case, folder, self.plan._choices, every, [*self.plan._history, *history], force, pictures,
-                       contacts, frames, checkpoint_every, context or Context(), self.plan)
+        followed = [*self.plan._history, *texts(history)]
+        run = recorded(self.plan.case, folder, self.plan._choices, every, followed, force, pictures, contacts, frames,
+                       checkpoint_every, context or Context(), self.plan)
         run._file, run.load_seconds = getattr(self, "_file", None), self.load_seconds
         return run
 

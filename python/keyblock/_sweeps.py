@@ -20,7 +20,7 @@ from typing import Any, Callable, Iterable, Mapping, Sequence
 import numpy as np
 
 from . import _keyblock, _program
-from ._cases import Case, StrPath, _plain, read, setting_pairs
+from ._cases import Case, StrPath, _plain, read, setting_pairs, texts
 from ._pool import Failed, Pool
 from ._runs import Run, Strength, factor_of_safety
 
@@ -289,7 +289,7 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
           out: str | Iterable[str] | Callable[[Run], Any] = ("displacement",), jobs: int = 2,
           time_limit: float | None = None, memory_limit: int | None = None, profile: str | None = None,
           settings: Mapping[str, Any] | None = None, folder: StrPath | None = None, shard: str | None = None,
-          history: Iterable[str] = (), client: Any = None, joints: Mapping[str, Any] | StrPath | None = None) -> Table:
+          history: str | Iterable[str] = (), client: Any = None, joints: Mapping[str, Any] | StrPath | None = None) -> Table:
     """Runs a case under many values and returns a Table, one row per run in the order of `over`.
 
     case: a Case, a path, or a function that takes values by name and returns a Case, such as one that draws joints from a
@@ -320,7 +320,7 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     if not keys:
         raise ValueError(f"over: expected at least one row with a key, found {over!r}")
     _check_names(keys, ())
-    history = list(history)
+    history = texts(history)
     is_even = all(len(row) == len(keys) for row in rows)  # the program needs the same keys in all rows
     if not callable(out):
         out = (out,) if isinstance(out, str) else tuple(out)
@@ -350,7 +350,7 @@ def _plain_names() -> str:
 
 def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jobs: int, time_limit: float | None,
                 memory_limit: int | None, profile: str | None, settings: Any, folder: StrPath | None, shard: str | None,
-                history: Iterable[str], client: Any, joints: Mapping[str, Any] | StrPath | None) -> Table:
+                history: list[str], client: Any, joints: Mapping[str, Any] | StrPath | None) -> Table:
     for key, value in ((k, v) for row in rows for k, v in row.items()):
         if isinstance(value, float) and not math.isfinite(value):
             raise ValueError(f"over: expected finite numbers, found {value} for {key}")
@@ -363,7 +363,7 @@ def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jo
     with tempfile.TemporaryDirectory(prefix="keyblock_") as own:
         to = os.path.abspath(folder or os.path.join(own, "sweep"))
         command = ["sweep", *case._read, *_program._options(
-            design=_OWN + "design.json", out=",".join(out), profile=profile, set=pairs, at=values, history=list(history),
+            design=_OWN + "design.json", out=",".join(out), profile=profile, set=pairs, at=values, history=history,
             time_limit=None if time_limit is None else math.ceil(time_limit), memory_limit=memory_limit,
             joints=statistics, **case._drawing), "-o", to, "--resume", "--json"]
         if client is not None:

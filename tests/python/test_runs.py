@@ -124,6 +124,10 @@ class Runs(Folder):
             began = time.monotonic()
             self.assertEqual(run.go_on().end, "stopped")
             self.assertLess(time.monotonic() - began, 5)
+            self.assertTrue(context.timed_out)
+        run = kb.Run(slide())
+        run.stop()
+        self.assertEqual((run.go_on().end, run.context.timed_out), ("stopped", False))
 
     def test_a_time_limit_leaves_no_thread(self):
         def watches():
@@ -355,6 +359,10 @@ class Frames(Folder):
             run.history("crest")
         with self.assertRaisesRegex(kb.InputError, 'found "a" for two: block 2 and block 1'):
             kb.Run(self.wall(2, 2), history=["a=block:2", "a=block:1"])
+        one = kb.Run(self.wall(2, 2), history="block:2")
+        one.go_on()
+        self.assertEqual(one.histories(), ["2"])
+        self.assertIn("histories", kb.record(one.plan.case, "one", history="block:2", pictures=False).tables())
         twice = kb.Run(self.wall(2, 2), history=["block:2", "block:2"])
         twice.go_on()
         self.assertEqual((twice.histories(), len(twice.history("2")["time"])), (["2"], 4))
