@@ -102,7 +102,7 @@ bool is_dxf(const FileReading& file) {
   return file.choice && file.choice->format == &kDxf;
 }
 
-/// Refuses a unit that no drawing has, and a distance that is none. Throws UsageError.
+/// Refuses a unit that no drawing has, and a distance below 0 or without bound. Throws UsageError.
 void check_choices(const DrawingChoices& asked) {
   const std::string fault = asked.unit.empty() ? std::string() : unless_one_of(asked.unit, dxf_unit_names());
   if (!fault.empty()) throw UsageError("--unit: " + fault);

@@ -14,7 +14,7 @@ def cite(results: Any = None) -> str:
     """Returns BibTeX entries of Keyblock, with version, commit, compiler and build, and of the works on its methods.
 
     The build is a hash of the library; results of the same build are the same. results: a Results, whose command and
-    checksums of files are added as lines that begin with %.
+    checksums of files are added as lines that begin with %. run.json also has the checksums of frames.
     """
     return _entries() + ("" if results is None else _origin(results.run))
 
@@ -26,7 +26,8 @@ def _origin(run: Any) -> str:
              f"build {made.get('build', '')}", f"command {shlex.join(made.get('command', []))}",
              f"folder {made.get('folder', '')}", f"seed {made.get('seed')}"]
     lines += [f"input {i['sha256']} {i['file']}" for i in run.get("inputs", [])]
-    lines += [f"output {checksum} {name}" for name, checksum in run.get("output_sha256", {}).items()]
+    outputs = run.get("output_sha256", {})
+    lines += [f"output {outputs[name]} {name}" for name in outputs if not name.startswith("frames/")]
     return "".join(f"% {line}\n" for line in lines)
 
 

@@ -96,9 +96,10 @@ class Run:
     def go_on(self, until: Callable[[Run], Any] | None = None) -> _keyblock.Outcome:
         """Makes steps to the end, or until `until(run)` is true after a step; the run may then go on.
 
-        Returns the outcome, whose `end` is "running" before the end. A run made by `record` ends there instead: its
-        results are written, run.json has the reason as `ended_early`, and `resume` continues it. A text that `until`
-        returns is the reason. An exception of `until` passes through; a recorded run then ends as an interrupted one.
+        Returns the outcome, whose `end` is "running" if `until` ended the steps, also at the last one. A run made by
+        `record` ends there instead: its results are written, run.json has the reason as `ended_early`, and `resume`
+        continues it. A text that `until` returns is the reason. An exception of `until` passes through; a recorded run
+        then ends as an interrupted one.
         """
         self._begin_to_step()
         try:

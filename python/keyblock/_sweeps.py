@@ -301,14 +301,16 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     docs/slope.json, or the path of one. A key that begins with joints:/ is a pointer into them: "joints:/seed".
 
     Each run is a child process with one thread. One that crashes, is killed, or exceeds its time or memory is one row with
-    its verdict: signal, time_limit, memory_limit or error; the doubt gives the reason. Names of a case without functions
-    are the work of the program `keyblock sweep`, and give its table. history: quantities to follow, for `out`.
+    its verdict: signal, time_limit, memory_limit or error; the doubt gives the reason. If `out` has names and `case` is no
+    function, the program `keyblock sweep` does the work, and the table is that of the command. history: quantities to
+    follow, for `out`. profile: of all columns; None takes what the files request, for old files legacy for results of
+    runs and standard for factors of safety.
 
     folder: keeps the results of rows as they end; a second call with the same arguments computes the missing rows alone.
     A folder refuses rows of another case, settings or outputs, and of another version of the library. With functions it
     also refuses those of another build or function, and a longer time limit computes rows anew that failed by a shorter
-    one. Functions are compared by name, code,
-    defaults and enclosed values, but not by functions and variables of their module that they use.
+    one. Functions are compared by name, code, defaults and enclosed values, but not by functions and variables of their
+    module that they use.
     shard: "k/n" computes a part of the rows and returns these alone; a call with all folders' journals in one folder and no
     shard returns the whole table. client: a client of Dask; its workers start the child processes. They must see `folder`.
     """

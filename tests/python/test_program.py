@@ -241,6 +241,7 @@ class Program(Folder):
         checksum = hashlib.sha256(Path("block.json").read_bytes()).hexdigest()
         self.assertRegex(cited, f"% input {checksum} .*block.json\n")
         self.assertRegex(cited, "% output [0-9a-f]{64} history.csv\n")
+        self.assertNotIn("frames/", cited)
 
     def test_other_commands_answer(self):
         report = kb.compare(CASES / "sliding_block" / "a30_p20")
