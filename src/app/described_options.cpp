@@ -27,10 +27,10 @@ std::vector<std::string> words_in(std::string_view type) {
   return words;
 }
 
-// Parses "INT:INT in [1 - 256]", or a check that numbers are positive.
+// Parses "INT:INT in [1 - 256]".
 std::string range_in(const std::string& type) {
   const std::size_t open = type.find("in [");
-  if (open == std::string::npos) return type.ends_with(":POSITIVE") ? "above 0" : "";
+  if (open == std::string::npos) return {};
   std::string range = type.substr(open + 4, type.find(']', open) - open - 4);
   const std::size_t dash = range.find(" - ");
   return dash == std::string::npos ? range : range.substr(0, dash) + " to " + range.substr(dash + 3);

@@ -190,7 +190,7 @@ ExitCode run_element(const ElementOptions& options) {
 Action configure_element(CLI::App& app) {
   auto options = std::make_shared<ElementOptions>();
   app.add_option("CASE", options->input, "case or analysis file with the material")->required();
-  app.add_option("--material", options->material, "number of the block material")->check(above_zero());
+  app.add_option("--material", options->material, "number of the block material, from 1")->check(above_zero());
   app.add_option(
       "--path", options->path,
       "path: uniaxial, triaxial or biaxial (yy driven, sides under --confining), oedometer (sides fixed), or shear "
