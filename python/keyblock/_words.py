@@ -9,6 +9,7 @@ from typing import Iterable
 
 _NAMES = {"design": "over", "set": "settings", "force": "force=True"}
 _PHRASES = (
+    (r"--resume that one", "resume that one"),
     (r"run … -o \S+ --force begins a run there", "record begins a run there"),
     (r"--set ([a-z_.]+)=([\w.]+)", r'settings={"\1": "\2"}'),
 )
@@ -20,6 +21,8 @@ def in_arguments(message: str, lacks: Iterable[str] = ()) -> str:
     lacks: options that the function has no argument for; a remedy that names one is left out.
     """
     def argument(option: re.Match[str]) -> str:
+        if option[1] is None:  # a command of the program
+            return option[0]
         name = option[1].replace("-", "_")
         name = _NAMES.get(name, name)
         return name + option[2] if option[2] == ":" or "=" in name else name + "="
@@ -27,4 +30,4 @@ def in_arguments(message: str, lacks: Iterable[str] = ()) -> str:
         message = re.sub(rf",? or --{option}\b[^;,]*", "", message)
     for phrase, words in _PHRASES:
         message = re.sub(phrase, words, message)
-    return re.sub(r"(?<![\w-])--([a-z]+(?:-[a-z]+)*)(:| (?=\S+(?:: error: |$))|)", argument, message)
+    return re.sub(r"`keyblock [^`]*`|(?<![\w-])--([a-z]+(?:-[a-z]+)*)(:| (?=\d|\S+(?:: error: |$))|)", argument, message)

@@ -284,6 +284,8 @@ class Program(Folder):
         self.assertEqual(said("a lacks b; give another folder, or --force to replace it", ["force"]),
                          "a lacks b; give another folder")
         self.assertEqual(said("found none; run … -o out --force begins a run there"), "found none; record begins a run there")
+        self.assertEqual(said("(`keyblock run --settings` lists them); --join 0.003 closes it"),
+                         "(`keyblock run --settings` lists them); join=0.003 closes it")
         self.assertEqual(said("try --set slivers=glue"), 'try settings={"slivers": "glue"}')
 
     def test_messages_of_the_library_name_arguments_of_python_too(self):
