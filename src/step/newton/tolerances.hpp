@@ -114,8 +114,9 @@ inline constexpr double kTouching = 1e-6;
 inline constexpr double kDrawnTogether = 1e-4;
 // Forces without springs need not close gaps below this fraction of block size.
 inline constexpr double kGapTolerance = 1e-9;
-// If nothing loads a scene, no load defines a small force. Round-off is then this fraction of the forces that the gaps
-// would need one by one.
+// Round-off of forces is this fraction of the greatest force of the last step: forces of held strain can be far above
+// all loads. If nothing loads a scene, no load defines a small force. Forces that the gaps would need one by one then
+// count too.
 inline constexpr double kRoundOff = 1e-14;
 inline constexpr double kFewRoundOffs = 1e-12;
 // A bond breaks if it opens by more than this fraction of block size in a step; less is round-off of the solution.
@@ -299,6 +300,20 @@ inline constexpr double kSmallShare = 0.1;
 inline constexpr double kSameWay = 0.5;
 
 }  // namespace of_resting_start
+
+/// Start of bodies that accelerate.
+namespace of_moving_start {
+
+// Free fall in a step of pseudo time over the size of the largest body, or over the greatest change of a length if that
+// is more. The sum of these motions is taken back as one rotation of first order, so that it must stay small; a step
+// reduces an elastic error by a factor of about 1 + kOverStrain.
+inline constexpr double kReach = 1e-4;
+inline constexpr double kOverStrain = 3;
+inline constexpr int kMostSteps = 60;
+inline constexpr double kSettled = 1e-4;    // change of lengths in a step over all change: 1e-3 of the stress is left
+inline constexpr double kRoundOff = 1e-13;  // of lengths over that size: no strain
+
+}  // namespace of_moving_start
 
 /// Proximal point iteration for a static state, whose iterations are steps of pseudo time.
 namespace of_statics {

@@ -14,6 +14,7 @@
 #include "step/newton/tolerances.hpp"
 #include "step/rest/start_forces.hpp"
 #include "step/scene/contact_laws.hpp"
+#include "step/scene/step_constraints.hpp"
 
 namespace keyblock {
 namespace {
@@ -57,7 +58,7 @@ class CompatibleSettling {
     if (start_.motion.bonds.empty()) return false;
     start_.make_rows();
     start_.distribute();
-    return break_open_bonds() || break_sheared_bonds();
+    return break_open_bonds() || break_overloaded_faces();
   }
 
   void settle(bool by_elasticity) {
@@ -102,12 +103,13 @@ class CompatibleSettling {
     return true;
   }
 
-  bool break_sheared_bonds() {
+  bool break_overloaded_faces() {
     std::vector<ContactLaw> laws;
     for (const Touch& touch : start_.touches) laws.push_back(contact_law(start_.scene, start_.motion.bonds, touch));
-    const std::vector<Facing> sheared = sheared_bonds(start_.touches, laws, start_.forces, start_.acceptable);
-    for (const Facing& facing : sheared) start_.motion.bonds.erase(facing);
-    return !sheared.empty();
+    const std::vector<Facing> overloaded =
+        overloaded_faces(start_.scene, start_.motion.q, start_.touches, laws, start_.forces, start_.acceptable);
+    for (const Facing& facing : overloaded) start_.motion.bonds.erase(facing);
+    return !overloaded.empty();
   }
 
   // A bond breaks if it carries its tensile strength while its faces part by more than round-off of the acceleration.
@@ -208,13 +210,7 @@ class CompatibleSettling {
 
   void remember() {
     start_.motion.closed = closed();
-    const Eigen::VectorXd longer = elongations(start_.scene.model, start_.scene.reference, start_.motion.q);
-    for (std::size_t i = 0; i < start_.scene.model.bolts.size(); ++i) {
-      const Bolt& bolt = start_.scene.model.bolts[i];
-      if (bolt.is_spring() && !start_.motion.constraints.broken[i])
-        start_.motion.constraints.bolt_forces[i] =
-            bolt.pretension + bolt.stiffness * longer[static_cast<Eigen::Index>(i)];
-    }
+    put_bolt_forces(start_.scene, start_.motion);
     start_.motion.constraints.point_forces =
         start_.forces.tail(static_cast<Eigen::Index>(2 * start_.scene.held.size()));
   }

@@ -45,6 +45,47 @@ void add_springs(ContactLaw& law, const StandardScene& scene, const Touch& touch
   }
 }
 
+struct BondedPoint {
+  Point at;
+  double force = 0;
+  double length = 0;
+};
+
+// All bonds between two edges.
+struct BondedFace {
+  std::vector<BondedPoint> points;
+  std::vector<Facing> bonds;
+  double shear = 0;
+  double shear_strength = 0;
+  double tensile_strength = 0;
+  bool is_of_whole_blocks = false;
+
+  bool is_sheared(double tolerance) const { return std::abs(shear) > std::max(0.0, shear_strength) + tolerance; }
+
+  // A block drawn on the verge of toppling stands.
+  bool is_torn(double tolerance) const {
+    const Point first = points.front().at;
+    const Point last =
+        std::ranges::max_element(points, {}, [&](const BondedPoint& point) { return distance(first, point.at); })->at;
+    if (!(distance(first, last) > 0)) return false;
+    const Point along = (1 / distance(first, last)) * (last - first);
+    double force = 0;
+    double length = 0;
+    double middle = 0;
+    for (const BondedPoint& point : points) {
+      force += point.force;
+      length += point.length;
+      middle += point.length * dot(point.at - first, along);
+    }
+    middle /= length;
+    double moment = 0;
+    for (const BondedPoint& point : points) moment += point.force * (dot(point.at - first, along) - middle);
+    moment = std::abs(moment);
+    return moment > (0.5 + tolerances::of_gaps::kDrawnTogether) * force * length &&
+           6 * moment / length - force > tensile_strength + tolerance;
+  }
+};
+
 }  // namespace
 
 Springs springs_of(const StandardScene& scene, const Touch& touch) {
@@ -88,6 +129,7 @@ ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Tou
   const auto bond = touch.facing.lower ? bonds.find(touch.facing) : bonds.end();
   if (bond == bonds.end()) return law;
   law.is_bonded = true;
+  law.bonded_length = bond->second.length;
   law.force.cohesion = std::numeric_limits<double>::infinity();
   law.shear_strength = joint.cohesion * bond->second.length;
   law.force.least = -joint.tensile_strength * bond->second.length;
@@ -102,27 +144,27 @@ bool resolves_impact(const StandardScene& scene, const Touch& touch) {
   return resolves(touch.vertex) || resolves(touch.start);
 }
 
-std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<ContactLaw>& laws,
-                                  const Eigen::VectorXd& forces, double tolerance) {
-  struct Face {
-    double shear = 0;
-    double strength = 0;
-    std::vector<Facing> bonds;
-  };
-  std::map<std::pair<VertexIndex, VertexIndex>, Face> faces;
+std::vector<Facing> overloaded_faces(const StandardScene& scene, const UnknownsTable& q, const Touches& touches,
+                                     const std::vector<ContactLaw>& laws, const Eigen::VectorXd& forces,
+                                     double tolerance) {
+  std::map<std::pair<VertexIndex, VertexIndex>, BondedFace> faces;
+  const auto vertices = vertices_at(scene.model, scene.reference, q);
   for (std::size_t i = 0; i < touches.size(); ++i) {
     if (!laws[i].is_bonded) continue;
+    BondedFace& face = faces[{touches[i].facing.lower, touches[i].facing.upper}];
     const auto n = static_cast<Eigen::Index>(2 * i);
-    Face& face = faces[{touches[i].facing.lower, touches[i].facing.upper}];
-    face.shear += forces[n + 1];
-    face.strength += laws[i].shear_strength + laws[i].force.friction * forces[n];
+    face.points.push_back({point_of(touches[i], vertices), forces[n], laws[i].bonded_length});
     face.bonds.push_back(touches[i].facing);
+    face.shear += forces[n + 1];
+    face.shear_strength += laws[i].shear_strength + laws[i].force.friction * forces[n];
+    face.tensile_strength -= laws[i].force.least;
+    face.is_of_whole_blocks = !resolves_impact(scene, touches[i]);
   }
-  std::vector<Facing> sheared;
+  std::vector<Facing> overloaded;
   for (const auto& [edges, face] : faces)
-    if (std::abs(face.shear) > std::max(0.0, face.strength) + tolerance)
-      sheared.insert(sheared.end(), face.bonds.begin(), face.bonds.end());
-  return sheared;
+    if (face.is_sheared(tolerance) || (face.is_of_whole_blocks && face.is_torn(tolerance)))
+      overloaded.insert(overloaded.end(), face.bonds.begin(), face.bonds.end());
+  return overloaded;
 }
 
 bool has_strength(const StandardScene& scene, const Touch& touch) {

@@ -17,6 +17,7 @@ struct ContactLaw {
   double tangential_weight = 0;
   double rest_gap = 0;        ///< of the contact; for a bond, the gap of its faces when it was made
   double shear_strength = 0;  ///< of a bond: cohesion times its length
+  double bonded_length = 0;
   bool is_bonded = false;
 };
 
@@ -43,16 +44,21 @@ ContactMemory memory_of(const ContactLaw& law, double normal, double tangential,
 bool sticks(const ContactLaw& law, double normal, double tangential);
 
 /// Returns the law of a contact. Bonded contacts have λn ≥ −T l and no slip, l the length of the contact; others follow
-/// Coulomb. `sheared_bonds` judges the shear of bonds. A spring acts for its share of a stretch. Both ends of a stretch
-/// have the contact stiffness p each, three points 2p by Lobatto's weights.
+/// Coulomb. `overloaded_faces` judges shear and bending of bonds. A spring acts for its share of a stretch. Both ends
+/// of a stretch have the contact stiffness p each, three points 2p by Lobatto's weights.
 ContactLaw contact_law(const StandardScene& scene, const Bonds& bonds, const Touch& touch);
 
 /// Returns the bonds between edges whose shear exceeds the Mohr–Coulomb limit by more than `tolerance`:
 ///     |Σ λt| > Σ (c l + λn tan φ),
 /// summed over the bonds of a pair of edges. The strength of a face is independent of the distribution of a force among
-/// its points (limit equilibrium of a joint, Hoek & Bray 1981).
-std::vector<Facing> sheared_bonds(const Touches& touches, const std::vector<ContactLaw>& laws,
-                                  const Eigen::VectorXd& forces, double tolerance);
+/// its points (limit equilibrium of a joint, Hoek & Bray 1981). On faces of DDA blocks it also returns those that tear
+/// under a force N and a moment M about their middle:
+///     |M| > N L/2  and  6 |M| / L − N > T L,
+/// L the length of the face. That is the stress of a beam at the edge of the face (Navier 1826). If the force meets the
+/// face, an open part of it does no harm. The mesh of NMM bodies has that stress itself.
+std::vector<Facing> overloaded_faces(const StandardScene& scene, const UnknownsTable& q, const Touches& touches,
+                                     const std::vector<ContactLaw>& laws, const Eigen::VectorXd& forces,
+                                     double tolerance);
 
 /// Returns true if a body of the contact resolves impacts by itself, as NMM bodies do.
 bool resolves_impact(const StandardScene& scene, const Touch& touch);

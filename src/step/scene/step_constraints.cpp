@@ -95,6 +95,15 @@ ConstraintMemory StepConstraints::memory(const Eigen::VectorXd& forces, const Un
   return memory;
 }
 
+void put_bolt_forces(const StandardScene& scene, Motion& motion) {
+  const Eigen::VectorXd longer = elongations(scene.model, scene.reference, motion.q);
+  for (std::size_t i = 0; i < scene.model.bolts.size(); ++i) {
+    const Bolt& bolt = scene.model.bolts[i];
+    if (bolt.is_spring() && !motion.constraints.broken[i])
+      motion.constraints.bolt_forces[i] = bolt.pretension + bolt.stiffness * longer[static_cast<Eigen::Index>(i)];
+  }
+}
+
 ContactRows rows_with_points(const StandardScene& scene, const UnknownsTable& q, const Touches& touches) {
   ContactRows rows = contact_rows(scene.model, scene.reference, q, touches);
   if (scene.held.empty()) return rows;

@@ -52,6 +52,9 @@ class StepConstraints {
   double weight_;
 };
 
+/// Gives unbroken spring bolts the forces of their present lengths.
+void put_bolt_forces(const StandardScene& scene, Motion& motion);
+
 /// Returns the rows of contacts, then of the fixed points: pushes and impacts of supported blocks include their
 /// supports.
 ContactRows rows_with_points(const StandardScene& scene, const UnknownsTable& q, const Touches& touches);

@@ -65,6 +65,7 @@ SmoothContacts::SmoothContacts(const StandardScene& scene, const Motion& start, 
   });
   for (const Touch& touch : touches_)
     follows_way_.push_back(may_follow_rates_ && !springs_stop() && resolves_impact(scene, touch));
+  if (!is_empty()) greatest_before_ = remembered_forces().cwiseAbs().maxCoeff();
 }
 
 void SmoothContacts::take_laws() {
@@ -150,13 +151,11 @@ void SmoothContacts::set_right_side(const UnknownsTable& estimate) {
 }
 
 void SmoothContacts::put_goal() {
-  problem_.goal = tolerance_.goal;
-  problem_.acceptable = tolerance_.acceptable;
-  if (tolerance_.acceptable <= 0 && problem_.b.size() > 0) {
-    const double asked = problem_.b.cwiseQuotient(problem_.compliance()).cwiseAbs().maxCoeff();
-    problem_.goal = of_gaps::kRoundOff * asked;
-    problem_.acceptable = of_gaps::kFewRoundOffs * asked;
-  }
+  double forces = greatest_before_;
+  if (tolerance_.acceptable <= 0 && problem_.b.size() > 0)
+    forces = std::max(forces, problem_.b.cwiseQuotient(problem_.compliance()).cwiseAbs().maxCoeff());
+  problem_.goal = std::max(tolerance_.goal, of_gaps::kRoundOff * forces);
+  problem_.acceptable = std::max(tolerance_.acceptable, of_gaps::kFewRoundOffs * forces);
   // Iterations of nonlinear bodies end by their change. If acceptable forces are far from their goal, the remainder on
   // open contacts is not round-off. Cutting it off in each iteration, each time at other contacts, would keep a light
   // piece moving.
@@ -190,7 +189,7 @@ std::vector<Facing> SmoothContacts::overloaded_bonds(const Eigen::VectorXd& forc
     if (!laws_[i].is_bonded || !is_open(map.grips[i])) continue;
     if (now.y[static_cast<Eigen::Index>(2 * i)] > of_gaps::kBroken * free_.size()) open.push_back(touches_[i].facing);
   }
-  return open.empty() ? sheared_bonds(touches_, laws_, forces, problem_.acceptable) : open;
+  return open.empty() ? overloaded_faces(scene_, start_.q, touches_, laws_, forces, problem_.acceptable) : open;
 }
 
 bool SmoothContacts::break_bonds(const Eigen::VectorXd& forces) {

@@ -36,7 +36,7 @@ class SmoothContacts {
   const ContactRows& rows() const { return *rows_; }
 
   /// Returns bonds that open. A bond at its limit that does not move, because its neighbour holds, stays. If no bond
-  /// opens, returns all bonds of the faces that are sheared beyond their strength (brittle joint).
+  /// opens, returns all bonds of the faces that are sheared or bent beyond their strength (brittle joint).
   std::vector<Facing> overloaded_bonds(const Eigen::VectorXd& forces) const;
   /// Breaks them. Returns true if there were any.
   bool break_bonds(const Eigen::VectorXd& forces);
@@ -72,6 +72,7 @@ class SmoothContacts {
   bool may_follow_rates_;
   std::vector<bool> follows_way_;   ///< per contact: friction opposes the slip of the step
   std::vector<double> start_gaps_;  ///< per contact
+  double greatest_before_ = 0;      ///< greatest force of the last step
   Bonds bonds_;
   StepConstraints constraints_;
   std::vector<ContactLaw> laws_;
