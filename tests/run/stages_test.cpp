@@ -245,6 +245,23 @@ TEST(Stages, a_friction_that_is_lost_lets_a_block_slide) {
   EXPECT_NEAR(told.at_end(2).displacement.x, a * t * t / 2, 0.02 * a * t * t / 2);
 }
 
+// The block needs tan φ = 0.31. That of its joint falls from 0.84 to 0.25 by a factor, and to 0.09 by another material.
+TEST(Stages, statics_finds_no_rest_on_a_joint_that_became_weak) {
+  const auto reason = [](const Stage& second) {
+    Problem problem = column(1);
+    problem.analysis->joint_materials.push_back({});
+    problem.analysis->joint_materials[1].friction_angle_deg = 5;
+    problem.stages = {stage_of(2), second};
+    problem.stages[0].settings = {{"gravity.x", "3"}, {"motion", "static"}};
+    return run(prepare(problem, "standard", {}).scene, 1000, {}).reason;
+  };
+  Stage same = stage_of(2), weaker = same, other = same;
+  weaker.settings = {{"joint_strength_factor", "0.3"}};
+  other.joint_materials = {{0, 1, {}}};
+  EXPECT_EQ(reason(same), "");
+  for (const Stage& weak : {weaker, other}) EXPECT_NE(reason(weak).find("accelerates"), std::string::npos);
+}
+
 // A block that is pressed against a ceiling is glued to it, loses its base, hangs, and falls once the glue is gone.
 TEST(Stages, joints_are_glued_and_unglued) {
   Problem problem = column(1);

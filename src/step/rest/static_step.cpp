@@ -26,6 +26,16 @@ using namespace tolerances;
 // leads to no rest that the bond could bear.
 constexpr double kFarFromRest = 1e-3;
 
+// Forces of an earlier stage may be beyond the strength of joints that have become weaker.
+bool has_permitted_forces(const StandardScene& scene, const Motion& motion, double load) {
+  const double tolerance = of_statics::kForceAcceptable * load;
+  return std::ranges::all_of(motion.closed.all(), [&](const ClosedContact& contact) {
+    const ForceLaw law = contact_law(scene, motion.bonds, contact.touch).force;
+    return contact.memory.normal >= law.least - tolerance &&
+           std::abs(contact.memory.tangential) <= law.limit(contact.memory.normal) + tolerance;
+  });
+}
+
 class StaticSolve {
  public:
   StaticSolve(const StandardScene& scene, const Motion& start, double time, int most_iterations)
@@ -51,7 +61,7 @@ class StaticSolve {
     }
     const Balance at_start = balance_of(scene_, start_, time_, load_);
     result_.residual = at_start.share;
-    if (at_start.holds() && start_.bonds.empty()) {
+    if (at_start.holds() && start_.bonds.empty() && has_permitted_forces(scene_, start_, load_)) {
       for (const auto& [touch, memory] : closed_.all()) result_.touches.push_back(touch);
       return finished();
     }

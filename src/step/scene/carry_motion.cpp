@@ -77,10 +77,19 @@ class Names {
   Table<VertexIndex, VertexIndex> now_;
 };
 
-ClosedContacts carried_contacts(const ClosedContacts& closed, const Names& names) {
-  std::vector<ClosedContact> kept;
+// An edge may have another joint material now.
+ClosedContacts carried_contacts(const ClosedContacts& closed, const Names& names, const StandardScene& after,
+                                const UnknownsTable& q) {
+  Touches touches;
+  std::vector<ContactMemory> memories;
   for (const ClosedContact& contact : closed.all())
-    if (const std::optional<Touch> touch = names.of(contact.touch)) kept.push_back({*touch, contact.memory});
+    if (const std::optional<Touch> touch = names.of(contact.touch)) {
+      touches.push_back(*touch);
+      memories.push_back(contact.memory);
+    }
+  name_joints(touches, after.model, vertices_at(after.model, after.reference, q));
+  std::vector<ClosedContact> kept;
+  for (std::size_t i = 0; i < touches.size(); ++i) kept.push_back({touches[i], memories[i]});
   return ClosedContacts(std::move(kept));
 }
 
@@ -236,7 +245,7 @@ Motion carried_motion(const StandardScene& before, const Motion& motion, const S
   const BodiesBefore bodies{before.parts(), before.groups, motion, map.elements};
   for (const auto& group : after.groups) group->carry(after.parts(), bodies, carried);
   const Names names(map, before, after);
-  carried.closed = carried_contacts(motion.closed, names);
+  carried.closed = carried_contacts(motion.closed, names, after, carried.q);
   carried.bonds = carried_bonds(motion.bonds, names, map, before, carried, after, time);
   carry_constraints(before, motion, map, after, carried);
   return carried;

@@ -59,11 +59,6 @@ int joint_under(const Touch& touch, const Model& model, const Table<VertexIndex,
   return model.vertices[edge_under(touch, model, vertices)].joint_material;
 }
 
-void name_joints(Touches& touches, const Model& model, const Table<VertexIndex, Point>& vertices) {
-  for_each_entry(touches.size(),
-                 [&](std::size_t i) { touches[i].joint_material = joint_under(touches[i], model, vertices); });
-}
-
 // Two convex pieces of a notched block may meet the same corner, one along an edge and one at the corner alone. That is
 // one contact, with one memory. The rest stay in order.
 void drop_known(Touches& touches, const Touches& known) {
@@ -148,6 +143,11 @@ Touches found_within(const StandardScene& scene, const Motion& motion, const Tab
 }
 
 }  // namespace
+
+void name_joints(Touches& touches, const Model& model, const Table<VertexIndex, Point>& vertices) {
+  for_each_entry(touches.size(),
+                 [&](std::size_t i) { touches[i].joint_material = joint_under(touches[i], model, vertices); });
+}
 
 // Vertices on a straight edge divide it, and each part has a joint of its own.
 VertexIndex edge_under(const Touch& touch, const Model& model, const Table<VertexIndex, Point>& vertices) {

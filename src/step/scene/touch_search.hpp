@@ -13,6 +13,9 @@ VertexIndex edge_under(const Touch& touch, const Model& model, const Table<Verte
 /// Returns the contact candidates within reach of a step of `dt`.
 Touches touches_of(const StandardScene& scene, const Motion& motion, const Scales& scales, double dt);
 
+/// Gives contacts the joint materials of the edges under their points.
+void name_joints(Touches& touches, const Model& model, const Table<VertexIndex, Point>& vertices);
+
 /// Returns contacts that overlap by more than kNewOverlap of block size after a motion to `vertices`. Those in `known`
 /// are left out: the rest are corners that came round an edge.
 Touches newly_overlapping(const StandardScene& scene, const Motion& start, const Table<VertexIndex, Point>& vertices,
