@@ -82,11 +82,15 @@ First settled_first(const StandardScene& scene, Motion motion, const std::string
            why, 0, made.unsolved_steps}};
 }
 
+std::string bodies(int count) {
+  return count == 1 ? "1 body" : fmt::format("{} bodies", count);
+}
+
 First resting_first(const StandardScene& scene, Motion motion) {
   RestingStart start = resting_start(scene, motion);
   StartReport report;
   report.unbalanced = start.unbalanced;
-  if (!start.is_found) {
+  if (!start.is_found && start.moving == 0) {
     report.made = "sudden, because no equilibrium exists";
     if (start.unbalanced.empty())
       report.unbalanced =
@@ -94,13 +98,15 @@ First resting_first(const StandardScene& scene, Motion motion) {
           "suddenly loaded";
     return {std::move(motion), {}, report};
   }
-  report.made = "static equilibrium";
+  const std::string moving = "first acceleration of " + bodies(start.moving);
+  report.made = !start.is_found     ? moving
+                : start.moving == 0 ? "static equilibrium"
+                                    : "static equilibrium, and " + moving;
   if (largest_load(scene, loads_at(scene, start.motion.q, 0)) > 0)
     report.balanced =
-        fmt::format("at t = 0 stresses and contact forces balance the loads{}; start=sudden begins without them",
-                    start.sudden > 0 ? fmt::format(" except those of {}, suddenly loaded",
-                                                   counted(static_cast<std::size_t>(start.sudden), "body"))
-                                     : "");
+        fmt::format("at t = 0 stresses and contact forces balance the loads{}{}; start=sudden begins without them",
+                    start.moving > 0 ? " and the first accelerations" : "",
+                    start.sudden > 0 ? fmt::format(" except those of {}, suddenly loaded", bodies(start.sudden)) : "");
   return {std::move(start.motion), {}, report};
 }
 
@@ -125,6 +131,8 @@ First asked_motion(const StandardScene& scene) {
   if (is_jointed && touching.size() > kMostExact)
     return settled_first(scene, std::move(motion),
                          fmt::format("more than {} pairs of blocks are in contact, some in rings", kMostExact));
+  // Forces of bonds with springs depend on the strain of all blocks: statics finds them, and `fos` judges them so.
+  if (!motion.bonds.empty() && scene.has_springs()) return resting_first(scene, std::move(motion));
   CompatibleStart start = compatible(scene, motion);
   if (is_jointed && !start.failure.empty()) return settled_first(scene, std::move(motion), start.failure);
   if (is_jointed && start.misfit > kMisfit)

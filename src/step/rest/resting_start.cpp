@@ -5,14 +5,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "base/union_find.hpp"
 #include "base/sentences/sentences.hpp"
+#include "base/union_find.hpp"
 #include "model/shared_covers.hpp"
 #include "step/newton/tolerances.hpp"
+#include "step/rest/moving_start.hpp"
 #include "step/rest/static_shares.hpp"
 #include "step/rest/static_step.hpp"
 #include "step/scene/equilibrium.hpp"
@@ -88,15 +90,17 @@ class RestSearch {
       StandardStep made = first_equilibrium(scene_, still_, 0, of_resting_start::kMostIterations);
       const bool is_found = made.converged && made.failure.empty();
       const std::vector<ElementIndex> restless = is_found ? elsewhere(made.motion) : to_blame(made);
-      if (is_found && restless.empty()) return found(std::move(made.motion));
+      if (is_found && restless.empty()) {
+        result_.is_found = true;
+        return moved(with_kept(left_, start_, std::move(made.motion)));
+      }
       tell(is_found ? fmt::format("{} has its equilibrium away from the drawing", in_words(scene_, {restless.front()}))
                     : why_not(made));
       const bool is_last = search == of_resting_start::kMostSearches;
       tell_of_left_out(is_last ? movable() : restless);
       leave_out(is_last ? movable() : restless);
     }
-    result_.motion = start_;
-    return std::move(result_);
+    return moved(start_);
   }
 
  private:
@@ -124,12 +128,12 @@ class RestSearch {
       if (sets.contains(hanging_.of(e))) left_[static_cast<std::size_t>(e.value)] = true;
   }
 
-  int bodies_left_out() const {
+  int count_of(const ChosenElements& chosen) const {
     const std::vector<int> bodies = body_numbers(scene_.model);
-    std::set<int> out;
-    for (std::size_t i = 0; i < left_.size(); ++i)
-      if (left_[i]) out.insert(bodies[i]);
-    return static_cast<int>(out.size());
+    std::set<int> counted;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+      if (chosen[i]) counted.insert(bodies[i]);
+    return static_cast<int>(counted.size());
   }
 
   // Returns the elements that the search names; if none of them is in the search, all that are.
@@ -146,10 +150,9 @@ class RestSearch {
 
   void tell(const std::string& why) { result_.unbalanced += (result_.unbalanced.empty() ? "" : "; ") + why; }
   void tell_of_left_out(const std::vector<ElementIndex>& some) {
-    result_.unbalanced +=
-        some.size() == movable().size()
-            ? "; all remaining bodies are suddenly loaded"
-            : fmt::format("; {} and bodies connected to it are suddenly loaded", in_words(scene_, some));
+    named_.push_back(some.size() == movable().size()
+                         ? "all remaining bodies"
+                         : fmt::format("{} and bodies connected to it", in_words(scene_, some)));
   }
 
   /// Greatest displacement of a vertex over the size of its body, per connected set, with the element that moved so
@@ -197,43 +200,72 @@ class RestSearch {
     return largest_load(scene_, none) > 0;
   }
 
-  RestingStart found(Motion motion) {
-    result_.is_found = true;
-    result_.sudden = bodies_left_out();
-    for (const auto& group : scene_.groups) group->put_back(left_, start_, motion);
+  // Lets supported sets without equilibrium begin to move, and returns the result.
+  RestingStart moved(Motion rested) {
+    ChosenElements moving(left_.size(), false);
+    ChosenElements flying = moving;
+    ChosenElements others = moving;
+    for (const ElementIndex e : indices(scene_.model.elements)) {
+      const auto i = static_cast<std::size_t>(e.value);
+      moving[i] = left_[i] && hanging_.is_held(e);
+      flying[i] = left_[i] && !moving[i];
+      others[i] = scene_.model.elements[e].can_move() && !moving[i];
+    }
+    scene_.unloaded = flying;
+    std::optional<Motion> made;
+    if (std::ranges::find(moving, true) != moving.end()) made = moving_start(scene_, rested);
+    if (made) {
+      result_.moving = count_of(moving);
+      result_.motion = with_kept(others, rested, std::move(*made));
+    } else {
+      result_.motion = std::move(rested);
+    }
+    result_.sudden = count_of(made ? flying : left_);
+    if (!named_.empty())
+      result_.unbalanced += fmt::format("; {} {}", fmt::join(named_, ", "),
+                                        made ? "begin to move under contact forces that fit" : "are suddenly loaded");
+    return std::move(result_);
+  }
+
+  // Returns `motion` with the chosen elements, and all that belongs to them, as in `from`.
+  Motion with_kept(const ChosenElements& chosen, const Motion& from, Motion motion) const {
+    for (const auto& group : scene_.groups) group->put_back(chosen, from, motion);
     motion.v = start_.v;
-    const auto is_left = [&](ElementIndex e) { return left_[static_cast<std::size_t>(e.value)]; };
-    const auto is_of_left = [&](VertexIndex v) { return is_left(scene_.model.vertices[v].element); };
-    std::vector<ClosedContact> closed;
-    for (const ClosedContact& contact : motion.closed.all())
-      if (!is_of_left(contact.touch.vertex) && !is_of_left(contact.touch.start)) closed.push_back(contact);
-    motion.closed = ClosedContacts(std::move(closed));
-    const auto left_bond = [&](const auto& bond) {
-      return is_of_left(bond.first.lower) || is_of_left(bond.first.upper);
+    const auto is_kept = [&](ElementIndex e) { return chosen[static_cast<std::size_t>(e.value)]; };
+    const auto is_of_kept = [&](VertexIndex v) { return is_kept(scene_.model.vertices[v].element); };
+    const auto is_kept_contact = [&](const ClosedContact& contact) {
+      return is_of_kept(contact.touch.vertex) || is_of_kept(contact.touch.start);
     };
-    std::erase_if(motion.bonds, left_bond);
-    for (const auto& bond : start_.bonds)
-      if (left_bond(bond)) motion.bonds.insert(bond);
+    std::vector<ClosedContact> closed;
+    std::ranges::copy_if(from.closed.all(), std::back_inserter(closed), is_kept_contact);
+    std::ranges::remove_copy_if(motion.closed.all(), std::back_inserter(closed), is_kept_contact);
+    motion.closed = ClosedContacts(std::move(closed));
+    const auto kept_bond = [&](const auto& bond) {
+      return is_of_kept(bond.first.lower) || is_of_kept(bond.first.upper);
+    };
+    std::erase_if(motion.bonds, kept_bond);
+    for (const auto& bond : from.bonds)
+      if (kept_bond(bond)) motion.bonds.insert(bond);
     for (std::size_t i = 0; i < scene_.model.bolts.size(); ++i) {
       const Bolt& bolt = scene_.model.bolts[i];
-      if (!is_left(bolt.first.element) && !is_left(bolt.second.element)) continue;
-      motion.constraints.bolt_forces[i] = start_.constraints.bolt_forces[i];
-      motion.constraints.broken[i] = start_.constraints.broken[i];
+      if (!is_kept(bolt.first.element) && !is_kept(bolt.second.element)) continue;
+      motion.constraints.bolt_forces[i] = from.constraints.bolt_forces[i];
+      motion.constraints.broken[i] = from.constraints.broken[i];
     }
     for (std::size_t i = 0; i < scene_.held.size(); ++i) {
       const auto n = static_cast<Eigen::Index>(2 * i);
-      if (is_left(scene_.held[i].element))
-        motion.constraints.point_forces.segment<2>(n) = start_.constraints.point_forces.segment<2>(n);
+      if (is_kept(scene_.held[i].element))
+        motion.constraints.point_forces.segment<2>(n) = from.constraints.point_forces.segment<2>(n);
     }
-    result_.motion = std::move(motion);
-    return std::move(result_);
+    return motion;
   }
 
   StandardScene& scene_;
   const Motion& start_;
   Motion still_;  ///< initial state without velocities
   Hanging hanging_;
-  ChosenElements left_;  ///< elements out of the search
+  ChosenElements left_;             ///< elements out of the search
+  std::vector<std::string> named_;  ///< bodies that it left out
   RestingStart result_;
 };
 
