@@ -149,8 +149,9 @@ std::vector<SettingRow> rows_of_loads_and_materials() {
           [](auto& s) -> auto& { return s.body_acceleration.constant.y; }, real(kAnyNumber)),
       row(
           "body_acceleration_file",
-          "table of a force per mass on every block, CSV with columns time,ax,ay; added to the constant one. A path in "
-          "a case file starts at the folder of that file",
+          "table of a force per mass on every block, CSV with columns time,ax,ay; added to the constant one. It "
+          "replaces a table of the case, and belongs to the whole run. A path in a case file starts at the folder of "
+          "that file",
           [](auto& s) -> auto& { return s.body_acceleration.file; }, any_text()),
       row(Materials::of_blocks, "mass_damping",
           "coefficient a of the damping matrix a M + b K [1/time]. It slows rigid motion too",
@@ -301,8 +302,9 @@ std::vector<SettingRow> rows_of_contact_forces() {
   return {
       row(Materials::of_joints, "enforcement",
           "contact forces by multipliers (lagrange), by springs of the contact stiffness (penalty), or by springs "
-          "until no overlap is left (augmented). Under automatic: springs for NMM bodies, for impact=springs, and for "
-          "rings in contact if more than 8 blocks can move; else multipliers",
+          "until no overlap is left (augmented). Under automatic: springs for NMM bodies, for impact=springs, for "
+          "rings in contact if more than 8 blocks can move, and for fewer blocks held at more points than they can "
+          "follow; else multipliers",
           at(&C::enforcement),
           one_of<Enforcement>({{Enforcement::lagrange, "lagrange"},
                                {Enforcement::penalty, "penalty"},

@@ -77,7 +77,22 @@ TEST(Enforcement, bonds_at_more_points_than_blocks_can_follow_decide_for_springs
   EXPECT_EQ(with_enforcement_decided(settings, pair_on_floor(true)).standard.enforcement.common, Enforcement::penalty);
   EXPECT_EQ(with_enforcement_decided(settings, pair_on_floor(false)).standard.enforcement.common,
             Enforcement::lagrange);
-  EXPECT_NE(why_enforcement(pair_on_floor(true), settings).find("bonded"), std::string::npos);
+  EXPECT_NE(why_enforcement(pair_on_floor(true), settings).find("bonds"), std::string::npos);
+}
+
+// A wall of two courses on a floor: each block touches more points than it has unknowns. Friction holds it as bonds do.
+TEST(Enforcement, in_statics_friction_at_more_points_than_blocks_can_follow_decides_for_springs) {
+  Settings settings;
+  settings.standard.enforcement = Enforcement::automatic;
+  const auto decided = [&](MotionRule motion, double friction_deg) {
+    settings.standard.motion = motion;
+    Model rough = wall(2, 2);
+    for (JointMaterial& joint : rough.joint_materials) joint.friction_angle_deg = friction_deg;
+    return with_enforcement_decided(settings, rough).standard.enforcement.common;
+  };
+  EXPECT_EQ(decided(MotionRule::equilibrium, 30), Enforcement::penalty);
+  EXPECT_EQ(decided(MotionRule::equilibrium, 0), Enforcement::lagrange);
+  EXPECT_EQ(decided(MotionRule::dynamic, 30), Enforcement::lagrange);
 }
 
 // Multipliers have no spring that could stop a block.

@@ -19,9 +19,10 @@ std::vector<ElementPair> touching_pairs(const Model& model);
 bool has_ring(const Model& model, const std::vector<ElementPair>& touching);
 
 /// Resolves `automatic`: penalty if springs stop impacts, if NMM bodies exist, or if more than a few blocks touch in a
-/// ring. Also penalty if a few blocks are bonded and touch at more points than they can follow; otherwise lagrange.
-/// Forces in a ring are highly redundant. On a slope of 45 blocks multipliers took five times the solves of springs and
-/// left steps unfinished.
+/// ring. Also penalty if bonds hold a few blocks at more points than they can follow, or, in statics, bonds and
+/// friction do; that of three blocks or fewer, or without a ring, does not count. Otherwise lagrange. Forces in a ring
+/// are highly redundant. On a slope of 45 blocks multipliers took five times the solves of springs and left steps
+/// unfinished.
 Settings with_enforcement_decided(Settings settings, const Model& model);
 
 /// Returns the reason for the decision on `automatic`, as one clause.
