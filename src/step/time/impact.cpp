@@ -271,10 +271,9 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
   const ContactRows rows = rows_with_points(scene, q, closed);
   FrictionalProblem problem{ContactMatrix(rows, flexibility), rates(rows, v), {}, 0, 0, {}};
   const auto of_points = static_cast<Eigen::Index>(2 * scene.held.size());
-  const Eigen::VectorXd wanted = wanted_velocities(scene.held, time, dt);
-  problem.b.tail(of_points) -= wanted;
-  const Eigen::VectorXd mean = wanted + problem.b.tail(of_points) / 2;  // mean velocity of the points
-  Eigen::VectorXd had = Eigen::VectorXd::Zero(problem.w.rows());        // forces with a law for the whole impulse
+  // Central: a block that sticks to a driven one would creep by the lag of a mean velocity over the step.
+  problem.b.tail(of_points) -= wanted_velocities(scene.held, time + dt / 2, dt);
+  Eigen::VectorXd had = Eigen::VectorXd::Zero(problem.w.rows());  // forces with a law for the whole impulse
   for (std::size_t i = 0; i < slips.size(); ++i) {
     problem.laws.push_back(slips[i].sticks ? kHeld : kBilateral);
     if (!slips[i].coulomb) continue;
@@ -311,8 +310,13 @@ PushedVelocities with_held_velocities(const StandardScene& scene, const Unknowns
   // If slivers slide, friction may amplify the pushes that cause it in each iteration.
   const bool grows = change > std::max(first_change, problem.acceptable);
   const Eigen::VectorXd made = (grows ? smooth : pushes + friction) - had;
-  UnknownsTable pushed = plus(std::move(v), 1, answer(rows, flexibility, made));
-  return {std::move(pushed), made.tail(of_points).dot(mean) / answered.mass};
+  UnknownsTable pushed = plus(v, 1, answer(rows, flexibility, made));
+  if (of_points == 0) return {std::move(pushed)};
+  Eigen::VectorXd of_supports = made;
+  of_supports.head(made.size() - of_points).setZero();
+  const UnknownsTable given = momentum(scene, answer(rows, flexibility, of_supports));
+  const double energy = (dot(v, given) + dot(pushed, given)) / 2;
+  return {std::move(pushed), energy};
 }
 
 }  // namespace keyblock

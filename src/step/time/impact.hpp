@@ -84,13 +84,14 @@ struct HeldSlip {
 struct PushAnswer {
   const Flexibility& flexibility;
   double per_force = 1;  ///< push over a force of the step
-  double mass = 1;       ///< push over impulse: the flexibility of a rigid body is M⁻¹ over this
 };
 
 /// Velocities after pushes.
 struct PushedVelocities {
   UnknownsTable v;
-  double given = 0;  ///< energy given by fixed points, Σ p·(u⁻ + u⁺)/2: a driven support moves with its point
+  /// Energy given by held points, (v⁻ + v⁺)ᵀ M Δv/2 of the change Δv by their pushes. A push itself also strains a body
+  /// that reaches more inertia than its mass, and its work is no energy of the body.
+  double given = 0;
 };
 
 /// Sets the normal velocity of closed contacts to zero and that of fixed points to the target. Both are kept in

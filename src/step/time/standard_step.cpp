@@ -220,8 +220,7 @@ class Attempt {
     const auto answered_by = [&](const PushAnswer& answer) {
       return with_held_velocities(scene_, smooth_.q, smooth_.v, held, slips, time_, dt_, answer);
     };
-    PushedVelocities cleaned =
-        answered_by({smooth_.flexibility, rule_.end_velocity.increment, rule_.inertia.increment});
+    PushedVelocities cleaned = answered_by({smooth_.flexibility, rule_.end_velocity.increment});
     if (!one_resolves_impact(held)) return cleaned;
     const double most = kinetic_energy(scene_, smooth_.v) + at_most;
     if (kinetic_energy(scene_, cleaned.v) <= most) return cleaned;

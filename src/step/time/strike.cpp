@@ -86,9 +86,8 @@ double strike(const SmoothStep& of, ImpactTouches impacts, const OtherTouches& o
   for (std::size_t i : jump.undecided) step.undecided.push_back(of.touches + met[i]);
   step.motion.v = std::move(jump.v);
   if (!jump.undecided.empty()) {  // fixed points take no part in unsettled impulses
-    PushedVelocities pushed =
-        with_held_velocities(of.scene, of.smooth.q, std::move(step.motion.v), {}, {}, of.time, of.dt,
-                             {of.smooth.flexibility, of.rule.end_velocity.increment, of.rule.inertia.increment});
+    PushedVelocities pushed = with_held_velocities(of.scene, of.smooth.q, std::move(step.motion.v), {}, {}, of.time,
+                                                   of.dt, {of.smooth.flexibility, of.rule.end_velocity.increment});
     step.motion.v = std::move(pushed.v);
     given += pushed.given;
   }
