@@ -25,7 +25,7 @@ SparseSolution solve(const SparseSystem& system, const SparseFactor& factor) {
   solution.refinements = refined.refinements;
   solution.factor_entries = factor.entries();
   const Eigen::VectorXd left = system.load() - system.times(solution.x);
-  const double norm = system.load().norm();
+  const double norm = system.size_of_loads();
   solution.residual = !std::isfinite(norm) ? norm : norm > 0 ? left.norm() / norm : left.norm();
   if (!(solution.residual < kCarried)) throw NotPositiveDefinite("the load moves a body that is not supported");
   return solution;

@@ -8,6 +8,7 @@
 
 namespace keyblock {
 
+/// Its residual is relative to SparseSystem::size_of_loads().
 struct SparseSolution : Solution {
   int refinements = 0;
   double factor_entries = 0;

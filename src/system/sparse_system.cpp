@@ -43,7 +43,9 @@ std::span<const int> FunctionGroups::group(int g) const {
 }
 
 SparseSystem::SparseSystem(int function_count, const FunctionGroups& groups)
-    : lower_(2 * function_count, 2 * function_count), load_(Eigen::VectorXd::Zero(2 * function_count)) {
+    : lower_(2 * function_count, 2 * function_count),
+      load_(Eigen::VectorXd::Zero(2 * function_count)),
+      absolute_load_(load_) {
   const std::vector<std::vector<int>> below = coupled_below(function_count, groups);
   Eigen::Index count = 0;
   for (const std::vector<int>& column : below) count += 4 * static_cast<Eigen::Index>(column.size()) - 1;
@@ -92,13 +94,17 @@ void SparseSystem::add_matrix(std::span<const int> functions, const Eigen::Matri
 }
 
 void SparseSystem::add_load(std::span<const int> functions, const Eigen::VectorXd& part) {
-  for (std::size_t a = 0; a < functions.size(); ++a)
-    load_.segment<2>(2 * functions[a]) += part.segment<2>(static_cast<Eigen::Index>(2 * a));
+  for (std::size_t a = 0; a < functions.size(); ++a) {
+    const auto of_function = part.segment<2>(static_cast<Eigen::Index>(2 * a));
+    load_.segment<2>(2 * functions[a]) += of_function;
+    absolute_load_.segment<2>(2 * functions[a]) += of_function.cwiseAbs();
+  }
 }
 
 void SparseSystem::clear() {
   lower_.coeffs().setZero();
   load_.setZero();
+  absolute_load_.setZero();
 }
 
 void SparseSystem::add_scaled(double factor, const SparseSystem& other) {

@@ -43,10 +43,13 @@ class SparseSystem {
 
   const Eigen::SparseMatrix<double>& lower() const { return lower_; }
   const Eigen::VectorXd& load() const { return load_; }
+  /// Returns the norm of the absolute values of all parts of b: forces may cancel, and leave their round-off.
+  double size_of_loads() const { return absolute_load_.norm(); }
 
  private:
   Eigen::SparseMatrix<double> lower_;
   Eigen::VectorXd load_;
+  Eigen::VectorXd absolute_load_;
 };
 
 }  // namespace keyblock

@@ -230,6 +230,47 @@ TEST(EdgeLoads, an_edge_follows_its_table_of_factors) {
   }
 }
 
+// Between an edge that is held and one that is driven, and then stops: E/(1 - ν²) times the strain, and no energy from
+// nothing by the pushes of the supports.
+TEST(EdgeLoads, a_block_without_weight_is_pressed_and_stays_so) {
+  for (const Frame& frame : kFrames) {
+    std::string text =
+        case_of(frame, block(frame, {0, 0}, {2, 1}),
+                fmt::format(R"("displacements": [{{{}, "held": "normal"}}, {{{}, "held": "normal", "normal": {},
+                    "over_time": [[0, 0], [0.1, 1], [1, 1]]}}])",
+                            frame.chain({0, 0}, {2, 0}), frame.chain({2, 1}, {0, 1}), -1e-4 * frame.unit),
+                "");
+    text.replace(text.find(R"("velocity_carry_over": 0)"), 24, R"("velocity_carry_over": 1)");
+    text.replace(text.find(R"("step_count": 1)"), 15, R"("step_count": 20)");
+    const auto stepper = stepper_of(text);
+    double largest = 0;
+    for (int step = 1; step <= 20; ++step) {
+      const auto made = stepper->advance();
+      ASSERT_TRUE(std::holds_alternative<StepReport>(made)) << step << std::get<StepFailure>(made).reason;
+      largest = std::max(largest, stepper->ledger().stored.strain);
+    }
+    const double stress = kModulus / (1 - kPoisson * kPoisson) * -1e-4;
+    EXPECT_NEAR(stress_of(*stepper, 0, frame).yy, stress, 1e-3 * -stress);
+    EXPECT_NEAR(stepper->ledger().flow.clean_up, 0, 1e-3 * largest);
+  }
+}
+
+// Rock in balance with its initial stress between held edges: the forces of both cancel.
+TEST(EdgeLoads, an_initial_stress_between_held_edges_needs_no_weight) {
+  const std::string text =
+      R"({"keyblock": 2, "blocks": {"blocks": [{"outer": [[0, 0, 1], [4, 0, 1], [4, 2, 1], [0, 2, 1]]}]},
+      "covers": {"functions": "quadratic", "mesh": {"side": 0.7}, "displacements": [{"along": [[0, 0], [4, 0]]},
+      {"along": [[4, 0], [4, 2]]}, {"along": [[4, 2], [0, 2]]}, {"along": [[0, 2], [0, 0]]}]},
+      "analysis": {"step_count": 1, "time_step": 1, "velocity_carry_over": 0, "gravity": 0, "plane_strain": true,
+      "block_materials": [{"density": 2000, "youngs_modulus": 1e9, "poissons_ratio": 0.2,
+      "initial_stress": [-1e6, -2e6, 0]}], "joint_materials": [{}]}})";
+  const auto stepper = after_one_step(text);
+  for (int element : {0, 1}) {
+    EXPECT_NEAR(stress_of(*stepper, element, {}).xx, -1e6, 1);
+    EXPECT_NEAR(stress_of(*stepper, element, {}).yy, -2e6, 1);
+  }
+}
+
 TEST(EdgeLoads, statics_lets_the_strain_go_once_the_last_load_is_gone) {
   const std::string text = case_of({}, block({}, {0, 0}, {2, 3}),
                                    R"("tractions": [{"along": [[0, 3], [2, 3]], "pressure": 2e5,
