@@ -260,14 +260,20 @@ Warnings outcome_warnings(const Prepared& prepared, const RunOutcome& outcome, c
   for (Finding& found : start_complaints(outcome.start)) warnings.push_back(warning_of(std::move(found), place));
   if (!outcome.start.unbalanced.empty())
     warnings.push_back(warning_of({"start_without_rest", {{}, {{"why", outcome.start.unbalanced}}}}, place));
-  const auto warn_held = [&](const char* name, const TimeCurve& curve) {
-    if (curve.times.empty() || curve.times.back() >= outcome.time || curve.values.back() == Point{}) return;
-    warnings.push_back(warning_of({name, {{{"table_end", curve.times.back()}, {"time", outcome.time}}}}, curve.place));
+  const auto warn_held = [&](const char* after, const char* before, const TimeCurve& curve) {
+    if (curve.times.empty()) return;
+    if (curve.times.back() < outcome.time && curve.values.back() != Point{})
+      warnings.push_back(
+          warning_of({after, {{{"table_end", curve.times.back()}, {"time", outcome.time}}}}, curve.place));
+    if (curve.times.size() > 1 && curve.times.front() > 0 && curve.values.front() != Point{})
+      warnings.push_back(warning_of({before, {{{"table_start", curve.times.front()}}}}, curve.place));
   };
   if (prepared.scene.settings.ledger == Bookkeeping::off && !prepared.scene.is_untouched)
     warnings.push_back(warning_of({"energy_not_judged"}, place));
-  for (const CarriedPoint& point : prepared.scene.model.loading_points) warn_held("load_held_after_table", point.curve);
-  warn_held("acceleration_held_after_table", prepared.scene.settings.body_acceleration.curve);
+  for (const CarriedPoint& point : prepared.scene.model.loading_points)
+    warn_held("load_held_after_table", "load_held_before_table", point.curve);
+  warn_held("acceleration_held_after_table", "acceleration_held_before_table",
+            prepared.scene.settings.body_acceleration.curve);
   return warnings;
 }
 

@@ -206,6 +206,26 @@ TEST(RunWarnings, a_table_that_ends_before_the_run_is_told_at_its_place) {
   EXPECT_EQ(found[1].name, "acceleration_held_after_table");
 }
 
+// A single row is a constant load, and a table may begin with nothing.
+TEST(RunWarnings, a_table_that_begins_after_the_run_is_told_at_its_place) {
+  Prepared prepared = two_blocks();
+  TimeCurve late{{1, 2}, {{3, 0}, {0, 0}}, {"in.ana", 12, 1}};
+  TimeCurve from_nothing = late, at_once = late;
+  from_nothing.values = {{0, 0}, {0, 0}};
+  at_once.times.front() = 0;
+  for (const TimeCurve& curve : {from_nothing, late, at_once, TimeCurve{{1}, {{0, 0}}, {}}})
+    prepared.scene.model.loading_points.push_back({{0.5, 0.5}, ElementIndex{0}, curve});
+  prepared.scene.settings.body_acceleration.curve = late;
+  RunOutcome outcome;
+  outcome.time = 2;
+  const Warnings found = outcome_warnings(prepared, outcome, {"other", 0, 0});
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].name, "load_held_before_table");
+  EXPECT_EQ(found[0].place, (Place{"in.ana", 12, 1}));
+  EXPECT_TRUE(tells(found[0].sentence, {"begins at time 1", "from the start"}));
+  EXPECT_EQ(found[1].name, "acceleration_held_before_table");
+}
+
 TEST(RunWarnings, without_a_ledger_energy_is_not_judged) {
   const Prepared prepared = two_blocks([](Settings& s) { s.ledger = Bookkeeping::off; });
   const Warnings found = outcome_warnings(prepared, {}, {});

@@ -10,6 +10,8 @@ namespace {
 constexpr auto kSentencesOfRuns = std::to_array<Sentence>({
     {"acceleration_held_after_table",
      "the table of accelerations ends at time {table_end:.6g}, the run at {time:.6g}; the last acceleration stays"},
+    {"acceleration_held_before_table",
+     "the table of accelerations begins at time {table_start:.6g}; its first acceleration acts from the start"},
     {"block_thrown",
      "energy of one block came from nothing: in step {step} block {element} near ({x}, {y}) moves at {speed:p3}, "
      "while weight, loads and strains of all account for {accounted:p3} at most"},
@@ -77,6 +79,8 @@ constexpr auto kSentencesOfRuns = std::to_array<Sentence>({
      "near {x}, {y} ({contacts} contacts in all, {closed} closed)]"},
     {"load_held_after_table",
      "the table of loads ends at time {table_end:.6g}, the run at {time:.6g}; the last load stays"},
+    {"load_held_before_table",
+     "the table of loads begins at time {table_start:.6g}; its first load acts from the start"},
     {"moved_by_start",
      "the initial state moves {noun} {element} by {displacement:.3g}, {share:.3g} of its size; limit {limit:.3g} "
      "(penetration_limit)"},

@@ -14,6 +14,10 @@ constexpr auto kRuns = std::to_array<Diagnostic>({
      "The table of body accelerations ends before the run, with a value that is not 0. That value is held until the "
      "end.",
      "Extend the table by a row of 0, or make fewer steps."},
+    {"acceleration_held_before_table", warning, "The table of accelerations begins after the run",
+     "The first row of the table of body accelerations has a time after 0, and a value that is not 0. That value acts "
+     "from the start of the run.",
+     "Begin the table with a row of 0 at that time, or with its first value at time 0."},
     {"block_thrown", error, "Energy of one block came from nothing",
      "A block is faster than ten times what falling blocks, first speeds, released strain and loads account for. "
      "The energy balance of the scene does not show this if the block is small.",
@@ -80,6 +84,10 @@ constexpr auto kRuns = std::to_array<Diagnostic>({
     {"load_held_after_table", warning, "The run is longer than its table of loads",
      "The table of a point load ends before the run, with a load that is not 0. That load is held until the end.",
      "Extend the table, or make fewer steps."},
+    {"load_held_before_table", warning, "The table of loads begins after the run",
+     "The first row of the table of a point load has a time after 0, and a load that is not 0. That load acts from the "
+     "start of the run.",
+     "Begin the table with a row of 0 at that time, or with its first load at time 0."},
     {"moved_by_start", error, "The initial state moved a block",
      "The start displaced a block by more than penetration_limit (0.1) of its size. Blocks overlap in the input, or "
      "are too soft for their loads.",
