@@ -266,7 +266,7 @@ def setting_pairs(settings: Mapping[str, Any] | None) -> list[tuple[str, str]]:
         value = _plain(value)
         if isinstance(value, bool):
             return "on" if value else "off"
-        return value if isinstance(value, str) else repr(value)
+        return os.fspath(value) if isinstance(value, (str, os.PathLike)) else repr(value)
     return [(str(name), text(value)) for name, value in (settings or {}).items()]
 
 

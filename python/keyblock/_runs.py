@@ -23,7 +23,7 @@ class Run:
     case: a Case, a Plan, or the path of a case. profile, settings, history: see Plan. threads: see Context; not
     beside a context. load: a function of time that returns the acceleration (ax, ay) of a force per mass on every block,
     both in units of the case. It is called once per step, before the run. Its values go to the setting
-    `body_acceleration_file`, which a Plan has already: load needs a case.
+    `body_acceleration_file`, which a Plan has already: load needs a case, without another table of accelerations.
 
     Iteration makes the steps: `for step in run`. Ctrl-C stops the computation within about a second and raises
     KeyboardInterrupt; a factorisation that runs may end behind it. A stopped run does not go on. Several runs in several
@@ -55,7 +55,11 @@ class Run:
     def _table_of(self, load: Callable[[float], tuple[float, float]], case: Any, profile: str | None,
                   settings: Any) -> dict[str, str]:
         import tempfile
-        times = Plan(case, profile, settings, self.context)._plan.step_times
+        plan = Plan(case, profile, settings, self.context)
+        if _has_accelerations(plan):
+            raise ValueError("load: expected a case without a table of accelerations, which load would replace; "
+                             "add its values to those of load, and remove it")
+        times = plan._plan.step_times
         self._file = tempfile.NamedTemporaryFile("w", suffix=".csv")  # read while the plan is made
         began = time.perf_counter()
         rows = [(t, *_acceleration(load(t), t)) for t in times]
@@ -232,6 +236,14 @@ def _in_folder(of: _keyblock.Run, folder: StrPath, context: _keyblock.Context, c
     run.context, run.load_seconds, run._stepper, run._folder = context, 0.0, threading.RLock(), Path(folder).absolute()
     run._run, run._case, run._choices, run._plan = of, case, choices, plan
     return run
+
+
+def _has_accelerations(plan: Plan) -> bool:
+    """Returns true if the case or its settings have accelerations over time."""
+    try:
+        return bool(plan.settings["body_acceleration_file"] or plan.case.get("/analysis/body_acceleration"))
+    except _keyblock.SettingError:  # no such key, or no case file
+        return False
 
 
 def _acceleration(value: Any, at: float) -> tuple[float, float]:

@@ -6,6 +6,7 @@ import ast
 import gc
 import pickle
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -185,6 +186,14 @@ class Runs(Folder):
                 kb.Run(slide(), settings={"steps": 2}, load=lambda t: wrong)
         with self.assertRaisesRegex(ValueError, "load: expected a case, found a Plan"):
             kb.Run(kb.Plan(slide()), load=lambda t: (0, 0))
+
+    def test_a_load_replaces_no_table_of_accelerations(self):
+        shaken = self.wall(1, 1).with_value("/analysis/body_acceleration", [[0, 1, 0], [1, 1, 0]])
+        table = Path(tempfile.mkdtemp()) / "shaking.csv"
+        table.write_text("time,ax,ay\n0,1,0\n1,1,0\n")
+        for case, settings in ((shaken, {}), (slide(), {"body_acceleration_file": table})):
+            with self.assertRaisesRegex(ValueError, "load: expected a case without a table of accelerations"):
+                kb.Run(case, settings=settings, load=lambda t: (0, 0))
 
     def test_200_runs_in_one_process_keep_memory_flat(self):
         plan = kb.Plan(slide())
