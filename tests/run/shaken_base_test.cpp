@@ -73,7 +73,7 @@ TEST(ShakenBase, a_block_slides_as_newmark_says) {
   }
 }
 
-// The limit is that of a run that is trusted, energy_limit. By the lag, 10 s at 0.2 g made 1.2 times the largest energy.
+// The limit is that of a run that is trusted, energy_limit. By the lag, 10 s at 0.2 g made 1.2 of the largest energy.
 TEST(ShakenBase, a_block_that_sticks_gains_no_energy) {
   const Told told = Shaking{0.01, 30}.run(0.01);
   double largest = 0;
