@@ -131,7 +131,7 @@ bool are_held_redundantly(const Model& model, bool by_friction) {
 // Up to this number of movable blocks multipliers serve even in a ring.
 constexpr std::ptrdiff_t kFewBlocks = 8;
 // In statics, friction in a ring counts as a bond if more blocks can move. On held slopes of 5 to 8 movable blocks
-// multipliers found no forces in 13 of 14, and all of up to 3.
+// multipliers found no forces in 13 of 15, and all of up to 3.
 constexpr std::ptrdiff_t kVeryFewBlocks = 3;
 
 std::ptrdiff_t movable_blocks(const Model& model) {
