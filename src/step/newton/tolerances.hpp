@@ -311,7 +311,7 @@ inline constexpr double kReach = 1e-4;
 inline constexpr double kOverStrain = 3;
 inline constexpr int kMostSteps = 60;
 inline constexpr double kSettled = 1e-4;    // change of lengths in a step over all change: 1e-3 of the stress is left
-inline constexpr double kRoundOff = 1e-13;  // of lengths over that size: no strain
+inline constexpr double kRoundOff = 2e-15;  // of lengths over the farthest coordinate: ten units of the last place
 
 }  // namespace of_moving_start
 

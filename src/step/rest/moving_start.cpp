@@ -30,7 +30,9 @@ class MovingStart {
         scales_(scales_of(scene, loads_, start.q, start.v)),
         now_(start),
         lengths_(edge_lengths()),
-        drawn_(lengths_) {}
+        drawn_(lengths_) {
+    for (const Point place : scene.model.start_vertices) farthest_ = std::max(farthest_, length(place));
+  }
 
   std::optional<Motion> run() {
     if (!(scales_.acceleration > 0)) return std::nullopt;
@@ -88,7 +90,7 @@ class MovingStart {
       change = std::max(change, std::abs(lengths_[i] - before[i]));
       strain_ = std::max(strain_, std::abs(lengths_[i] - drawn_[i]));
     }
-    return change <= of_moving_start::kSettled * strain_ || change <= of_moving_start::kRoundOff * scales_.size;
+    return change <= std::max(of_moving_start::kSettled * strain_, of_moving_start::kRoundOff * farthest_);
   }
 
   std::vector<double> edge_lengths() const {
@@ -130,6 +132,7 @@ class MovingStart {
   std::vector<double> lengths_;  ///< of the edges of all elements
   std::vector<double> drawn_;    ///< the same at the start
   double strain_ = 0;            ///< greatest change of one of them
+  double farthest_ = 0;          ///< distance of a vertex from the origin
   double tau_ = 0;
   double reached_ = 0;       ///< length of free fall in all steps
   UnknownsTable increment_;  ///< of the last step
