@@ -20,12 +20,12 @@
 #include "geometry/polygon.hpp"
 #include "geometry/segment.hpp"
 #include "model/material_choices.hpp"
-#include "model/shared_covers.hpp"
 #include "problem/lines/outline_graph.hpp"
 #include "run/ahead/facing_faces.hpp"
 #include "run/ahead/incompressible_rock.hpp"
 #include "run/ahead/plausible_units.hpp"
 #include "run/ahead/spring_impacts.hpp"
+#include "run/ahead/wedged_toes.hpp"
 #include "run/growth/bonded_faces.hpp"
 #include "step/scene/enforcement.hpp"
 
@@ -360,37 +360,6 @@ class Blocky {
   double mean_ = 0;
 };
 
-// Returns true if two bodies touch, at least one of them an undamped NMM body.
-bool touch_undamped(const Model& model, const Settings& settings) {
-  const std::vector<int> bodies = body_numbers(model);
-  if (std::ranges::all_of(bodies, [](int body) { return body == 0; })) return false;
-  const auto is_undamped = [&](const Element& element) {
-    const int material = element.material;
-    return element.is_on_covers() && settings.stiffness_damping.of(material).value_or(0) == 0 &&
-           settings.mass_damping.of(material) == 0 && settings.velocity_carry_over.of(material) == 1;
-  };
-  return std::ranges::any_of(touching_pairs(model), [&](const ElementPair& pair) {
-    return (is_undamped(model.elements[pair.lower]) || is_undamped(model.elements[pair.upper])) &&
-           bodies[static_cast<std::size_t>(pair.lower.value)] != bodies[static_cast<std::size_t>(pair.upper.value)];
-  });
-}
-
-// NMM bodies start without contact forces, which then oscillate between zero and twice the weight; at zero a body may
-// lift off. With several stages, the first one serves to settle them.
-Warnings sudden_starts(const Problem& problem, const Prepared& prepared) {
-  const Settings& settings = prepared.scene.settings;
-  const Model& model = prepared.scene.model;
-  const bool is_in_time = settings.dynamics == Dynamics::standard && settings.standard.motion == MotionRule::dynamic &&
-                          !is_static(settings, model);
-  if (settings.standard.start == StartRule::compatible) return {};  // the run itself reports bodies without equilibrium
-  if (!model.continuum || prepared.scene.is_untouched || !is_in_time || !problem.stages.empty() ||
-      length(settings.gravity) == 0 || !touch_undamped(model, settings))
-    return {};
-  return {{"sudden_start_undamped", problem.analysis->place,
-           "undamped NMM bodies in contact are suddenly loaded by their full weight; they oscillate, may part, and may "
-           "move down a joint on which they are stable"}};
-}
-
 bool is_of_blocks(const Prepared& prepared) {
   const Model& model = prepared.scene.model;
   return model.nodes.empty() && !model.continuum && !prepared.blocks.blocks.empty() &&
@@ -400,13 +369,13 @@ bool is_of_blocks(const Prepared& prepared) {
 }  // namespace
 
 Warnings look_ahead(const Problem& problem, const Prepared& prepared) {
-  Warnings found = joined(implausible_units(problem, prepared.scene.settings, prepared.scene.model),
-                          sudden_starts(problem, prepared));
+  Warnings found = implausible_units(problem, prepared.scene.settings, prepared.scene.model);
   found = joined(std::move(found), spring_impacts(prepared.scene, problem.analysis->place));
   found = joined(std::move(found), facing_faces(prepared.scene, problem.analysis->place));
   found = joined(std::move(found), incompressible_rock(prepared.scene, problem.analysis->place));
   if (problem.covers) found = joined(std::move(found), bonded_crack_faces(prepared.scene, problem.covers->place));
   if (!is_of_blocks(prepared)) return found;
+  found = joined(std::move(found), wedged_toes(prepared.scene, problem.analysis->place));
   return joined(std::move(found), Blocky(prepared).warnings(problem));
 }
 

@@ -1,5 +1,4 @@
-// Warns before the first step: slivers, blocks without support, springs too stiff for the step, implausible units, NMM
-// bodies that start suddenly.
+// Warns before the first step: slivers, blocks without support, springs too stiff for the step, implausible units.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +9,8 @@ namespace keyblock {
 
 /// Returns named warnings with numbers and places, in the units of the input. Names: `slivers`,
 /// `block_outside_outline`, `point_outside_its_block`, `free_blocks`, `unheld_blocks`, `unsupported_blocks`,
-/// `block_cannot_bend`, `springs_stiff_for_step`, those of `implausible_units`, `sudden_start_undamped`,
-/// `springs_unresolved`, `strain_damping_takes_rebound`. NMM bodies are checked only for units, start and impacts.
+/// `block_cannot_bend`, `springs_stiff_for_step`, `toe_wedged`, those of `implausible_units`, `springs_unresolved`,
+/// `strain_damping_takes_rebound`. NMM bodies are checked only for units and impacts.
 Warnings look_ahead(const Problem& problem, const Prepared& prepared);
 
 /// Returns options that soften contact springs too stiff for cheap steps (`springs_stiff_for_step`); otherwise empty.

@@ -211,24 +211,6 @@ TEST(LookAhead, units_that_contradict_are_told) {
   EXPECT_EQ(said(check_of(case_text(blocks({kFloor, rectangle(4, 1, 6, 3)}))), "implausible_gravity"), "");
 }
 
-// Two blocks of one column, parted by a joint, and the same as one.
-TEST(LookAhead, bodies_on_covers_that_start_suddenly_without_damping_are_told) {
-  const auto told = [](const std::string& geometry, std::vector<std::string> more) {
-    more.insert(more.end(), {"--trial", "0"});
-    const std::string covers = R"(, "covers": {"mesh": {"side": 0.5}, "displacements": [{"along": [[0, 0], [1, 0]]}]})";
-    return said(check_of(case_text(geometry + covers), more), "sudden_start_undamped");
-  };
-  const std::string one = R"("blocks": {"blocks": [)" + rectangle(0, 0, 1, 2) + "]}";
-  const std::string two = R"("blocks": {"blocks": [)" + rectangle(0, 0, 1, 1) + ", " + rectangle(0, 1, 1, 2) + "]}";
-  EXPECT_NE(told(two, {}), "");
-  EXPECT_EQ(told(two, {"--set", "stiffness_damping=0.004"}), "");
-  EXPECT_EQ(told(two, {"--set", "mass_damping=3"}), "");
-  EXPECT_EQ(told(two, {"--set", "motion=static"}), "");
-  EXPECT_TRUE(contains(told(two, {"--set", "start=sudden"}), "suddenly loaded"));
-  EXPECT_EQ(told(two, {"--set", "start=compatible"}), "");
-  EXPECT_EQ(told(one, {}), "");
-}
-
 // Each plausible by itself.
 TEST(LookAhead, gravity_of_another_unit_is_told) {
   const auto told = [](const char* length, const char* mass, const char* gravity) {

@@ -1,0 +1,134 @@
+// Compares the direction in which a corner would slide with the edges on which it lies.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/ahead/wedged_toes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "base/words/plain_number.hpp"
+#include "geometry/segment.hpp"
+#include "step/newton/tolerances.hpp"
+#include "step/scene/enforcement.hpp"
+
+namespace keyblock {
+namespace {
+
+// Directions within this sine of a line run along it: drawings have four digits.
+constexpr double kAlong = 0.01;
+// A face whose friction alone gives this factor is not expected to slide.
+constexpr double kHeld = 2;
+
+/// An edge of a block; the block lies on its left.
+struct Edge {
+  Segment line;
+  int joint_material = 0;
+
+  Point along() const { return (1 / distance(line.start, line.end)) * (line.end - line.start); }
+  Point outward() const { return {along().y, -along().x}; }
+};
+
+struct Toe {
+  ElementIndex block;
+  Point corner;
+  double dip = 0;  ///< of the face on which it would slide
+};
+
+class Toes {
+ public:
+  explicit Toes(const Scene& scene)
+      : model_(scene.model),
+        near_(tolerances::of_gaps::kDrawnTogether * std::sqrt(scene.model.mean_area)),
+        down_((1 / length(scene.settings.gravity)) * scene.settings.gravity),
+        neighbours_(static_cast<std::size_t>(scene.model.elements.size())) {
+    for (const ElementPair& pair : touching_pairs(model_)) {
+      neighbours_[number(pair.lower)].push_back(pair.upper);
+      neighbours_[number(pair.upper)].push_back(pair.lower);
+    }
+  }
+
+  std::vector<Toe> found() const {
+    std::vector<Toe> toes;
+    for (ElementIndex e : indices(model_.elements)) {
+      if (!model_.elements[e].can_move()) continue;
+      for (VertexIndex v : model_.elements[e].vertices())
+        if (const auto dip = dip_of_toe(e, edge_from(v), edge_from(model_.vertices[v].next)))
+          toes.push_back({e, place(model_.vertices[v].next), *dip});
+    }
+    return toes;
+  }
+
+ private:
+  static std::size_t number(ElementIndex e) { return static_cast<std::size_t>(e.value); }
+  Point place(VertexIndex v) const { return model_.start_vertices[static_cast<std::size_t>(v.value)]; }
+  Edge edge_from(VertexIndex v) const {
+    const VertexIndex end = model_.vertices[v].next;
+    return {{place(v), place(end)}, model_.vertices[end].joint_material};
+  }
+
+  // Returns the dip of a face on which a sharp corner, where two edges of a block meet, would slide into a floor.
+  std::optional<double> dip_of_toe(ElementIndex block, const Edge& before, const Edge& after) const {
+    if (dot(before.along(), after.along()) >= -kAlong) return std::nullopt;
+    const Point corner = before.line.end;
+    const auto dip_on = [&](const Edge& lower, const Edge& face, Point slide) -> std::optional<double> {
+      const double dip = std::asin(std::clamp(dot(slide, down_), -1.0, 1.0));
+      if (std::sin(dip) <= kAlong || dot(lower.outward(), down_) <= kAlong) return std::nullopt;
+      const double friction = model_.joint_material(lower.joint_material).friction_tangent();
+      const bool slides = friction < kHeld * std::tan(dip) && is_covered(lower, block, corner) &&
+                          !is_covered(face, block, corner) && is_stopped(block, corner, slide);
+      return slides ? std::optional(dip) : std::nullopt;
+    };
+    if (const auto dip = dip_on(before, after, before.along())) return dip;
+    return dip_on(after, before, -1.0 * after.along());
+  }
+
+  // Returns true if a neighbour lies along an edge of a block, at one of its points.
+  bool is_covered(const Edge& edge, ElementIndex block, Point at) const {
+    std::vector<Segment> others;
+    for (ElementIndex neighbour : neighbours_[number(block)])
+      for (VertexIndex v : model_.elements[neighbour].vertices()) others.push_back(edge_from(v).line);
+    return std::ranges::any_of(parts_along(edge.line, others, near_), [&](const Segment& part) {
+      return distance(part.start, part.end) > near_ && distance(part, at) <= near_;
+    });
+  }
+
+  // Returns true if a corner lies on a free edge of a neighbour and would slide into it.
+  bool is_stopped(ElementIndex block, Point corner, Point slide) const {
+    for (ElementIndex neighbour : neighbours_[number(block)])
+      for (VertexIndex v : model_.elements[neighbour].vertices()) {
+        const Edge edge = edge_from(v);
+        if (distance(edge.line, corner) <= near_ && dot(slide, edge.outward()) < -kAlong &&
+            !is_covered(edge, neighbour, corner))
+          return true;
+      }
+    return false;
+  }
+
+  const Model& model_;
+  double near_;
+  Point down_;
+  std::vector<std::vector<ElementIndex>> neighbours_;
+};
+
+}  // namespace
+
+Warnings wedged_toes(const Scene& scene, const Place& place) {
+  if (scene.settings.dynamics != Dynamics::standard || scene.is_untouched || length(scene.settings.gravity) == 0)
+    return {};
+  const std::vector<Toe> toes = Toes(scene).found();
+  if (toes.empty()) return {};
+  const Toe& first = toes.front();
+  return {
+      {"toe_wedged", place,
+       fmt::format("{} on the floor in front of it, the first of block {} near {}, {}: a rigid toe cannot be pushed "
+                   "into the floor, and so holds what would slide on the face that dips to it by {} degrees",
+                   toes.size() == 1 ? "a sharp toe rests" : fmt::format("{} sharp toes rest", toes.size()),
+                   scene.model.number_of(first.block), plain(first.corner.x, 4), plain(first.corner.y, 4),
+                   plain(first.dip * 180 / std::numbers::pi, 3))}};
+}
+
+}  // namespace keyblock
