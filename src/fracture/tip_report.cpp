@@ -87,7 +87,7 @@ std::string coarse(double side, double room, bool has_functions) {
                        side, room);
   if (!has_functions && side > kLargestSide * room)
     return fmt::format(
-        "sides of {:.3g} at the tip are more than a fortieth of the {:.3g} about it: K is low by 3 % or "
+        "sides of {:.3g} at the tip are more than a fortieth of the {:.3g} about it: K may be off by 3 % or "
         "more (tip_side refines)",
         side, room);
   return {};

@@ -275,12 +275,9 @@ std::vector<SettingRow> rows_of_solution() {
                 at(&C::path_step), real(kAboveZero))),
       under({"motion = dynamic", [](const Settings& s) { return s.standard.motion == MotionRule::dynamic; }},
             row("start",
-                "initial strains and contact forces: in equilibrium with the loads (compatible), or zero (sudden). "
-                "Under automatic: compatible in scenes without NMM bodies, else sudden",
+                "initial strains and contact forces: in equilibrium with the loads (compatible), or zero (sudden)",
                 at(&C::start),
-                one_of<StartRule>({{StartRule::compatible, "compatible"},
-                                   {StartRule::sudden, "sudden"},
-                                   {StartRule::automatic, "automatic"}}))),
+                one_of<StartRule>({{StartRule::compatible, "compatible"}, {StartRule::sudden, "sudden"}}))),
       row("cover_functions", "functions of the physical covers of a cover file. A case file has its own key functions",
           at(&C::cover_functions),
           one_of<CoverFunctions>({{CoverFunctions::constant, "constant"},
@@ -301,7 +298,7 @@ std::vector<SettingRow> rows_of_contact_forces() {
   using C = StandardChoices;
   return {
       row(Materials::of_joints, "enforcement",
-          "contact forces by multipliers (lagrange), by springs of the contact stiffness (penalty), or by springs "
+          "method of contact forces: multipliers (lagrange), springs of the contact stiffness (penalty), or springs "
           "until no overlap is left (augmented). Under automatic: springs for NMM bodies, for impact=springs, for "
           "rings in contact if more than 8 blocks can move, and for fewer blocks held at more points than they can "
           "follow; else multipliers",

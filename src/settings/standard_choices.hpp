@@ -26,8 +26,7 @@ enum class ImpactLaw { jump, springs };
 ///
 /// compatible: for blocks, contact forces and strains in equilibrium with the first accelerations; in scenes with NMM
 /// bodies, static equilibrium of supported bodies under the loads of t = 0. sudden: loads on unstressed bodies.
-/// automatic: sudden in scenes with NMM bodies, compatible in others.
-enum class StartRule { compatible, sudden, automatic };
+enum class StartRule { compatible, sudden };
 
 /// Combination of increment, velocity and acceleration in a step: by the two weights, or by the named methods.
 enum class Integrator { weighted, newmark, generalized_alpha };
@@ -55,7 +54,7 @@ struct StandardChoices {
   PerMaterial<Enforcement> enforcement = Enforcement::automatic;          ///< by joint material
   CoverFunctions cover_functions = CoverFunctions::derived;               ///< for the elements of a cover file
   PerMaterial<ElasticLaw> elastic_law = ElasticLaw::st_venant_kirchhoff;  ///< by block material
-  StartRule start = StartRule::automatic;
+  StartRule start = StartRule::compatible;
   StrainDamping strain_damping = StrainDamping::critical;
   Integrator integrator = Integrator::weighted;
   double velocity_weight = 0.5;  ///< of the velocity at the end of the step in its displacement; 1/2 is second order

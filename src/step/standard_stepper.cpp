@@ -91,11 +91,8 @@ First resting_first(const StandardScene& scene, Motion motion) {
   StartReport report;
   report.unbalanced = start.unbalanced;
   if (!start.is_found && start.moving == 0) {
-    report.made = "sudden, because no equilibrium exists";
-    if (start.unbalanced.empty())
-      report.unbalanced =
-          "no equilibrium was sought: bodies move, are connected to a moving one, or have no support; they are "
-          "suddenly loaded";
+    report.made = start.unbalanced.empty() ? "as the file has it: all bodies move, or have no support"
+                                           : "sudden, because no equilibrium exists";
     return {std::move(motion), {}, report};
   }
   const std::string moving = "first acceleration of " + bodies(start.moving);
@@ -120,8 +117,7 @@ First asked_motion(const StandardScene& scene) {
   const bool slides_in_balance =
       std::ranges::all_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_compatible_start(); });
   // Blocks that may yield have stress that forces alone do not give.
-  const bool seeks_rest = choices.start == StartRule::compatible || !scene.model.continuum;
-  if (!as_drawn && is_in_time && !slides_in_balance && seeks_rest) return resting_first(scene, std::move(motion));
+  if (!as_drawn && is_in_time && !slides_in_balance) return resting_first(scene, std::move(motion));
   if (as_drawn || !slides_in_balance || has_initial_stress(scene)) return {std::move(motion), {}, {}};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);

@@ -64,10 +64,12 @@ const std::vector<std::string> kAlong{"--set steps=200", "--set load_control=arc
 // Plastic work is counted with the stress at the end of each step, the force with the mean. Their difference falls with
 // the step, and the sum of both columns is nearer to that of short steps than plastic work alone.
 TEST(YieldingMessages, steps_that_overstate_plastic_work_are_told) {
-  const Done coarse = run_of("coarse", kSqueezed);
+  const std::vector<std::string> sudden{"--set", "start=sudden"};  // the bolt presses at once
+  const Done coarse = run_of("coarse", kSqueezed, sudden);
   ASSERT_EQ(coarse.exit_code, 0) << coarse.messages;
   EXPECT_TRUE(coarse.says("[plastic_work_overstated]")) << coarse.messages;
-  const Done fine = run_of("fine", kSqueezed, {"--set", "time_step=0.000625", "--set", "steps=1600"});
+  const Done fine =
+      run_of("fine", kSqueezed, {"--set", "start=sudden", "--set", "time_step=0.000625", "--set", "steps=1600"});
   ASSERT_EQ(fine.exit_code, 0) << fine.messages;
   EXPECT_FALSE(fine.says("plastic_work_overstated")) << fine.messages;
   const auto end = [](const Done& done, const char* column) {

@@ -83,7 +83,8 @@ TEST(YieldingMotion, a_step_too_long_for_the_flow_says_so) {
   text.insert(text.find(rock) + rock.size(),
               R"(, "strength": {"cohesion": 1e6, "friction_deg": 20, "dilation_deg": 30})");
   write_text(folder + "/beam.json", text);
-  const auto run = run_keyblock({"run", folder + "/beam.json", "-o", folder + "/out", "--set", "motion=dynamic"});
+  const auto run = run_keyblock(
+      {"run", folder + "/beam.json", "-o", folder + "/out", "--set", "motion=dynamic", "--set", "start=sudden"});
   EXPECT_EQ(run.exit_code, 4) << run.messages;
   EXPECT_NE(run.messages.find("no motion balances the step, in which nothing touches: too many iterations"),
             std::string::npos)

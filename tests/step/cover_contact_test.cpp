@@ -225,8 +225,9 @@ Scene square_over_slab(int half_rows) {
   Blocks blocks;
   blocks.blocks = {rectangle({-3, -1}, {3, 0}), rectangle({-0.5, 0.05}, {0.5, 1.05})};
   blocks.blocks[1].material = 1;
-  Scene scene = mixed_scene_of(blocks, {0}, analysis, settings_for(analysis, Enforcement::penalty), half_rows,
-                               CoverFunctions::derived);
+  Settings settings = settings_for(analysis, Enforcement::penalty);
+  settings.standard.start = StartRule::sudden;  // the slab swings
+  Scene scene = mixed_scene_of(blocks, {0}, analysis, settings, half_rows, CoverFunctions::derived);
   Continuum held = *scene.model.continuum;
   held.prescribed.push_back({{{-3, -1}, {3, -1}}, Held::both, {}});
   held.prescribed.back().value = [](Point, Point) { return Point{}; };

@@ -27,7 +27,7 @@ constexpr auto kRuns = std::to_array<Diagnostic>({
      "Nothing, if this is the answer; else use stronger or more bolts."},
     {"coarse_tip", warning, "The mesh is coarse at a crack tip",
      "Sides at the tip exceed a fortieth of the free distance about it, or a third of it with near-tip functions. "
-     "Stress intensity factors of tips.csv are low by 3 % or more without such functions.",
+     "Stress intensity factors of tips.csv may be off by 3 % or more without such functions.",
      "Set tip_side of the mesh to a fortieth of the distance named, or use tip_functions."},
     {"contacts_thinned", note, "Tables of contacts hold some frames only",
      "contacts.csv, joints.csv and joint_lines.csv would exceed 500,000 rows. They hold one frame of several.",
@@ -116,8 +116,8 @@ constexpr auto kRuns = std::to_array<Diagnostic>({
      "then released them. It may also have left more than 1e-6 of the gaps, or found no forces in some steps.",
      "Nothing, if any such set will do; --set start=sudden starts without equilibrium."},
     {"start_without_rest", warning, "Some bodies start without equilibrium",
-     "start=compatible found no equilibrium near the drawing for these bodies, or sought none: they move, are "
-     "connected to a moving one, or have no support. They are suddenly loaded.",
+     "No equilibrium was found near the drawing for these bodies. They begin with the strains of their first "
+     "acceleration if they touch a support, else suddenly loaded.",
      "Support these bodies, or damp them (mass_damping) until they come to rest."},
     {"step_above_limit", note, "Automatic steps exceed the time step of the file",
      "Under an automatic step control the step exceeded time_step, as in the Berkeley program.",

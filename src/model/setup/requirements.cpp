@@ -277,10 +277,7 @@ Reason impact(const Model& model, const Settings& settings) {
 
 Reason start(const Model& model, const Settings& settings) {
   if (!is_standard(settings) || !is_in_time(settings)) return std::nullopt;
-  if (settings.standard.start == StartRule::sudden) return "sudden: unstressed blocks are suddenly loaded";
-  if (model.continuum && settings.standard.start == StartRule::automatic)
-    return "sudden: unstressed NMM bodies are suddenly loaded (start=compatible computes the static equilibrium of "
-           "supported ones)";
+  if (settings.standard.start == StartRule::sudden) return "sudden: unstressed bodies are suddenly loaded";
   if (model.continuum) return "compatible: supported bodies are in static equilibrium under the loads of t = 0";
   if (initial_stress(model, settings)) return "by the stress of the file";
   return "compatible: contact forces and strains fit the first accelerations";

@@ -25,12 +25,13 @@ namespace {
 
 using namespace tolerances;
 
-/// Finds sets of bodies connected by contact or bolts. Bodies that cannot move do not connect others.
+/// Finds sets of bodies connected by contacts that are no impact, or by bolts. Bodies that cannot move do not connect
+/// others.
 class Hanging {
  public:
-  Hanging(const StandardScene& scene, const Motion& still)
+  Hanging(const StandardScene& scene, const Motion& start)
       : scene_(scene), sets_(scene.model.elements.size()), is_held_(scene.model.elements.size()) {
-    const std::vector<ElementPair> joined = pairs(still);
+    const std::vector<ElementPair> joined = pairs(start);
     for (const ElementPair& pair : joined)
       if (can_move(pair.lower) && can_move(pair.upper)) sets_.unite(pair.lower.value, pair.upper.value);
     for (const ElementPair& pair : joined) {
@@ -49,7 +50,7 @@ class Hanging {
  private:
   bool can_move(ElementIndex e) const { return scene_.model.elements[e].can_move(); }
 
-  std::vector<ElementPair> pairs(const Motion& still) const {
+  std::vector<ElementPair> pairs(const Motion& start) const {
     std::vector<ElementPair> all;
     const std::vector<int> bodies = body_numbers(scene_.model);
     std::vector<ElementIndex> first(bodies.size());
@@ -58,8 +59,8 @@ class Hanging {
       if (!of_body) of_body = e;
       all.push_back({of_body, e});
     }
-    const Scales scales = scales_of(scene_, loads_at(scene_, still.q, 0), still.q, still.v);
-    for (const Touch& touch : resting_touches(scene_, still, scales))
+    const Scales scales = scales_of(scene_, loads_at(scene_, start.q, 0), start.q, start.v);
+    for (const Touch& touch : resting_touches(scene_, start, scales))
       all.push_back({scene_.model.vertices[touch.vertex].element, scene_.model.vertices[touch.start].element});
     for (const Bolt& bolt : scene_.model.bolts) all.push_back({bolt.first.element, bolt.second.element});
     return all;
@@ -200,14 +201,14 @@ class RestSearch {
     return largest_load(scene_, none) > 0;
   }
 
-  // Lets supported sets without equilibrium begin to move, and returns the result.
+  // Lets supported sets without equilibrium begin to move, and returns the result. Bodies that strike others at once
+  // have no contact that could carry them: they stay as they are.
   RestingStart moved(Motion rested) {
-    ChosenElements moving(left_.size(), false);
-    ChosenElements flying = moving;
-    ChosenElements others = moving;
+    Hanging touching(scene_, start_);
+    ChosenElements moving(left_.size(), false), flying = moving, others = moving;
     for (const ElementIndex e : indices(scene_.model.elements)) {
       const auto i = static_cast<std::size_t>(e.value);
-      moving[i] = left_[i] && hanging_.is_held(e);
+      moving[i] = left_[i] && touching.is_held(e);
       flying[i] = left_[i] && !moving[i];
       others[i] = scene_.model.elements[e].can_move() && !moving[i];
     }
