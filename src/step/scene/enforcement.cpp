@@ -18,11 +18,18 @@
 namespace keyblock {
 namespace {
 
+Point place_of(const Model& model, VertexIndex vertex) {
+  return model.start_vertices[static_cast<std::size_t>(vertex.value)];
+}
+
+Segment edge_from(const Model& model, VertexIndex start) {
+  return {place_of(model, start), place_of(model, model.vertices[start].next)};
+}
+
 bool has_corner_on(const Model& model, ElementIndex corners, ElementIndex edges, double tolerance) {
-  const auto place = [&](VertexIndex v) { return model.start_vertices[static_cast<std::size_t>(v.value)]; };
   for (VertexIndex corner : model.elements[corners].vertices())
     for (VertexIndex v : model.elements[edges].vertices())
-      if (distance(Segment{place(v), place(model.vertices[v].next)}, place(corner)) <= tolerance) return true;
+      if (distance(edge_from(model, v), place_of(model, corner)) <= tolerance) return true;
   return false;
 }
 
@@ -31,17 +38,21 @@ constexpr double kDependent = 1e-4;
 // Sine of the angle up to which faces are parallel.
 constexpr double kParallel = 1e-3;
 
-Point place_of(const Model& model, VertexIndex vertex) {
-  return model.start_vertices[static_cast<std::size_t>(vertex.value)];
+bool do_edges_cross(const Model& model, ElementIndex a, ElementIndex b) {
+  for (VertexIndex one : model.elements[a].vertices())
+    for (VertexIndex other : model.elements[b].vertices())
+      if (meeting(edge_from(model, one), edge_from(model, other)) != keyblock::Meeting::none) return true;
+  return false;
 }
 
+// Pairs with a corner of one on an edge of the other; blocks drawn over one another are in contact too.
 std::vector<ElementPair> pairs_within(const Model& model, double tolerance) {
   State state;
   state.vertices.assign(model.start_vertices.begin(), model.start_vertices.end());
   std::vector<ElementPair> pairs = close_pairs(model, state, tolerance);
   std::erase_if(pairs, [&](const ElementPair& pair) {
     return !has_corner_on(model, pair.lower, pair.upper, tolerance) &&
-           !has_corner_on(model, pair.upper, pair.lower, tolerance);
+           !has_corner_on(model, pair.upper, pair.lower, tolerance) && !do_edges_cross(model, pair.lower, pair.upper);
   });
   return pairs;
 }
@@ -59,10 +70,9 @@ void add_corners_on(const Model& model, ElementIndex corners, ElementIndex edges
                     std::vector<Meeting>& meetings) {
   for (VertexIndex corner : model.elements[corners].vertices())
     for (VertexIndex v : model.elements[edges].vertices()) {
-      const VertexIndex end = model.vertices[v].next;
-      const Segment edge{place_of(model, v), place_of(model, end)};
+      const Segment edge = edge_from(model, v);
       if (distance(edge, place_of(model, corner)) > tolerance) continue;
-      const JointMaterial& joint = model.joint_material(model.vertices[end].joint_material);
+      const JointMaterial& joint = model.joint_material(model.vertices[model.vertices[v].next].joint_material);
       meetings.push_back({place_of(model, corner), (1 / distance(edge.start, edge.end)) * (edge.end - edge.start),
                           joint.has_strength(), joint.friction_angle_deg > 0});
     }
