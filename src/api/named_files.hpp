@@ -25,4 +25,7 @@ std::vector<std::string> named_files(const std::vector<Override>& settings);
 /// to that from the working folder. Throws InputError if the file is missing or wrong.
 Problem with_named_files(Problem problem, const std::vector<Override>& overrides);
 
+/// Names files of settings relative to another folder, as a case file there has to. Absolute names stay.
+void name_files_from(const std::filesystem::path& folder, RunChoices& choices);
+
 }  // namespace keyblock

@@ -87,6 +87,21 @@ TEST_F(ConvertCommand, faults_of_the_old_program_are_taken_on_request) {
   EXPECT_EQ(read_text(folder_ + "sound.ana"), kControls);
 }
 
+TEST_F(ConvertCommand, a_file_that_settings_name_is_named_from_the_new_folder) {
+  const auto convert_to = [&](const std::string& from, const std::string& to) {
+    EXPECT_EQ(run_keyblock({"convert", folder_ + from, "-o", folder_ + to}).exit_code, 0);
+    return read_text(folder_ + to);
+  };
+  ASSERT_EQ(convert({"-o", folder_ + "own.json"}).exit_code, 0);
+  auto with_table = nlohmann::json::parse(read_text(folder_ + "own.json"));
+  with_table["run"]["set"]["body_acceleration_file"] = "acc.csv";
+  write_text(folder_ + "with.json", with_table.dump());
+  std::filesystem::create_directories(folder_ + "deep/below");
+  EXPECT_TRUE(contains(convert_to("with.json", "deep/below/moved.json"), "\"../../acc.csv\""));
+  EXPECT_TRUE(contains(convert_to("deep/below/moved.json", "back.json"), "\"acc.csv\""));
+  EXPECT_EQ(convert_to("with.json", "same.json"), with_table.dump());
+}
+
 TEST_F(ConvertCommand, json_names_outputs_losses_and_warnings) {
   const ProgramRun run = convert({"-o", folder_ + "b.dxf", "--json"});
   ASSERT_EQ(run.exit_code, 0);

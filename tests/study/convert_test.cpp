@@ -22,6 +22,7 @@
 #include "study/convert/derived_geometry.hpp"
 #include "tests/support/content_text.hpp"
 #include "tests/support/random_contents.hpp"
+#include "tests/support/scenes.hpp"
 #include "tests/support/two_triangles.hpp"
 
 namespace keyblock::study::convert_test {
@@ -423,6 +424,26 @@ TEST(Convert, what_an_old_format_cannot_hold_is_named) {
   const Conversion conversion = converted(content, *find_target("berkeley"));
   EXPECT_EQ(items(conversion.losses),
             (std::vector<std::string>{"analysis.plane_strain", "analysis.block_materials[].initial_strain.xx", "run"}));
+}
+
+// Shi's program runs with material 1 of 1; the case names it, so that it runs too, and the change is a loss.
+TEST(Convert, material_numbers_out_of_range_become_the_nearest_in_a_case_file) {
+  Content content;
+  Blocks& blocks = content.blocks.emplace();
+  blocks.blocks.push_back({-1, {{{0, 0}, 2}, {{1, 0}, 0}, {{0, 1}, 0}}, {}});
+  content.analysis = support::plain_analysis(1e-3, 1);
+  const auto from = [&](const formats::Format& format) {
+    return convert({file_of(format, "", content)}, *find_target("keyblock-case"), Faults::none);
+  };
+  const Conversion conversion = from(formats::kDdaBlocks);
+  const Content back = read_back(conversion);
+  EXPECT_EQ(back.blocks->blocks[0].material, 0);
+  EXPECT_EQ(back.blocks->blocks[0].outer[0].joint_material, 0);
+  std::vector<std::string> lost;
+  for (const Loss& loss : conversion.losses) lost.push_back(loss.item + ": " + loss.sentence);
+  EXPECT_EQ(lost, (std::vector<std::string>{"blocks.blocks[].material: 0 → 1",
+                                            "blocks.blocks[].outer[].joint_material: 3 → 1"}));
+  EXPECT_TRUE(from(formats::kKeyblockCase).losses.empty()) << "the reader of case files reports them";
 }
 
 TEST(Convert, faults_of_the_berkeley_program_are_taken_on_request) {

@@ -95,7 +95,8 @@ ExitCode convert_files(const ConvertOptions& options) {
   require_writable(files, {inputs.begin(), inputs.end()}, overwrite_if(options.may_overwrite));
   const study::Conversion conversion =
       study::convert(formats::read_files(inputs, options.reading.choices), target,
-                     options.takes_faults ? study::Faults::berkeley : study::Faults::none);
+                     options.takes_faults ? study::Faults::berkeley : study::Faults::none,
+                     std::filesystem::absolute(options.output).parent_path());
   log_warnings(joined(conversion.warnings, conversion.changed_rules));
   const bool is_refused = options.is_strict && !conversion.losses.empty();
   std::vector<std::string> outputs;

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "base/words/quoted_name.hpp"
 #include "geometry/polygon.hpp"
 #include "problem/checks/magnitudes.hpp"
+#include "problem/checks/material_numbers.hpp"
 #include "problem/checks/shared_ground.hpp"
 #include "problem/ground_motion.hpp"
 
@@ -20,51 +20,6 @@ namespace keyblock {
 namespace {
 
 constexpr double kUsualEdgeNodeRatio = 0.1;  // files have 0.001 … 0.02; from here on the cutter removes whole blocks
-
-/// Counts material numbers out of range, and remembers the place of the first. Old files and drawings run with the
-/// nearest number, as in the old programs. In a case file that holds both geometry and materials such a number is an
-/// error.
-class Clamp {
- public:
-  Clamp(std::string noun, std::size_t materials) : noun_(std::move(noun)), last_(static_cast<int>(materials) - 1) {}
-
-  int operator()(int index, const Place& place) {
-    if (last_ < 0 || (index >= 0 && index <= last_)) return index;
-    ++met_.try_emplace(index, Met{place, 0}).first->second.times;
-    return std::clamp(index, 0, last_);
-  }
-
-  Warnings warnings(const std::string& name, std::string_view carriers) const {
-    Warnings all;
-    for (const auto& [index, met] : met_)
-      all.push_back(
-          {name, met.place,
-           fmt::format("{} {} of {} {} is outside 1 to {}; taken as {}", noun_, static_cast<long long>(index) + 1,
-                       met.times, carriers, last_ + 1, std::clamp(index, 0, last_) + 1)});
-    return all;
-  }
-
-  bool is_met_in(const Place& file) const {
-    return !met_.empty() && met_.begin()->second.place.file.text() == file.file.text();
-  }
-
-  std::vector<InputError> errors(std::string_view carriers) const {
-    std::vector<InputError> all;
-    for (const auto& [index, met] : met_)
-      all.emplace_back(met.place, fmt::format("expected a {} from 1 to {}, found {} (of {} {})", noun_, last_ + 1,
-                                              static_cast<long long>(index) + 1, met.times, carriers));
-    return all;
-  }
-
- private:
-  struct Met {
-    Place place;
-    int times = 0;
-  };
-  std::string noun_;
-  int last_;
-  std::map<int, Met> met_;
-};
 
 bool is_point(const Segment& segment) {
   return segment.start == segment.end;
@@ -204,7 +159,7 @@ class Checker {
       warn(no_fixed_points(drawing.fixed_lines.size(), checked_.problem.analysis, drawing.place));
     if (drawing.joints.empty())
       checked_.errors.emplace_back(drawing.place, "expected lines to cut blocks from, found none");
-    if (checked_.problem.analysis) clamp_materials(drawing, *checked_.problem.analysis);
+    if (checked_.problem.analysis) tell(clamp_materials(drawing, *checked_.problem.analysis));
     if (checked_.problem.analysis) give_bolts_their_properties(drawing, *checked_.problem.analysis);
     const auto place_of_bolt = [](const BoltLine& bolt) { return bolt.place; };
     fail(bolts_that_push(drawing.bolts, place_of_bolt));
@@ -227,7 +182,7 @@ class Checker {
     fail(bolts_that_push(blocks.bolts, place_of_bolt));
     if (!checked_.problem.analysis) return;
     warn(idle_bolts(blocks.bolts, place_of_bolt));
-    clamp_materials(blocks, *checked_.problem.analysis);
+    tell(clamp_materials(blocks, *checked_.problem.analysis));
     warn(curves_and_points(*checked_.problem.analysis, blocks.loading_points.size(), blocks.place));
   }
 
@@ -236,7 +191,7 @@ class Checker {
     fail(crossed_outlines(cover));
     if (checked_.errors.empty()) fail(impossible_elements(cover));
     if (!checked_.problem.analysis) return;
-    clamp_materials(cover, *checked_.problem.analysis);
+    tell(clamp_materials(cover, *checked_.problem.analysis));
     warn(curves_and_points(*checked_.problem.analysis, cover.loading_points.size(), cover.place));
   }
 
@@ -246,11 +201,14 @@ class Checker {
     checked_.errors.insert(checked_.errors.end(), more.begin(), more.end());
   }
 
-  void tell(const Clamp& clamp, const char* name, const char* carriers) {
-    if (checked_.problem.has_own_case && clamp.is_met_in(checked_.problem.analysis->place))
-      fail(clamp.errors(carriers));
-    else
-      warn(clamp.warnings(name, carriers));
+  /// Old files and drawings run with the nearest number. In a case file that holds both geometry and materials, a
+  /// number out of range is an error.
+  void tell(const std::vector<NumberOutOfRange>& found) {
+    for (const NumberOutOfRange& one : found)
+      if (checked_.problem.has_own_case && one.place.file.text() == checked_.problem.analysis->place.file.text())
+        checked_.errors.emplace_back(one.place, one.error);
+      else
+        checked_.warnings.push_back({one.name, one.place, one.warning});
   }
 
   void drop_zero_length_lines(Drawing& drawing) {
@@ -261,43 +219,11 @@ class Checker {
     std::erase_if(drawing.bolts, [](const BoltLine& bolt) { return is_point(bolt.segment); });
   }
 
-  void clamp_materials(Drawing& drawing, const Analysis& analysis) {
-    Clamp joint("joint material", analysis.joint_materials.size());
-    Clamp block("block material", analysis.block_materials.size());
-    for (JointLine& line : drawing.joints) line.joint_material = joint(line.joint_material, line.place);
-    for (MaterialLine& line : drawing.material_lines) line.block_material = block(line.block_material, line.place);
-    tell(joint, "joint_material_clamped", "lines");
-    tell(block, "block_material_clamped", "material lines");
-  }
-
-  void clamp_materials(Blocks& blocks, const Analysis& analysis) {
-    Clamp joint("joint material", analysis.joint_materials.size());
-    Clamp material("block material", analysis.block_materials.size());
-    for (BlockPolygon& block : blocks.blocks) {
-      const Place& place = place_of(block, blocks);
-      block.material = material(block.material, place);
-      for (BlockVertex& vertex : block.outer) vertex.joint_material = joint(vertex.joint_material, place);
-      for (BlockLoop& hole : block.holes)
-        for (BlockVertex& vertex : hole) vertex.joint_material = joint(vertex.joint_material, place);
-    }
-    tell(joint, "joint_material_clamped", "edges");
-    tell(material, "block_material_clamped", "blocks");
-  }
-
-  void clamp_materials(Cover& cover, const Analysis& analysis) {
-    Clamp joint("joint material", analysis.joint_materials.size());
-    Clamp material("block material", analysis.block_materials.size());
-    for (CoverElement& element : cover.elements) element.material = material(element.material, cover.place);
-    for (LoopVertex& vertex : cover.loop_vertices) vertex.joint_material = joint(vertex.joint_material, cover.place);
-    tell(joint, "joint_material_clamped", "edges");
-    tell(material, "block_material_clamped", "elements");
-  }
-
   /// Gives bolts their properties by type. A bolt whose drawing states its properties (native files) keeps them.
   void give_bolts_their_properties(Drawing& drawing, const Analysis& analysis) {
     const auto& properties = analysis.bolt_properties;
     if (properties.empty() || std::ranges::all_of(drawing.bolts, has_properties)) return;
-    Clamp type("bolt type", properties.size());
+    NumberRange type("bolt type", properties.size());
     for (BoltLine& bolt : drawing.bolts) {
       if (has_properties(bolt)) continue;
       bolt.type = type(bolt.type, bolt.place);
@@ -306,7 +232,7 @@ class Checker {
       bolt.strength = own.strength;
       bolt.pretension = own.pretension;
     }
-    tell(type, "bolt_type_clamped", "bolts");
+    tell(type.replaced("bolt_type_clamped", "bolts"));
   }
 
   static bool has_properties(const BoltLine& bolt) {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "api/named_files.hpp"
 #include "base/nearest.hpp"
 #include "formats/all_content.hpp"
 #include "formats/berkeley/ddaml.hpp"
@@ -24,6 +25,7 @@
 #include "formats/text/split.hpp"
 #include "formats/text/tokens.hpp"
 #include "formats/views/views.hpp"
+#include "problem/checks/material_numbers.hpp"
 #include "study/convert/berkeley_faults.hpp"
 #include "study/convert/changed_rules.hpp"
 #include "study/convert/derived_geometry.hpp"
@@ -109,6 +111,17 @@ void complete_curves(Content& content, const Target& target) {
   grow(content.analysis->point_loads, counts.loading_points);
 }
 
+// Old files run with the nearest material; a case file with its own materials has to name one that exists.
+Content with_materials_in_range(Content content, const std::vector<formats::FileReading>& files, const Target& target) {
+  const auto is_case = [](const formats::FileReading& file) { return file.choice->format == &formats::kKeyblockCase; };
+  const bool is_old = std::ranges::none_of(files, is_case) && has_part(target, formats::kKeyblockCase);
+  if (!content.analysis || !is_old) return content;
+  if (content.drawing) clamp_materials(*content.drawing, *content.analysis);
+  if (content.blocks) clamp_materials(*content.blocks, *content.analysis);
+  if (content.cover) clamp_materials(*content.cover, *content.analysis);
+  return content;
+}
+
 bool is_lacking(const Content& content, const Format& format) {
   return written(format, content).text.empty();
 }
@@ -181,12 +194,14 @@ std::string target_names() {
   return names;
 }
 
-Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults) {
+Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults,
+                   const std::filesystem::path& folder) {
   Conversion conversion;
   Content content;
   for (const formats::FileReading& file : files) {
     if (file.error) throw *file.error;
-    const formats::Reading reading = faults == Faults::berkeley ? as_berkeley_reads(file) : *file.reading;
+    formats::Reading reading = faults == Faults::berkeley ? as_berkeley_reads(file) : *file.reading;
+    if (reading.content.choices && !folder.empty()) name_files_from(folder, *reading.content.choices);
     conversion.warnings = joined(std::move(conversion.warnings), reading.warnings);
     formats::add_content(content, reading.content, file.path);
   }
@@ -203,11 +218,12 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
   state_weights(content, target);
   complete_curves(content, target);
   conversion.hint = hint_of(content);
+  const Content in_range = with_materials_in_range(content, files, target);
   Content back;
   std::string why_not;
   std::set<const std::string*> kept;
   for (const Target::Part& part : target.parts) {
-    auto [text, reason] = written(*part.format, content);
+    auto [text, reason] = written(*part.format, in_range);
     why_not = std::move(reason);
     if (text.empty()) continue;
     if (part.format->read)

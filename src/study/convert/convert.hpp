@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -53,8 +54,9 @@ enum class Faults { none, berkeley };
 /// Converts the files. Lines are cut if the target holds blocks; blocks and covers become their edges if it holds
 /// lines; loops of a cover become blocks. Each is reported as a loss. A file already in the target's format with
 /// unchanged content keeps its bytes; other comments are dropped with a warning. `Faults::berkeley` reads the files as
-/// the Berkeley program does (berkeley_faults.hpp). Throws the InputError of an unreadable file, or one if nothing fits
-/// the target.
-Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults);
+/// the Berkeley program does (berkeley_faults.hpp). Settings then name files relative to `folder`, unless that is
+/// empty. Throws the InputError of an unreadable file, or one if nothing fits the target.
+Conversion convert(const std::vector<formats::FileReading>& files, const Target& target, Faults faults,
+                   const std::filesystem::path& folder = {});
 
 }  // namespace keyblock::study
