@@ -132,13 +132,14 @@ void RunJob::follow(const Stepper& stepper) {
   if (followed_.is_empty()) return;
   const int step = stepper.state().step;
   const int last = prepared_.scene.settings.step_count;
-  if (step % stride_of(last) == 0 || step == last) folder_.add_histories(followed_.rows(stepper, joints_));
+  if (step % stride_of(last) == 0 || step == last)
+    folder_.add_histories(history_lines(followed_.values(stepper, joints_), step, stepper.state().time));
 }
 
 // A stop of the context ends the run with a checkpoint, so that it can go on.
 void RunJob::stop_if_met(const Stepper& stepper) {
   if (!options_.stop_when || !criterion_met_.empty()) return;
-  criterion_met_ = options_.stop_when->met_by(followed_.rows(stepper, joints_));
+  criterion_met_ = options_.stop_when->met_by(followed_.values(stepper, joints_));
   if (!criterion_met_.empty()) context().stop();
 }
 

@@ -92,7 +92,8 @@ Case Case::with(std::string_view pointer, double value) const {
 std::vector<std::string> Case::write(const std::string& path, std::string_view format) const {
   return guarded([&] {
     const study::Target& target = study::target_named(format);
-    const study::Conversion made = study::convert(data_->open.input.files, target, study::Faults::none);
+    const study::Conversion made = study::convert(data_->open.input.files, target, study::Faults::none,
+                                                  std::filesystem::absolute(path).parent_path());
     std::vector<std::filesystem::path> files;
     for (const study::ConvertedFile& file : made.files) {
       std::filesystem::path name = path;
@@ -104,6 +105,8 @@ std::vector<std::string> Case::write(const std::string& path, std::string_view f
     std::vector<std::string> told;
     for (const study::Loss& loss : made.losses) told.push_back(fmt::format("{}: {}", loss.item, loss.sentence));
     for (const keyblock::Warning& warning : joined(made.warnings, made.changed_rules)) told.push_back(warning.sentence);
+    for (const auto& [name, value] : data_->open.overrides(profile_for(data_->open, data_->open.input.problem).name))
+      told.push_back(fmt::format("setting {} = {} of case.json is not carried over", name, value));
     return told;
   });
 }

@@ -1,47 +1,41 @@
-// Reads the lines that a run writes to histories.csv.
+// Keeps a row per instant and quantity, as histories.csv has them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "library/kept_histories.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <limits>
 #include <memory>
 
-#include "formats/text/csv.hpp"
 #include "result/rows/thinned.hpp"
 
 namespace keyblock::api {
 namespace {
 
-double number_in(const std::string& text) {
-  double number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
-}
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-KeptHistories::KeptHistories(const PlannedCase& planned)
-    : joints_(planned.prepared.scene.model, planned.prepared.joint_lines),
-      followed_(planned.problem.outputs.histories, planned.prepared.scene, joints_, planned.problem.units),
+KeptHistories::KeptHistories(const PlannedCase& planned, const DrawnJoints& joints)
+    : joints_(joints),
+      followed_(planned.problem.outputs.histories, planned.prepared.scene, joints, planned.problem.units),
       last_(planned.prepared.scene.settings.step_count) {}
 
 void KeptHistories::add(const Stepper& stepper) {
   if (followed_.is_empty()) return;
   const int step = stepper.state().step;
   if (step % stride_of(last_) != 0 && step != last_) return;
-  const formats::CsvTable table =
-      formats::read_csv({"histories", "step,time,what,name,quantity,value,unit\n" + followed_.rows(stepper, joints_)});
-  for (const formats::CsvRow& row : table.rows) {
-    const std::vector<std::string>& cells = row.cells;
-    auto history = std::ranges::find(all_, cells[3], &History::name);
-    if (history == all_.end()) history = all_.insert(all_.end(), {cells[3], {}});
-    auto quantity = std::ranges::find(history->quantities, cells[4], &Quantity::name);
+  times_.push_back(stepper.state().time);
+  for (const FollowedValue& value : followed_.values(stepper, joints_)) {
+    auto history = std::ranges::find(all_, value.name, &History::name);
+    if (history == all_.end()) history = all_.insert(all_.end(), {value.name, {}});
+    auto quantity = std::ranges::find(history->quantities, value.quantity, &Quantity::name);
     if (quantity == history->quantities.end())
-      quantity = history->quantities.insert(quantity, {cells[4], cells[6], {}});
-    quantity->rows.push_back(number_in(cells[1]));
-    quantity->rows.push_back(number_in(cells[5]));
+      quantity = history->quantities.insert(quantity, {value.quantity, value.unit, {}});
+    // A contact that is apart has no gap, and a block that a stage makes has no values before it.
+    quantity->values.resize(times_.size() - 1, kUnknown);
+    quantity->values.push_back(value.value);
   }
 }
 
@@ -49,10 +43,6 @@ std::vector<std::string> KeptHistories::names() const {
   std::vector<std::string> names;
   for (const History& history : all_) names.push_back(history.name);
   return names;
-}
-
-bool KeptHistories::has(std::string_view name) const {
-  return std::ranges::find(all_, name, &History::name) != all_.end();
 }
 
 const KeptHistories::History& KeptHistories::at(std::string_view name) const {
@@ -74,7 +64,12 @@ Column<double> KeptHistories::values(std::string_view name, std::string_view qua
   const auto found = std::ranges::find(history.quantities, quantity, &Quantity::name);
   if (found == history.quantities.end())
     throw SettingError(fmt::format("expected a quantity of the history {}, found {}", name, quantity));
-  return {std::make_shared<const std::vector<double>>(found->rows), 2};
+  std::vector<double> rows;
+  for (std::size_t i = 0; i < times_.size(); ++i) {
+    rows.push_back(times_[i]);
+    rows.push_back(i < found->values.size() ? found->values[i] : kUnknown);
+  }
+  return {std::make_shared<const std::vector<double>>(std::move(rows)), 2};
 }
 
 }  // namespace keyblock::api

@@ -18,21 +18,22 @@ namespace keyblock::api {
 /// Histories of the plan, with a row per step as tables have them.
 class KeptHistories {
  public:
-  explicit KeptHistories(const PlannedCase& planned);
+  /// Keeps a reference to `joints`.
+  KeptHistories(const PlannedCase& planned, const DrawnJoints& joints);
 
   /// Adds the state at the start, or after a step.
   void add(const Stepper& stepper);
 
   std::vector<std::string> names() const;
-  bool has(std::string_view name) const;
   std::vector<std::pair<std::string, std::string>> quantities(std::string_view name) const;
+  /// Returns times and values in turn; nan at times at which the quantity is unknown.
   Column<double> values(std::string_view name, std::string_view quantity) const;
 
  private:
   struct Quantity {
     std::string name;
     std::string unit;
-    std::vector<double> rows;  ///< time and value in turn
+    std::vector<double> values;  ///< one per time; nan, or none at the end, where it is unknown
   };
   struct History {
     std::string name;
@@ -41,9 +42,10 @@ class KeptHistories {
 
   const History& at(std::string_view name) const;
 
-  DrawnJoints joints_;
+  const DrawnJoints& joints_;
   Followed followed_;
   int last_;
+  std::vector<double> times_;
   std::vector<History> all_;
 };
 

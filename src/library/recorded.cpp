@@ -50,9 +50,12 @@ struct FolderRun : Run::State {
 };
 
 RecordingOptions options_of(const std::string& folder, const Recording& how) {
-  return {folder,    how.overwrite ? Overwrite::yes : Overwrite::no,
-          Trace::no, how.checkpoint_every,
-          how.every, {how.histories, how.contacts, {}, how.frames, how.pictures}};
+  return {std::filesystem::absolute(folder).string(),  // the caller may change the working folder
+          how.overwrite ? Overwrite::yes : Overwrite::no,
+          Trace::no,
+          how.checkpoint_every,
+          how.every,
+          {how.histories, how.contacts, {}, how.frames, how.pictures}};
 }
 
 std::unique_ptr<RecordedRun> begun(const Case& of, const std::string& folder, const Recording& how,

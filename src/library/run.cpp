@@ -17,6 +17,7 @@
 #include "job/verdict/end_of_motion.hpp"
 #include "library/run_state.hpp"
 #include "problem/units/measure.hpp"
+#include "run/follow/followed.hpp"
 #include "run/record.hpp"
 #include "run/steppers.hpp"
 
@@ -44,8 +45,10 @@ Outcome outcome_of(const Prepared& prepared, const RunRecord& record) {
   if (outcome.end == End::stopped) outcome.reason = record.outcome.why_early;
   outcome.steps = record.outcome.steps;
   outcome.time = record.outcome.time;
-  outcome.displacement = record.extremes.displacement;
-  outcome.speed = record.motion ? record.motion->speed : 0;
+  if (record.outcome.steps > 0) {
+    outcome.displacement = record.extremes.displacement;
+    outcome.speed = record.motion ? record.motion->speed : 0;
+  }
   if (record.motion) outcome.sentences = sentences(prepared, record, *record.motion);
   outcome.warnings = public_warnings(record.warnings);
   outcome.doubts = public_warnings(record.doubts);
@@ -133,10 +136,8 @@ struct MemoryRun : Run::State {
   StepLoop loop;
 };
 
-constexpr std::string_view kBalance = "ledger";
-
 bool is_balance(const Run::State& state, std::string_view history) {
-  return history == kBalance && state.so_far().ledger.last() != nullptr && !state.kept.has(kBalance);
+  return history == kBalanceName && state.so_far().ledger.last() != nullptr;
 }
 
 std::vector<LedgerColumn> balance_columns(const Run::State& state) {
@@ -156,7 +157,7 @@ Column<double> balance_of(const Run::State& state, std::string_view quantity) {
   const std::vector<LedgerColumn> columns = balance_columns(state);
   const auto column = std::ranges::find_if(columns, [&](const LedgerColumn& c) { return c.name == quantity; });
   if (column == columns.end())
-    throw SettingError(fmt::format("expected a quantity of the history {}, found {}", kBalance, quantity));
+    throw SettingError(fmt::format("expected a quantity of the history {}, found {}", kBalanceName, quantity));
   std::vector<double> values;
   for (const LedgerRow& row : state.so_far().ledger.rows()) {
     values.push_back(row.time);
@@ -171,18 +172,26 @@ inline namespace v1 {
 
 const std::shared_ptr<Contacts>& Run::State::contacts_now() {
   if (!contacts_of_now_)
-    contacts_of_now_ = std::make_shared<Contacts>([run = stepper, of = planned, under = context] {
+    contacts_of_now_ = std::make_shared<Contacts>([run = stepper, of = planned, lines = joints, under = context] {
       const Under own(under);
-      return run->contacts();
+      ContactFrames contacts = run->contacts();
+      lines->name(contacts, run->model());
+      return contacts;
     });
   return contacts_of_now_;
 }
 
-// Frames that are still held keep what their contacts need.
+// Frames that are still held keep what their contacts need. A stage changes the model that names their joints.
 void Run::State::leave_step() {
-  if (contacts_of_now_ && contacts_of_now_.use_count() > 1)
+  const bool is_held = contacts_of_now_ && contacts_of_now_.use_count() > 1;
+  if (is_held && !planned->problem.stages.empty()) contacts_of_now_->part();
+  if (is_held)
     contacts_of_now_->keep([&]() -> std::function<ContactFrames()> {
-      return [run = stepper, of = planned, later = stepper->contacts_later()] { return later(); };
+      return [run = stepper, of = planned, lines = joints, later = stepper->contacts_later()] {
+        ContactFrames contacts = later();
+        lines->name(contacts, run->model());
+        return contacts;
+      };
     });
   contacts_of_now_.reset();
 }

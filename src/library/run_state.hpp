@@ -24,7 +24,11 @@ inline namespace v1 {
 /// A run between two steps. One kind steps in memory, the other writes its results into a folder.
 struct Run::State {
   State(Case of, std::shared_ptr<const PlannedCase> plan, const keyblock::Context& under)
-      : of_case(std::move(of)), planned(std::move(plan)), context(under), kept(*planned) {}
+      : of_case(std::move(of)),
+        planned(std::move(plan)),
+        context(under),
+        joints(std::make_shared<const DrawnJoints>(planned->prepared.scene.model, planned->prepared.joint_lines)),
+        kept(*planned, *joints) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   virtual ~State() = default;
@@ -46,6 +50,7 @@ struct Run::State {
   Case of_case;
   std::shared_ptr<const PlannedCase> planned;
   keyblock::Context context;
+  std::shared_ptr<const DrawnJoints> joints;
   KeptHistories kept;
   std::shared_ptr<Stepper> stepper;
   LedgerScope scope;  ///< of the energy balance

@@ -272,6 +272,8 @@ TEST(HistoriesCommand, two_items_of_one_name_are_refused_and_one_given_twice_cou
         << run.messages;
     EXPECT_TRUE(contains(run.messages, two)) << run.messages;
   }
+  EXPECT_TRUE(contains(followed("ledger=block:1").messages,
+                       "error: expected another name of a history, found \"ledger\", which names the energy balance"));
   ASSERT_EQ(followed("second=block:2").exit_code, 0);
   const std::size_t lines = lines_of(folder + "/out/histories.csv");
   EXPECT_EQ(followed("block:2").exit_code, 0);

@@ -219,22 +219,20 @@ TEST(Histories, a_bolt_is_followed_by_its_force_and_elongation) {
   observer.on_state = [&](const Stepper& stepper) {
     const BoltState& bolt = stepper.state().bolts[1];
     length_at_end = distance(bolt.first, bolt.second);
-    std::istringstream rows(followed.rows(stepper, {}));
-    for (std::string row; std::getline(rows, row);) {
-      ASSERT_NE(row.find(",bolt,"), std::string::npos) << row;
-      const std::size_t unit = row.rfind(',');
-      const std::size_t value = row.rfind(',', unit - 1);
-      const std::size_t name = row.find(",bolt,") + 6;
-      values[row.substr(name, value - name)] = std::stod(row.substr(value + 1));
+    const std::vector<FollowedValue> now = followed.values(stepper, {});
+    for (const FollowedValue& one : now) {
+      EXPECT_EQ(one.what, "bolt");
+      values[one.name + " " + one.quantity] = one.value;
     }
+    EXPECT_TRUE(history_lines(now, 3, 0.5).starts_with("3,0.5,bolt,\"crown, left\",force,"));
   };
   EXPECT_EQ(run(made.scene, 1, observer).reason, "");
   ASSERT_EQ(values.size(), 6U);
   EXPECT_NE(length_at_end, 1);
-  EXPECT_NEAR(values["\"crown, left\",elongation"], length_at_end - 1, 1e-15);
-  EXPECT_NEAR(values["\"crown, left\",force"], 5000 + 2e6 * (length_at_end - 1), 1e-6);
-  EXPECT_EQ(values["\"crown, left\",is_broken"], 0);
-  EXPECT_EQ(values["mine,force"], values["\"crown, left\",force"]);
+  EXPECT_NEAR(values["crown, left elongation"], length_at_end - 1, 1e-15);
+  EXPECT_NEAR(values["crown, left force"], 5000 + 2e6 * (length_at_end - 1), 1e-6);
+  EXPECT_EQ(values["crown, left is_broken"], 0);
+  EXPECT_EQ(values["mine force"], values["crown, left force"]);
 }
 
 TEST(Histories, a_bolt_that_is_not_there_is_refused) {

@@ -21,9 +21,9 @@ using support::read_text;
 using support::run_keyblock;
 
 const Units kMetres{"m", "kg", "s"};
-constexpr const char* kRows =
-    "3,0.1,point,crest,displacement_x,0.03,m\n3,0.1,point,crest,displacement_y,-0.04,m\n"
-    "3,0.1,point,crest,velocity_x,1.5,m/s\n";
+const std::vector<FollowedValue> kValues{{"point", "crest", "displacement_x", 0.03, "m"},
+                                         {"point", "crest", "displacement_y", -0.04, "m"},
+                                         {"point", "crest", "velocity_x", 1.5, "m/s"}};
 
 TEST(StopCriterion, limits_have_a_sign_and_a_unit) {
   const StopCriterion above = stop_criterion_of("crest.dx > 5 cm", kMetres);
@@ -39,10 +39,10 @@ TEST(StopCriterion, limits_have_a_sign_and_a_unit) {
 }
 
 TEST(StopCriterion, rows_meet_it_or_not_and_a_missing_quantity_is_an_error) {
-  const auto met = [](const char* text) { return stop_criterion_of(text, kMetres).met_by(kRows); };
-  EXPECT_EQ(met("crest.d>0.049"), "crest.displacement is 0.05, above 0.049");
+  const auto met = [](const char* text) { return stop_criterion_of(text, kMetres).met_by(kValues); };
+  EXPECT_EQ(met("crest.d>0.049"), "crest.displacement is 0.05 m, above 0.049 m");
   EXPECT_EQ(met("crest.d>0.051"), "");
-  EXPECT_EQ(met("crest.dy<-0.03"), "crest.displacement_y is -0.04, below -0.03");
+  EXPECT_EQ(met("crest.dy<-0.03"), "crest.displacement_y is -0.04 m, below -0.03 m");
   EXPECT_EQ(met("crest.vx<1.5"), "");
   EXPECT_THROW(met("toe.dx>1"), InputError);
   EXPECT_THROW(met("crest.force_x>1"), InputError);

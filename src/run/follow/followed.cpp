@@ -104,15 +104,12 @@ struct ContactSum {
   }
 };
 
-/// Lines of one history at one instant.
-class Lines {
+/// Values of one history at one instant.
+class HistoryValues {
  public:
-  Lines(const Stepper& stepper, const Numbered& numbered, const FollowedUnits& units, const std::string& what,
-        const std::string& name)
-      : stepper_(stepper),
-        numbered_(numbered),
-        units_(units),
-        first_(fmt::format("{},{},{},{},", stepper.state().step, stepper.state().time, what, row_cell(name))) {}
+  HistoryValues(const Stepper& stepper, const Numbered& numbered, const FollowedUnits& units, std::string what,
+                std::string name)
+      : stepper_(stepper), numbered_(numbered), units_(units), what_(std::move(what)), name_(std::move(name)) {}
 
   void point(int number) {
     const auto found = numbered_.points.find(number);
@@ -184,13 +181,13 @@ class Lines {
     put("is_broken", now.is_broken ? 1 : 0, "1");
   }
 
-  std::string text;
+  std::vector<FollowedValue> values;
   bool bears = false;               ///< a closed contact, or something that crosses the line
   std::optional<double> least_gap;  ///< of the contacts considered
 
  private:
   void put(std::string_view quantity, double value, const std::string& unit) {
-    text += fmt::format("{}{},{},{}\n", first_, quantity, value, unit);
+    values.push_back({what_, name_, std::string(quantity), value, unit});
   }
   void displacement(Point u) {
     put("displacement_x", u.x, units_.length);
@@ -223,7 +220,8 @@ class Lines {
   const Stepper& stepper_;
   const Numbered& numbered_;
   const FollowedUnits& units_;
-  std::string first_;
+  std::string what_;
+  std::string name_;
 };
 
 /// Numbers of measured points by their initial place; the last one at a place counts. Points of histories come after
@@ -373,6 +371,10 @@ Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, co
     One one{plan, name_of(plan)};
     if (plan.bolt && plan.name.empty())
       if (const std::string name = name_of_bolt(first, *plan.bolt); !name.empty()) one.name = name;
+    if (one.name == kBalanceName)
+      throw InputError(plan.place, fmt::format("expected another name of a history, found \"{}\", which names the "
+                                               "energy balance",
+                                               one.name));
     const auto [same, is_new] = by_name.try_emplace(one.name, all_.size());
     if (!is_new) {
       require_same_item(all_[same->second].plan, plan, one.name);
@@ -389,28 +391,36 @@ Followed::Followed(const std::vector<HistoryPlan>& plans, const Scene& first, co
   }
 }
 
-std::string Followed::rows(const Stepper& stepper, const DrawnJoints& joints) {
+std::string history_lines(const std::vector<FollowedValue>& values, int step, double time) {
+  std::string lines;
+  for (const FollowedValue& one : values)
+    lines += fmt::format("{},{},{},{},{},{},{}\n", step, time, one.what, row_cell(one.name), one.quantity, one.value,
+                         one.unit);
+  return lines;
+}
+
+std::vector<FollowedValue> Followed::values(const Stepper& stepper, const DrawnJoints& joints) {
   ContactFrames contacts;
   if (std::ranges::any_of(all_, [](const One& one) { return !one.plan.point && !one.plan.bolt; }))
     contacts = stepper.contacts();
   joints.name(contacts, stepper.model());
   const Numbered numbered(stepper.model());
-  std::string text;
+  std::vector<FollowedValue> all;
   for (One& one : all_) {
     const HistoryPlan& plan = one.plan;
-    Lines lines(stepper, numbered, units_, word_of(plan), one.name);
-    if (plan.point) lines.point(one.point);
-    if (plan.block) lines.block(*plan.block, contacts);
-    if (plan.contact) lines.pair(*plan.contact, contacts);
-    if (plan.joint) lines.joint(*plan.joint, contacts);
-    if (plan.line) lines.resultant(*plan.line, contacts);
-    if (plan.bolt) lines.bolt(*plan.bolt);
+    HistoryValues now(stepper, numbered, units_, word_of(plan), one.name);
+    if (plan.point) now.point(one.point);
+    if (plan.block) now.block(*plan.block, contacts);
+    if (plan.contact) now.pair(*plan.contact, contacts);
+    if (plan.joint) now.joint(*plan.joint, contacts);
+    if (plan.line) now.resultant(*plan.line, contacts);
+    if (plan.bolt) now.bolt(*plan.bolt);
     one.has_rows = true;
-    one.has_borne = one.has_borne || lines.bears;
-    if (lines.least_gap) one.nearest = one.nearest < 0 ? *lines.least_gap : std::min(one.nearest, *lines.least_gap);
-    text += lines.text;
+    one.has_borne = one.has_borne || now.bears;
+    if (now.least_gap) one.nearest = one.nearest < 0 ? *now.least_gap : std::min(one.nearest, *now.least_gap);
+    std::ranges::move(now.values, std::back_inserter(all));
   }
-  return text;
+  return all;
 }
 
 double Followed::bytes_of_row() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/archive.hpp"
@@ -25,27 +26,42 @@ struct FollowedUnits {
   std::string moment;
 };
 
+/// Names the energy balance where histories are read by name; no history has it.
+inline constexpr std::string_view kBalanceName = "ledger";
+
 /// Returns the name of a history in the table: its own, or that of its item.
 std::string name_of(const HistoryPlan& plan);
 
 /// Throws InputError at the place of the plan if contacts are to be chosen by histories, and no history has contacts.
 void require_choice(const OutputPlan& plan);
 
+/// Value of a history at one instant.
+struct FollowedValue {
+  std::string what;  ///< "point"
+  std::string name;
+  std::string quantity;  ///< "displacement_x"
+  double value = 0;
+  std::string unit;
+};
+
+/// Returns lines `step,time,what,name,quantity,value,unit` of histories.csv.
+std::string history_lines(const std::vector<FollowedValue>& values, int step, double time);
+
 class Followed {
  public:
   Followed() = default;
 
   /// Takes histories whose points are measured points of the scene already (`with_followed_points`); one that is
-  /// given twice counts once. Throws InputError if a block or joint does not exist, a point lies in no block, or two
-  /// items have one name.
+  /// given twice counts once. Throws InputError if a block or joint does not exist, a point lies in no block, two
+  /// items have one name, or one has that of the energy balance.
   Followed(const std::vector<HistoryPlan>& plans, const Scene& first, const DrawnJoints& joints, const Units& units);
 
   bool is_empty() const { return all_.empty(); }
 
-  /// Returns lines `step,time,what,name,quantity,value,unit` of the current state; missing objects have no lines.
-  std::string rows(const Stepper& stepper, const DrawnJoints& joints);
+  /// Returns the values of the current state; missing objects have none.
+  std::vector<FollowedValue> values(const Stepper& stepper, const DrawnJoints& joints);
 
-  /// Returns the approximate length of `rows` in bytes.
+  /// Returns the approximate length of the lines of an instant in bytes.
   double bytes_of_row() const;
 
   /// Warns of pairs of blocks whose initial distance exceeds the size of the smaller one.

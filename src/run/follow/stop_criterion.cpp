@@ -1,4 +1,4 @@
-// Reads the criterion, and the lines that Followed writes.
+// Reads the criterion, and compares it with followed values.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/follow/stop_criterion.hpp"
 
@@ -10,7 +10,6 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -53,14 +52,6 @@ double limit_of(const std::string& text, const std::string& quantity, const Unit
       fmt::format("expected a number, or a length or velocity with its unit, found \"{}\"", text));
 }
 
-/// Cells of a line without quoted commas; names of histories have none.
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
 }  // namespace
 
 std::string long_quantity(const std::string& name) {
@@ -80,22 +71,19 @@ StopCriterion stop_criterion_of(const std::string& text, const Units& units) {
   return criterion;
 }
 
-std::string StopCriterion::met_by(const std::string& rows) const {
+std::string StopCriterion::met_by(const std::vector<FollowedValue>& values) const {
   std::vector<std::string> there;
   std::optional<double> value;
+  std::string unit;
   double squares = 0;
-  std::istringstream lines(rows);
-  for (std::string line; std::getline(lines, line);) {
-    const std::vector<std::string> cells = cells_of(line);
-    if (cells.size() < 6) continue;
-    there.push_back(fmt::format("{}.{}", cells[3], cells[4]));
-    if (cells[3] != history) continue;
-    const double number = plain_number(cells[5]).value_or(0);
-    if (cells[4] == quantity) value = number;
-    if (quantity == kLength && (cells[4] == "displacement_x" || cells[4] == "displacement_y")) {
-      squares += number * number;
-      value = std::sqrt(squares);
-    }
+  for (const FollowedValue& one : values) {
+    there.push_back(fmt::format("{}.{}", one.name, one.quantity));
+    if (one.name != history) continue;
+    const bool is_part = quantity == kLength && (one.quantity == "displacement_x" || one.quantity == "displacement_y");
+    if (is_part) squares += one.value * one.value;
+    if (!is_part && one.quantity != quantity) continue;
+    value = is_part ? std::sqrt(squares) : one.value;
+    unit = one.unit.empty() ? "" : " " + one.unit;
   }
   if (!value)
     throw InputError(
@@ -103,7 +91,8 @@ std::string StopCriterion::met_by(const std::string& rows) const {
         fmt::format("expected a quantity of a history, found {}.{}; there are {}", history, quantity,
                     there.empty() ? std::string("none, add --history") : fmt::format("{}", fmt::join(there, ", "))));
   if (is_above ? *value <= limit : *value >= limit) return {};
-  return fmt::format("{}.{} is {:.4g}, {} {:.4g}", history, quantity, *value, is_above ? "above" : "below", limit);
+  return fmt::format("{}.{} is {:.4g}{unit}, {} {:.4g}{unit}", history, quantity, *value, is_above ? "above" : "below",
+                     limit, fmt::arg("unit", unit));
 }
 
 }  // namespace keyblock

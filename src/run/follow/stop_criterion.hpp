@@ -3,8 +3,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "problem/run_choices.hpp"
+#include "run/follow/followed.hpp"
 
 namespace keyblock {
 
@@ -16,9 +17,9 @@ struct StopCriterion {
   bool is_above = true;  ///< stops above the limit, otherwise below it
   double limit = 0;      ///< in the units of the case
 
-  /// Returns "crest.displacement_x is 0.0512, above 0.05" if one of the rows of the followed quantities meets the
-  /// criterion, otherwise an empty text. Throws InputError if no row has the quantity.
-  std::string met_by(const std::string& rows) const;
+  /// Returns "crest.displacement_x is 0.0512 m, above 0.05 m" if one of the followed values meets the criterion,
+  /// otherwise an empty text. Throws InputError if there is no such quantity.
+  std::string met_by(const std::vector<FollowedValue>& values) const;
 };
 
 /// Returns the name in histories.csv of a short one: "displacement_x" of dx; the name itself if it is not short.
