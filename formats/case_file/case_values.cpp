@@ -134,7 +134,7 @@ class Values {
     if (found == names.end() || value.string().empty()) {
       std::vector<std::string> known = names;
       std::erase(known, std::string());
-      value.fail(known.empty() ? fmt::format("the number of a {}, for none has a name", kind)
+      value.fail(known.empty() ? fmt::format("a number, because no {} has a name", kind)
                                : fmt::format("the number or the name of a {}, one of {}{}", kind,
                                              fmt::join(known, ", "), nearest_words(value.string(), known)));
     }

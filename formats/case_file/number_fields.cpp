@@ -45,7 +45,9 @@ std::optional<double> NumberFields::share_in(std::string_view text) {
 }
 
 void NumberFields::real(std::string_view name, double& value, const Demand& demand) {
-  const auto fail_at = [&](const JsonValue& at) { at.fail(fmt::format("{} of {}: {}", name, noun_, demand.wording)); };
+  const auto fail_at = [&](const JsonValue& at, const char* kind) {
+    at.fail(fmt::format("{} of {}: {}{}", name, noun_, kind, demand.wording));
+  };
   if (take(name)) {
     const auto share =
         value_->kind() == JsonKind::string && takes_per_cent(noun_, name) ? share_in(value_->string()) : std::nullopt;
@@ -54,10 +56,10 @@ void NumberFields::real(std::string_view name, double& value, const Demand& dema
     else if (value_->kind() == JsonKind::string && takes_unit(noun_, name))
       value = converted_at(*value_, name, measure_of(noun_, name), "a number");
     else if (value_->kind() != JsonKind::number)
-      fail_at(*value_);
+      fail_at(*value_, demand.wording.find("number") == std::string_view::npos ? "a number, " : "");
     else
       value = value_->number();
-    if (!demand.holds(value)) fail_at(*value_);
+    if (!demand.holds(value)) fail_at(*value_, "");
     require_measurable(name, value);
   } else if (!demand.holds(value)) {
     if (missing_.empty()) missing_ = fmt::format("the key {} of {}: {}", name, noun_, demand.wording);

@@ -17,14 +17,18 @@ namespace {
 /// Returns true for a link to a folder that contains it.
 bool leads_up(const fs::directory_entry& entry) {
   if (!entry.is_symlink()) return false;
-  const fs::path target = fs::canonical(entry.path()), from = fs::canonical(entry.path().parent_path());
+  std::error_code error;
+  const fs::path target = fs::canonical(entry.path(), error), from = fs::canonical(entry.path().parent_path(), error);
   return std::ranges::mismatch(target, from).in1 == target.end();
 }
 
+// Folders that may not be read hold no cases.
 void visit(const fs::path& folder, const fs::path& root, std::vector<CaseFolder>& cases) {
-  const bool has_expected = fs::exists(folder / "expected.csv");
-  const bool is_of_a_run = fs::exists(folder / "run.json");  // its trace is not an expected one
-  const bool has_trace = !is_of_a_run && fs::exists(folder / "steps.csv") && fs::exists(folder / "blocks.csv");
+  std::error_code error;
+  const auto holds = [&](const char* file) { return fs::exists(folder / file, error); };
+  const bool has_expected = holds("expected.csv");
+  const bool is_of_a_run = holds("run.json");  // its trace is not an expected one
+  const bool has_trace = !is_of_a_run && holds("steps.csv") && holds("blocks.csv");
   if (has_expected || has_trace) {
     const fs::path relative = folder.lexically_relative(root);
     const std::string name =
@@ -32,8 +36,8 @@ void visit(const fs::path& folder, const fs::path& root, std::vector<CaseFolder>
     cases.push_back({folder, name, has_expected, has_trace});
   }
   std::vector<fs::path> inner;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_directory() && !leads_up(entry)) inner.push_back(entry.path());
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (entry.is_directory(error) && !leads_up(entry)) inner.push_back(entry.path());
   std::ranges::sort(inner);
   for (const fs::path& below : inner) visit(below, root, cases);
 }

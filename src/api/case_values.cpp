@@ -65,18 +65,6 @@ void add_children(std::vector<Found>& found, const Found& place, const std::stri
   }
 }
 
-std::vector<Found> places_in(const Json& json, std::string_view pointer, bool or_new) {
-  std::vector<Found> found{{Pointer(), &json}};
-  const std::vector<std::string> parts = pointer_steps(pointer);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    std::vector<Found> next;
-    for (const Found& place : found) add_children(next, place, parts[i], or_new && i + 1 == parts.size());
-    if (next.empty()) throw no_value(pointer, why_nowhere(found.front(), parts[i]));
-    found = std::move(next);
-  }
-  return found;
-}
-
 /// Returns the schema of the value behind the steps; an empty one if the schema does not describe it.
 Json schema_at(const Json& schema, const std::vector<std::string>& steps) {
   const Json* at = &schema;
@@ -93,6 +81,29 @@ Json schema_at(const Json& schema, const std::vector<std::string>& steps) {
     at = next;
   }
   return *at;
+}
+
+/// Adds the place of a row that its key names: /blocks/bolts/0/pretension.
+void add_row_place(std::vector<Found>& found, const Found& place, const std::string& part) {
+  if (place.value == nullptr || !place.value->is_array()) return;
+  const Json schema = schema_at(Json::parse(formats::case_schema()), pointer_steps(place.at.to_string()));
+  const Json places = schema.value("prefixItems", Json::array());
+  for (std::size_t i = 0; i < std::min(places.size(), place.value->size()); ++i)
+    if (places[i].value("x-key", "") == part) found.push_back({place.at / i, &(*place.value)[i]});
+}
+
+std::vector<Found> places_in(const Json& json, std::string_view pointer, bool or_new) {
+  std::vector<Found> found{{Pointer(), &json}};
+  const std::vector<std::string> parts = pointer_steps(pointer);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::vector<Found> next;
+    for (const Found& place : found) add_children(next, place, parts[i], or_new && i + 1 == parts.size());
+    if (next.empty())
+      for (const Found& place : found) add_row_place(next, place, parts[i]);
+    if (next.empty()) throw no_value(pointer, why_nowhere(found.front(), parts[i]));
+    found = std::move(next);
+  }
+  return found;
 }
 
 bool has_type(const Json& schema, const char* name) {
@@ -141,6 +152,10 @@ bool takes_whole_numbers(std::string_view pointer, const std::string& json) {
   return std::ranges::any_of(places_in(whole, pointer, true), [&](const Found& place) {
     return is_whole(schema_at(schema, pointer_steps(place.at.to_string())));
   });
+}
+
+std::string row_key_at(const std::string& pointer) {
+  return schema_at(Json::parse(formats::case_schema()), pointer_steps(pointer)).value("x-key", "");
 }
 
 WordKind words_at(std::string_view pointer, const std::string& json) {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A JSON pointer (RFC 6901) names a value: /analysis/joint_materials/0/friction_angle_deg. The name of a list item may
-// replace its number (/analysis/joint_materials/bedding/friction_angle_deg), and * stands for all items. ~2 stands for
-// an equals sign in a name, which would end the pointer of "POINTER=VALUE".
+// replace its number (/analysis/joint_materials/bedding/friction_angle_deg), the key of a place that of a row
+// (/blocks/bolts/0/pretension), and * stands for all items. ~2 stands for an equals sign in a name, which would end the
+// pointer of "POINTER=VALUE".
 #pragma once
 
 #include <string>
@@ -29,6 +30,9 @@ bool is_list_index(std::string_view step);
 
 /// Returns true if the case file takes whole numbers alone at the pointer, in a case file in strict JSON.
 bool takes_whole_numbers(std::string_view pointer, const std::string& json);
+
+/// Returns the key of a place of a row, "pretension" of /blocks/bolts/0/8; empty for other places.
+std::string row_key_at(const std::string& pointer);
 
 /// Words of a value: a number that may have a unit, a number or a name, a name alone.
 enum class WordKind { amount, plain, name };

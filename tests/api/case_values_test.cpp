@@ -32,6 +32,15 @@ TEST(CaseValues, names_and_stars_stand_for_numbers) {
   EXPECT_THROW(pointers_to("/none/y", kList, true), std::invalid_argument);
 }
 
+TEST(CaseValues, keys_of_rows_stand_for_their_places) {
+  const std::string bolts = R"({"blocks": {"bolts": [[0, 0, 1, 1, 1, 2, 3, 4, 5], [0, 0, 2, 2, 1, 2, 6, 7, 8]]}})";
+  EXPECT_EQ(pointers_to("/blocks/bolts/*/pretension", bolts), (Pointers{"/blocks/bolts/0/8", "/blocks/bolts/1/8"}));
+  EXPECT_EQ(value_at("/blocks/bolts/1/stiffness", bolts), "6");
+  EXPECT_EQ(row_key_at("/blocks/bolts/0/8"), "pretension");
+  EXPECT_EQ(row_key_at("/blocks/bolts/0"), "");
+  EXPECT_THROW(pointers_to("/blocks/bolts/0/tension", bolts, true), std::invalid_argument);
+}
+
 TEST(CaseValues, a_pointer_to_nothing_is_told_by_the_part_that_is_wrong) {
   const auto told = [](const char* pointer, bool or_new) {
     try {

@@ -312,7 +312,7 @@ TEST(ValueSweep, columns_have_units_and_words) {
   EXPECT_EQ(read_text(folder + "/out/columns.csv"),
             "column,unit,meaning\n"
             "/analysis/joint_materials/0/friction_angle_deg,deg,friction angle of joint material 1\n"
-            "time_step,s,step size\n"
+            "time_step,ms,step size\n"
             "verdict,,end of the run\n"
             "doubt,,reason for the verdict\n"
             "displacement,m,largest displacement\n"
@@ -411,7 +411,8 @@ TEST(ValueSweep, scripts_name_the_shards) {
     EXPECT_EQ(support::run_script("SLURM_ARRAY_TASK_ID=" + std::string(task) + " bash " + folder + "/job.sh").exit_code,
               0);
   EXPECT_EQ(run_keyblock(command + Words{"--merge"}).exit_code, 0);
-  EXPECT_TRUE(contains(run_keyblock(command + Words{"--parallel", "3"}).output, "seq 3 | parallel --retries 3 "));
+  EXPECT_TRUE(
+      contains(run_keyblock(command + Words{"--parallel", "3"}).output, "$shard/3\"; done | parallel --retries 3 ; "));
 }
 
 // A task that was stopped before its limit is running; one that scancel ended is completing.

@@ -81,11 +81,13 @@ std::string slurm_script(const std::vector<std::string>& command, int shards) {
   return fmt::format(kSlurm, joined_words(command), shards);
 }
 
-// A shard that was killed comes again, and does its missing jobs.
+// A shard that was killed comes again, and does its missing jobs. Parallel reads whole commands: in a command of its
+// own it would replace braces of file names.
 std::string parallel_line(const std::vector<std::string>& command, int shards) {
   const std::string words = joined_words(command);
-  return fmt::format("seq {1} | parallel --retries 3 {2} ; {0} --merge\n", words, shards,
-                     quoted(fmt::format("{} --jobs 1 --resume --shard {{}}/{}", words, shards)));
+  return fmt::format(
+      "for shard in $(seq {1}); do printf '%s\\n' {2}\"$shard/{1}\"; done | parallel --retries 3 ; {0} --merge\n",
+      words, shards, quoted(words + " --jobs 1 --resume --shard "));
 }
 
 }  // namespace keyblock

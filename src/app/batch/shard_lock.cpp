@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <thread>
 
 #include "base/error.hpp"
@@ -43,7 +44,10 @@ ShardLock::ShardLock(const std::filesystem::path& folder, const Shard& shard) {
   std::filesystem::create_directories(folder, error);
   if (error) throw UsageError(fmt::format("cannot make the folder {}", folder.string()));
   descriptor_ = open((folder / kLockFile).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  for (int i = 0; descriptor_ >= 0 && !lock(descriptor_, shard); ++i) {
+  if (descriptor_ < 0)
+    throw UsageError(fmt::format("cannot open {}: {}; it keeps other processes out of the folder",
+                                 (folder / kLockFile).string(), std::strerror(errno)));
+  for (int i = 0; !lock(descriptor_, shard); ++i) {
     if (i == kTries) {
       close(descriptor_);
       throw UsageError(fmt::format("another process does {} of {}; wait for its end, or give another folder",

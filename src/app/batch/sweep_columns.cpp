@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -22,6 +24,7 @@
 namespace keyblock {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using study::SweepResult;
 using study::SweepTable;
 
@@ -56,9 +59,11 @@ struct KeyPlace {
   std::string items;  ///< " of bolt 2"
 };
 
-/// `concrete`: the pointer with numbers instead of names.
-KeyPlace place_of(const std::string& pointer, const std::string& concrete) {
-  const std::vector<std::string> given = pointer_steps(pointer), numbers = pointer_steps(concrete);
+/// `concrete`: the pointer with numbers instead of names. `row_key`: of the last place, if that is one of a row.
+KeyPlace place_of(const std::string& pointer, const std::string& concrete, const std::string& row_key = {}) {
+  const std::vector<std::string> given = pointer_steps(pointer);
+  std::vector<std::string> numbers = pointer_steps(concrete);
+  if (!row_key.empty()) numbers.back() = row_key;
   KeyPlace place{"case", "", ""};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const bool is_item = i > 0 && is_list_index(numbers[i]) && i < given.size();
@@ -76,7 +81,7 @@ std::string unit_in(const std::optional<Measure>& measure, const Units& units) {
 
 SweepColumn column_of_case(const std::string& pointer, const std::string& case_text, const Units& units) {
   const std::vector<std::string> concrete = pointers_to(pointer, case_text, true);
-  const KeyPlace place = place_of(pointer, concrete.front());
+  const KeyPlace place = place_of(pointer, concrete.front(), row_key_at(concrete.front()));
   const std::string phrase = first_phrase(formats::meaning_of(place.parent, place.key));
   return {pointer, unit_in(formats::measure_of(place.parent, place.key), units),
           (phrase.empty() ? words_of(place.key) : phrase) + place.items};
@@ -105,6 +110,16 @@ SweepColumn column_of_setting(const std::string& name, const Units& units) {
 SweepColumn column_of_key(const std::string& key, const std::string& case_text, const Units& units) {
   if (key.starts_with('/')) return column_of_case(key, case_text, units);
   return key.starts_with(study::kOfJoints) ? column_of_joints(key, units) : column_of_setting(key, units);
+}
+
+/// Gives a key whose values have units of their own that unit; none if they have several.
+void take_own_unit(SweepColumn& column, const SweepTable& table) {
+  std::set<std::string> units;
+  for (const Json& row : table.rows)
+    if (const SweptAmount amount = amount_of(row.value(column.name, Json())); std::isfinite(amount.number))
+      units.insert(amount.unit.empty() ? column.unit : amount.unit);
+  if (units.size() == 1) column.unit = *units.begin();
+  if (units.size() > 1) column.unit.clear();
 }
 
 using Named = std::pair<std::string_view, std::string_view>;
@@ -171,9 +186,24 @@ SweepColumn column_of_output(const SweepTable& table, const std::string& name, c
 
 }  // namespace
 
+SweptAmount amount_of(const Json& value) {
+  if (value.is_number()) return {value.get<double>()};
+  if (!value.is_string()) return {};
+  const std::string text = value.get<std::string>();
+  const std::size_t blank = text.find(' ');
+  SweptAmount amount;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + std::min(blank, text.size()), amount.number);
+  if (blank == std::string::npos || fault != std::errc() || end != text.data() + blank) return {};
+  amount.unit = text.substr(blank + 1);
+  return amount;
+}
+
 std::vector<SweepColumn> sweep_columns(const SweepTable& table, const std::string& case_text, const Units& units) {
   std::vector<SweepColumn> columns;
-  for (const auto& [key, value] : table.rows.front().items()) columns.push_back(column_of_key(key, case_text, units));
+  for (const auto& [key, value] : table.rows.front().items()) {
+    columns.push_back(column_of_key(key, case_text, units));
+    take_own_unit(columns.back(), table);
+  }
   columns.push_back({"verdict", "", "end of the run"});
   columns.push_back({"doubt", "", "reason for the verdict"});
   for (const std::string& name : table.outputs) columns.push_back(column_of_output(table, name, units));

@@ -197,7 +197,8 @@ bool SweepJob::find_safety(const SweepOutput& output) {
   if (plan_.within) words.insert(words.end(), {"--to-within", fmt::format("{}", *plan_.within)});
   const ChildEnd end = start(output.name, words);
   const std::string text = formats::load((folder_ / (output.name + ".out")).string()).text;
-  if (has_ended_early(end, output.name, Json::accept(text))) return false;
+  if (has_ended_early(end, output.name, Json::accept(text)))  // a refused factor leaves other outputs
+    return !is_stopped_ && result_.verdict == "error";
   result_.out[output.name] = study::value_of_fos(text);
   const std::string how = Json::parse(text).value("end", "bracketed");
   const bool is_good_so_far = result_.verdict.empty() || result_.verdict == "finished";

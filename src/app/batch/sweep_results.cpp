@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -33,35 +32,15 @@ using study::SweepTable;
 
 constexpr std::array<const char*, 5> kFiles{"table.csv", "columns.csv", "times.csv", "sweep.svg", "sweep.json"};
 
-/// Number before a blank and a unit.
-struct Amount {
-  double number = std::nan("");
-  std::string unit = {};
-};
-
-Amount amount_of(const Json& value) {
-  if (value.is_number()) return {value.get<double>()};
-  if (!value.is_string()) return {};
-  const std::string text = value.get<std::string>();
-  const std::size_t blank = text.find(' ');
-  Amount amount;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + std::min(blank, text.size()), amount.number);
-  if (blank == std::string::npos || fault != std::errc() || end != text.data() + blank) return {};
-  amount.unit = text.substr(blank + 1);
-  return amount;
-}
-
 report::ValuesColumn drawn(const SweepColumn& column, const std::vector<Json>& values) {
-  report::ValuesColumn found{"", {}, {}};
+  report::ValuesColumn found{column.label(), {}, {}};
   std::set<std::string> units;
   for (const Json& value : values) {
-    const Amount amount = amount_of(value);
+    const SweptAmount amount = amount_of(value);
     if (std::isfinite(amount.number)) units.insert(amount.unit);
     found.numbers.push_back(amount.number);
     found.words.push_back(value.is_string() ? value.get<std::string>() : value.dump());
   }
-  const bool has_own_unit = units.size() == 1 && !units.begin()->empty();
-  found.name = has_own_unit ? SweepColumn{column.name, *units.begin(), column.words}.label() : column.label();
   if (units.size() > 1) found.numbers.assign(found.numbers.size(), std::nan(""));
   return found;
 }

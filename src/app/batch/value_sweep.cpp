@@ -232,6 +232,9 @@ ReadySweep ready(const ValueSweepOptions& options) {
   require_whole_numbers(sweep.rows, sweep.case_text);
   require_histories(sweep.plan.outputs, outputs_asked(open.input.problem.outputs, {options.histories, {}, {}}),
                     sweep.rows.front());
+  for (const study::SweepOutput& output : sweep.plan.outputs)
+    if (sweep.rows.front().contains(output.name))
+      throw UsageError(fmt::format("--out: expected names that --over does not have, found {}", output.name));
   for (const std::string& file : open.files) require_not_below(file, options.folder);
   for (const SweepRow& row : sweep.rows) sweep.jobs.push_back(study::job_name(row));
   sweep.task = task_of(options, open, sweep.plan.joints);
