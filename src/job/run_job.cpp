@@ -129,10 +129,8 @@ void RunJob::choose_outputs() {
 // Follows histories as often as rows of steps are kept.
 void RunJob::follow(const Stepper& stepper) {
   stepping_ = &stepper;
-  if (followed_.is_empty()) return;
-  const int step = stepper.state().step;
-  const int last = prepared_.scene.settings.step_count;
-  if (step % stride_of(last) == 0 || step == last)
+  const int step = stepper.state().step, last = prepared_.scene.settings.step_count;
+  if (!followed_.is_empty() && (step % stride_of(last) == 0 || step == last))
     folder_.add_histories(history_lines(followed_.values(stepper, joints_), step, stepper.state().time));
 }
 
