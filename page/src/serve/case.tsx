@@ -308,6 +308,7 @@ export function CaseView({ paths }: { paths: string[] }) {
           />
         )}
         {!has_drawing && <Picture paths={paths} stamp={stamp} />}
+        <Conversion path={paths[0]} />
         <RunForm
           paths={paths}
           report={report}
@@ -421,8 +422,23 @@ async function convert_to_case(paths: string[], more?: (text: string) => string)
     const text = more(own.text ?? '');
     if (!(await state.attempt(() => api.save(target, text, own.sha256)))) return;
   }
+  state.converted.value = { path: target, messages: done.messages.trim() };
   await state.refresh();
   state.go(state.link('case', target));
+}
+
+/** Words of the program on the conversion that wrote this case: changed rules, lost comments. */
+function Conversion({ path }: { path: string }) {
+  const { converted } = state;
+  if (converted.value.path !== path || !converted.value.messages) return null;
+  return (
+    <div class="group">
+      <h2>Conversion</h2>
+      <pre class="messages" role="status">
+        {converted.value.messages}
+      </pre>
+    </div>
+  );
 }
 
 /** Drawing of the case's geometry, once it can be read. */

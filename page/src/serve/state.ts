@@ -11,6 +11,8 @@ export const listing = signal<api.Listing | null>(null);
 export const jobs = signal<api.Job[]>([]);
 export const trouble = signal('');
 export const route = signal(location.hash);
+/** Case file that a conversion wrote last, and the words of the program on it. */
+export const converted = signal({ path: '', messages: '' });
 /** Files with changes that are not saved. */
 export const unsaved = signal<Record<string, boolean>>({});
 

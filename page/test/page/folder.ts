@@ -299,6 +299,11 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
         own.files.set(path, String(body.text));
         return send({ path, sha256: sum(String(body.text)) });
       }
+      case '/api/convert': {
+        own.files.set(String(body.target), '{"keyblock": 2}\n');
+        const messages = 'old/tips.ana: warning: a run takes profile standard [profile_changes]\n';
+        return send({ path: body.target, exit_code: 0, output: '', messages });
+      }
       case '/api/run': {
         const result = String(body.result);
         own.results.add(result);

@@ -116,6 +116,17 @@ describe.skipIf(!has_browser)('window', () => {
     await page.context().close();
   });
 
+  test('a case converted from old files names the changed rules', async () => {
+    const page = await open('#/case/old%2Ftips.blk/old%2Ftips.ana');
+    await page.getByRole('button', { name: 'Convert to a case' }).click();
+    await page.getByRole('heading', { name: 'tips.json' }).waitFor();
+    expect(await page.getByRole('status').textContent()).toContain('[profile_changes]');
+    await page.getByRole('link', { name: 'slope.json' }).first().click();
+    await page.getByRole('heading', { name: 'slope.json' }).waitFor();
+    expect(await page.getByText('profile_changes').count()).toBe(0);
+    await page.context().close();
+  });
+
   test('two results side by side follow one slider', async () => {
     const page = await open('#/compare/first/second');
     await page.waitForFunction(
