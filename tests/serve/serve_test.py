@@ -498,12 +498,14 @@ class ServeTest(unittest.TestCase):
         self.assertEqual((status, reply["exit_code"]), (200, 0), reply["messages"])
         self.assertIn("<svg", reply["svg"])
         self.assertLess(reply["record"]["least_stress"], 0)
+        self.assertEqual(reply["record"]["units"], {"stress": "Pa"})
         for more in ({"kind": "--force"}, {"to": []}, {"to": ["-0.001"]}, {"material": 0}, {"confining": "5"}):
             self.assertEqual(server.ask("POST", "/api/element", {**test, **more})[0], 400, more)
-        (server.folder / "tests.csv").write_text("s3,s1\n" + "".join(f"{x},{10 + 4 * x}\n" for x in (0, 2, 4, 6)))
+        (server.folder / "tests.csv").write_text("s3 [MPa],s1 [MPa]\n" + "".join(f"{x},{10 + 4 * x}\n" for x in (0, 2, 4, 6)))
         status, reply = server.json("POST", "/api/fit", {"path": "tests.csv", "kind": "triaxial"})
         self.assertEqual((status, reply["exit_code"]), (200, 0), reply["messages"])
         self.assertIn("<svg", reply["svg"])
+        self.assertEqual(reply["record"]["parameters"]["cohesion"]["unit"], "MPa")
         self.assertEqual(server.ask("POST", "/api/fit", {"path": "tests.csv", "kind": "other"})[0], 400)
 
     def test_a_run_by_both_profiles_has_two_results(self):

@@ -1,6 +1,7 @@
 // Requests of `keyblock serve`, as SERVER.md lists them.
 
 import type { Update } from '../data/contract';
+import type { TestRecord } from './tested';
 
 export interface FileEntry {
   path: string;
@@ -209,7 +210,7 @@ export const run = (
 /** Answer of an element test or a fit. */
 export interface Tested {
   exit_code: number;
-  record: Record<string, unknown> | null;
+  record: TestRecord | null;
   svg: string;
   table: string;
   errors: Problem[];

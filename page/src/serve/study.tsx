@@ -7,18 +7,13 @@ import { leaf_of, new_result, stem_of } from './cases';
 import { ChoiceField, TextField } from './fields';
 import { JobItem, words_of } from './runs';
 import * as state from './state';
+import { number_in, numbers_in, parameter_rows, type TestRecord, value_rows } from './tested';
 
 export function StudyView({ study, paths }: { study: string; paths: string[] }) {
   if (study === 'sweep') return <SweepForm paths={paths} />;
   if (study === 'element') return <ElementForm paths={paths} />;
   if (study === 'fit') return <FitForm path={paths[0]} />;
   return <p class="note pad">There is no study of this name.</p>;
-}
-
-/** Number in a field; undefined if there is none. */
-function number_in(text: string): number | undefined {
-  const value = Number(text);
-  return text.trim() && Number.isFinite(value) ? value : undefined;
 }
 
 /** Pointers of the numbers in a case file, with their values: "/analysis/gravity". */
@@ -252,14 +247,18 @@ function ElementForm({ paths }: { paths: string[] }) {
   const [cycles, set_cycles] = useState('');
   const [tested, set_tested] = useState<api.Tested | null>(null);
   const [busy, set_busy] = useState(false);
+  const has_pressure = ['triaxial', 'biaxial', 'cyclic'].includes(kind);
   const start = async () => {
     set_busy(true);
-    const body: Record<string, unknown> = { path, kind, to: words_of(to).map(Number) };
-    if (['triaxial', 'biaxial', 'cyclic'].includes(kind) && number_in(confining) !== undefined)
-      body.confining = number_in(confining);
-    if (kind === 'cyclic' && number_in(cycles) !== undefined) body.cycles = number_in(cycles);
-    if (number_in(material) !== undefined) body.material = number_in(material);
-    set_tested(await state.attempt(() => api.element(body)));
+    const body = () => ({
+      path,
+      kind,
+      to: numbers_in('To strains', to),
+      confining: has_pressure ? number_in('Pressure', confining) : undefined,
+      cycles: kind === 'cyclic' ? number_in('Cycles', cycles, true) : undefined,
+      material: number_in('Material', material, true),
+    });
+    set_tested(await state.attempt(() => api.element(body())));
     set_busy(false);
   };
   return (
@@ -268,7 +267,7 @@ function ElementForm({ paths }: { paths: string[] }) {
       <div class="group">
         <ChoiceField label="Path" value={kind} set={set_kind} choices={PATHS} />
         <TextField label="To strains" value={to} set={set_to} placeholder="-0.01 -0.02" />
-        {['triaxial', 'biaxial', 'cyclic'].includes(kind) && (
+        {has_pressure && (
           <TextField
             label="Pressure"
             value={confining}
@@ -302,9 +301,12 @@ function FitForm({ path }: { path: string }) {
   const [busy, set_busy] = useState(false);
   const start = async () => {
     set_busy(true);
-    const body: Record<string, unknown> = { path, kind };
-    if (kind === 'curve' && number_in(friction) !== undefined) body.friction = number_in(friction);
-    set_tested(await state.attempt(() => api.fit(body)));
+    const body = () => ({
+      path,
+      kind,
+      friction: kind === 'curve' ? number_in('Friction angle', friction) : undefined,
+    });
+    set_tested(await state.attempt(() => api.fit(body())));
     set_busy(false);
   };
   return (
@@ -331,16 +333,6 @@ function FitForm({ path }: { path: string }) {
   );
 }
 
-/** Entries of a record, those of inner objects with their path. */
-function entries_of(record: unknown, path = ''): [string, string][] {
-  if (record === null || record === undefined) return [];
-  if (Array.isArray(record))
-    return record.length > 6 ? [] : record.flatMap((own, i) => entries_of(own, `${path} ${i + 1}`));
-  if (typeof record === 'object')
-    return Object.entries(record).flatMap(([key, own]) => entries_of(own, `${path} ${key.replace(/_/g, ' ')}`));
-  return [[path.trim(), typeof record === 'number' ? show(record, 5) : String(record)]];
-}
-
 function TestedView({ tested, name }: { tested: api.Tested | null; name: string }) {
   if (!tested) return null;
   const is_bad = tested.exit_code !== 0 && tested.exit_code !== 1;
@@ -364,21 +356,65 @@ function TestedView({ tested, name }: { tested: api.Tested | null; name: string 
           Save the curve (CSV)
         </a>
       )}
-      {tested.record && (
-        <table class="list">
-          <caption>Values</caption>
-          <tbody>
-            {entries_of(tested.record)
-              .slice(0, 60)
-              .map(([key, value], i) => (
-                <tr key={`${key}${i}`}>
-                  <th scope="row">{key}</th>
-                  <td>{value}</td>
+      {tested.record && <Values record={tested.record} />}
+    </div>
+  );
+}
+
+function Values({ record }: { record: TestRecord }) {
+  const parameters = parameter_rows(record);
+  return (
+    <>
+      {(record.warnings ?? []).map(own => (
+        <p class="note" key={own.sentence}>
+          {own.sentence}
+        </p>
+      ))}
+      {parameters.length > 0 && (
+        <div class="scroll">
+          <table class="list">
+            <caption>Parameters</caption>
+            <thead>
+              <tr>
+                {['Parameter', 'Value', 'Standard error', '95 % from', 'to', 'Unit'].map((own, i) => (
+                  <th scope="col" class={i > 0 && i < 5 ? 'number' : undefined} key={own}>
+                    {own}
+                  </th>
+                ))}
+              </tr>
+            </thead>
+            <tbody>
+              {parameters.map(([title, ...cells]) => (
+                <tr key={title}>
+                  <th scope="row">{title}</th>
+                  {cells.map((own, i) => (
+                    <td class={i < 4 ? 'number' : undefined} key={i}>
+                      {own}
+                    </td>
+                  ))}
                 </tr>
               ))}
-          </tbody>
-        </table>
+            </tbody>
+          </table>
+        </div>
       )}
-    </div>
+      <table class="list">
+        <caption>Values</caption>
+        <tbody>
+          {value_rows(record).map(([title, value]) => (
+            <tr key={title}>
+              <th scope="row">{title}</th>
+              <td class="number">{value}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {record.material && (
+        <details>
+          <summary>Keys of a block material</summary>
+          <pre class="messages">{JSON.stringify(record.material, null, 2)}</pre>
+        </details>
+      )}
+    </>
   );
 }

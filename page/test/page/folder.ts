@@ -335,7 +335,11 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
       case '/api/fit':
         return send({
           exit_code: 0,
-          record: { peak: { stress: -5.25e6, strain: -0.0021 } },
+          record: {
+            least_stress: -5.25e6,
+            parameters: { cohesion: { value: 13.6254, standard_error: 1, interval: [12, 15], unit: 'MPa' } },
+            units: { stress: 'Pa' },
+          },
           svg: DRAWING,
           table: 'strain,stress\n',
           errors: [],

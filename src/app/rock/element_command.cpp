@@ -173,6 +173,7 @@ ExitCode run_element(const ElementOptions& options) {
                                         {"stress", {end.stress(0), end.stress(1), end.stress(2), end.stress(3)}},
                                         {"kappa", end.state.kappa},
                                         {"plastic_work", end.plastic_work}}},
+                                      {"units", {{"stress", unit_of(measures::kStress, units)}}},
                                       {"failure", curve.failure}};
     fmt::print("{}\n", json.dump(2));
   } else if (options.output.empty()) {

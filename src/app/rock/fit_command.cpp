@@ -75,11 +75,14 @@ struct Outcome {
   Warnings warnings;
 };
 
-Json json_of(const study::Found& f) {
+Json json_of(const NamedFound& named) {
   // JSON has no infinity.
   const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
-  return {
-      {"value", f.value}, {"standard_error", number(f.standard_error)}, {"interval", {number(f.low), number(f.high)}}};
+  const study::Found& f = named.found;
+  return {{"value", f.value},
+          {"standard_error", number(f.standard_error)},
+          {"interval", {number(f.low), number(f.high)}},
+          {"unit", named.unit}};
 }
 
 /// Stresses of one table, in the form of the output.
@@ -209,7 +212,7 @@ void print(const Outcome& out, bool as_json) {
   const std::size_t count = out.measured.x.size();
   if (as_json) {
     Json json{{"points", count}};
-    for (const NamedFound& value : out.values) json["parameters"][value.name] = json_of(value.found);
+    for (const NamedFound& value : out.values) json["parameters"][value.name] = json_of(value);
     json["residual"] = {
         {"rms", out.agreement.rms}, {"largest", out.agreement.largest}, {"r_squared", out.agreement.r_squared}};
     if (out.is_mean) json["residual"]["r_squared"] = nullptr;
