@@ -167,8 +167,9 @@ export function RunTab() {
             <Row
               name="Deepest overlap"
               value={
-                counts.greatest_penetration !== undefined &&
-                show_with(counts.greatest_penetration, units?.length ?? '', 3)
+                typeof counts.greatest_penetration === 'number'
+                  ? show_with(counts.greatest_penetration, units?.length ?? '', 3)
+                  : ''
               }
             />
             {run.plastic?.yielded_fraction !== undefined && (

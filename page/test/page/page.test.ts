@@ -99,11 +99,18 @@ describe.skipIf(!has_browser)('page', () => {
 
   test('a verdict stands in the head with its reason', async () => {
     const verdict = { tone: 'bad' as const, words: 'failed', reason: 'step 1: no equilibrium: block <2> accelerates' };
-    const failed = write_page('failed', wall.writer.scripts({ ...wall.head, verdict }));
+    const failed = write_page(
+      'failed',
+      wall.writer.scripts({ ...wall.head, verdict, run: { counts: { blocks: 5 }, outcome: { steps: 0 } } }),
+    );
     const { page } = await open(browser, failed);
     const head = page.locator('header');
     expect(await head.getByRole('button', { name: 'Failed' }).count()).toBe(1);
     expect(await head.locator('.reason').textContent()).toBe('Step 1: no equilibrium: block <2> accelerates.');
+    await page.getByRole('tab', { name: 'Run' }).click();
+    // A run without steps counts no overlap.
+    await page.getByRole('row', { name: 'Blocks 5' }).waitFor();
+    expect(await page.getByText('Deepest overlap').count()).toBe(0);
     await page.context().close();
   });
 
