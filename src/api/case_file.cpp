@@ -216,6 +216,12 @@ std::vector<Override> CaseFile::overrides(const std::string& profile) const {
   return found == set.end() ? std::vector<Override>{} : found->second;
 }
 
+std::vector<std::string> keys_of_case_file() {
+  std::vector<std::string> known{"about", "slow", "set", "variants", "reduce_strength"};
+  for (const std::string& profile : rule_names()) known.push_back(profile);
+  return known;
+}
+
 CaseFile read_case_file(const CaseFolder& folder) {
   CaseFile file;
   file.path = (folder.folder / "case.json").string();
@@ -223,9 +229,7 @@ CaseFile read_case_file(const CaseFolder& folder) {
     return file;  // a link to nothing exists, and cannot be read below
   const Json json = parsed(file.path);
   const CaseValue top{folder, file.path, "", json};
-  std::vector<std::string> known{"about", "slow", "set", "variants", "reduce_strength"};
-  for (const std::string& profile : rule_names()) known.push_back(profile);
-  top.require_keys(known);
+  top.require_keys(keys_of_case_file());
   if (json.contains("about")) file.about = top.at("about").text();
   if (json.contains("slow")) file.is_slow = top.at("slow").flag();
   if (json.contains("set")) file.set = sets_of(top.at("set"));

@@ -47,6 +47,9 @@ struct CaseFile {
   std::vector<Override> overrides(const std::string& profile) const;
 };
 
+/// Returns the keys that `case.json` may have at its top.
+std::vector<std::string> keys_of_case_file();
+
 /// Reads the case file of the folder; empty if it does not exist. Throws InputError with file and key for an unknown
 /// key, or a value of the wrong kind.
 CaseFile read_case_file(const CaseFolder& folder);

@@ -467,6 +467,16 @@ class ServeTest(unittest.TestCase):
         results = [r["path"] for r in server.json("GET", "/api/list")[1]["results"]]
         self.assertTrue({"a", "b"} <= set(results), results)
 
+    def test_notes_on_a_case_are_no_case(self):
+        folder = self.server.folder / "verification"
+        folder.mkdir()
+        (folder / "case.json").write_text('{"about": "a block at rest", "legacy": "not run: too slow"}')
+        (folder / "wrong.json").write_text('{"about": "no case"}')
+        paths = [file["path"] for file in self.server.json("GET", "/api/list")[1]["files"]]
+        self.assertIn("case.json", paths)
+        self.assertIn("verification/wrong.json", paths)
+        self.assertNotIn("verification/case.json", paths)
+
     def test_changed_inputs_are_listed(self):
         server = self.server
         (server.folder / "changed.json").write_text(json.dumps(CASE))

@@ -55,6 +55,11 @@ export function cases_of(files: FileEntry[]): Case[] {
   return cases.sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
 }
 
+/** Tables that may hold tests: all but the expected values of a verification case. */
+export function tables_of(files: FileEntry[]): FileEntry[] {
+  return files.filter(file => /\.csv$/i.test(file.path) && leaf_of(file.path) !== 'expected.csv');
+}
+
 /** A name for a new result that no result has yet. */
 export function new_result(base: string, taken: string[]): string {
   const own = new Set(taken);

@@ -6,7 +6,7 @@ import { useState } from 'preact/hooks';
 import { Icon } from '../view/icons';
 import * as api from './api';
 import { CaseView } from './case';
-import { type Case, folder_of, leaf_of } from './cases';
+import { type Case, folder_of, leaf_of, tables_of } from './cases';
 import { NewScene } from './edit/new_scene';
 import { CompareView, ResultView } from './result';
 import { JobItem } from './runs';
@@ -158,7 +158,7 @@ function Home() {
   if (!listing.value) return <p class="note pad">Reading the folder…</p>;
   const results = listing.value.results.slice().sort((a, b) => b.time - a.time);
   const jobs = state.jobs.value.slice().reverse();
-  const tables = listing.value.files.filter(own => /\.csv$/i.test(own.path) && matches(own.path));
+  const tables = tables_of(listing.value.files).filter(own => matches(own.path));
   return (
     <div class="home">
       {jobs.length > 0 && (

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { cases_of, folder_of, index_at, leaf_of, new_result, stem_of } from '../../src/serve/cases';
+import { cases_of, folder_of, index_at, leaf_of, new_result, stem_of, tables_of } from '../../src/serve/cases';
 import { link, route_of } from '../../src/serve/routes';
 
 describe('cases', () => {
@@ -9,6 +9,14 @@ describe('cases', () => {
       ['b.json', 'a/x.ana', 'a/x.blk', 'a/y.ana', 'a/expected.csv', 'c.dxf', 'z/fos.json'].map(file),
     );
     expect(cases.map(own => own.paths)).toEqual([['a/x.blk', 'a/x.ana'], ['a/y.ana'], ['b.json'], ['c.dxf']]);
+  });
+  test('expected values of a verification case are no table to fit', () => {
+    const files = ['expected.csv', 'a/expected.csv', 'a/tests.CSV', 'b.json'].map(path => ({
+      path,
+      bytes: 1,
+      time: 1,
+    }));
+    expect(tables_of(files).map(own => own.path)).toEqual(['a/tests.CSV']);
   });
   test('parts of paths', () => {
     expect([stem_of('a.b/c.json'), stem_of('a.b/c'), folder_of('a/b/c'), folder_of('c'), leaf_of('a/b')]).toEqual([
