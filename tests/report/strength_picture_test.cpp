@@ -50,13 +50,14 @@ TEST(StrengthPicture, shows_both_states_and_what_slips) {
   EXPECT_EQ(strength_picture(standing).find("slip 0.3"), std::string::npos);
 }
 
-// A falling block has no displacement: the end of an abandoned search says nothing.
+// The displacement of an unstable trial is not drawn: the end of an abandoned search says nothing.
 TEST(StrengthPicture, the_chart_shows_what_falls_without_a_height_and_never_green) {
   using Kind = StrengthPoint::Kind;
   const StrengthChart chart{
       "a case", {{1, 0.01, Kind::stands}, {1.25, 0.02, Kind::stands}, {1.3, 7, Kind::falls}}, 1.25, 1.3};
   const std::string svg = strength_chart(chart);
   EXPECT_NE(svg.find("stable up to 1.25, unstable from 1.3"), std::string::npos);
+  EXPECT_NE(svg.find("unstable (displacement not drawn)"), std::string::npos);
   for (const char* green : {"#009e73", "#b8ddc4", "green"}) EXPECT_EQ(svg.find(green), std::string::npos);
   StrengthChart higher = chart;
   higher.points[2].displacement = 0.001;

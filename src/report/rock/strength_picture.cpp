@@ -235,7 +235,7 @@ std::vector<LegendEntry> chart_legend(const std::vector<StrengthPoint>& points, 
   std::vector<LegendEntry> legend;
   if (has(Kind::stands)) legend.push_back({.sign = Sign::dots, .colour = kStandsColour, .words = "stable"});
   if (has(Kind::falls))
-    legend.push_back({.sign = Sign::line, .colour = kFallsColour, .words = "× unstable (no displacement)"});
+    legend.push_back({.sign = Sign::line, .colour = kFallsColour, .words = "× unstable (displacement not drawn)"});
   if (has(Kind::undecided)) legend.push_back({.sign = Sign::line, .colour = kUndecidedColour, .words = "× undecided"});
   if (chart.stands && chart.falls)
     legend.push_back({.sign = Sign::area,
