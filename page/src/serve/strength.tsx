@@ -17,6 +17,8 @@ interface Strength {
   case?: string;
   profile?: string;
   reduced?: string;
+  /** How the search ended: bracketed, falls, stands, undecided or stopped. */
+  end?: string;
   factor_of_safety?: number | null;
   bracket?: { stands?: number | null; falls?: number | null };
   notes?: string[];
@@ -56,7 +58,11 @@ export function StrengthView({ path }: { path: string }) {
           Factor of safety <b>{show(record.factor_of_safety, 4)}</b>
         </p>
       ) : (
-        <p class="factor">No factor of safety was found.</p>
+        <p class="factor">
+          {record.end === 'stopped'
+            ? 'The search was stopped before it found a factor of safety.'
+            : 'No factor of safety was found.'}
+        </p>
       )}
       {bracket && (
         <p>

@@ -184,7 +184,7 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
     server: null as unknown as Server,
     address: '',
     files: new Map(Object.entries(files)),
-    results: new Set(['first', 'second', ...(files['strength/fos.json'] ? ['strength', 'broken'] : [])]),
+    results: new Set(['first', 'second', ...(files['strength/fos.json'] ? ['strength', 'broken', 'halted'] : [])]),
     asked: [],
   };
   const sum = (text: string) => createHash('sha256').update(text).digest('hex');
@@ -320,7 +320,11 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
       case '/api/sweep': {
         const result = String(body.result);
         own.results.add(result);
-        own.files.set(`${result}/table.csv`, 'angle,verdict,displacement\n10,finished,1.7034884\n15,"x, y",1.314\n');
+        own.files.set(
+          `${result}/table.csv`,
+          'angle,verdict,doubt,displacement,job\n10,finished,,1.7034884,0f7b\n15,"x, y",,1.314,b99a\n',
+        );
+        own.files.set(`${result}/columns.csv`, 'column,unit,meaning\ndisplacement,m,largest displacement\n');
         jobs.push({
           id: jobs.length + 1,
           kind: 'sweep',

@@ -30,7 +30,7 @@ describe.skipIf(!has_browser)('window', () => {
         'bad.json': '{\n "keyblock": 2,\n "wrong": 1\n}\n',
         'old/tips.blk': '2 0\n',
         'old/tips.ana': '<DDA/>\n',
-        'old/expected.csv': 'a,b\n',
+        'old/curve.csv': 'a,b\n',
         'strength/fos.json': JSON.stringify({
           reduced: 'joints',
           factor_of_safety: 3.2872,
@@ -38,6 +38,7 @@ describe.skipIf(!has_browser)('window', () => {
           trials: [{ factor: 1, verdict: 'stands', largest_displacement: 0.000773 }],
           units: { length: 'm' },
         }),
+        'halted/fos.json': JSON.stringify({ end: 'stopped', factor_of_safety: null, bracket: { stands: 1, falls: 2 } }),
         '<img src=x onerror=alert(1)>.json': '{}\n',
       },
       wall.writer.scripts(wall.head),
@@ -61,6 +62,7 @@ describe.skipIf(!has_browser)('window', () => {
       'second',
       'strength',
       'broken',
+      'halted',
     ]);
     const broken = page.getByRole('navigation').getByRole('link', { name: 'broken' });
     expect(await broken.textContent()).toContain('record damaged');
@@ -174,6 +176,11 @@ describe.skipIf(!has_browser)('window', () => {
     await page.getByRole('link', { name: 'Open' }).click();
     await page.getByRole('cell', { name: '1.7035' }).waitFor();
     expect(await page.getByRole('cell', { name: 'x, y' }).count()).toBe(1);
+    expect(await page.getByRole('columnheader').allTextContents()).toEqual([
+      'angle',
+      'verdict',
+      'largest displacement [m]',
+    ]);
     const asked = folder.asked.filter(own => own.path === '/api/sweep').at(-1)?.body;
     expect(asked).toEqual({
       paths: ['slope.json'],
@@ -196,10 +203,10 @@ describe.skipIf(!has_browser)('window', () => {
     expect(element).toEqual({ path: 'slope.json', kind: 'triaxial', to: [-0.02], confining: 5e6 });
     await page.context().close();
     page = await open();
-    await page.getByRole('link', { name: 'Fit old/expected.csv' }).click();
+    await page.getByRole('link', { name: 'Fit old/curve.csv' }).click();
     await page.getByRole('button', { name: 'Fit', exact: true }).click();
     await page.getByRole('row', { name: 'Cohesion 13.625 1 12 15 MPa' }).waitFor();
-    expect(folder.asked.at(-1)?.body).toEqual({ path: 'old/expected.csv', kind: 'curve' });
+    expect(folder.asked.at(-1)?.body).toEqual({ path: 'old/curve.csv', kind: 'curve' });
     await page.context().close();
   });
 
@@ -211,6 +218,10 @@ describe.skipIf(!has_browser)('window', () => {
     );
     expect(await page.getByRole('columnheader', { name: 'Largest displacement [m]' }).count()).toBe(1);
     expect(await page.locator('iframe').count()).toBe(0);
+    await page.evaluate(() => {
+      location.hash = '#/result/halted';
+    });
+    await page.getByText('The search was stopped before it found a factor of safety.').waitFor();
     await page.context().close();
   });
 
@@ -234,7 +245,7 @@ describe.skipIf(!has_browser)('window', () => {
           '#/compare/first/second',
           '#/study/sweep/slope.json',
           '#/study/element/slope.json',
-          '#/study/fit/old/expected.csv'.replace('old/', 'old%2F'),
+          '#/study/fit/old/curve.csv'.replace('old/', 'old%2F'),
         ]) {
           const page = await open(hash, scheme, width);
           await page.waitForTimeout(700);

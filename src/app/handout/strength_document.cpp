@@ -113,7 +113,10 @@ std::string StrengthRecord::words() const {
       fmt::format("{}{}{}", stands.empty() ? "" : "stable at " + stands, stands.empty() || falls.empty() ? "" : ", ",
                   falls.empty() ? "" : "unstable at " + falls);
   if (factor.empty())
-    return fmt::format("No factor of safety was found{}{}.", known.empty() ? "" : ": the model is ", known);
+    return fmt::format("{}{}{}.",
+                       at("end") == "stopped" ? "The search was stopped before it found a factor of safety"
+                                              : "No factor of safety was found",
+                       known.empty() ? "" : ": the model is ", known);
   const bool is_low = at("lower_estimate") == true;
   return fmt::format("Factor of safety {}{}: the model is {}, with the strength of {} divided by these factors.",
                      factor, is_low ? " (a lower estimate)" : "", known, reduced_in_words(json()));

@@ -144,6 +144,7 @@ std::string csv_of(const FactorOfSafety& found, const Units& units) {
 }
 
 std::string answer_of(const FactorOfSafety& found) {
+  if (found.end == SearchEnd::stopped) return "stopped before a factor of safety was found";
   if (found.end != SearchEnd::bracketed) return "no factor of safety";
   const bool is_high_by_mesh = found.mesh_error && found.mesh_error->coarse && found.mesh_error->share > 0;
   const char* kind = found.is_lower_estimate && !is_high_by_mesh ? " (a lower estimate)" : "";
