@@ -213,7 +213,12 @@ function Home() {
             .map(own => (
               <li key={own.path}>
                 <a class="card" href={state.link('result', own.path)}>
-                  <Thumb source={api.address('/api/picture', { result: own.path })} />
+                  <Thumb
+                    source={api.address('/api/picture', {
+                      result: own.path,
+                      ...(own.kind === 'sweep' && { name: 'sweep.svg' }),
+                    })}
+                  />
                   <b>{leaf_of(own.path)}</b>
                   <span>{[state_of(own), state.when(own.time)].filter(Boolean).join(', ')}</span>
                 </a>

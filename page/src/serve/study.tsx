@@ -177,14 +177,31 @@ export function rows_of(text: string): string[][] {
     });
 }
 
+/** Columns of the table of a sweep that the window shows: its index, its heading, and whether it holds numbers. */
+export function columns_of(table: string[][], described: string[][]): [number, string, boolean][] {
+  const [head = [], ...body] = table;
+  return head.flatMap((name, i): [number, string, boolean][] => {
+    const cells = body.map(row => row[i] ?? '').filter(Boolean);
+    // The folder of each run is for programs; a column may be empty.
+    if (name === 'job' || !cells.length) return [];
+    const [, unit, meaning] = described.find(own => own[0] === name) ?? [];
+    const words = meaning || name.replace(/^.*\//, '').replace(/_/g, ' ');
+    return [[i, unit ? `${words} [${unit}]` : words, cells.every(own => Number.isFinite(Number(own)))]];
+  });
+}
+
 export function SweepView({ path, is_finished }: { path: string; is_finished: boolean }) {
-  const [rows, set_rows] = useState<string[][]>([]);
+  const [[rows, described], set_tables] = useState<[string[][], string[][]]>([[], []]);
   const job = state.jobs.value.find(own => own.result === path && own.state === 'runs');
   useEffect(() => {
-    if (is_finished)
-      void state.attempt(() => api.read(`${path}/table.csv`)).then(file => set_rows(rows_of(file?.text ?? '')));
+    if (!is_finished) return;
+    const read = (name: string) => api.read(`${path}/${name}`).then(file => rows_of(file.text ?? ''));
+    // Sweeps of earlier versions describe no columns.
+    const both = async () => set_tables([await read('table.csv'), await read('columns.csv').catch(() => [])]);
+    void state.attempt(both);
   }, [path, is_finished, job?.id]);
-  const [head, ...body] = rows;
+  const columns = columns_of(rows, described);
+  const body = rows.slice(1);
   return (
     <div class="strength">
       <h2>{path}</h2>
@@ -199,24 +216,26 @@ export function SweepView({ path, is_finished }: { path: string; is_finished: bo
           }}
         />
       )}
-      {head && (
+      {columns.length > 0 && (
         <div class="scroll">
-          <table class="list">
+          <table class="list sweep">
             <caption>{body.length === 1 ? '1 run' : `${body.length} runs`}</caption>
             <thead>
               <tr>
-                {head.map(own => (
-                  <th scope="col" key={own}>
-                    {own.replace(/^.*\//, '').replace(/_/g, ' ')}
+                {columns.map(([i, heading, is_number]) => (
+                  <th scope="col" class={is_number ? 'number' : undefined} key={i}>
+                    {heading}
                   </th>
                 ))}
               </tr>
             </thead>
             <tbody>
-              {body.map((row, i) => (
-                <tr key={i}>
-                  {head.map((own, j) => (
-                    <td key={own}>{row[j] && Number.isFinite(Number(row[j])) ? show(Number(row[j]), 5) : row[j]}</td>
+              {body.map((row, at) => (
+                <tr key={at}>
+                  {columns.map(([i, , is_number]) => (
+                    <td class={is_number ? 'number' : undefined} key={i}>
+                      {is_number && row[i] ? show(Number(row[i]), 5) : row[i]}
+                    </td>
                   ))}
                 </tr>
               ))}
