@@ -16,6 +16,8 @@ namespace {
 constexpr Point kSize{132, 84};
 constexpr double kMargin = 2;
 
+using Chains = std::vector<std::vector<Point>>;
+
 /// Loops filled together, the inner ones as holes.
 struct Shape {
   std::vector<std::vector<Point>> loops;
@@ -33,7 +35,11 @@ std::string element_of(const SvgPage& page) {
   return document.substr(document.find("<svg"));
 }
 
-std::string drawn(std::vector<Shape> shapes) {
+void draw_cracks(SvgPage& page, const PageMap& map, const Chains& cracks) {
+  for (const std::vector<Point>& own : map(cracks)) page.polyline(own, {.stroke = "#000000", .stroke_width = 1.2});
+}
+
+std::string drawn(std::vector<Shape> shapes, const Chains& cracks) {
   Box box;
   for (const Shape& shape : shapes)
     for (Point p : shape.loops.front()) box.include(p);
@@ -43,22 +49,23 @@ std::string drawn(std::vector<Shape> shapes) {
   SvgPage page(kSize.x, kSize.y);
   for (const Shape& shape : shapes)
     page.polygon(map(shape.loops), {.fill = area_colour(shape.material), .stroke = "#444444", .stroke_width = 0.4});
+  draw_cracks(page, map, cracks);
   return element_of(page);
 }
 
 }  // namespace
 
-std::string thumbnail(const Blocks& blocks) {
+std::string thumbnail(const Blocks& blocks, const Chains& cracks) {
   std::vector<Shape> shapes;
   for (const BlockPolygon& block : blocks.blocks) {
     Shape shape{{points_of(block.outer)}, block.material, std::abs(area(points_of(block.outer)))};
     for (const BlockLoop& hole : block.holes) shape.loops.push_back(points_of(hole));
     shapes.push_back(std::move(shape));
   }
-  return drawn(std::move(shapes));
+  return drawn(std::move(shapes), cracks);
 }
 
-std::string thumbnail(const Cover& cover) {
+std::string thumbnail(const Cover& cover, const Chains& cracks) {
   std::vector<std::vector<Point>> loops;  // filled together: a hole is a loop of its own
   for (const SlotRange& loop : cover.loops) loops.push_back(cover.corners(loop));
   std::ranges::stable_sort(loops, std::greater<>{}, [](const auto& loop) { return std::abs(area(loop)); });
@@ -67,11 +74,13 @@ std::string thumbnail(const Cover& cover) {
   for (const auto& loop : loops)
     for (Point p : loop) box.include(p);
   SvgPage page(kSize.x, kSize.y);
-  page.polygon(map_of(box)(loops), {.fill = area_colour(0), .stroke = "#444444", .stroke_width = 0.4});
+  const PageMap map = map_of(box);
+  page.polygon(map(loops), {.fill = area_colour(0), .stroke = "#444444", .stroke_width = 0.4});
+  draw_cracks(page, map, cracks);
   return element_of(page);
 }
 
-std::string thumbnail(const Drawing& drawing) {
+std::string thumbnail(const Drawing& drawing, const Chains& cracks) {
   std::vector<const JointLine*> lines;
   Box box;
   for (const JointLine& line : drawing.joints) {
@@ -86,6 +95,7 @@ std::string thumbnail(const Drawing& drawing) {
   for (const JointLine* line : lines)
     page.line(map(line->segment.start), map(line->segment.end),
               {.stroke = line_colour(line->joint_material), .stroke_width = 0.6});
+  draw_cracks(page, map, cracks);
   return element_of(page);
 }
 

@@ -24,9 +24,12 @@ std::string as_document(const std::string& svg) {
 
 std::string thumbnail_of(const std::filesystem::path& file) {
   const formats::Content content = content_of(file);
-  if (content.blocks) return as_document(report::thumbnail(*content.blocks));
-  if (content.cover) return as_document(report::thumbnail(*content.cover));
-  if (content.drawing) return as_document(report::thumbnail(*content.drawing));
+  std::vector<std::vector<Point>> cracks;
+  if (content.covers)
+    for (const CrackPlan& crack : content.covers->cracks) cracks.push_back(crack.along);
+  if (content.blocks) return as_document(report::thumbnail(*content.blocks, cracks));
+  if (content.cover) return as_document(report::thumbnail(*content.cover, cracks));
+  if (content.drawing) return as_document(report::thumbnail(*content.drawing, cracks));
   return {};
 }
 

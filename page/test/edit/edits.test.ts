@@ -260,6 +260,8 @@ describe('edits', () => {
     ]);
     const scene = scene_of(held);
     expect(scene.has_covers).toBe(true);
+    const [crack] = scene_of('{"covers": {"cracks": [{"along": [[0, 1], [2, 1]]}]}}').items;
+    expect([crack.kind, crack.is_closed, crack.points.length]).toEqual(['crack', false, 2]);
     const [support] = scene.items.filter(own => own.kind === 'support');
     const moved = edits.move_points(held, scene, [{ item: support, index: 1, to: [1, 0] }]);
     expect(read(moved, 'covers', 'displacements', 0, 'along', 1)).toEqual([1, 0]);

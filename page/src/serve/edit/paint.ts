@@ -279,6 +279,9 @@ class Painter {
       case 'traction':
         this.line(points, colour(own.bad), 3 + more, [4, 3]);
         return;
+      case 'crack':
+        this.line(points, colour(own.ink), 2.5 + more);
+        return;
       case 'bolt':
         this.line(points, colour(own.good), 3 + more);
         for (const end of points) this.disc(end, 3.5 + more / 2, colour(own.good));

@@ -20,7 +20,8 @@ export type Kind =
   | 'cut'
   | 'region'
   | 'support'
-  | 'traction';
+  | 'traction'
+  | 'crack';
 
 export interface Item {
   /** Path as text: the same as long as rows before it stay. */
@@ -129,7 +130,7 @@ class Reader {
     return points.every(own => own !== undefined) ? (points as Point[]) : null;
   }
 
-  /** Chains of points along the boundary of NMM bodies. */
+  /** Chains of points of NMM bodies: loads and supports along their boundary, and cracks. */
   chains(kind: Kind, path: Path): void {
     find(this.root, path)?.items.forEach((_, i) => {
       const own: Path = [...path, i, 'along'];
@@ -217,6 +218,7 @@ export function scene_of(text: string): Scene {
   reader.rows('force', ['covers', 'forces'], 1);
   reader.chains('support', ['covers', 'displacements']);
   reader.chains('traction', ['covers', 'tractions']);
+  reader.chains('crack', ['covers', 'cracks']);
   find(root, ['stages'])?.items.forEach((_, i) => {
     reader.regions('excavation', ['stages', i, 'excavations'], i);
     reader.regions('region', ['stages', i, 'block_materials'], i);
@@ -326,6 +328,7 @@ export const WORDS: Record<Kind, string> = {
   region: 'Region',
   support: 'Support',
   traction: 'Traction',
+  crack: 'Crack',
 };
 
 /** Name of an item for people: its kind and number. */
