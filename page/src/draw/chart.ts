@@ -1,6 +1,6 @@
 // Draws curves with a pen: axes with round ticks, up to two units, a cursor.
 
-import { scaled_unit, show, ticks_of } from './numbers';
+import { raised, type Scaled, scaled_unit, show, ticks_of } from './numbers';
 import type { Paint } from './paint';
 import type { Pen } from './pen';
 
@@ -47,6 +47,13 @@ function some_ticks(low: number, high: number, count: number): number[] {
   return ticks.length < 3 ? ticks_of(low, high, 2 * count) : ticks;
 }
 
+/** Takes a power of ten into the unit if ticks would need it: they have few digits and one notation. */
+function with_power({ factor, unit }: Scaled, size: number): Scaled {
+  const power = size > 0 ? Math.floor(Math.log10(size / factor)) : 0;
+  if (power > -3 && power < 5) return { factor, unit };
+  return { factor: factor * 10 ** power, unit: `${unit ? '' : '×'}10${raised(power)} ${unit}`.trim() };
+}
+
 function axis_of(curves: Curve[]): Axis {
   let low = Infinity;
   let high = -Infinity;
@@ -58,7 +65,10 @@ function axis_of(curves: Curve[]): Axis {
     }
   }
   if (!(high >= low)) [low, high] = [0, 1];
-  const { factor, unit } = scaled_unit(curves[0]?.unit ?? '', Math.max(Math.abs(low), Math.abs(high)));
+  const { factor, unit } = with_power(
+    scaled_unit(curves[0]?.unit ?? '', Math.max(Math.abs(low), Math.abs(high))),
+    Math.max(Math.abs(low), Math.abs(high)),
+  );
   low /= factor;
   high /= factor;
   if (high === low) {
@@ -122,7 +132,9 @@ export function draw_chart(pen: Pen, plan: ChartPlan): void {
       pen.text(edge + (side === 0 ? -6 : 6), at + 4, show(tick, 4), { ...style, anchor });
     }
     const name = axis.unit || (units.length > 1 ? 'no unit' : '');
-    if (name) pen.text(edge, 12, name, { ...style, anchor: side === 0 ? 'end' : 'start', weight: 600 });
+    // The name is longer than the room at the edge: it begins or ends at the edge of the picture.
+    const at = side === 0 ? 2 : plan.width - 2;
+    if (name) pen.text(at, 12, name, { ...style, anchor: side === 0 ? 'start' : 'end', weight: 600 });
   });
   const zero = axes[0] && axes[0].low < 0 && axes[0].high > 0 ? y_place(axes[0], 0) : box.bottom;
   pen.segments([box.left, zero, box.right, zero], { colour: paint.muted, width: 1 });

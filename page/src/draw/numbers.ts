@@ -21,7 +21,8 @@ export function show(value: number | null | undefined, digits = 4): string {
   return value < 0 ? MINUS + text : text;
 }
 
-function raised(power: number): string {
+/** A power as raised digits: ⁻⁴. */
+export function raised(power: number): string {
   const digits = '⁰¹²³⁴⁵⁶⁷⁸⁹';
   return (power < 0 ? '⁻' : '') + [...String(Math.abs(power))].map(d => digits[Number(d)]).join('');
 }

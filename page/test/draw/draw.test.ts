@@ -2,11 +2,12 @@ import { beforeAll, describe, expect, test } from 'vitest';
 import { decode_geometry } from '../../src/data/decode';
 import { Store, value_at } from '../../src/data/store';
 import { fit, to_screen, to_world, zoom } from '../../src/draw/camera';
+import { draw_chart } from '../../src/draw/chart';
 import { class_table, css_of, index_of, table_of } from '../../src/draw/colours';
 import { measures_of } from '../../src/draw/measures';
 import { round_below, scaled_unit, show, show_range, show_with, ticks_of } from '../../src/draw/numbers';
 import { type Figure, LIGHT, paint_all } from '../../src/draw/paint';
-import { SvgPen } from '../../src/draw/pen';
+import { type Pen, SvgPen } from '../../src/draw/pen';
 import { pick_body, pick_point, pick_segment, typical_size } from '../../src/draw/pick';
 import {
   body_fractions,
@@ -338,4 +339,29 @@ describe('svg', () => {
     expect(text).toContain('<title>A &lt;b&gt; &amp; &quot;c&quot;</title>');
     expect(text).not.toContain('NaN');
   });
+});
+
+test('labels of an axis have one notation and few digits', () => {
+  const labels = (unit: string, values: number[]) => {
+    const texts: string[] = [];
+    const pen = new Proxy(
+      {},
+      { get: (_, name) => (x: number, y: number, text: string) => name === 'text' && y && x && texts.push(text) },
+    );
+    draw_chart(pen as Pen, {
+      width: 300,
+      height: 200,
+      x: [0, 1],
+      x_label: 'time',
+      curves: [{ label: 'a', unit, values }],
+      colours: ['#000'],
+      paint: LIGHT,
+      grid: '#ccc',
+      cursor: null,
+    });
+    return texts.slice(texts.indexOf('time') + 1);
+  };
+  expect(labels('', [0.00009, 0.000115])).toEqual(['0.9', '1', '1.1', '×10⁻⁴']);
+  expect(labels('1/s', [2e6, 4e6]).at(-1)).toBe('10⁶ 1/s');
+  expect(labels('m', [0.001, 0.002]).at(-1)).toBe('mm');
 });
