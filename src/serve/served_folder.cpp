@@ -118,7 +118,8 @@ fs::path ServedFolder::whole(const std::string& path) const {
   const fs::path found = fs::weakly_canonical(root_ / asked, error);
   const auto [end, rest] = std::mismatch(root_.begin(), root_.end(), found.begin(), found.end());
   if (error || end != root_.end()) throw NotServed(fmt::format("{} lies outside of the served folder", path));
-  if (!fs::is_directory(found.parent_path(), error)) throw NotServed(fmt::format("{} has no folder", path));
+  if (!fs::is_directory(found.parent_path(), error))
+    throw NotServed(fmt::format("there is no folder {}", asked.parent_path().generic_string()));
   return found;
 }
 

@@ -467,6 +467,10 @@ class ServeTest(unittest.TestCase):
         results = [r["path"] for r in server.json("GET", "/api/list")[1]["results"]]
         self.assertTrue({"a", "b"} <= set(results), results)
 
+    def test_a_folder_that_is_missing_is_named(self):
+        body = {"paths": ["case.json"], "result": "none/here/run"}
+        self.assertEqual(self.server.json("POST", "/api/run", body), (404, {"error": "there is no folder none/here"}))
+
     def test_notes_on_a_case_are_no_case(self):
         folder = self.server.folder / "verification"
         folder.mkdir()

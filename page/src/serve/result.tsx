@@ -129,6 +129,7 @@ export function CompareView({ first, second }: { first: string; second: string }
   const [differences, set_differences] = useState<{ inputs?: api.Difference[]; differences: api.Difference[] } | null>(
     null,
   );
+  const [is_refused, set_refused] = useState(false);
   const [pages, set_pages] = useState<Page[]>([]);
   const [time, set_time] = useState(0);
   const [measure, set_measure] = useState('displacement.size');
@@ -139,10 +140,13 @@ export function CompareView({ first, second }: { first: string; second: string }
     let is_old = false;
     set_pages([]);
     set_differences(null);
+    set_refused(false);
     void state
       .attempt(() => api.compare(first, second))
       .then(value => {
-        if (!is_old && value) set_differences(value);
+        if (is_old) return;
+        set_differences(value);
+        set_refused(!value);
       });
     const timer = setInterval(() => {
       const now = frames.map(frame => page_in(frame.current));
@@ -247,7 +251,7 @@ export function CompareView({ first, second }: { first: string; second: string }
           <span>Same range</span>
         </label>
       </div>
-      {!differences && <p class="note pad">Comparing…</p>}
+      {!differences && <p class="note pad">{is_refused ? 'These two results cannot be compared.' : 'Comparing…'}</p>}
       {differences && (
         <>
           <Differences
