@@ -52,6 +52,9 @@ const PARAMETERS: Record<string, string> = {
   toughness: 'Toughness',
 };
 
+/** Units as the window writes them: a plain number has none. */
+const UNITS: Record<string, string> = { '1': '', degrees: '°' };
+
 /** Cells of the fitted parameters: title, value, standard error, ends of the interval of 95 %, unit. */
 export function parameter_rows(record: TestRecord): string[][] {
   return Object.entries(record.parameters ?? {}).map(([name, own]) => [
@@ -59,7 +62,7 @@ export function parameter_rows(record: TestRecord): string[][] {
     show(own.value, 5),
     show(own.standard_error, 3),
     ...own.interval.map(end => show(end, 5)),
-    own.unit === '1' ? '' : own.unit,
+    UNITS[own.unit] ?? own.unit,
   ]);
 }
 

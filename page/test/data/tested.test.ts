@@ -14,11 +14,13 @@ describe('element tests and fits', () => {
     const rows = parameter_rows({
       parameters: {
         cohesion: { value: 13.62541, standard_error: 0.5, interval: [12.5, null], unit: 'MPa' },
+        friction_deg: { value: 40, standard_error: 1, interval: [39, 41], unit: 'degrees' },
         ratio: { value: 4.25, standard_error: null, interval: [4, 5], unit: '1' },
       },
     });
     expect(rows).toEqual([
       ['Cohesion', '13.625', '0.5', '12.5', '–', 'MPa'],
+      ['Friction angle', '40', '1', '39', '41', '°'],
       ['Slope of s1 over s3', '4.25', '–', '4', '5', ''],
     ]);
   });
