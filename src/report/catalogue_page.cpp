@@ -33,8 +33,8 @@ std::vector<std::string> reasons_of(const CatalogueRow& row) {
   std::vector<std::string> reasons;
   if (!row.verdict.why.empty()) reasons.push_back(row.verdict.why);
   if (!row.message.empty() && row.message != row.verdict.why) {
-    const std::string first = row.warnings > 1 ? fmt::format("first of {} warnings: ", row.warnings) : std::string();
-    reasons.push_back(first + row.message);
+    const bool has_more = row.warnings > 1;
+    reasons.push_back((has_more ? fmt::format("first of {} warnings and notes: ", row.warnings) : "") + row.message);
   }
   return reasons;
 }
@@ -146,7 +146,8 @@ std::string catalogue_page(const std::string& title, const std::vector<Catalogue
   document.sections.push_back({"All jobs", {}, {}, {table_of(rows)}});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     document.verdict = std::max(document.verdict, verdict_of(rows[i]));
-    document.cards.push_back(card_of(rows[i], i));
+    // The table names what is no case: a card would be empty.
+    if (word_of(rows[i]) != "listed") document.cards.push_back(card_of(rows[i], i));
     document.sections.push_back(section_of(rows[i], i));
   }
   return document_page(document);

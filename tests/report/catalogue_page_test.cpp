@@ -44,6 +44,16 @@ TEST(CataloguePage, has_a_card_a_row_and_a_section_per_job) {
   EXPECT_EQ(count(page, "http"), 0U);  // it loads nothing
 }
 
+TEST(CataloguePage, a_file_that_is_no_case_has_a_row_and_no_card) {
+  CatalogueRow row;
+  row.name = "expected.csv";
+  row.outcome = "listed";
+  row.verdict = {"listed", "no case"};
+  const std::string page = catalogue_page("All", {row});
+  EXPECT_EQ(count(page, "class=\"card"), 0U);
+  EXPECT_EQ(count(page, "<section id=\"job-"), 1U);
+}
+
 TEST(CataloguePage, a_reason_is_said_once_and_another_message_beside_it) {
   CatalogueRow failed;
   failed.outcome = failed.verdict.word = "failed";
@@ -55,7 +65,7 @@ TEST(CataloguePage, a_reason_is_said_once_and_another_message_beside_it) {
   differs.message = "a sliver";
   differs.verdict = {"differs", "96 % apart"};
   const std::string page = catalogue_page("All", {differs});
-  EXPECT_NE(page.find("96 % apart; first of 3 warnings: a sliver"), std::string::npos) << page;
+  EXPECT_NE(page.find("96 % apart; first of 3 warnings and notes: a sliver"), std::string::npos) << page;
   EXPECT_NE(page.find("<li class=\"card doubtful\" data-state=\"differs\">"), std::string::npos);
   EXPECT_EQ(count(page, "<option>differs</option>"), 1U);
 }

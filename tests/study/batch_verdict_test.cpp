@@ -48,6 +48,14 @@ TEST(BatchVerdict, answers_that_agree_ran_and_warnings_are_said) {
   EXPECT_EQ(verdict_of(ran(0, 0, 0, 0), BatchAim::run).word, "ran") << "nothing moved";
 }
 
+TEST(BatchVerdict, a_case_that_one_profile_cannot_run_ran_by_the_other) {
+  report::CatalogueRow row = ran(1, 1, 0, 0);
+  row.outcome = "warnings";
+  row.answers[0] = {"legacy", "expected profile standard", 0, 0, "", 0, 0, std::nullopt};
+  EXPECT_EQ(verdict_of(row, BatchAim::run).word, "ran");
+  EXPECT_EQ(verdict_of(row, BatchAim::run).why, "not run by legacy: expected profile standard");
+}
+
 TEST(BatchVerdict, what_never_ran_is_not_said_to_have_run) {
   report::CatalogueRow row;
   row.outcome = "ok";

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/batch/batch_check.hpp"
 
+#include <algorithm>
 #include <new>
 #include <variant>
 
 #include "api/plan.hpp"
+#include "base/words/diagnostics.hpp"
 #include "cut/bodies/cut_blocks.hpp"
 #include "problem/checks/check.hpp"
 #include "report/thumbnail.hpp"
@@ -136,7 +138,9 @@ CatalogueRow check_job(const fs::path& root, const BatchJob& job, const std::vec
   row.warnings = static_cast<int>(warnings.size());
   if (row.outcome == "ok" && !warnings.empty()) {
     row.outcome = "warnings";
-    row.message = below(root, job, to_string(warnings.front()));
+    const auto first = std::ranges::find_if(
+        warnings, [](const Warning& own) { return level_of(own.name) <= DiagnosticLevel::warning; });
+    row.message = below(root, job, to_string(first == warnings.end() ? warnings.front() : *first));
   }
   return row;
 }

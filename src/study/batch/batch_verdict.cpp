@@ -64,6 +64,13 @@ std::string without_equilibrium(const report::CatalogueRow& row) {
   return has_none ? why : std::string();
 }
 
+/// Describes the profile that could not run the case; empty if there is none.
+std::string not_run(const report::CatalogueRow& row) {
+  for (const CatalogueAnswer& answer : row.answers)
+    if (!is_finished(answer) && !answer.measures) return fmt::format("not run by {}: {}", answer.profile, answer.end);
+  return {};
+}
+
 }  // namespace
 
 CatalogueVerdict verdict_of(const report::CatalogueRow& row, BatchAim aim) {
@@ -76,6 +83,7 @@ CatalogueVerdict verdict_of(const report::CatalogueRow& row, BatchAim aim) {
   if (row.answers.size() > 1)
     if (std::string how = how_they_differ(row.answers.front(), row.answers.back()); !how.empty())
       return {"differs", std::move(how)};
+  if (std::string why = not_run(row); !why.empty()) return {"ran", std::move(why)};
   return {"ran", row.outcome == "warnings" ? row.message : ""};
 }
 
