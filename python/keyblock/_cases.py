@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import atexit
 import ctypes
+import hashlib
 import json
 import math
 import os
@@ -100,14 +101,15 @@ class Case:
     """Content of case files. Nothing changes it; `with_value` returns another case."""
 
     def __init__(self, case: _keyblock.Case, files: Iterable[str] = (), drawing: Mapping[str, Any] | None = None,
-                 values: Iterable[tuple[str, Any]] = ()) -> None:
+                 values: Iterable[tuple[str, Any]] = (), checksums: Mapping[str, str] | None = None) -> None:
         self._case = case
         self._read = tuple(files)        # paths
         self._drawing = dict(drawing or {})  # unit, join
         self._values = tuple(values)     # changed after reading
+        self._checksums = dict(checksums or {})  # of each file
 
     def __reduce__(self) -> Any:
-        return _read_again, (self._read, self._drawing, self._values)
+        return _read_again, (self._read, self._drawing, self._values, self._checksums)
 
     @property
     def warnings(self) -> list[_keyblock.Warning]:
@@ -158,7 +160,7 @@ class Case:
         """
         value = _plain(value)
         changed = self._case.with_json(pointer, json.dumps(value))
-        return Case(changed, self._read, self._drawing, (*self._values, (pointer, value)))
+        return Case(changed, self._read, self._drawing, (*self._values, (pointer, value)), self._checksums)
 
     def with_values(self, values: Mapping[str, Any]) -> Case:
         """Returns the same case with several values: a dict of pointers and values."""
@@ -196,12 +198,36 @@ def read(*paths: StrPath | Sequence[StrPath], layers: StrPath | None = None, uni
     return _read_again(files, {k: v for k, v in (("unit", unit), ("join", join)) if v is not None})
 
 
-def _read_again(files: Sequence[str], drawing: Mapping[str, Any], values: Iterable[tuple[str, Any]] = ()) -> Case:
+def _read_again(files: Sequence[str], drawing: Mapping[str, Any], values: Iterable[tuple[str, Any]] = (),
+                checksums: Mapping[str, str] | None = None) -> Case:
+    """Returns a case. checksums: those of an earlier reading, which must be the same."""
+    paths = [os.path.abspath(f) for f in files]
+    found = checksums_of(paths)  # before reading: a later change is seen
+    require_unchanged(found if checksums is None else checksums, found)
     case = Case(_keyblock.Case.read([os.fspath(f) for f in files], drawing.get("unit", ""), drawing.get("join", 0.0)),
-                [os.path.abspath(f) for f in files], drawing)
+                paths, drawing, checksums=found)
     for pointer, value in values:
         case = case.with_value(pointer, value)
     return case
+
+
+def checksums_of(paths: Iterable[str]) -> dict[str, str]:
+    """SHA-256 of each file of a case. A folder has those that are named after it, and its case.json."""
+    files = []
+    for path in paths:
+        if os.path.isdir(path):
+            files += [os.path.join(folder, name) for folder, _, names in sorted(os.walk(path)) for name in sorted(names)
+                      if name == "case.json" or Path(name).stem == Path(folder).name]
+        else:
+            files += [path + ending for ending in ("", ".json", ".yaml") if os.path.isfile(path + ending)][:1]
+    return {file: hashlib.sha256(Path(file).read_bytes()).hexdigest() for file in files}
+
+
+def require_unchanged(expected: Mapping[str, str], found: Mapping[str, str]) -> None:
+    """Raises Error if files of a case have other content than when they were read."""
+    for file in {**expected, **found}:
+        if expected.get(file) != found.get(file):
+            raise _keyblock.Error(f"{file} has changed since the case was read; read the case again")
 
 
 class Plan:

@@ -20,7 +20,7 @@ from typing import Any, Callable, Iterable, Mapping, Sequence
 import numpy as np
 
 from . import _keyblock, _program
-from ._cases import Case, StrPath, _plain, read, setting_pairs, texts
+from ._cases import Case, StrPath, _plain, checksums_of, read, require_unchanged, setting_pairs, texts
 from ._pool import Failed, Pool
 from ._runs import Run, Strength, factor_of_safety
 
@@ -356,6 +356,7 @@ def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jo
     for key, value in ((k, v) for row in rows for k, v in row.items()):
         if isinstance(value, float) and not math.isfinite(value):
             raise ValueError(f"over: expected finite numbers, found {value} for {key}")
+    require_unchanged(case._checksums, checksums_of(case._read))  # the program reads the files again
     texts = {"design.json": json.dumps(rows)}
     if isinstance(joints, Mapping):
         texts["joints.json"] = json.dumps(joints)
@@ -371,6 +372,7 @@ def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jo
         if client is not None:
             _on_workers(client, texts, command, len(rows))
         text = _with_files(texts, [*command, *_program._options(jobs=jobs, shard=shard, merge=client is not None)])
+    require_unchanged(case._checksums, checksums_of(case._read))
     found = json.loads(text)
     return Table([{k: float("nan") if v is None else v for k, v in row.items()} for row in found["rows"]],
                  found["seconds"], found["units"])

@@ -6,6 +6,7 @@ import csv
 import json
 import math
 import os
+import pickle
 import signal
 import statistics
 import subprocess
@@ -234,6 +235,20 @@ class Sweeps(Folder):
         table = kb.sweep(lambda angle: slide().with_value(FRICTION, angle), {"angle": [10, 20]})
         self.assertEqual(table.columns, ["angle", "verdict", "doubt", "displacement"])
         np.testing.assert_allclose(table["displacement"], [way(10), way(20)], atol=1e-5)
+
+    def test_a_sweep_refuses_files_that_changed_since_they_were_read(self):
+        path = kb.new("block", "block.json")
+        case, text = kb.read(path), path.read_text()
+        pickled = pickle.dumps(case)
+        for change in (lambda: path.write_text(text.replace("20 deg", "5 deg")), path.unlink):
+            change()
+            self.assertEqual(case.get(FRICTION), "20 deg")
+            for call in (lambda: kb.sweep(case, {"steps": [2]}), lambda: pickle.loads(pickled)):
+                with self.assertRaisesRegex(kb.Error, "block.json has changed since the case was read"):
+                    call()
+        path.write_text(text)
+        self.assertEqual(kb.sweep(case, {"steps": [2]})[0]["verdict"], "finished")
+        self.assertEqual(pickle.loads(pickled).json(), case.json())
 
     def test_a_second_call_computes_missing_rows_alone(self):
         def counted(run):
