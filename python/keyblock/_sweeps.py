@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
+import copyreg
 import csv
 import functools
 import hashlib
@@ -12,10 +13,11 @@ import itertools
 import json
 import math
 import os
+import pickle
 import tempfile
 import time
 import types
-from typing import Any, Callable, Iterable, Mapping, Sequence
+from typing import Any, Callable, Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -309,8 +311,8 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     folder: keeps the results of rows as they end; a second call with the same arguments computes the missing rows alone.
     A folder refuses rows of another case, settings or outputs, and of another version of the library. With functions it
     also refuses those of another build or function, and a longer time limit computes rows anew that failed by a shorter
-    one. Functions are compared by name, code, defaults and enclosed values, but not by functions and variables of their
-    module that they use.
+    one. Functions are compared by name, code, defaults, enclosed values and the object of a method, but not by functions
+    and variables of their module that they use.
     shard: "k/n" computes a part of the rows and returns these alone; a call with all folders' journals in one folder and no
     shard returns the whole table. client: a client of Dask; its workers start the child processes. They must see `folder`.
     """
@@ -409,12 +411,13 @@ def _by_functions(case: Any, rows: list[dict[str, Any]], out: Any, pool: Pool, p
                   folder: StrPath | None, shard: str | None, client: Any, history: list[str]) -> Table:
     task: list[Any] = []
     if folder is not None:
-        task = [case.json() if isinstance(case, Case) else _identity("case", case),
-                _identity("out", out) if callable(out) else out, profile, setting_pairs(settings), history]
+        task = [_identity("case", case), _identity("out", out) if callable(out) else out, profile,
+                setting_pairs(settings), _files_named_in(dict(settings or {}), [""]), history]
     journal = _Journal(folder, shard, task)
+    names = [_name_of(row, _files_of_row(row, case)) for row in rows]
     wanted = [i for i, row in enumerate(rows) if _is_of_shard(_name_of(row), shard)]
     longest = math.inf if pool.time_limit is None else pool.time_limit
-    missing = [i for i in wanted if _is_missing(journal.done.get(_name_of(rows[i])), longest)]
+    missing = [i for i in wanted if _is_missing(journal.done.get(names[i]), longest)]
 
     def work(i: int) -> tuple[dict[str, Any], float]:
         began = time.perf_counter()
@@ -425,8 +428,8 @@ def _by_functions(case: Any, rows: list[dict[str, Any]], out: Any, pool: Pool, p
             if isinstance(result, Failed):
                 seconds = longest if result.reason == "time_limit" else float("nan")
                 result = ({"verdict": result.reason, "doubt": result.message}, seconds)
-            journal.add(_name_of(rows[missing[at]]), result)
-    done = [journal.done[_name_of(rows[i])] for i in wanted]
+            journal.add(names[missing[at]], result)
+    done = [journal.done[names[i]] for i in wanted]
     columns: dict[str, None] = dict.fromkeys(["verdict", "doubt"])
     columns.update(dict.fromkeys([] if callable(out) else out))
     for result, _ in done:
@@ -453,8 +456,10 @@ def _in_child(work: Callable[[int], Any], i: int, time_limit: float | None, memo
         return next(iter(pool.unordered(work, [i])))[1]
 
 
-def _name_of(row: Mapping[str, Any]) -> str:
-    return hashlib.sha256(json.dumps(row, default=str).encode()).hexdigest()[:16]
+def _name_of(row: Mapping[str, Any], files: Sequence[str] = ()) -> str:
+    """Name of a row. files: checksums of those that it names."""
+    text = json.dumps([row, files] if files else row, default=str)
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
 def _is_of_shard(name: str, shard: str | None) -> bool:
@@ -543,36 +548,81 @@ def _is_entry(entry: Any) -> bool:
     return len(entry[1]) == 2 and isinstance(entry[1][0], dict) and isinstance(entry[1][1], (int, float))
 
 
-def _identity(role: str, function: Any) -> Any:
-    """Identifies a function in a journal. Raises ValueError if it has no code of Python."""
-    if not hasattr(function, "__code__") and not isinstance(function, functools.partial):
-        raise ValueError(f"{role}: expected a function of Python, whose code identifies it in `folder`, found {function!r}")
-    return _mark(function, ())
+def _identity(role: str, value: Any) -> Any:
+    """Identifies a case or a function in a journal. Raises ValueError for a value without a content that can be compared."""
+    if not isinstance(value, (Case, functools.partial)) and not hasattr(value, "__code__"):
+        raise ValueError(f"{role}: expected a function of Python, whose code identifies it in `folder`, found {value!r}")
+    try:
+        return _mark(value, ())
+    except (TypeError, pickle.PicklingError) as error:
+        raise ValueError(f"{role}: expected a function whose enclosed values can be pickled, for their content "
+                         f"identifies it in `folder`; {error}") from error
 
 
 def _mark(value: Any, within: tuple[int, ...]) -> Any:
-    """Describes a value by its content if it is plain, a case or a function, else by its type."""
+    """Describes a value by its content. Raises TypeError if it has none that can be compared, such as a lock."""
     value = _plain(value)
     if id(value) in within:  # encloses itself
         return "again"
     within = (*within, id(value))
     if value is None or isinstance(value, (bool, int, float, complex, str, bytes)):
         return repr(value)
+    if isinstance(value, Case):
+        content: Any = [*value._checksums.values()] or value.json()
+        return [content, value._drawing, value._values, _files_named_in(_contents_of(value), _folders_of(value))]
     if isinstance(value, types.CodeType):
         return [value.co_code.hex(), value.co_names, [_mark(v, within) for v in value.co_consts]]
-    if isinstance(value, functools.partial):
-        return [_mark(v, within) for v in (value.func, value.args, value.keywords)]
+    if isinstance(value, types.MethodType):
+        return [_mark(v, within) for v in (value.__self__, value.__func__)]
     if hasattr(value, "__code__"):
         cells = [_content(cell) for cell in value.__closure__ or ()]
         parts = [_mark(v, within) for v in (value.__code__, value.__defaults__, value.__kwdefaults__, cells)]
         return [value.__module__, value.__qualname__, *parts]
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, (type, types.ModuleType)):
+        return [getattr(value, "__module__", ""), getattr(value, "__qualname__", value.__name__)]
+    if type(value) in (list, tuple):
         return [_mark(v, within) for v in value]
-    if isinstance(value, (set, frozenset)):
+    if type(value) in (set, frozenset):
         return sorted(json.dumps(_mark(v, within)) for v in value)
-    if isinstance(value, dict):
+    if type(value) is dict:
         return [[_mark(k, within), _mark(v, within)] for k, v in value.items()]
-    return value.json() if isinstance(value, Case) else f"{type(value).__module__}.{type(value).__qualname__}"
+    reduced = copyreg.dispatch_table.get(type(value), lambda v: v.__reduce_ex__(2))(value)  # as `pickle` does
+    parts = reduced if isinstance(reduced, tuple) else (reduced,)
+    return [_mark(list(part) if isinstance(part, Iterator) else part, within) for part in parts]
+
+
+def _contents_of(case: Case) -> Iterator[Any]:
+    """Content of a case file, and of the case.json of its folder."""
+    yield json.loads(case.json())
+    for file in case._checksums:
+        if os.path.basename(file) == "case.json" and os.path.isfile(file):
+            with open(file, encoding="utf-8") as text:
+                yield json.load(text)
+
+
+def _files_of_row(row: Mapping[str, Any], case: Any) -> list[str]:
+    """Checksums of the files that a row names: a pointer from the folders of the case, a setting from the current one."""
+    folders = _folders_of(case) if isinstance(case, Case) else []
+    return [found for key, value in row.items()
+            for found in _files_named_in({key: value}, folders if key.startswith("/") else [""])]
+
+
+def _folders_of(case: Case) -> list[str]:
+    return list(dict.fromkeys(map(os.path.dirname, case._checksums)))
+
+
+def _files_named_in(value: Any, folders: Sequence[str]) -> list[str]:
+    """Checksums of the files that settings within a value name, from any of the folders."""
+    if not isinstance(value, Mapping):
+        parts = value if isinstance(value, Iterable) and not isinstance(value, (str, bytes)) else ()
+        return [found for part in parts for found in _files_named_in(part, folders)]
+    found = []
+    for key, part in value.items():
+        if str(key).rpartition("/")[2] != "body_acceleration_file":
+            found += _files_named_in(part, folders)
+        elif part:
+            found += list(checksums_of([os.path.join(folder, str(part)) for folder in folders]).values())
+    return found
 
 
 def _content(cell: types.CellType) -> Any:

@@ -2,11 +2,13 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import contextlib
 import csv
 import json
 import math
 import os
 import pickle
+import shutil
 import signal
 import statistics
 import subprocess
@@ -46,6 +48,14 @@ def troubled(item):
     if item == "large":
         return bytes(1 << 30)
     return item
+
+
+class Cost:
+    def __init__(self, factor):
+        self.factor = factor
+
+    def of(self, run):
+        return self.factor
 
 
 class Pools(Folder):
@@ -251,8 +261,10 @@ class Sweeps(Folder):
         self.assertEqual(pickle.loads(pickled).json(), case.json())
 
     def test_a_second_call_computes_missing_rows_alone(self):
+        count = self.folder / "count"
+
         def counted(run):
-            with open(self.folder / "count", "a") as file:
+            with open(count, "a") as file:
                 file.write("x")
             return run.frame().displacement[1, 0]
         over = {FRICTION: [10, 15, 20]}
@@ -267,10 +279,12 @@ class Sweeps(Folder):
             kb.sweep(slide(), over, out=lambda run: 1, settings={"steps": 3}, folder="rows")
 
     def test_a_longer_time_limit_computes_late_rows_anew(self):
+        path = self.folder / "count"
+
         def counted(run):
-            with open(self.folder / "count", "a") as file:
+            with open(path, "a") as file:
                 file.write("x")
-            time.sleep(60 if len((self.folder / "count").read_text()) == 1 else 0)
+            time.sleep(60 if len(path.read_text()) == 1 else 0)
             return 1
         for limit, verdict, count in ((1, "time_limit", 1), (1, "time_limit", 1), (30, "finished", 2),
                                       (40, "finished", 2)):
@@ -291,6 +305,46 @@ class Sweeps(Folder):
             kb.sweep(lambda angle: slide().with_value(FRICTION, angle), {"angle": [10]}, settings=few, folder="cases")
         with self.assertRaisesRegex(ValueError, "function of Python"):
             kb.sweep(slide(), over, out=print, settings=few, folder="other")
+
+    def test_settings_of_a_folder_and_files_that_settings_name_identify_a_case(self):
+        shutil.copytree(ROOT / "legacy_cases/newmark_sine/row_1", "row_1")
+        few = {"settings": {"steps": 20}, "folder": "rows", "out": lambda run: run.outcome.displacement}
+        motion, described = self.folder / "row_1/motion.csv", self.folder / "row_1/case.json"
+        over = {"time_step": [0.005]}
+        texts = {path: path.read_text() for path in (motion, described)}
+        kb.sweep("row_1", over, **few)
+        for path, other in ((motion, texts[motion].replace(",0", ",1")), (described, '{"set": {}}')):
+            path.write_text(other)
+            with self.assertRaisesRegex(kb.Error, "another sweep"):
+                kb.sweep("row_1", over, **few)
+            path.write_text(texts[path])
+        kb.sweep("row_1", over, **few)
+        named, found = {"body_acceleration_file": ["acc.csv"]}, []
+        for acceleration in (5, -5, 5):
+            self.write("acc.csv", f"time,ax,ay\n0,{acceleration},0\n20,{acceleration},0\n")
+            few["folder"] = "named"
+            found.append(kb.sweep(slide(), named, **few)["out"][0])
+            with (self.assertRaisesRegex(kb.Error, "another sweep") if acceleration < 0 else contextlib.nullcontext()):
+                kb.sweep(slide(), {"time_step": [0.001]}, **{**few, "folder": "common", "settings": {
+                    "steps": 2, "body_acceleration_file": "acc.csv"}})
+        self.assertEqual(found[0], found[2])
+        self.assertNotEqual(found[0], found[1])
+
+    def test_enclosed_values_and_objects_of_methods_identify_a_function_by_their_content(self):
+        def enclosing(value):
+            return lambda run: value
+        plain = SimpleNamespace
+        for first, same, other in ((Path("a"), Path("a"), Path("b")), (plain(k=1), plain(k=1), plain(k=2)),
+                                   (Fraction(1), Fraction(1), Fraction(2)), (np.arange(3), np.arange(3), np.arange(4)),
+                                   (Cost(1).of, Cost(1).of, Cost(2).of), (slide(), slide(), slide().with_value(FRICTION, 5))):
+            marks = [json.dumps(kb._sweeps._identity("out", enclosing(value))) for value in (first, same, other)]
+            self.assertEqual(marks[0], marks[1])
+            self.assertNotEqual(marks[0], marks[2])
+        marks = [kb._sweeps._identity("out", Cost(k).of) for k in (1, 1, 2)]
+        self.assertEqual(marks[0], marks[1])
+        self.assertNotEqual(marks[0], marks[2])
+        with self.assertRaisesRegex(ValueError, "out: expected a function whose enclosed values can be pickled"):
+            kb.sweep(slide(), {"steps": [2]}, out=enclosing(threading.Lock()), folder="rows")
 
     def test_functions_that_differ_in_a_name_or_a_nested_constant_have_different_marks(self):
         pairs = [(lambda run: run.last.time, lambda run: run.last.dt), (lambda run: 1, lambda run: 2),
