@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, Iterable
 
 from . import _keyblock
-from ._cases import Case, StrPath, end_with_parent
+from ._cases import Case, StrPath, end_with_parent, read
 from ._words import in_arguments
 
 
@@ -136,11 +136,10 @@ def element(case: Case | StrPath, path: str, to: Iterable[float] = (), material:
     list of dicts, one per increment.
     """
     with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
-        file = case.files[-1] if isinstance(case, Case) and case.files else os.path.join(folder, "case.json")
-        if not isinstance(case, Case):
-            file = os.fspath(case)
-        elif not case.files:
-            case.write(file)
+        file = case
+        if isinstance(case, Case) or os.path.isdir(case):
+            file = os.path.join(folder, "case.json")
+            (case if isinstance(case, Case) else read(case)).write(file)
         curve = os.path.join(folder, "curve.csv")
         strains = ",".join(map(repr, map(float, to)))
         targets = _options(to=strains) if strains else []

@@ -250,6 +250,11 @@ class Program(Folder):
         end, curve = kb.element("block.json", "uniaxial", to=[-0.001], material=1)
         self.assertEqual(end["end"]["strain"][1], -0.001)
         self.assertEqual(len(curve), end["points"])
+        folder = CASES / "sliding_block" / "a30_p20"
+        old = [folder / f"a30_p20.{ending}" for ending in ("geo", "ana")]
+        drawing = kb.read(ROOT / "docs/quarry.dxf", ROOT / "docs/bench.json", layers=ROOT / "docs/quarry_layers.csv")
+        for case in (folder, kb.read(folder), kb.read(*old), kb.read(*reversed(old)), drawing, ROOT / "docs/bench.json"):
+            self.assertEqual(kb.element(case, "uniaxial", to=[-0.001])[0]["end"]["strain"][1], -0.001)
         self.write("curve.csv", "strain,stress\n" + "".join(f"{-e / 1e4},{-e * 1e-4 * 20e9}\n" for e in range(1, 11)))
         self.assertTrue(kb.fit("curve.csv"))
         self.assertTrue(kb.convert("block.json", output="block.dxf"))
