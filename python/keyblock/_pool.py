@@ -23,7 +23,7 @@ from . import _cases
 class Failed:
     """Stands for the result of a job that has none.
 
-    reason: "signal", "time_limit" or "error". signal: number of the signal, or 0. message: one line.
+    reason: "signal", "time_limit", "memory_limit" or "error". signal: number of the signal, or 0. message: one line.
     """
 
     reason: str
@@ -156,7 +156,8 @@ class Pool:
                 data = pickle.dumps(answer)
             except BaseException as error:
                 message = traceback.format_exception_only(type(error), error)[-1].strip()
-                data = pickle.dumps(("error", message))
+                is_starved = self.memory_limit and isinstance(error, MemoryError)
+                data = pickle.dumps(("memory_limit" if is_starved else "error", message))
             with os.fdopen(pipe, "wb") as out:
                 out.write(data)
             sys.stdout.flush()
@@ -199,4 +200,4 @@ class Pool:
             kind, value = pickle.loads(b"".join(job.data))
         except Exception:
             return Failed("error", 0, "the job left no result")
-        return value if kind == "result" else Failed("error", 0, value)
+        return value if kind == "result" else Failed(kind, 0, value)
