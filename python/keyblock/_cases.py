@@ -64,10 +64,16 @@ class Context(_keyblock.Context):
         checked("time_limit", time_limit)
         super().__init__(_threads if threads is None else threads)
         self.timed_out = False
-        ended = self._ended = threading.Event()
+        self._ended = threading.Event()
+        self._end = None if time_limit is None else time.monotonic() + time_limit
         if time_limit is not None or progress:
-            of = weakref.ref(self, lambda _: ended.set())  # the thread does not keep the context
-            threading.Thread(target=_watch, args=(of, ended, time_limit, progress), daemon=True).start()
+            self._begin_to_watch(progress)
+            _watched.add(self)
+
+    def _begin_to_watch(self, progress: bool = False) -> None:
+        ended = self._ended = threading.Event()
+        of = weakref.ref(self, lambda _: ended.set())  # the thread does not keep the context
+        threading.Thread(target=_watch, args=(of, ended, self._end, progress), daemon=True).start()
 
     def __enter__(self) -> Context:
         return self
@@ -76,9 +82,21 @@ class Context(_keyblock.Context):
         self._ended.set()
 
 
-def _watch(of: weakref.ref[Context], ended: threading.Event, time_limit: float | None, progress: bool) -> None:
+_watched: weakref.WeakSet[Context] = weakref.WeakSet()
+
+
+def _watch_in_child() -> None:
+    """In a new child, which has no other threads: limits of time go on."""
+    for context in list(_watched):
+        if context._end is not None and not context._ended.is_set():
+            context._begin_to_watch()
+
+
+os.register_at_fork(after_in_child=_watch_in_child)
+
+
+def _watch(of: weakref.ref[Context], ended: threading.Event, end: float | None, progress: bool) -> None:
     """Stops a context at its limit; ends with the context."""
-    end = None if time_limit is None else time.monotonic() + time_limit
     printed = ""
     longest = 1.0 if progress else threading.TIMEOUT_MAX
     while not ended.wait(min(longest, threading.TIMEOUT_MAX if end is None else max(0.0, end - time.monotonic()))):
