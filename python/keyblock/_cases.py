@@ -27,12 +27,25 @@ _threads = 0  # of a context that does not say; children of a pool set 1
 _libc = ctypes.CDLL(None)  # loaded before any fork
 
 
-def end_with_parent() -> None:
-    """In a new child: the system kills it if its parent dies."""
-    try:
-        _libc.prctl(1, signal.SIGKILL)
-    except AttributeError:
-        pass
+def end_with_parent(parent: int, is_of_main_thread: bool = True) -> None:
+    """In a new child: it ends if its parent dies.
+
+    The system kills a child at the end of the thread that began it. The child of a thread that may end before its parent
+    looks after the parent itself.
+    """
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(0.2)
+        os._exit(1)
+    if is_of_main_thread:
+        try:
+            _libc.prctl(1, signal.SIGKILL)
+        except AttributeError:
+            pass
+        if os.getppid() != parent:  # it died before
+            os._exit(1)
+    else:
+        threading.Thread(target=watch, daemon=True).start()
 
 
 def checked(name: str, value: Any, is_whole: bool = False) -> Any:

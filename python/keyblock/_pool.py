@@ -130,6 +130,7 @@ class Pool:
     def _start(self, index: int, function: Callable[[Any], Any], item: Any) -> int:
         sys.stdout.flush()
         sys.stderr.flush()
+        parent = os.getpid(), threading.current_thread() is threading.main_thread()
         with _starting:  # the child leaves it too
             read_end, write_end = os.pipe()
             pid = os.fork()
@@ -137,16 +138,16 @@ class Pool:
                 os.close(write_end)
         if pid == 0:
             os.close(read_end)
-            self._work(write_end, function, item)
+            self._work(parent, write_end, function, item)
         job = _Job(index, pid, read_end, self.time_limit)
         self._running[pid] = job
         self._selector.register(read_end, selectors.EVENT_READ, job)
         return pid
 
-    def _work(self, pipe: int, function: Callable[[Any], Any], item: Any) -> NoReturn:
+    def _work(self, parent: tuple[int, bool], pipe: int, function: Callable[[Any], Any], item: Any) -> NoReturn:
         """The child: never returns."""
         try:
-            _cases.end_with_parent()
+            _cases.end_with_parent(*parent)
             signal.signal(signal.SIGINT, signal.SIG_DFL)
             _cases._threads = 1
             if self.memory_limit:

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import csv
+import functools
 import json
 import os
 import shutil
@@ -47,7 +48,7 @@ def _run(arguments: Iterable[Any], accepted: tuple[int, ...] = (0,), lacks: Iter
     path = program()
     try:
         child = subprocess.Popen([path, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                 preexec_fn=end_with_parent)
+                                 preexec_fn=functools.partial(end_with_parent, os.getpid()))
     except OSError as error:
         raise ProgramError(f"the program {path} does not start: {error.strerror}; KEYBLOCK_PROGRAM may name another",
                            127) from error

@@ -95,7 +95,24 @@ class Pools(Folder):
 
     def test_a_job_beyond_its_memory_is_one_result(self):
         with kb.Pool(jobs=1, memory_limit=1500) as pool:
-            self.assertEqual([bool(r) for r in pool.map(troubled, ["large", 1])], [False, True])
+            failed, other = pool.map(troubled, ["large", 1])
+        self.assertEqual((failed.reason, other), ("memory_limit", 1))
+        row, = kb.sweep(slide(), {"steps": [2]}, out=lambda run: len(bytes(3 << 30)), memory_limit=1500)
+        self.assertEqual((row["verdict"], row["doubt"]), ("memory_limit", "MemoryError"))
+
+    def test_jobs_go_on_behind_the_thread_that_began_them(self):
+        pool, first = kb.Pool(jobs=2), []
+        results = pool.unordered(lambda i: time.sleep(0.1 + i) or i, [0, 1])
+        thread = threading.Thread(target=lambda: first.append(next(results)))
+        thread.start()
+        thread.join()
+        self.assertEqual([*first, *results], [(0, 0), (1, 1)])
+
+    def test_the_limit_of_a_context_holds_in_children(self):
+        plan = endless()
+        with kb.Context(time_limit=1) as context, kb.Pool(jobs=1, time_limit=20) as pool:
+            found, = pool.map(lambda i: (kb.Run(plan, context=context).go_on().end, context.timed_out), [1])
+            self.assertEqual(found, ("stopped", True))
 
     def test_numbers_of_jobs_and_limits_are_checked(self):
         nan, infinite = math.nan, math.inf
@@ -131,9 +148,14 @@ class Pools(Folder):
             self.assertFalse(os.path.exists(f"/proc/{pid}"))
 
     def test_children_end_with_a_killed_parent(self):
-        script = ("import keyblock as kb, time, os\n"
+        for call in ("work()", "threading.Thread(target=work).start()"):
+            with self.subTest(call):
+                self.ends_with_parent(call)
+
+    def ends_with_parent(self, call):
+        script = ("import keyblock as kb, threading, time, os\n"
                   "def job(i):\n    print(os.getpid(), flush=True)\n    time.sleep(60)\n"
-                  "list(kb.Pool(jobs=1).map(job, [1]))\n")
+                  f"def work():\n    list(kb.Pool(jobs=1).map(job, [1]))\n{call}\n")
         parent = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
         pid = int(parent.stdout.readline())
         parent.kill()
