@@ -22,7 +22,7 @@ from typing import Any, Callable, Iterable, Iterator, Mapping, Sequence
 import numpy as np
 
 from . import _keyblock, _program
-from ._cases import Case, StrPath, _plain, checksums_of, read, require_unchanged, setting_pairs, texts
+from ._cases import Case, StrPath, _plain, checked, checksums_of, read, require_unchanged, setting_pairs, texts
 from ._pool import Failed, Pool
 from ._runs import Run, Strength, factor_of_safety
 
@@ -126,6 +126,9 @@ class Distribution:
 
 
 def _law(name: str, numbers: Iterable[float], unit: str) -> Distribution:
+    numbers = list(numbers)
+    if not all(map(math.isfinite, numbers)):
+        raise ValueError(f"{name}: expected finite numbers, found {', '.join(map(str, numbers))}")
     return Distribution(f"{name}({','.join(repr(float(n)) for n in numbers)}) {unit}".strip())
 
 
@@ -135,12 +138,16 @@ def _check_deviation(deviation: float) -> None:
 
 
 def uniform(low: float, high: float, unit: str = "") -> Distribution:
-    """Uniform distribution between two bounds."""
+    """Uniform distribution between two bounds. Raises ValueError unless low < high."""
+    if not low < high:
+        raise ValueError(f"low: expected a number below high, found {low} and {high}")
     return _law("uniform", (low, high), unit)
 
 
 def triangular(low: float, mode: float, high: float, unit: str = "") -> Distribution:
-    """Triangular distribution between two bounds, densest at the mode."""
+    """Triangular distribution between two bounds, densest at the mode. Raises ValueError unless the mode is within."""
+    if not (low <= mode <= high and low < high):
+        raise ValueError(f"mode: expected a number from low to high, found {low}, {mode} and {high}")
     return _law("triangular", (low, mode, high), unit)
 
 
@@ -168,7 +175,9 @@ def lognormal(mean: float, deviation: float, unit: str = "") -> Distribution:
 
 
 def choice(*values: Any) -> Distribution:
-    """One of some values, each as likely."""
+    """One of some values, each as likely. Raises ValueError without a value."""
+    if not values:
+        raise ValueError("choice: expected at least one value, found none")
     return Distribution("", values)
 
 
@@ -176,14 +185,18 @@ def random(over: Mapping[str, Distribution | Iterable[Any]], count: int, seed: i
     """Returns a Latin hypercube of `count` rows: a list of dicts. over: dict of keys and distributions, or lists.
 
     Each distribution is cut into `count` parts of equal probability, and each part is used once. The same seed gives the
-    same rows, which are those of `keyblock sweep --random`.
+    same rows, which are those of `keyblock sweep --random`. Raises ValueError for a number below 0, and for a key without
+    values.
     """
+    count, seed = checked("count", count, is_whole=True), checked("seed", seed, is_whole=True)
     words, values = [], {}
     for i, (key, law) in enumerate(over.items()):
         if isinstance(law, Distribution) and law.words:
             words.append(f"{i}={law.words}")
             continue
         values[str(i)] = list(map(_plain, law.values if isinstance(law, Distribution) else law))
+        if not values[str(i)]:
+            raise ValueError(f"over: expected at least one value of {key}, found none")
         words.append(f"{i}=" + ",".join(map(str, range(len(values[str(i)])))))
     rows = json.loads(_keyblock.random_rows(words, count, seed))
     return [{key: values[str(i)][row[str(i)]] if str(i) in values else row[str(i)] for i, key in enumerate(over)}

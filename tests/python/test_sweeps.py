@@ -525,8 +525,14 @@ class Sweeps(Folder):
     def test_numbers_of_distributions_are_checked(self):
         for call in (lambda: kb.normal(20, 0), lambda: kb.normal(20, -1), lambda: kb.normal(20, math.nan),
                      lambda: kb.normal(20, 3, low=30, high=10), lambda: kb.normal(20, 3, low=math.nan, high=10),
-                     lambda: kb.lognormal(-1, 1), lambda: kb.lognormal(0, 1), lambda: kb.lognormal(1, 0)):
-            self.assertRaises(ValueError, call)
+                     lambda: kb.lognormal(-1, 1), lambda: kb.lognormal(0, 1), lambda: kb.lognormal(1, 0),
+                     lambda: kb.uniform(4, 2), lambda: kb.uniform(2, 2), lambda: kb.uniform(math.nan, 2),
+                     lambda: kb.uniform(1, math.inf), lambda: kb.triangular(4, 2, 1), lambda: kb.triangular(1, 1, 1),
+                     lambda: kb.triangular(1, math.nan, 2), lambda: kb.normal(math.inf, 1), lambda: kb.choice(),
+                     lambda: kb.random({"angle": []}, 3), lambda: kb.random({"a": kb.choice(1)}, -1),
+                     lambda: kb.random({"a": kb.choice(1)}, 1, seed=-1), lambda: kb.random({"a": kb.choice(1)}, 1.5)):
+            with self.assertRaisesRegex(ValueError, "^(deviation|low|mean|mode|uniform|normal|choice|count|seed|over): expected"):
+                call()
 
 
 if __name__ == "__main__":
