@@ -17,6 +17,7 @@ import pickle
 import tempfile
 import time
 import types
+from pathlib import Path
 from typing import Any, Callable, Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
@@ -386,24 +387,44 @@ def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jo
             joints=statistics, **case._drawing), "-o", to, "--resume", "--json"]
         if client is not None:
             _on_workers(client, texts, command, len(rows))
-        text = _with_files(texts, [*command, *_program._options(jobs=jobs, shard=shard, merge=client is not None)])
+        text = _with_files(texts, [*command, *_program._options(jobs=jobs, shard=shard, merge=client is not None)],
+                           None if folder is None else to)
     require_unchanged(case._checksums, checksums_of(case._read))
     found = json.loads(text)
     return Table([{k: float("nan") if v is None else v for k, v in row.items()} for row in found["rows"]],
                  found["seconds"], found["units"])
 
 
-_OWN = "/keyblock-files-of-this-call/"  # stands for a folder that each process makes
+_OWN = "/keyblock-files-of-this-call/"  # stands for a folder that each process makes, or that of the results
 
 
-def _with_files(texts: Mapping[str, str], command: Iterable[str]) -> str:
-    """Output of the program, whose command may name files with these texts."""
-    with tempfile.TemporaryDirectory(prefix="keyblock_") as own:
-        for name, text in texts.items():
-            with open(os.path.join(own, name), "w", encoding="utf-8") as file:
-                file.write(text)
-        return _program._run([word.replace(_OWN, own + os.sep) for word in map(str, command)], (0, 1),
-                             lacks=["force"])
+def _with_files(texts: Mapping[str, str], command: Iterable[str], folder: StrPath | None = None) -> str:
+    """Output of the program, whose command may name files with these texts. They stay in `folder`, unless it refuses them."""
+    with tempfile.TemporaryDirectory(prefix="keyblock_") as temporary:
+        own = Path(folder or temporary)
+        before = {name: (own / name).read_bytes() for name in texts if (own / name).is_file()}
+        try:
+            own.mkdir(parents=True, exist_ok=True)
+            for name, text in texts.items():
+                _replace(own / name, text.encode())
+        except OSError as error:
+            raise _keyblock.Error(f"cannot write {error.filename}: {error.strerror}") from error
+        try:
+            return _program._run([word.replace(_OWN, f"{own}{os.sep}") for word in map(str, command)], (0, 1), lacks=["force"])
+        except _program.ProgramError:
+            for name in texts:
+                if name in before:
+                    _replace(own / name, before[name])
+                else:
+                    (own / name).unlink()
+            raise
+
+
+def _replace(path: Path, content: bytes) -> None:
+    """Writes a file at once: another process may read it."""
+    new = path.with_name(f"{path.name}.{os.getpid()}")
+    new.write_bytes(content)
+    os.replace(new, path)
 
 
 def _on_workers(client: Any, texts: Mapping[str, str], command: list[str], rows: int) -> None:

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -32,10 +33,15 @@ bool lock(int descriptor, const Shard& shard) {
 
 }  // namespace
 
-bool is_free(const std::filesystem::path& folder) {
+bool is_free(const std::filesystem::path& folder, const std::vector<std::string>& own) {
   if (!std::filesystem::exists(folder)) return true;
-  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().filename() != kLockFile) return false;
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder)) {
+    const auto is_it = [&](const std::string& file) {
+      std::error_code missing;
+      return std::filesystem::equivalent(entry.path(), file, missing);
+    };
+    if (entry.path().filename() != kLockFile && std::ranges::none_of(own, is_it)) return false;
+  }
   return true;
 }
 

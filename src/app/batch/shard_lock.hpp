@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "app/batch/shard.hpp"
 
@@ -10,8 +12,8 @@ namespace keyblock {
 
 inline constexpr const char* kLockFile = ".lock";
 
-/// Returns true if the folder does not exist, or has nothing but a lock file.
-bool is_free(const std::filesystem::path& folder);
+/// Returns true if the folder does not exist, or has nothing but a lock file and the files `own`.
+bool is_free(const std::filesystem::path& folder, const std::vector<std::string>& own = {});
 
 /// Lock of one shard, or of all if the shard is the whole. The kernel releases it when the process ends, even if it is
 /// killed. An empty file stays in the folder.

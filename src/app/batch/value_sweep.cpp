@@ -246,10 +246,12 @@ ReadySweep ready(const ValueSweepOptions& options) {
   return sweep;
 }
 
-/// Refuses a folder that holds something else. A shard may come first, beside files of its own choice.
-void require_sweep_folder(const fs::path& folder, const Shard& shard) {
+/// Refuses a folder that holds something else than the design and the joints of this sweep. A shard may come first,
+/// beside files of its own choice.
+void require_sweep_folder(const ValueSweepOptions& options, const Shard& shard) {
+  const fs::path folder = options.folder;
   if (!journals_in(folder).empty()) return;
-  if (shard.is_whole() ? !is_free(folder) : has_files_of_sweep(folder))
+  if (shard.is_whole() ? !is_free(folder, {options.design_file, options.joints}) : has_files_of_sweep(folder))
     throw UsageError(fmt::format("{} holds something that is no sweep; give another folder", folder.string()));
 }
 
@@ -389,7 +391,7 @@ ExitCode sweep_values(const ValueSweepOptions& options) {
                                        : parallel_line(own_command(), options.parallel));
     return ExitCode::ok;
   }
-  require_sweep_folder(options.folder, shard);
+  require_sweep_folder(options, shard);
   listen_for_stops();
   std::optional<ShardLock> lock;
   if (!options.is_merged) lock.emplace(options.folder, shard);
