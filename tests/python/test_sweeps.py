@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import contextlib
 import csv
+import hashlib
 import json
 import math
 import os
@@ -281,6 +282,36 @@ class Sweeps(Folder):
         path.write_text(text)
         self.assertEqual(kb.sweep(case, {"steps": [2]})[0]["verdict"], "finished")
         self.assertEqual(pickle.loads(pickled).json(), case.json())
+
+    def test_the_folder_has_what_its_command_names(self):
+        case = kb.read(kb.new("block", "block.json"))
+        kb.sweep(case, {"steps": [2, 3]}, folder="out")
+        kept = (self.folder / "out/design.json").read_bytes()
+        with self.assertRaisesRegex(kb.Error, "has 1 run that this sweep lacks"):
+            kb.sweep(case, {"steps": [2]}, folder="out")
+        self.assertEqual((self.folder / "out/design.json").read_bytes(), kept)
+        with self.assertRaisesRegex(kb.Error, "colour"):
+            kb.sweep(case, {"steps": [2]}, out="colour", folder="refused")
+        self.assertEqual(os.listdir("refused"), [])
+        table = (self.folder / "out/table.csv").read_bytes()
+        origin = json.loads((self.folder / "out/sweep.json").read_text())
+        for file in origin["inputs"]:
+            self.assertEqual(hashlib.sha256(Path(file["file"]).read_bytes()).hexdigest(), file["sha256"])
+        command = [word for word in origin["made_by"]["command"] if word != "--resume"]
+        command[command.index("-o") + 1] = "again"
+        subprocess.run(command, check=True, capture_output=True)
+        self.assertEqual((self.folder / "again/table.csv").read_bytes(), table)
+        self.write("file", "")
+        with self.assertRaisesRegex(kb.Error, "cannot write .*file: File exists"):
+            kb.sweep(case, {"steps": [2]}, folder="file")
+
+    def test_a_failed_row_has_the_bytes_of_the_command(self):
+        for case in (kb.new("block", "block.json"), ROOT / "legacy_cases/sliding_block/a30_p20"):
+            kb.sweep(case, {"time_step": ["1 ms"]}, out="fos_rock").write("python.csv")
+            subprocess.run([kb.program(), "sweep", case, "--over", "time_step=1 ms", "--out", "fos_rock", "-o", "command",
+                            "--force"], capture_output=True)
+            self.assertEqual((self.folder / "python.csv").read_text(), (self.folder / "command/table.csv").read_text())
+            self.assertNotIn(str(self.folder), (self.folder / "python.csv").read_text())
 
     def test_a_second_call_computes_missing_rows_alone(self):
         count = self.folder / "count"

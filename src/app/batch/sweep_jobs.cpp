@@ -78,6 +78,11 @@ std::string text_of_value(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+void replace_all(std::string& text, const std::string& part, const std::string& by) {
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + by.size()))
+    text.replace(at, part.size(), by);
+}
+
 std::vector<std::string> SweepJob::command(const std::string& verb) const {
   std::vector<std::string> words{verb};
   words.insert(words.end(), drawings_.begin(), drawings_.end());
@@ -118,8 +123,8 @@ bool SweepJob::has_ended_early(const ChildEnd& end, const std::string& name, boo
   const fs::path log = folder_ / (name + ".log");
   std::string why = why_it_ended(end, plan_.limits, log);
   const auto fail = [&](const char* verdict) {
-    const std::string own = folder_.string() + "/";
-    for (std::size_t at = why.find(own); at != std::string::npos; at = why.find(own)) why.erase(at, own.size());
+    replace_all(why, folder_.string() + "/", "");
+    for (const std::string& path : plan_.given.paths) replace_all(why, path, fs::path(path).filename().string());
     result_.verdict = verdict;
     result_.doubt = why;
     return true;
