@@ -279,10 +279,12 @@ class Plan:
 
     @property
     def case(self) -> Case:
+        """Case of the plan."""
         return self._case
 
     @property
     def profile(self) -> str:
+        """Profile of a run."""
         return self._plan.profile
 
     @property
@@ -302,6 +304,7 @@ class Plan:
 
     @property
     def unknowns(self) -> int:
+        """Number of unknowns."""
         return self._plan.unknowns
 
     @property
@@ -311,6 +314,7 @@ class Plan:
 
     @property
     def steps(self) -> int:
+        """Number of steps, if none is cut and no stage ends early."""
         return self._plan.steps
 
     def __repr__(self) -> str:

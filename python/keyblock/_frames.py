@@ -19,49 +19,61 @@ def _column(part: str, name: str, doc: str) -> property:
 
 
 class Frame:
-    """One instant of a run. Its arrays are views that cannot be written; they stay valid without the run."""
+    """One instant of a run. Its arrays are views that cannot be written; they stay valid without the run.
 
-    __slots__ = ("_frame", "units")
+    A frame can be pickled, with its contacts.
+    """
 
-    def __init__(self, frame: _keyblock.Frame, units: Sequence[str] = ("", "", "")) -> None:
+    __slots__ = ("_frame", "_units")
+
+    def __init__(self, frame: _keyblock.Frame | _Columns, units: Sequence[str] = ("", "", "")) -> None:
         self._frame = frame
-        self.units = tuple(units)
+        self._units = tuple(units)
 
-    step = property(lambda self: self._frame.step, doc="Number of the step; 0 is the start.")
-    time = property(lambda self: self._frame.time)
+    def __reduce__(self) -> Any:
+        return Frame, (self._frame if isinstance(self._frame, _Columns) else _Columns.of(self._frame), self.units)
+
+    units = property(lambda self: self._units,
+                     doc="Names of the units of length, mass and time; each empty if the case does not declare it.")
+    step = property(lambda self: self._frame.step, doc="Number of the step; 0 is the initial state.")
+    time = property(lambda self: self._frame.time, doc="Time [time].")
     load_factor = property(lambda self: self._frame.load_factor, doc="Factor of the loads under crack growth.")
 
     number = _column("blocks", "block", "Number of each block, n.")
     material = _column("blocks", "material", "Number of the material of each block, n.")
-    centroid = _column("blocks", "centroid", "n x 2.")
-    displacement = _column("blocks", "displacement", "Displacement of centroids since the start, n x 2.")
-    rotation = _column("blocks", "rotation", "Rotation in radians, to the left, n.")
-    velocity = _column("blocks", "velocity", "n x 2.")
-    rotation_rate = _column("blocks", "rotation_rate", "Radians per time, n.")
-    stress = _column("blocks", "stress", "xx, yy, xy, zz, tension positive, n x 4.")
-    area = _column("blocks", "area", "n.")
-    vertices = _column("corners", "place", "All corners, loop after loop, x 2.")
-    loop_block = _column("loops", "row", "Row of the block of each loop.")
-    loop_corners = _column("loops", "corners", "Number of corners of each loop.")
-    point = _column("points", "place", "Measured points, p x 2.")
-    point_displacement = _column("points", "displacement", "p x 2.")
+    centroid = _column("blocks", "centroid", "Centroid of each block [length], n x 2.")
+    displacement = _column("blocks", "displacement", "Displacement of centroids from the drawing [length], n x 2.")
+    rotation = _column("blocks", "rotation", "Rotation to the left [rad], n.")
+    velocity = _column("blocks", "velocity", "Velocity of centroids [length/time], n x 2.")
+    rotation_rate = _column("blocks", "rotation_rate", "Rate of rotation to the left [rad/time], n.")
+    stress = _column("blocks", "stress", "Stress xx, yy, xy, zz, tension positive [force/length²], n x 4.")
+    area = _column("blocks", "area", "Area of each block [length²], n.")
+    vertices = _column("corners", "place", "All corners, loop after loop [length], corners x 2.")
+    loop_block = _column("loops", "row", "Row of the block of each loop, loops.")
+    loop_corners = _column("loops", "corners", "Number of corners of each loop, loops.")
+    point = _column("points", "place", "Measured points [length], p x 2.")
+    point_displacement = _column("points", "displacement", "Their displacement [length], p x 2.")
     contact_block = _column("contacts", "block", "Number of the block of each contact, c.")
-    contact_other = _column("contacts", "other", "Number of the other block, c.")
-    contact_state = _column("contacts", "state", "0 open, 1 sticks, 2 slides, c.")
-    contact_point = _column("contacts", "place", "c x 2.")
+    contact_other = _column("contacts", "other", "Number of the other block of each contact, c.")
+    contact_state = _column("contacts", "state", "State of each contact: 0 open, 1 sticks, 2 slides, c.")
+    contact_point = _column("contacts", "place", "Place of each contact [length], c x 2.")
     contact_normal = _column("contacts", "normal", "Unit normal out of the other block, c x 2.")
-    contact_pressure = _column("contacts", "normal_force", "Normal force over thickness, c.")
-    contact_shear = _column("contacts", "shear_force", "Shear force over thickness, c.")
-    contact_gap = _column("contacts", "gap", "Positive if the faces are apart, c.")
+    contact_pressure = _column("contacts", "normal_force", "Normal force per thickness [force/length], c.")
+    contact_shear = _column("contacts", "shear_force", "Shear force per thickness [force/length], c.")
+    contact_gap = _column("contacts", "gap", "Gap, positive if the faces are apart [length], c.")
 
     @staticmethod
     def parts() -> list[str]:
-        """Returns the names of the parts: blocks, loops, corners, contacts, bolts, cracks, points, tips."""
+        """Returns the names of the parts: blocks, loops, corners, contacts, bolts, cracks, points, tips.
+
+        Each row is one of them. Bolts have their ends and their force. Cracks are pairs of faces, with detail="corners".
+        Tips have the stress intensity. `names`, `components` and `unit` describe the columns.
+        """
         return _keyblock.Frame.parts()
 
     def names(self, part: str) -> list[str]:
-        """Returns the names of the columns of a part; none if it has no rows."""
-        return self._frame.names(part)
+        """Returns the names of the columns of a part. A part without rows has those of any frame."""
+        return self._frame.names(part) or list(_NAMES_WITHOUT_ROWS.get(part, ()))
 
     def column(self, part: str, name: str) -> Array:
         """Returns a column of a part as a view. Raises SettingError if there is none."""
@@ -152,6 +164,61 @@ class Frame:
 
     def __repr__(self) -> str:
         return f"<Frame of step {self.step}, time {self.time:g}: {len(self.number)} blocks>"
+
+
+# Columns of the parts that may lack rows; the library names those of parts with rows.
+_NAMES_WITHOUT_ROWS = {
+    "contacts": ("block", "other", "joint_material", "joint", "state", "place", "normal", "gap", "slip", "normal_force",
+                 "shear_force", "force"),
+    "bolts": ("bolt", "ends", "force", "is_broken"),
+    "cracks": ("crack", "side", "is_shear", "ends", "displacement"),
+    "points": ("point", "place", "displacement", "stress"),
+    "tips": ("crack", "at_end", "place", "K_I", "K_II", "J", "length"),
+}
+
+
+class _Columns:
+    """Columns of a frame outside the library, which a pickled frame has."""
+
+    step: int
+    time: float
+    load_factor: float
+    parts: dict[str, dict[str, tuple[Array, list[str], str]]]  # column, components and unit
+
+    @classmethod
+    def of(cls, frame: _keyblock.Frame) -> _Columns:
+        """Copies the columns of a frame."""
+        columns = cls()
+        columns.step, columns.time, columns.load_factor = frame.step, frame.time, frame.load_factor
+        columns.parts = {part: {name: (frame.column(part, name), frame.components(part, name), frame.unit(part, name))
+                                for name in frame.names(part) or _NAMES_WITHOUT_ROWS.get(part, ())}
+                         for part in frame.parts()}
+        return columns
+
+    def _found(self, part: str, name: str) -> tuple[Array, list[str], str]:
+        if part not in self.parts or name not in self.parts[part]:
+            raise _keyblock.SettingError(f"expected a column of a frame, found {part}, {name}")
+        return self.parts[part][name]
+
+    def __setstate__(self, state: Any) -> None:
+        self.__dict__.update(state)
+        for columns in self.parts.values():
+            for values, _, _ in columns.values():
+                values.flags.writeable = False
+
+    def names(self, part: str) -> list[str]:
+        if part not in self.parts:
+            raise _keyblock.SettingError(f"expected a part of a frame ({', '.join(self.parts)}), found {part}")
+        return list(self.parts[part])
+
+    def column(self, part: str, name: str) -> Array:
+        return self._found(part, name)[0]
+
+    def components(self, part: str, name: str) -> list[str]:
+        return self._found(part, name)[1]
+
+    def unit(self, part: str, name: str) -> str:
+        return self._found(part, name)[2]
 
 
 def _values(frame: Frame, colour: Any) -> tuple[Array, str]:

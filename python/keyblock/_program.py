@@ -86,13 +86,19 @@ def _options(**given: Any) -> list[str]:
 
 def convert(*files: StrPath, output: StrPath, to: str | None = None, strict: bool = False, force: bool = False,
             layers: StrPath | None = None, unit: str | None = None, join: float | None = None) -> Any:
-    """Converts files with `keyblock convert`. Returns its report: outputs, losses and warnings."""
+    """Converts files with `keyblock convert`. Returns its report: outputs, losses and warnings.
+
+    Raises ProgramError.
+    """
     return json.loads(_run(["convert", *map(str, files), "-o", output, "--json",
                             *_options(to=to, strict=strict, force=force, layers=layers, unit=unit, join=join)]))
 
 
 def new(kind: str, path: StrPath, force: bool = False) -> Path:
-    """Writes a commented example case with `keyblock new`: slope, arch, beam, tunnel or block. Returns its path."""
+    """Writes a commented example case with `keyblock new`: slope, arch, beam, tunnel or block. Returns its path.
+
+    Raises ProgramError.
+    """
     _run(["new", kind, "-o", path, *_options(force=force)])
     return Path(path)
 
@@ -101,6 +107,7 @@ def joints(spec: dict[str, Any] | StrPath, path: StrPath, seed: int | None = Non
     """Draws joint sets with `keyblock joints` into a drawing. Returns its path.
 
     spec: a dict as docs/slope.json, or the path of one. path: ends in .dxf, .json, .xml or .geo. seed: rules that of spec.
+    Raises ProgramError.
     """
     with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
         if isinstance(spec, dict):
@@ -123,7 +130,10 @@ def number_of(text: str) -> int | float | str:
 
 
 def compare(*cases: StrPath, profile: str | None = None, all: bool = False, threads: int | None = None) -> Any:
-    """Reruns case folders against their expected values with `keyblock compare`. Returns its report."""
+    """Reruns case folders against their expected values with `keyblock compare`. Returns its report.
+
+    Raises ProgramError.
+    """
     return json.loads(_run(["compare", *map(str, cases), "--json", *_options(profile=profile, all=all, threads=threads)],
                            (0, 1)))
 
@@ -134,7 +144,7 @@ def element(case: Case | StrPath, path: str, to: Iterable[float] = (), material:
     """Drives one element of a material along a path with `keyblock element`. Returns (report, curve).
 
     path: uniaxial, triaxial, biaxial, oedometer, shear, cyclic, or a table. to: strains, one after another. curve: a
-    list of dicts, one per increment.
+    list of dicts, one per increment. Raises InputError, ProgramError.
     """
     with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
         file = case
@@ -152,7 +162,7 @@ def element(case: Case | StrPath, path: str, to: Iterable[float] = (), material:
 
 def fit(curve: StrPath, triaxial: bool = False, toughness: str | None = None, compression: str | None = None,
         strain_factor: float | None = None, friction: float | None = None) -> Any:
-    """Finds parameters of rock from measured curves with `keyblock fit`. Returns its report."""
+    """Finds parameters of rock from measured curves with `keyblock fit`. Returns its report. Raises ProgramError."""
     return json.loads(_run(["fit", curve, "--json", *_options(triaxial=triaxial, toughness=toughness, compression=compression,
                                                               strain_factor=strain_factor, friction=friction)], (0, 1)))
 
@@ -162,7 +172,7 @@ def cases(folder: StrPath, root: StrPath | None = None) -> list[Path | tuple[Pat
 
     A case is its folder if that has a `case.json`, a file, or a tuple of files. folder: also the name of a verification
     problem, such as "stress_intensity". root: folder of the problems; by default KEYBLOCK_CASES, else legacy_cases below
-    the current folder.
+    the current folder. Raises ProgramError if there is none.
     """
     if root is not None or not os.path.isdir(folder):
         folder = Path(root or os.environ.get("KEYBLOCK_CASES") or "legacy_cases") / folder

@@ -17,7 +17,10 @@ from ._program import number_of
 
 
 class Results:
-    """Folder of a recorded run, also of `keyblock run`. `run`: content of run.json; `end` is its end; `table(name)` reads a table."""
+    """Folder of a recorded run, also of `keyblock run`.
+
+    folder: its path. run: content of run.json.
+    """
 
     def __init__(self, folder: StrPath) -> None:
         self.folder = Path(folder)
@@ -92,9 +95,10 @@ def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, se
 
     every: steps per frame; 0 means as the case says, at most 100 frames. history: quantities to follow, such as
     "crest=point:12,20" or "block:4". force: overwrite results of an earlier run. contacts, frames: as `--contacts` and
-    `--frames`. checkpoint_every: seconds. on_step: a function that is called with each step; an exception of it stops the
-    run. until: a function of the Run that ends it after the step where it is true, as in `Run.go_on`. A run that ended so,
-    or was stopped, also by Ctrl-C, can be resumed. Raises InputError, SettingError, Error.
+    `--frames`. checkpoint_every: seconds between checkpoints; 0 means only at the start and at a stop. on_step: a function
+    that is called with each step; an exception of it ends the run, and passes through. until: a function of the Run that
+    ends it after the step where it is true, as in `Run.go_on`. A run that ended so, or was stopped, also by Ctrl-C, can be
+    resumed. Raises InputError, SettingError, Error.
     """
     checked("every", every, is_whole=True)
     checked("checkpoint_every", checkpoint_every)

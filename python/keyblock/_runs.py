@@ -285,7 +285,8 @@ def factor_of_safety(case: Case | StrPath, what: str = "", within: float = 0.0, 
     what, within: empty and 0 take what the `case.json` of a folder requests, else "joints" and 0.01. The result has the
     bracket (`stands`, `falls`), `end`, `trials`, `notes`, `warnings`, and the frames `standing` and `falling`. profile: None
     takes what the files request, else standard, also for old files: the rules of Shi's programs, which `Run` follows there,
-    find no equilibrium. Unlike the command it makes no second search on a coarser mesh. Raises SettingError for another word or a width below 0.
+    find no equilibrium. Unlike the command it makes no second search on a coarser mesh. Raises SettingError for another
+    word or a width below 0.
     """
     case = case if isinstance(case, Case) else read(case)
     return Strength(_keyblock.factor_of_safety(case._case, what, within, profile or "", setting_pairs(settings),
@@ -305,7 +306,8 @@ def stress_intensity(case: Case | StrPath, profile: str | None = None, settings:
                      context: _keyblock.Context | None = None) -> Tips:
     """Returns the stress intensity factors of all crack tips at the end of the loads, as `keyblock sif`: list of Tip.
 
-    The list has `warnings`. `Tip` has x, y, k1, k2, j, kink_deg, k_equivalent, spread and doubt. Raises InputError for a case without cracks.
+    The list has `warnings`. `Tip` has x, y, k1, k2, j, kink_deg, k_equivalent, spread and doubt. Raises InputError for a
+    case without cracks.
     """
     case = case if isinstance(case, Case) else read(case)
     return Tips(*_keyblock.stress_intensity(case._case, profile or "", setting_pairs(settings), context or Context()))

@@ -290,10 +290,17 @@ PyObject* new_type(py::module_& m, const char* name, const char* doc, const py::
   return type;
 }
 
+/// Text of Python. Names of files may have bytes that are not UTF-8.
+py::str text_of(const std::string& text) {
+  PyObject* made = PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "surrogateescape");
+  if (!made) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(made);
+}
+
 /// Returns a message with arguments of Python instead of options of the command line.
 py::str in_arguments(const std::string& message) {
-  if (message.find("--") == std::string::npos) return message;
-  return py::module_::import("keyblock._words").attr("in_arguments")(message);
+  if (message.find("--") == std::string::npos) return text_of(message);
+  return py::module_::import("keyblock._words").attr("in_arguments")(text_of(message));
 }
 
 void raise_error(PyObject* type, const std::exception& error) {
@@ -339,35 +346,66 @@ py::dict dict_of(const std::vector<std::pair<std::string, double>>& numbers) {
   return found;
 }
 
+/// Pickles a struct of plain members.
+template <class T, class... Members>
+auto pickled(Members T::*... members) {
+  return py::pickle([=](const T& value) { return py::make_tuple(value.*members...); },
+                    [=](const py::tuple& state) {
+                      T value;
+                      std::size_t i = 0;
+                      ((value.*members = state[i++].cast<Members>()), ...);
+                      return value;
+                    });
+}
+
+void bind_parts_of_values(py::module_& m) {
+  py::class_<kb::Place>(m, "_Place").def(pickled(&kb::Place::file, &kb::Place::line, &kb::Place::column));
+  py::class_<kb::Facts>(m, "_Facts").def(pickled(&kb::Facts::numbers, &kb::Facts::blocks, &kb::Facts::points));
+  py::enum_<kb::End>(m, "_End")
+      .value("running", kb::End::running)
+      .value("finished", kb::End::finished)
+      .value("stopped", kb::End::stopped)
+      .value("failed", kb::End::failed)
+      .value("doubtful", kb::End::doubtful);
+}
+
 void bind_values(py::module_& m) {
   py::class_<kb::Warning>(m, "Warning", "A likely mistake or a doubt, with a stable code and its place.")
-      .def_readonly("code", &kb::Warning::code)
-      .def_readonly("sentence", &kb::Warning::sentence)
+      .def_readonly("code", &kb::Warning::code, "Stable word; `keyblock explain CODE` gives the remedy.")
+      .def_readonly("sentence", &kb::Warning::sentence, "The warning as text.")
       .def_readonly("level", &kb::Warning::level, "error, warning, note or silent.")
       .def_property_readonly(
           "numbers", [](const kb::Warning& w) { return dict_of(w.facts.numbers); },
           "Values behind the sentence, by name.")
       .def_property_readonly(
           "blocks", [](const kb::Warning& w) { return w.facts.blocks; }, "Blocks or elements, from 1.")
-      .def_property_readonly("points", [](const kb::Warning& w) { return w.facts.points; })
-      .def_property_readonly("file", [](const kb::Warning& w) { return w.place.file; })
-      .def_property_readonly("line", [](const kb::Warning& w) { return w.place.line; })
-      .def_property_readonly("column", [](const kb::Warning& w) { return w.place.column; })
+      .def_property_readonly(
+          "points", [](const kb::Warning& w) { return w.facts.points; }, "Points of the sentence, x and y [length].")
+      .def_property_readonly(
+          "file", [](const kb::Warning& w) { return text_of(w.place.file); }, "File; empty without one.")
+      .def_property_readonly(
+          "line", [](const kb::Warning& w) { return w.place.line; }, "Line, from 1; 0 means the file as a whole.")
+      .def_property_readonly(
+          "column", [](const kb::Warning& w) { return w.place.column; }, "Column, from 1; 0 means the whole line.")
       .def("__str__",
            [](const kb::Warning& w) {
              std::string place = w.place.file;
              if (w.place.line > 0) place += ":" + std::to_string(w.place.line) + ":" + std::to_string(w.place.column);
              const std::string level = w.level == "silent" ? "note" : w.level;
-             return (place.empty() ? "" : place + ": ") + level + ": " + w.sentence + " [" + w.code + "]";
+             return text_of((place.empty() ? "" : place + ": ") + level + ": " + w.sentence + " [" + w.code + "]");
            })
+      .def(pickled(&kb::Warning::code, &kb::Warning::sentence, &kb::Warning::place, &kb::Warning::level,
+                   &kb::Warning::facts))
       .def("__repr__", [](const kb::Warning& w) { return "<Warning " + w.code + ">"; });
   py::class_<kb::Step>(m, "Step", "An accepted step.")
-      .def_readonly("number", &kb::Step::number)
-      .def_readonly("time", &kb::Step::time)
-      .def_readonly("dt", &kb::Step::dt, "Size of the step.")
+      .def_readonly("number", &kb::Step::number, "Number of the step, from 1; 0 means the initial state.")
+      .def_readonly("time", &kb::Step::time, "Time at the end of the step [time].")
+      .def_readonly("dt", &kb::Step::dt, "Size of the step [time].")
       .def_readonly("systems", &kb::Step::systems, "Solves of contact forces, or open-close iterations.")
-      .def_readonly("residual", &kb::Step::residual, "Largest force out of balance, over the largest load.")
-      .def_readonly("penetration", &kb::Step::penetration, "Deepest overlap.")
+      .def_readonly("residual", &kb::Step::residual, "Largest force out of balance, divided by the largest load.")
+      .def_readonly("penetration", &kb::Step::penetration, "Deepest overlap of two blocks [length].")
+      .def(pickled(&kb::Step::number, &kb::Step::time, &kb::Step::dt, &kb::Step::systems, &kb::Step::residual,
+                   &kb::Step::penetration))
       .def("__repr__", [](const kb::Step& s) {
         return "<Step " + std::to_string(s.number) + ", time " + std::to_string(s.time) + ">";
       });
@@ -383,15 +421,20 @@ void bind_values(py::module_& m) {
           "Values behind the reason, by name.")
       .def_property_readonly(
           "blocks", [](const kb::Outcome& o) { return o.facts.blocks; }, "Blocks or elements that failed, from 1.")
-      .def_property_readonly("points", [](const kb::Outcome& o) { return o.facts.points; })
-      .def_readonly("steps", &kb::Outcome::steps)
-      .def_readonly("time", &kb::Outcome::time)
+      .def_property_readonly(
+          "points", [](const kb::Outcome& o) { return o.facts.points; }, "Points behind the reason, x and y [length].")
+      .def_readonly("steps", &kb::Outcome::steps, "Number of accepted steps.")
+      .def_readonly("time", &kb::Outcome::time, "Time that the run has reached [time].")
       .def_readonly("displacement", &kb::Outcome::displacement,
-                    "The largest of any corner of a block or element at the end, from the case as drawn; nan before.")
-      .def_readonly("speed", &kb::Outcome::speed, "Of the fastest block at the end; nan before.")
+                    "Largest displacement of any corner of a block or element at the end, from the case as drawn "
+                    "[length]; nan before the end.")
+      .def_readonly("speed", &kb::Outcome::speed, "Speed of the fastest block at the end [length/time]; nan before it.")
       .def_readonly("sentences", &kb::Outcome::sentences, "How the motion ended.")
-      .def_readonly("warnings", &kb::Outcome::warnings, "Of the plan and the run, doubts among them.")
-      .def_readonly("doubts", &kb::Outcome::doubts)
+      .def_readonly("warnings", &kb::Outcome::warnings, "Warnings of the plan and the run, with the doubts.")
+      .def_readonly("doubts", &kb::Outcome::doubts, "Reasons not to trust the results.")
+      .def(pickled(&kb::Outcome::end, &kb::Outcome::reason, &kb::Outcome::failure, &kb::Outcome::cause,
+                   &kb::Outcome::facts, &kb::Outcome::steps, &kb::Outcome::time, &kb::Outcome::displacement,
+                   &kb::Outcome::speed, &kb::Outcome::sentences, &kb::Outcome::warnings, &kb::Outcome::doubts))
       .def("__repr__", [](const kb::Outcome& o) {
         return "<Outcome " + std::string(name_of(o.end)) + ", " + std::to_string(o.steps) + " steps>";
       });
@@ -399,10 +442,11 @@ void bind_values(py::module_& m) {
 
 void bind_studies(py::module_& m) {
   py::class_<kb::Trial>(m, "Trial", "One trial of a strength reduction.")
-      .def_readonly("factor", &kb::Trial::factor)
+      .def_readonly("factor", &kb::Trial::factor, "Factor by which the strength was divided.")
       .def_readonly("verdict", &kb::Trial::verdict, "stands, falls or undecided.")
-      .def_readonly("why", &kb::Trial::why)
-      .def_readonly("displacement", &kb::Trial::displacement, "The largest one.")
+      .def_readonly("why", &kb::Trial::why, "Reason for the verdict; may be empty.")
+      .def_readonly("displacement", &kb::Trial::displacement, "Largest displacement of the trial [length].")
+      .def(pickled(&kb::Trial::factor, &kb::Trial::verdict, &kb::Trial::why, &kb::Trial::displacement))
       .def("__repr__", [](const kb::Trial& t) { return "<Trial " + std::to_string(t.factor) + " " + t.verdict + ">"; });
   py::class_<kb::Strength>(m, "Strength", "Factor of safety: the bracket and its trials.")
       .def_readonly("stands", &kb::Strength::stands, "Largest factor at which the case is stable, or None.")
@@ -416,15 +460,16 @@ void bind_studies(py::module_& m) {
       .def_readonly("standing", &kb::Strength::standing, "Frame at `stands`, or None.")
       .def_readonly("falling", &kb::Strength::falling, "Frame at `falls`, or None.");
   py::class_<kb::Tip>(m, "Tip", "A crack tip at the end of the loads.")
-      .def_readonly("x", &kb::Tip::x, "Place in the undeformed body.")
-      .def_readonly("y", &kb::Tip::y, "Place in the undeformed body.")
+      .def_readonly("x", &kb::Tip::x, "Place in the undeformed body [length].")
+      .def_readonly("y", &kb::Tip::y, "Place in the undeformed body [length].")
       .def_readonly("ahead_x", &kb::Tip::ahead_x, "Direction of length 1, along the crack into the rock.")
       .def_readonly("ahead_y", &kb::Tip::ahead_y, "Direction of length 1, along the crack into the rock.")
       .def_readonly("k1", &kb::Tip::k1, "Stress intensity, mode I [force/length^1.5].")
       .def_readonly("k2", &kb::Tip::k2, "Stress intensity, mode II [force/length^1.5].")
       .def_readonly("j", &kb::Tip::j, "Energy release rate [force/length].")
-      .def_readonly("kink_deg", &kb::Tip::kink_deg, "Direction of growth, from straight ahead to the left.")
-      .def_readonly("k_equivalent", &kb::Tip::k_equivalent)
+      .def_readonly("kink_deg", &kb::Tip::kink_deg, "Direction of growth, from straight ahead to the left [deg].")
+      .def_readonly("k_equivalent", &kb::Tip::k_equivalent,
+                    "Stress intensity of a tip in mode I that is as near to growth; 0 means closed [force/length^1.5].")
       .def_readonly("spread", &kb::Tip::spread, "Difference of K_I between integration domains, over K.")
       .def_readonly("doubt", &kb::Tip::doubt, "Reason not to trust it, or empty.")
       .def(
@@ -435,7 +480,9 @@ void bind_studies(py::module_& m) {
                             "k2"_a = t.k2, "j"_a = t.j, "kink_deg"_a = t.kink_deg, "k_equivalent"_a = t.k_equivalent,
                             "spread"_a = t.spread, "doubt"_a = t.doubt);
           },
-          "Returns the numbers and the doubt as a dict.");
+          "Returns the numbers and the doubt as a dict.")
+      .def(pickled(&kb::Tip::x, &kb::Tip::y, &kb::Tip::ahead_x, &kb::Tip::ahead_y, &kb::Tip::k1, &kb::Tip::k2,
+                   &kb::Tip::j, &kb::Tip::kink_deg, &kb::Tip::k_equivalent, &kb::Tip::spread, &kb::Tip::doubt));
   m.def(
       "factor_of_safety",
       [](const kb::Case& of, const std::string& what, double within, const std::string& profile, const Pairs& settings,
@@ -618,6 +665,7 @@ void bind_run(py::module_& m) {
 PYBIND11_MODULE(_keyblock, m) {
   m.doc() = "The public library of Keyblock; the package keyblock wraps it.";
   bind_errors(m);
+  bind_parts_of_values(m);
   bind_values(m);
   py::class_<kb::Context>(m, "Context")
       .def(py::init<int>(), py::arg("threads") = 0)
