@@ -60,6 +60,11 @@ def texts(given: str | Iterable[str]) -> list[str]:
     return [given] if isinstance(given, str) else list(given)
 
 
+def encoded(path: StrPath) -> bytes:
+    """Name of a file for the library and the program, in UTF-8. Other bytes of a name stay."""
+    return os.fspath(path).encode("utf-8", "surrogateescape")
+
+
 class Context(_keyblock.Context):
     """Stops a computation and limits its threads and its time.
 
@@ -209,7 +214,7 @@ class Case:
 
         Returns sentences: content that the format cannot hold, content that is added, other rules of a run.
         """
-        return self._case.write(os.fspath(path), format)
+        return self._case.write(encoded(path), format)
 
     def __repr__(self) -> str:
         names = ", ".join(Path(f).name for f in self._read)
@@ -235,7 +240,7 @@ def _read_again(files: Sequence[str], drawing: Mapping[str, Any], values: Iterab
     paths = [os.path.abspath(f) for f in files]
     found = checksums_of(paths)  # before reading: a later change is seen
     require_unchanged(found if checksums is None else checksums, found)
-    case = Case(_keyblock.Case.read([os.fspath(f) for f in files], drawing.get("unit", ""), drawing.get("join", 0.0)),
+    case = Case(_keyblock.Case.read([encoded(f) for f in files], drawing.get("unit", ""), drawing.get("join", 0.0)),
                 paths, drawing, checksums=found)
     for pointer, value in values:
         case = case.with_value(pointer, value)

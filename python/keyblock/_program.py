@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, Iterable
 
 from . import _keyblock
-from ._cases import Case, StrPath, end_with_parent, read
+from ._cases import Case, StrPath, encoded, end_with_parent, read
 from ._words import in_arguments
 
 
@@ -47,7 +47,8 @@ def _run(arguments: Iterable[Any], accepted: tuple[int, ...] = (0,), lacks: Iter
     """
     path = program()
     try:
-        child = subprocess.Popen([path, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        child = subprocess.Popen([path, *map(encoded, map(str, arguments))], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                 encoding="utf-8", errors="surrogateescape",
                                  preexec_fn=functools.partial(end_with_parent, os.getpid()))
     except OSError as error:
         raise ProgramError(f"the program {path} does not start: {error.strerror}; KEYBLOCK_PROGRAM may name another",

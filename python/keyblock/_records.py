@@ -7,12 +7,11 @@ from __future__ import annotations
 import csv
 import functools
 import json
-import os
 from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping
 
 from . import _keyblock
-from ._cases import Case, Context, StrPath, checked, read, setting_pairs, texts
+from ._cases import Case, Context, StrPath, checked, encoded, read, setting_pairs, texts
 from ._program import number_of
 
 
@@ -110,7 +109,7 @@ def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, se
         return _ended_by(until, on_step, folder,
                          lambda: recorded(case, folder, choices, every, history, force, pictures, contacts, frames,
                                           checkpoint_every, context))
-    return _results(folder, _keyblock.record(case._case, os.fspath(folder), every, force, pictures, checkpoint_every,
+    return _results(folder, _keyblock.record(case._case, encoded(folder), every, force, pictures, checkpoint_every,
                                              history, contacts, frames, on_step, *choices, context).end)
 
 
@@ -140,4 +139,4 @@ def resume(folder: StrPath, on_step: Callable[[_keyblock.Step], Any] | None = No
     if until is not None:
         from ._runs import resumed
         return _ended_by(until, on_step, folder, lambda: resumed(folder, context))
-    return _results(folder, _keyblock.resume(os.fspath(folder), on_step, context).end)
+    return _results(folder, _keyblock.resume(encoded(folder), on_step, context).end)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping
 
 from . import _keyblock
-from ._cases import Case, Context, Plan, StrPath, checked, read, setting_pairs, texts
+from ._cases import Case, Context, Plan, StrPath, checked, encoded, read, setting_pairs, texts
 from ._frames import Frame
 from ._records import Results
 
@@ -219,14 +219,14 @@ def recorded(case: Case, folder: StrPath, choices: tuple[str, list[tuple[str, st
     """Returns a Run at its start that writes into a folder."""
     checked("every", every, is_whole=True)
     checked("checkpoint_every", checkpoint_every)
-    run = _keyblock.Run.recorded(case._case, os.fspath(folder), every, force, pictures, checkpoint_every, list(history),
+    run = _keyblock.Run.recorded(case._case, encoded(folder), every, force, pictures, checkpoint_every, list(history),
                                  contacts, frames, *choices, context)
     return _in_folder(run, folder, context, case, choices, plan)
 
 
 def resumed(folder: StrPath, context: _keyblock.Context) -> Run:
     """Returns the interrupted run of a folder, at its checkpoint."""
-    run = _keyblock.Run.resumed(os.fspath(folder), context)
+    run = _keyblock.Run.resumed(encoded(folder), context)
     return _in_folder(run, folder, context, Case(run.case))
 
 

@@ -309,8 +309,11 @@ void raise_error(PyObject* type, const std::exception& error) {
 
 void raise_input_error(const kb::InputError& error) {
   const py::object type = py::reinterpret_borrow<py::object>(input_error_type);
-  const py::object raised = type(in_arguments(error.what()));
-  raised.attr("file") = in_arguments(error.place.file);
+  const std::string message = error.what(), &file = error.place.file;
+  const bool begins_with_file = !file.starts_with("--") && message.starts_with(file);  // which is no option
+  const std::size_t length = begins_with_file ? file.size() : 0;
+  const py::object raised = type(text_of(message.substr(0, length)) + in_arguments(message.substr(length)));
+  raised.attr("file") = file.starts_with("--") ? in_arguments(file) : text_of(file);
   raised.attr("line") = error.place.line;
   raised.attr("column") = error.place.column;
   PyErr_SetObject(input_error_type, raised.ptr());

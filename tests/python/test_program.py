@@ -6,6 +6,8 @@ import csv
 import hashlib
 import json
 import math
+import os
+import pickle
 import resource
 import shutil
 import signal
@@ -300,6 +302,12 @@ class Program(Folder):
         with self.assertRaisesRegex(kb.InputError, "^history=block:7: error: ") as caught:
             kb.Run("block.json", history=["block:7"])
         self.assertEqual(caught.exception.file, "history=block:7")
+        Path("a --force").mkdir()
+        wrong = Path("a --force/c.json")
+        wrong.write_text('{"keyblock": 2,\n "blocks": 7}')
+        with self.assertRaisesRegex(kb.InputError, "^a --force/c.json:2:12: error: ") as caught:
+            kb.read(wrong)
+        self.assertEqual(caught.exception.file, str(wrong))
         with self.assertRaisesRegex(kb.Error, "block.json exists; give another name$"):
             kb.read("block.json").write("block.json")
         kb.record("block.json", "out", settings={"steps": 2}, pictures=False)
@@ -307,6 +315,24 @@ class Program(Folder):
             kb.record("block.json", "out")
         with self.assertRaisesRegex(kb.Error, "; record begins a run there$"):
             kb.resume(self.folder)
+
+    def test_names_and_texts_are_utf8_whatever_the_locale(self):
+        script = ("import keyblock as kb, os, sys\n"
+                  "case = kb.read(kb.new('block', 'block.json'))\n"
+                  "name = '/analysis/joint_materials/0/name'\n"
+                  "table = kb.sweep(case, {name: ['\\u00e9', '\\u00b5']}, settings={'steps': 2})\n"
+                  "assert list(table[name]) == ['\\u00e9', '\\u00b5'], table[name]\n"
+                  "path = os.fsdecode(b'\\xff.json')\n"
+                  "for call in (lambda: kb.read(path), lambda: kb.element(path, 'uniaxial', to=[1])):\n"
+                  "    try:\n        call()\n    except kb.Error as error:\n"
+                  "        assert path in str(error) and getattr(error, 'file', path) == path, ascii(str(error))\n"
+                  "    else:\n        raise SystemExit('no error')\n"
+                  "os.rename('block.json', path)\n"
+                  "assert kb.Run(path, settings={'steps': 2}).go_on().end == 'finished'\n")
+        for locale in ({"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}, {"LC_ALL": "C.UTF-8"}):
+            done = subprocess.run([sys.executable, "-c", script], env={**os.environ, **locale}, capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            os.remove(b"\xff.json")
 
     def test_a_program_that_does_not_start_is_an_error_of_the_package(self):
         with mock.patch.dict("os.environ", {"KEYBLOCK_PROGRAM": "/nope"}):
