@@ -1,5 +1,5 @@
 # The C++ module; the package wraps it. A test compares the names with those of the module.
-from typing import Any, Callable
+from typing import Any
 
 import numpy as np
 
@@ -215,9 +215,9 @@ class Tip:
     def asdict(self) -> dict[str, float | str]: ...
 
 def record(case: Case, folder: str | bytes, every: int, overwrite: bool, pictures: bool, checkpoint_every: float,
-           histories: list[str], contacts: str, frames: str, on_step: Callable[[Step], Any] | None, profile: str,
-           settings: list[tuple[str, str]], context: Context) -> Outcome: ...
-def resume(folder: str | bytes, on_step: Callable[[Step], Any] | None, context: Context) -> Outcome: ...
+           histories: list[str], contacts: str, frames: str, profile: str, settings: list[tuple[str, str]],
+           context: Context) -> Outcome: ...
+def resume(folder: str | bytes, context: Context) -> Outcome: ...
 def factor_of_safety(case: Case, what: str, within: float, profile: str, settings: list[tuple[str, str]],
                      context: Context) -> Strength: ...
 def stress_intensity(case: Case, profile: str, settings: list[tuple[str, str]],

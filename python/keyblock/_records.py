@@ -104,28 +104,32 @@ def record(case: Case | StrPath, folder: StrPath, profile: str | None = None, se
     history = texts(history)
     case = case if isinstance(case, Case) else read(case)
     choices, context = (profile or "", setting_pairs(settings)), context or Context()
-    if until is not None:
+    if until is not None or on_step is not None:
         from ._runs import recorded  # which imports this module
-        return _ended_by(until, on_step, folder,
-                         lambda: recorded(case, folder, choices, every, history, force, pictures, contacts, frames,
-                                          checkpoint_every, context))
+        return _watched(until, on_step, folder,
+                        lambda: recorded(case, folder, choices, every, history, force, pictures, contacts, frames,
+                                         checkpoint_every, context))
     return _results(folder, _keyblock.record(case._case, encoded(folder), every, force, pictures, checkpoint_every,
-                                             history, contacts, frames, on_step, *choices, context).end)
+                                             history, contacts, frames, *choices, context).end)
 
 
-def _ended_by(until: Callable[[Any], Any], on_step: Callable[[_keyblock.Step], Any] | None, folder: StrPath,
-              begin: Callable[[], Any]) -> Results:
-    """Steps the recorded run that `begin` returns until a condition is true."""
-    @functools.wraps(until)
+def _watched(until: Callable[[Any], Any] | None, on_step: Callable[[_keyblock.Step], Any] | None, folder: StrPath,
+             begin: Callable[[], Any]) -> Results:
+    """Steps the recorded run that `begin` returns, to its end or until a condition is true."""
+    @functools.wraps(until or _never)
     def is_met(run: Any) -> Any:
         if on_step is not None:
             on_step(run.last)
-        return until(run)
+        return until is not None and until(run)
     try:
         run = begin()
     except _keyblock.Stopped:  # before its first step
         return _results(folder, "stopped")
     return _results(folder, run.go_on(is_met).end)
+
+
+def _never(run: Any) -> bool:
+    return False
 
 
 def resume(folder: StrPath, on_step: Callable[[_keyblock.Step], Any] | None = None,
@@ -136,7 +140,7 @@ def resume(folder: StrPath, on_step: Callable[[_keyblock.Step], Any] | None = No
     nothing to resume.
     """
     context = context or Context()
-    if until is not None:
+    if until is not None or on_step is not None:
         from ._runs import resumed
-        return _ended_by(until, on_step, folder, lambda: resumed(folder, context))
-    return _results(folder, _keyblock.resume(encoded(folder), on_step, context).end)
+        return _watched(until, on_step, folder, lambda: resumed(folder, context))
+    return _results(folder, _keyblock.resume(encoded(folder), context).end)

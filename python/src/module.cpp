@@ -5,7 +5,6 @@
 // call from the main thread computes on a thread of its own, so that Ctrl-C takes effect. It stops the context, and
 // raises KeyboardInterrupt after kPatience at the latest, even if a factorisation still runs behind it.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -16,7 +15,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
-#include <functional>
 #include <keyblock/keyblock.hpp>
 #include <keyblock/record.hpp>
 #include <keyblock/studies.hpp>
@@ -504,84 +502,32 @@ void bind_studies(py::module_& m) {
       py::arg("case"), py::arg("profile"), py::arg("settings"), py::arg("context"));
 }
 
-/// A function of Python that any thread may call and drop. What it throws stops the computation and is kept.
-class StepCallback {
- public:
-  StepCallback(py::object function, kb::Context context)
-      : held_(std::make_shared<Held>(std::move(function))), context_(std::move(context)) {}
-
-  void operator()(const kb::Step& step) const {
-    const py::gil_scoped_acquire acquire;
-    if (held_->error) return;
-    try {
-      held_->function(step);
-    } catch (py::error_already_set&) {
-      held_->error = std::current_exception();
-      context_.stop();
-    }
-  }
-
-  void rethrow() const {
-    if (held_->error) std::rethrow_exception(std::exchange(held_->error, nullptr));
-  }
-
- private:
-  struct Held {
-    explicit Held(py::object f) : function(std::move(f)) {}
-    Held(const Held&) = delete;
-    ~Held() {
-      const py::gil_scoped_acquire acquire;
-      function = {};
-      error = nullptr;
-    }
-    py::object function;
-    std::exception_ptr error;
-  };
-
-  std::shared_ptr<Held> held_;
-  kb::Context context_;
-};
-
-/// Does `work` with a function to be called per step, or none.
-template <class Work>
-kb::Outcome recorded(const py::object& on_step, const kb::Context& context, Work work) {
-  if (on_step.is_none()) return computed(context, [=] { return work({}); });
-  StepCallback callback(on_step, context);  // not const: the copy for the other thread is moved
-  try {
-    kb::Outcome outcome = computed(context, [=] { return work(callback); });
-    callback.rethrow();
-    return outcome;
-  } catch (const kb::Error&) {
-    callback.rethrow();  // it comes first
-    throw;
-  }
-}
-
 void bind_records(py::module_& m) {
   m.def(
       "record",
       [](const kb::Case& of, const std::string& folder, int every, bool overwrite, bool pictures,
          double checkpoint_every, const std::vector<std::string>& histories, const std::string& contacts,
-         const std::string& frames, const py::object& on_step, const std::string& profile, const Pairs& settings,
-         const kb::Context& context) {
+         const std::string& frames, const std::string& profile, const Pairs& settings, const kb::Context& context) {
         const kb::Recording how{every, overwrite, pictures, checkpoint_every, histories, contacts, frames, {}};
-        return recorded(on_step, context, [=](const std::function<void(const kb::Step&)>& call) {
-          kb::Recording with_call = how;
-          with_call.on_step = call;
-          return kb::record(of, folder, with_call, {profile, settings}, context);
-        });
+        return computed(context, [=] { return kb::record(of, folder, how, {profile, settings}, context); });
       },
       py::arg("case"), py::arg("folder"), py::arg("every"), py::arg("overwrite"), py::arg("pictures"),
-      py::arg("checkpoint_every"), py::arg("histories"), py::arg("contacts"), py::arg("frames"), py::arg("on_step"),
-      py::arg("profile"), py::arg("settings"), py::arg("context"));
+      py::arg("checkpoint_every"), py::arg("histories"), py::arg("contacts"), py::arg("frames"), py::arg("profile"),
+      py::arg("settings"), py::arg("context"));
   m.def(
       "resume",
-      [](const std::string& folder, const py::object& on_step, const kb::Context& context) {
-        return recorded(on_step, context, [=](const std::function<void(const kb::Step&)>& call) {
-          return kb::resume(folder, call, context);
-        });
+      [](const std::string& folder, const kb::Context& context) {
+        return computed(context, [=] { return kb::resume(folder, {}, context); });
       },
-      py::arg("folder"), py::arg("on_step"), py::arg("context"));
+      py::arg("folder"), py::arg("context"));
+}
+
+/// Returns a function of a case and a pointer that computes as `computed` does.
+template <class Result>
+auto in_background(Result (kb::Case::*function)(std::string_view) const) {
+  return [function](const kb::Case& of, const std::string& pointer) {
+    return computed(kb::Context(), [=] { return (of.*function)(pointer); });
+  };
 }
 
 void bind_case(py::module_& m) {
