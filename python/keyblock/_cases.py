@@ -145,7 +145,14 @@ class Case:
         self._checksums = dict(checksums or {})  # of each file
 
     def __reduce__(self) -> Any:
+        self._require_files()
         return _read_again, (self._read, self._drawing, self._values, self._checksums)
+
+    def _require_files(self) -> None:
+        """Raises Error for a case that cannot be read again."""
+        if not self._read:
+            raise _keyblock.Error("expected a case whose files are known, found that of an interrupted run without run.json; "
+                                  "read its files")
 
     @property
     def warnings(self) -> list[_keyblock.Warning]:
@@ -217,7 +224,7 @@ class Case:
         return self._case.write(encoded(path), format)
 
     def __repr__(self) -> str:
-        names = ", ".join(Path(f).name for f in self._read)
+        names = ", ".join(Path(f).name for f in self._read) or "of an interrupted run"
         return f"<Case {names}{' with changed values' if self._values else ''}>"
 
 

@@ -74,6 +74,7 @@ class Run:
         """Plan of the run."""
         if self._plan is None:  # of `record` and `resume` with a condition
             self._plan = Plan(self._case, self._choices[0] or None, dict(self._choices[1]))
+            self._plan._case = self._known
         return self._plan
 
     def __iter__(self) -> Run:
@@ -197,7 +198,7 @@ class Run:
         a run to resume, name a file of your own in the setting `body_acceleration_file`.
         """
         followed = [*self.plan._history, *texts(history)]
-        run = recorded(self.plan.case, folder, self.plan._choices, every, followed, force, pictures, contacts, frames,
+        run = recorded(self._case, folder, self.plan._choices, every, followed, force, pictures, contacts, frames,
                        checkpoint_every, context or Context(), self.plan)
         run._file, run.load_seconds = getattr(self, "_file", None), self.load_seconds
         return run
@@ -226,15 +227,29 @@ def recorded(case: Case, folder: StrPath, choices: tuple[str, list[tuple[str, st
 
 def resumed(folder: StrPath, context: _keyblock.Context) -> Run:
     """Returns the interrupted run of a folder, at its checkpoint."""
+    read_again = _case_of(folder)
     run = _keyblock.Run.resumed(encoded(folder), context)
-    return _in_folder(run, folder, context, Case(run.case))
+    made = _in_folder(run, folder, context, Case(run.case))  # which has profile and settings of the run
+    if read_again is not None and read_again.json() == run.case.json():  # a drawing may have had another unit
+        made._known = read_again
+    return made
+
+
+def _case_of(folder: StrPath) -> Case | None:
+    """Case of an interrupted run by the files in its run.json; None if that does not tell them."""
+    try:
+        told = Results(folder).run
+        files = [os.path.join(told["made_by"]["folder"], file["file"]) for file in told["inputs"] if "setting" not in file]
+        return read(*files).with_values(told.get("values", {}))
+    except (OSError, ValueError, KeyError, TypeError, _keyblock.Error):
+        return None
 
 
 def _in_folder(of: _keyblock.Run, folder: StrPath, context: _keyblock.Context, case: Case,
                choices: tuple[str, list[tuple[str, str]]] = ("", []), plan: Plan | None = None) -> Run:
     run = Run.__new__(Run)
     run.context, run.load_seconds, run._stepper, run._folder = context, 0.0, threading.RLock(), Path(folder).absolute()
-    run._run, run._case, run._choices, run._plan = of, case, choices, plan
+    run._run, run._case, run._choices, run._plan, run._known = of, case, choices, plan, case
     return run
 
 

@@ -372,6 +372,7 @@ def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jo
     for key, value in ((k, v) for row in rows for k, v in row.items()):
         if isinstance(value, float) and not math.isfinite(value):
             raise ValueError(f"over: expected finite numbers, found {value} for {key}")
+    case._require_files()
     require_unchanged(case._checksums, checksums_of(case._read))  # the program reads the files again
     texts = {"design.json": json.dumps(rows)}
     if isinstance(joints, Mapping):

@@ -126,6 +126,36 @@ class Program(Folder):
         moved = whole.history("12")
         self.assertEqual(seen[-1], np.hypot(*(np.asarray(moved[f"displacement_{axis}"])[40] for axis in "xy")))
 
+    def test_an_error_of_a_callback_leaves_the_context_of_the_caller(self):
+        kb.new("block", "block.json")
+        context = kb.Context()
+
+        def fail(_):
+            raise ZeroDivisionError
+        for name in ("on_step", "until"):
+            with self.assertRaises(ZeroDivisionError):
+                kb.record("block.json", name, context=context, **{name: fail})
+            self.assertFalse(context.is_stopped)
+            self.assertEqual(kb.resume(name, context=context).end, "finished")
+
+    def test_the_case_of_a_resumed_run_has_its_files(self):
+        kb.new("block", "block.json")
+        case = kb.read("block.json").with_value(FRICTION, 10)
+        kb.record(case, "out", "reference", {"steps": 20}, until=lambda r: r.last.number == 5, pictures=False)
+        runs = []
+        os.mkdir("elsewhere")
+        os.chdir("elsewhere")
+        self.assertEqual(kb.resume("../out", until=runs.append).end, "finished")
+        plan = runs[0].plan
+        planned = kb.Plan(case, "reference", {"steps": 20})
+        self.assertEqual((plan.profile, plan.steps, plan.settings), (planned.profile, planned.steps, planned.settings))
+        again = pickle.loads(pickle.dumps(plan.case))
+        self.assertEqual((again.json(), again.get(FRICTION), plan.case._read), (case.json(), 10, case._read))
+        self.assertEqual(kb.sweep(plan.case, {"steps": [2]})[0]["verdict"], "finished")
+        (self.folder / "out/run.json").unlink()
+        with self.assertRaisesRegex(kb.Error, "expected a case whose files are known"):
+            pickle.dumps(kb._cases.Case(plan.case._case))
+
     def test_record_takes_a_condition_and_its_reason(self):
         kb.new("block", "block.json")
         steps, options = [], {"on_step": lambda s: steps.append(s.number), "pictures": False}
