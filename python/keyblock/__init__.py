@@ -29,7 +29,7 @@ __version__ = _version()
 
 __all__ = [
     "Case", "Context", "Distribution", "Error", "Failed", "Frame", "InputError", "Outcome", "Plan", "Pool", "ProgramError",
-    "Results", "Run", "SettingError", "Step", "Stopped", "Strength", "Table", "Tip", "Tips", "Trial", "Warning", "cases", "choice",
-    "cite", "compare", "convert", "element", "factor_of_safety", "fit", "grid", "joints", "lognormal", "new", "normal", "plot",
-    "program", "random", "read", "record", "resume", "stress_intensity", "sweep", "triangular", "uniform",
+    "Results", "Run", "SettingError", "Step", "Stopped", "Strength", "Table", "Tip", "Tips", "Trial", "Warning", "cases",
+    "choice", "cite", "compare", "convert", "element", "factor_of_safety", "fit", "grid", "joints", "lognormal", "new",
+    "normal", "plot", "program", "random", "read", "record", "resume", "stress_intensity", "sweep", "triangular", "uniform",
 ]

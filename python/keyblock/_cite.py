@@ -47,7 +47,8 @@ def _entries() -> str:
 @inproceedings{{shi1991,
   title = {{Manifold method of material analysis}},
   author = {{Shi, Gen-hua}},
-  booktitle = {{Transactions of the 9th Army Conference on Applied Mathematics and Computing, Report 92-1, US Army Research Office}},
+  booktitle = {{Transactions of the 9th Army Conference on Applied Mathematics and Computing,
+    Report 92-1, US Army Research Office}},
   year = {{1991}}
 }}
 """

@@ -11,6 +11,8 @@ import time
 from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping
 
+import numpy as np
+
 from . import _keyblock
 from ._cases import Case, Context, Plan, StrPath, checked, encoded, read, setting_pairs, texts
 from ._frames import Frame
@@ -151,17 +153,14 @@ class Run:
     def history(self, name: str) -> Any:
         """Returns a history so far: a data frame of time and quantities, with units in `attrs["units"]`.
 
-        Without pandas: a dict of arrays. Raises SettingError for another name. Rows are those of histories.csv; those of
-        "ledger" are of ledger.csv. A quantity of the energy balance, such as "kinetic", gives an array of its values.
+        Without pandas: a dict of arrays. A quantity without a value at a time is nan there. Rows are those of
+        histories.csv; those of "ledger" are of ledger.csv. A quantity of the energy balance, such as "kinetic", gives an
+        array of its values. Raises SettingError for another name.
         """
         if name not in self._run.histories() and name in self._balance():
             return self._run.history("ledger", name)[:, 1]
-        columns, units = {}, {"time": self._case.units[2]}
-        for quantity, unit in self._run.quantities(name):
-            rows = self._run.history(name, quantity)
-            columns.setdefault("time", rows[:, 0])
-            columns[quantity] = rows[:, 1]
-            units[quantity] = unit
+        units = {"time": self._case.units[2], **dict(self._run.quantities(name))}
+        columns = _joined({quantity: self._run.history(name, quantity) for quantity, _ in self._run.quantities(name)})
         try:
             import pandas
         except ImportError:
@@ -212,6 +211,21 @@ class Run:
 
     def __repr__(self) -> str:
         return f"<Run {self.outcome.end}, step {self.last.number} of {self.plan.steps}>"
+
+
+def _joined(rows: Mapping[str, Any]) -> dict[str, Any]:
+    """Columns of quantities whose rows are time and value; nan at a time that a quantity lacks, as a gap without neighbours."""
+    times = [row[:, 0] for row in rows.values()]
+    if not times:
+        return {}
+    common = times[0] if all(np.array_equal(times[0], t) for t in times) else np.unique(np.concatenate(times))
+    columns = {"time": common}
+    for quantity, row in rows.items():
+        columns[quantity] = row[:, 1]
+        if len(row) < len(common):
+            columns[quantity] = np.full(len(common), np.nan)
+            columns[quantity][np.searchsorted(common, row[:, 0])] = row[:, 1]
+    return columns
 
 
 def recorded(case: Case, folder: StrPath, choices: tuple[str, list[tuple[str, str]]], every: int, history: Iterable[str],

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import ast
 import gc
 import pickle
+import re
 import sys
 import tempfile
 import threading
@@ -18,7 +19,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
 import keyblock as kb  # noqa: E402
-from support import CASES, FRICTION, Folder, endless, final_bytes, slide, stopped  # noqa: E402
+from support import CASES, FRICTION, ROOT, Folder, endless, final_bytes, slide, stopped  # noqa: E402
 
 
 def resident_kib():
@@ -389,10 +390,96 @@ class Stubs(unittest.TestCase):
                 members = {m.name for m in node.body if isinstance(m, ast.FunctionDef)} - {"__init__"}
                 self.assertEqual(members, {n for n in vars(getattr(module, name)) if not n.startswith("_")}, name)
 
+    def test_lines_of_the_package_are_short(self):
+        for file in (ROOT / "python/keyblock").glob("*.py*"):
+            for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+                self.assertLessEqual(len(line), 128, f"{file.name}:{number}")
+
     def test_all_that_the_package_exports_is_documented(self):
+        page = (ROOT / "docs/python.md").read_text(encoding="utf-8")
         for name in kb.__all__:
-            self.assertTrue(getattr(kb, name).__doc__, name)
+            exported = getattr(kb, name)
+            self.assertTrue(exported.__doc__, name)
+            self.assertTrue(re.search(rf"\b{name}\b", page), name)
+            for member, value in vars(exported).items() if isinstance(exported, type) else ():
+                if not member.startswith("_"):
+                    self.assertRegex(value.__doc__ or "", r"\w.*\.", f"{name}.{member}")
         self.assertTrue((Path(kb.__file__).parent / "py.typed").exists())
+
+
+class Values(Folder):
+    def test_what_runs_and_studies_return_passes_through_a_pool(self):
+        case = slide()
+
+        def work(_):
+            run = kb.Run(case, settings={"steps": 20})
+            outcome = run.go_on()
+            return (outcome, run.last, run.frame("corners"), kb.factor_of_safety(case, within=0.1),
+                    kb.stress_intensity(CASES / "stress_intensity" / "edge_crack_05", settings={"ledger": "off"}))
+        with kb.Pool(jobs=1) as pool:
+            (outcome, step, frame, strength, tips), = pool.map(work, [1])
+        here = work(1)
+        for found, other in ((outcome, here[0]), (step, here[1]), (strength.trials[0], here[3].trials[0]),
+                             (tips[0], here[4][0]), (tips.warnings[0], here[4].warnings[0])):
+            for name in (n for n in vars(type(other)) if not n.startswith("_") and n not in ("asdict", "warnings", "doubts")):
+                self.assertEqual(getattr(found, name), getattr(other, name), name)
+        self.assertEqual([str(w) for w in outcome.warnings], [str(w) for w in here[0].warnings])
+        for found, other in ((frame, here[2]), (strength.falling, here[3].falling), (pickle.loads(pickle.dumps(frame)), frame)):
+            self.assertEqual((found.step, found.time, found.units), (other.step, other.time, other.units))
+            for part in other.parts():
+                self.assertEqual(found.names(part), other.names(part))
+                for name in other.names(part):
+                    np.testing.assert_array_equal(found.column(part, name), other.column(part, name))
+                    self.assertEqual(found.unit(part, name), other.unit(part, name))
+        self.assertEqual((repr(frame), frame.svg()), (repr(here[2]), here[2].svg()))
+        with self.assertRaises(ValueError):
+            frame.displacement[0, 0] = 1
+        with self.assertRaises(kb.SettingError):
+            frame.column("blocks", "colour")
+
+    def test_parts_without_rows_have_their_columns(self):
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        kb.new("block", "block.json")
+        run = kb.Run("block.json")
+        before = run.frame()
+        run = kb.Run("block.json", load=lambda t: (0, 30.0))  # the block leaves the slope
+        run.go_on()
+        contacts = run.frame().part("contacts")
+        self.assertEqual((len(contacts), contacts["normal_force"].sum()), (0, 0))
+        self.assertEqual(list(contacts), list(before.part("contacts")))
+        cracked = kb.Run(CASES / "stress_intensity" / "edge_crack_05")
+        cracked.go_on()
+        kb.new("tunnel", "tunnel.json")
+        frames = [before, cracked.frame("corners"), kb.Run("tunnel.json").frame()]
+        seen = set()
+        for frame in frames:
+            for part, names in kb._frames._NAMES_WITHOUT_ROWS.items():
+                self.assertEqual(frame.names(part), list(names))
+                if frame._frame.rows(part):
+                    seen.add(part)
+                    self.assertEqual(frame._frame.names(part), list(names))
+        self.assertEqual(seen, {"contacts", "points", "cracks", "tips"})
+
+    def test_quantities_of_a_history_are_joined_by_time(self):
+        kb.new("block", "block.json")
+        run = kb.Run("block.json", load=lambda t: (0, 30.0), history=["contact:1,2"])  # the block leaves the slope
+        run.go_on()
+        name, = run.histories()
+        for table in (run.history(name), without_pandas(lambda: run.history(name))):
+            times, gap = np.asarray(table["time"]), np.asarray(table["least_gap"])
+            self.assertEqual((len(times), len(gap), np.isnan(gap[-1])), (101, 101, True))
+            rows = run._run.history(name, "least_gap")
+            self.assertLess(len(rows), 101)
+            for time, value in rows:
+                self.assertEqual(gap[times == time], [value])
+
+
+def without_pandas(call):
+    with mock.patch.dict("sys.modules", {"pandas": None}):
+        return call()
 
 
 class Studies(unittest.TestCase):
