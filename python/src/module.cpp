@@ -34,7 +34,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kBetweenLooks = 50ms;  // at the signals of Python
 constexpr auto kPatience = 700ms;     // with a computation that was stopped
-constexpr int kQuickUnknowns = 2000;  // a step of so few ends soon: it needs no thread of its own
+constexpr auto kQuickStep = 50ms;     // the next step after one that took less needs no thread of its own
 
 std::atomic<int> left_behind{0};  // computations without a waiting caller
 
@@ -131,6 +131,8 @@ class Runner {
     std::timed_mutex mutex;
     std::shared_ptr<kb::Run> run;
     std::atomic<bool> is_computing{false};  // on a thread of its own
+    std::atomic<bool> is_quick{false};      // the last step was
+    bool writes_files = false;              // no step is quick then
     std::atomic<int> waiting{0};            // threads between steps of which `finish` lets one have the run
   };
 
@@ -181,18 +183,17 @@ class Runner {
   }
 
  public:
-  Runner(const kb::Plan& plan, const kb::Context& context)
-      : context_(context), is_quick_(plan.unknowns() <= kQuickUnknowns), shared_(std::make_shared<Shared>()) {
+  Runner(const kb::Plan& plan, const kb::Context& context) : context_(context), shared_(std::make_shared<Shared>()) {
     auto run = computed(context, [plan, context] { return std::make_shared<kb::Run>(plan, context); });
     shared_->run = std::move(run);
   }
 
-  /// Holds the run that `make` begins. A step may write files, and is never quick.
+  /// Holds the run that `make` begins, which writes files.
   template <class Make>
-  Runner(const kb::Context& context, Make make)
-      : context_(context), is_quick_(false), shared_(std::make_shared<Shared>()) {
+  Runner(const kb::Context& context, Make make) : context_(context), shared_(std::make_shared<Shared>()) {
     auto run = computed(context, [make] { return std::make_shared<kb::Run>(make()); });
     shared_->run = std::move(run);
+    shared_->writes_files = true;
   }
 
   void end_early(const std::string& why) {
@@ -203,7 +204,12 @@ class Runner {
   }
 
   bool advance() {
-    return with_run(is_quick_, [](kb::Run& run) { return run.advance(); });
+    return with_run(shared_->is_quick, [shared = shared_](kb::Run& run) {
+      const auto began = std::chrono::steady_clock::now();
+      const bool is_made = run.advance();
+      shared->is_quick = !shared->writes_files && std::chrono::steady_clock::now() - began < kQuickStep;
+      return is_made;
+    });
   }
 
   /// Makes the steps to the end. Between them other threads may read the run.
@@ -255,7 +261,6 @@ class Runner {
 
  private:
   kb::Context context_;
-  bool is_quick_;
   std::shared_ptr<Shared> shared_;
 };
 
