@@ -118,9 +118,16 @@ py::array view_of(const kb::Column<T>& column, std::size_t width) {
   return view;
 }
 
+/// Contacts are computed here when they are first asked for.
+std::size_t rows_of(const kb::Frame& frame, std::string_view part) {
+  const py::gil_scoped_release release;
+  return frame.rows(part);
+}
+
 py::array column_of(const kb::Frame& frame, std::string_view part, std::string_view name) {
-  const std::size_t width = frame.rows(part) > 0 ? 1 : frame.components(part, name).size();
-  if (frame.rows(part) > 0 && frame.is_integer(part, name)) return view_of(frame.integers(part, name), width);
+  const std::size_t rows = rows_of(frame, part);
+  const std::size_t width = rows > 0 ? 1 : frame.components(part, name).size();
+  if (rows > 0 && frame.is_integer(part, name)) return view_of(frame.integers(part, name), width);
   return view_of(frame.reals(part, name), width);
 }
 
@@ -546,14 +553,21 @@ void bind_case(py::module_& m) {
       .def_property_readonly("warnings", &kb::Case::warnings)
       .def_property_readonly("units", &kb::Case::units)
       .def_property_readonly("profile", &kb::Case::profile)
-      .def("json", &kb::Case::json)
-      .def("get", &kb::Case::get, py::arg("pointer"))
-      .def("pointers", &kb::Case::pointers, py::arg("pointer"))
+      .def("json", [](const kb::Case& of) { return computed(kb::Context(), [of] { return of.json(); }); })
+      .def("get", in_background(&kb::Case::get), py::arg("pointer"))
+      .def("pointers", in_background(&kb::Case::pointers), py::arg("pointer"))
       .def(
           "with_json",
-          [](const kb::Case& of, std::string_view pointer, std::string_view value) { return of.with(pointer, value); },
+          [](const kb::Case& of, const std::string& pointer, const std::string& value) {
+            return computed(kb::Context(), [=] { return of.with(pointer, std::string_view(value)); });
+          },
           py::arg("pointer"), py::arg("value"))
-      .def("write", &kb::Case::write, py::arg("path"), py::arg("format"));
+      .def(
+          "write",
+          [](const kb::Case& of, const std::string& path, const std::string& format) {
+            return computed(kb::Context(), [=] { return of.write(path, format); });
+          },
+          py::arg("path"), py::arg("format"));
   py::class_<kb::Plan>(m, "Plan")
       .def(py::init([](const kb::Case& of, const std::string& profile, const Pairs& settings,
                        const std::vector<std::string>& histories, const kb::Context& context) {
@@ -576,9 +590,10 @@ void bind_run(py::module_& m) {
       .def_property_readonly("time", &kb::Frame::time)
       .def_property_readonly("load_factor", &kb::Frame::load_factor)
       .def_static("parts", &kb::Frame::parts)
-      .def("names", &kb::Frame::names, py::arg("part"))
-      .def("rows", &kb::Frame::rows, py::arg("part"))
-      .def("components", &kb::Frame::components, py::arg("part"), py::arg("name"))
+      .def("names", &kb::Frame::names, py::arg("part"), py::call_guard<py::gil_scoped_release>())
+      .def("rows", &rows_of, py::arg("part"))
+      .def("components", &kb::Frame::components, py::arg("part"), py::arg("name"),
+           py::call_guard<py::gil_scoped_release>())
       .def("unit", &kb::Frame::unit, py::arg("part"), py::arg("name"))
       .def("column", &column_of, py::arg("part"), py::arg("name"));
   py::class_<Runner>(m, "Run")

@@ -3,6 +3,7 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import itertools
+import json
 import sys
 import threading
 import time
@@ -11,10 +12,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 import keyblock as kb  # noqa: E402
-from support import ROOT, Folder, endless, press_ctrl_c, slide  # noqa: E402
+from support import FRICTION, ROOT, Folder, endless, press_ctrl_c, slide, wall_of  # noqa: E402
 
 AFTER = 0.5  # seconds
-AT_MOST = 1.0  # seconds from the signal to the exception
+AT_MOST = 1.0  # seconds from the signal to the exception, which the page promises
 
 
 class Interrupts(Folder):
@@ -37,12 +38,42 @@ class Interrupts(Folder):
     def heard(self, name, work):
         seconds = self.interrupted(work)
         print(f"{name}: heard after {seconds:.2f} s", file=sys.stderr)
-        self.assertLess(seconds, AT_MOST + 0.5)  # machines of tests are busy
+        self.assertLess(seconds, AT_MOST)
 
     def test_small_steps_in_a_loop(self):
         run = kb.Run(endless())
         self.heard("loop", lambda: [None for _ in run])
-        self.assertIn(run.outcome.end, ("running", "stopped"))
+        self.assertLess(run.last.number, 10_000_000)
+
+    def test_a_large_step_of_few_unknowns(self):
+        case = self.wall(18, 18).with_value("/analysis/velocity_carry_over", 0)  # 1,944 unknowns, and a step of many seconds
+        for name, steps in (("static step in a loop", lambda run: [None for _ in run]), ("static step", kb.Run.advance)):
+            run = kb.Run(case)
+            self.heard(name, lambda: steps(run))
+
+    def test_reading_and_changing_a_large_case(self):
+        text = json.dumps(wall_of(100, 100))
+        case = kb.read(self.write("wall.json", text))
+        for name, change in (("with_value", lambda: case.with_value(FRICTION, 21)), ("get", lambda: case.get(FRICTION))):
+            self.heard(name, lambda: [change() for _ in itertools.repeat(0)])
+            longest = self.longest_pause_beside(change)
+            self.assertLess(longest, 0.3, name)
+
+    def longest_pause_beside(self, work):
+        """Longest time that another thread of Python stands still."""
+        pauses, is_done = [], threading.Event()
+
+        def tick():
+            last = time.monotonic()
+            while not is_done.wait(0.01):
+                pauses.append(time.monotonic() - last)
+                last = time.monotonic()
+        thread = threading.Thread(target=tick)
+        thread.start()
+        work()
+        is_done.set()
+        thread.join()
+        return max(pauses)
 
     def test_small_steps_to_the_end(self):
         run = kb.Run(endless())
