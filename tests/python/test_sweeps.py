@@ -190,7 +190,8 @@ class Sweeps(Folder):
         self.assertEqual([r["x"] for r in table[::3]], [1.0, 1.0])
 
     def test_factors_of_safety_and_points_are_outputs(self):
-        table = kb.sweep(slide(), {FRICTION: [20]}, out=["fos", "speed", "steps", "blocks"])
+        table = kb.sweep(slide(), {FRICTION: [20]}, out=["fos", "speed", "steps", "blocks", "point1.dx", "displacement"])
+        self.assertAlmostEqual(table[0]["point1.dx"], math.cos(math.radians(30)) * table[0]["displacement"], delta=1e-3)
         self.assertAlmostEqual(table[0]["fos"], math.tan(math.radians(20)) / math.tan(math.radians(30)), delta=0.01)
         self.assertEqual((table[0]["steps"], table[0]["blocks"]), (1000, 2))
         with self.assertRaises(kb.Error):
