@@ -339,31 +339,21 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
         raise ValueError(f"over: expected at least one row with a key, found {over!r}")
     _check_names(keys, ())
     history = texts(history)
-    is_even = all(len(row) == len(keys) for row in rows)  # the program needs the same keys in all rows
     if not callable(out):
         out = (out,) if isinstance(out, str) else tuple(out)
         _check_names(keys, out)
         _check_outputs(out, [h.partition("=")[0] for h in history])
-    if isinstance(case, Case) and not callable(out) and (is_even or joints is not None or not _is_plain(out)):
-        if not is_even:
-            raise ValueError(f"over: expected the same keys in all rows for joints and for outputs other than {_plain_names()}")
+    if isinstance(case, Case) and not callable(out):
         if time_limit is not None and time_limit < 1:
             raise ValueError(f"time_limit: expected at least 1 s for outputs by name, found {time_limit}")
+        rows = [{key: row.get(key) for key in keys} for row in rows]  # None leaves a key as it is
         return _by_program(case, rows, out, pool.jobs, time_limit, memory_limit, profile, settings, folder, shard, history,
                            client, joints)
     if joints is not None:
         raise ValueError("joints: expected a case and outputs by name, found a function")
-    if not callable(out) and not _is_plain(out):
-        raise ValueError(f"out: expected some of {_plain_names()}, found {', '.join(out)}")
+    if not callable(out) and not set(out) <= {*_OUTPUTS, *_FACTORS}:
+        raise ValueError(f"out: expected some of {', '.join([*_OUTPUTS, *_FACTORS])}, found {', '.join(out)}")
     return _by_functions(case, rows, out, pool, profile, settings, folder, shard, client, history)
-
-
-def _is_plain(out: Iterable[str]) -> bool:
-    return set(out) <= {*_OUTPUTS, *_FACTORS}
-
-
-def _plain_names() -> str:
-    return ", ".join([*_OUTPUTS, *_FACTORS])
 
 
 def _by_program(case: Case, rows: list[dict[str, Any]], out: tuple[str, ...], jobs: int, time_limit: float | None,

@@ -242,14 +242,17 @@ class Sweeps(Folder):
 
     def test_rows_of_different_keys_are_one_table(self):
         table = kb.sweep(slide(), [{FRICTION: 10, "steps": 2}, {"steps": 3}, {FRICTION: 20, "time_step": "1 ms"}], out="time")
-        self.assertEqual(table.columns, [FRICTION, "steps", "time_step", "verdict", "doubt", "time"])
+        self.assertEqual(table.columns, [FRICTION, "steps", "time_step", "verdict", "doubt", "time", "job"])
+        even = kb.sweep(slide(), [{FRICTION: 10, "steps": 2}, {FRICTION: 20, "steps": 3}], out="point1.dx")
+        mixed = kb.sweep(slide(), [{FRICTION: 10, "steps": 2}, {"steps": 3}], out="point1.dx")
+        np.testing.assert_array_equal(mixed["point1.dx"], even["point1.dx"])  # the case has 20 degrees
+        by_function = kb.sweep(slide(), [{FRICTION: 10, "steps": 2}, {"steps": 3}], out=lambda run: run.last.number)
+        self.assertEqual(list(by_function["out"]), [2, 3])
         np.testing.assert_array_equal(table[FRICTION], [10, math.nan, 20])
         self.assertIn("1 ms", repr(table))
         table.write("table.csv")
         rows = list(csv.reader((self.folder / "table.csv").read_text().splitlines()))
         self.assertEqual([row[:3] for row in rows[1:]], [["10", "2", ""], ["", "3", ""], ["20", "", "1 ms"]])
-        with self.assertRaisesRegex(ValueError, "same keys"):
-            kb.sweep(slide(), [{FRICTION: 10}, {"steps": 3}], out="point1.dx")
         kb.Table([{"a": 1}, {"b": 2.5}]).write("free.csv")
         self.assertEqual((self.folder / "free.csv").read_text(), "a,b\n1,\n,2.5\n")
         with self.assertRaises(KeyError):

@@ -99,7 +99,7 @@ std::vector<std::string> SweepJob::command(const std::string& verb) const {
   for (const std::string& set : given.sets) add("--set", set);
   for (const std::string& value : given.values) add("--at", value);
   for (const auto& [key, value] : row_.items()) {
-    if (key.starts_with(study::kOfJoints)) continue;
+    if (value.is_null() || key.starts_with(study::kOfJoints)) continue;
     // JSON keeps a text such as "12" apart from a number.
     const bool is_plain = !value.is_string() || !Json::accept(value.get<std::string>());
     if (key.starts_with('/'))
@@ -149,7 +149,7 @@ bool SweepJob::draw_joints() {
   if (fs::exists(drawings_.front())) return true;  // of the run that goes on
   Json statistics = Json::parse(plan_.joints);
   for (const auto& [key, value] : row_.items()) {
-    if (!key.starts_with(study::kOfJoints)) continue;
+    if (value.is_null() || !key.starts_with(study::kOfJoints)) continue;
     for (const std::string& at : pointers_to(key.substr(study::kOfJoints.size()), statistics.dump(), true))
       statistics[Json::json_pointer(at)] = value;
   }

@@ -17,7 +17,9 @@ void add_value_options(CLI::App& options, ValueSweepOptions& chosen) {
                   "joints:/POINTER=normal(35,3); may be repeated; names and * stand for numbers of list items")
       ->type_name("KEY=VALUES")
       ->take_all();
-  options.add_option("--design", chosen.design_file, "rows of values instead of --over: a JSON list of objects")
+  options
+      .add_option("--design", chosen.design_file,
+                  "rows of values instead of --over: a JSON list of objects; null leaves a key as it is")
       ->type_name("FILE");
   options
       .add_option("--random", chosen.random,
