@@ -104,18 +104,18 @@ def new(kind: str, path: StrPath, force: bool = False) -> Path:
     return Path(path)
 
 
-def joints(spec: dict[str, Any] | StrPath, path: StrPath, seed: int | None = None) -> Path:
+def joints(spec: dict[str, Any] | StrPath, path: StrPath, seed: int | None = None, force: bool = False) -> Path:
     """Draws joint sets with `keyblock joints` into a drawing. Returns its path.
 
-    spec: a dict as docs/slope.json, or the path of one. path: ends in .dxf, .json, .xml or .geo. seed: rules that of spec.
-    Raises ProgramError.
+    spec: a dict as docs/slope.json, or the path of one. path: ends in .dxf, .json, .xml or .geo. seed: overrides that of
+    spec. force: overwrite an existing file. Raises ProgramError.
     """
     with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
         if isinstance(spec, dict):
             file = Path(folder) / "joints.json"
             file.write_text(json.dumps(spec), encoding="utf-8")
             spec = file
-        _run(["joints", spec, "-o", path, *_options(seed=seed)])
+        _run(["joints", spec, "-o", path, *_options(seed=seed, force=force)])
     return Path(path)
 
 

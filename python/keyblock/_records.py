@@ -18,22 +18,26 @@ from ._program import number_of
 class Results:
     """Folder of a recorded run, also of `keyblock run`.
 
-    folder: its path. run: content of run.json.
+    folder: its path. run: content of run.json; empty for a run that was killed, or goes on, whose tables may be read.
+    Raises Error if the folder holds neither record nor tables.
     """
 
     def __init__(self, folder: StrPath) -> None:
         self.folder = Path(folder)
-        self.run = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
+        record = self.folder / "run.json"
+        if not record.exists() and not self.tables():
+            raise _keyblock.Error(f"{folder}: expected the results of a run, found none")
+        self.run = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
 
     @property
     def end(self) -> str:
-        """finished, stopped or failed."""
-        return str(self.run["outcome"]["end"])
+        """finished, stopped or failed; unfinished without a record."""
+        return str(self.run["outcome"]["end"]) if self.run else "unfinished"
 
     @property
     def doubts(self) -> list[Any]:
         """Reasons not to trust the results."""
-        return list(self.run["outcome"].get("doubts", []))
+        return list(self.run.get("outcome", {}).get("doubts", []))
 
     def tables(self) -> list[str]:
         """Returns the names of the tables, such as history and contacts."""

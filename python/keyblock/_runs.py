@@ -11,8 +11,6 @@ import time
 from pathlib import Path
 from typing import Any, Callable, Iterable, Mapping
 
-import numpy as np
-
 from . import _keyblock
 from ._cases import Case, Context, Plan, StrPath, checked, encoded, read, setting_pairs, texts
 from ._frames import Frame
@@ -25,7 +23,8 @@ class Run:
     case: a Case, a Plan, or the path of a case. profile, settings, history: see Plan. threads: see Context; not
     beside a context. load: a function of time that returns the acceleration (ax, ay) of a force per mass on every block,
     both in units of the case. It is called once per step, before the run. Its values go to the setting
-    `body_acceleration_file`, which a Plan has already: load needs a case, without another table of accelerations.
+    `body_acceleration_file`, which a Plan has already: load needs a case, without another table of accelerations. Where
+    nothing accelerates, as in linear statics, the plan warns `setting_without_effect`.
 
     Iteration makes the steps: `for step in run`. Ctrl-C stops the computation within about a second and raises
     KeyboardInterrupt; a factorisation that runs may end behind it. A stopped run does not go on. Several runs in several
@@ -160,7 +159,11 @@ class Run:
         if name not in self._run.histories() and name in self._balance():
             return self._run.history("ledger", name)[:, 1]
         units = {"time": self._case.units[2], **dict(self._run.quantities(name))}
-        columns = _joined({quantity: self._run.history(name, quantity) for quantity, _ in self._run.quantities(name)})
+        columns: dict[str, Any] = {}
+        for quantity in list(units)[1:]:
+            rows = self._run.history(name, quantity)  # time and value
+            columns.setdefault("time", rows[:, 0])
+            columns[quantity] = rows[:, 1]
         try:
             import pandas
         except ImportError:
@@ -211,21 +214,6 @@ class Run:
 
     def __repr__(self) -> str:
         return f"<Run {self.outcome.end}, step {self.last.number} of {self.plan.steps}>"
-
-
-def _joined(rows: Mapping[str, Any]) -> dict[str, Any]:
-    """Columns of quantities whose rows are time and value; nan at a time that a quantity lacks, as a gap without neighbours."""
-    times = [row[:, 0] for row in rows.values()]
-    if not times:
-        return {}
-    common = times[0] if all(np.array_equal(times[0], t) for t in times) else np.unique(np.concatenate(times))
-    columns = {"time": common}
-    for quantity, row in rows.items():
-        columns[quantity] = row[:, 1]
-        if len(row) < len(common):
-            columns[quantity] = np.full(len(common), np.nan)
-            columns[quantity][np.searchsorted(common, row[:, 0])] = row[:, 1]
-    return columns
 
 
 def recorded(case: Case, folder: StrPath, choices: tuple[str, list[tuple[str, str]]], every: int, history: Iterable[str],

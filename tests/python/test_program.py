@@ -45,6 +45,24 @@ class Program(Folder):
             self.assertEqual((results.end, results.doubts), ("finished", []))
             self.assertEqual(results.run["profile"], run.plan.profile)
 
+    def test_tables_of_a_run_without_a_record_are_read(self):
+        kb.new("block", "block.json")
+        steps = kb.record("block.json", "out").table("history")
+        Path("out/run.json").unlink()
+        killed = kb.Results("out")
+        self.assertEqual((killed.end, killed.doubts), ("unfinished", []))
+        self.assertEqual(column(killed.table("history"), "time"), column(steps, "time"))
+        Path("empty").mkdir()
+        with self.assertRaisesRegex(kb.Error, "expected the results of a run, found none"):
+            kb.Results("empty")
+
+    def test_joints_overwrite_a_drawing_on_request(self):
+        spec = ROOT / "docs" / "slope.json"
+        kb.joints(spec, "slope.geo", seed=1)
+        with self.assertRaisesRegex(kb.Error, "force=True"):
+            kb.joints(spec, "slope.geo", seed=2)
+        kb.joints(spec, "slope.geo", seed=2, force=True)
+
     def test_record_leaves_the_files_of_keyblock_run(self):
         kb.new("block", "block.json")
         steps = []
