@@ -28,7 +28,7 @@
 namespace keyblock::api {
 inline namespace v1 {
 
-/// A profile ("standard", "legacy", …; empty: as the files ask) and settings above it, as `--profile` and `--set`.
+/// A profile ("standard", "legacy", …; empty: that of the files) and settings above it, as `--profile` and `--set`.
 struct Choices {
   std::string profile = {};
   std::vector<std::pair<std::string, std::string>> set = {};
@@ -134,14 +134,14 @@ struct Outcome {
 /// Steps made one at a time. Prints nothing and writes nothing.
 class KEYBLOCK_API Run {
  public:
-  /// Seeks the start. Throws InputError, Stopped.
+  /// Computes the initial state. Throws InputError, Stopped.
   explicit Run(const Plan& plan, const Context& context = Context());
   Run(Run&&) noexcept;
   Run& operator=(Run&&) noexcept;
   ~Run();
   /// Makes one step; false where the run is at its end, stopped or failed, and `outcome` says which.
   bool advance();
-  /// To the end, or until `until` is true behind a step: the run may then go on. A recorded run ends there.
+  /// To the end, or until `until` is true after a step: the run may then continue. A recorded run ends there.
   const Outcome& go_on(const std::function<bool(const Run&)>& until = {});
   /// Ends a recorded run after the last step: its results are written, with `why` as `ended_early` in run.json, and a
   /// checkpoint from which `resume` continues. Does nothing to another run, or after the last step of all.
@@ -149,7 +149,7 @@ class KEYBLOCK_API Run {
   /// The case, with the choices of a run that is resumed.
   const Case& of() const;
   const Step& last() const;
-  Frame frame(Detail detail = Detail::blocks) const;  ///< of now; its contacts are sought when first asked for
+  Frame frame(Detail detail = Detail::blocks) const;  ///< of now; its contacts are computed when first read
   const Outcome& outcome() const;                     ///< `running` before the end
   /// Names of the histories so far: those of `Choices::histories` and of the case. The energy balance is "ledger", if the
   /// settings request it; it is not listed.

@@ -10,7 +10,7 @@
 namespace keyblock::api {
 inline namespace v1 {
 
-/// What `record` writes beside the results that the case asks for.
+/// Results that `record` writes beside those of the case.
 struct Recording {
   int every = 0;           ///< steps per frame; 0: as the case says, at most 100 frames
   bool overwrite = false;  ///< the results of an earlier run in the folder

@@ -34,7 +34,7 @@ struct Strength {
   std::optional<Frame> falling;
 };
 
-/// Divides the strength of "joints", "rock" or "both" until the case no longer stands: the search of `keyblock fos`,
+/// Divides the strength of "joints", "rock" or "both" until the case is no longer stable: the search of `keyblock fos`,
 /// without its second one on a coarser mesh. If `what` is empty or `within` 0, it is that of the `case.json` of a
 /// folder, else "joints" or 0.01. The range of the search and its exemptions are always those of `case.json`. Throws
 /// SettingError for another word, or a width below 0.

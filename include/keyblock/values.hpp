@@ -58,7 +58,7 @@ class KEYBLOCK_API Context {
   /// Threads of a step, at most 256; 0: as many as there are processors. Results do not depend on it, to the last bit.
   /// Throws SettingError.
   explicit Context(int threads = 0);
-  /// Heard within steps and searches, and not taken back. May be called by a signal handler.
+  /// Stops steps and searches, and is not taken back. May be called by a signal handler.
   void stop() const noexcept;
   bool is_stopped() const noexcept;
   /// Name of the search that runs and its progress, 0 to 1 (0: unknown). The name is empty between searches.

@@ -210,7 +210,7 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "The tensile strength is above the apex of the yield surface, c cot φ.",
      "Give a lower tensile_strength, or remove it."},
     {"toe_wedged", warning, "A sharp toe rests on the floor in front of it",
-     "The face on which rock could slide comes out where the slope meets its floor. A rigid toe cannot be pushed "
+     "The face on which rock could slide comes out where the slope meets its floor, and a rigid toe cannot be pushed "
      "into a rigid floor. A bench has a factor of 2.66 this way, and 0.92 if the face comes out 0.3 m above the floor. "
      "Limit equilibrium, which lets the toe pass, gives 0.91.",
      "Let the face come out a little above the floor, or cut the toe off, if the rock there can be crushed."},

@@ -14,7 +14,6 @@ namespace {
 
 // Times that differ by less than this fraction are the same end; runs with cut steps end earlier.
 constexpr double kSameEnd = 0.01;
-// Prefix that `answer_in` puts before the reason.
 
 using report::CatalogueAnswer;
 using report::CatalogueVerdict;
