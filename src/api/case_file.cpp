@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -171,6 +172,13 @@ ReductionAsked reduction_of(const CaseValue& node) {
   return asked;
 }
 
+// At the top.
+std::vector<std::string> known_keys() {
+  std::vector<std::string> known{"about", "slow", "set", "variants", "reduce_strength"};
+  for (const std::string& profile : rule_names()) known.push_back(profile);
+  return known;
+}
+
 Json parsed(const std::string& path) {
   constexpr int kDeepest = 12;  // levels, as in a case file
   const auto require_flat = [&](int depth, Json::parse_event_t, const Json&) {
@@ -216,10 +224,14 @@ std::vector<Override> CaseFile::overrides(const std::string& profile) const {
   return found == set.end() ? std::vector<Override>{} : found->second;
 }
 
-std::vector<std::string> keys_of_case_file() {
-  std::vector<std::string> known{"about", "slow", "set", "variants", "reduce_strength"};
-  for (const std::string& profile : rule_names()) known.push_back(profile);
-  return known;
+bool is_case_notes(const std::filesystem::path& file) {
+  if (file.filename() != "case.json") return false;
+  std::ifstream stream(file, std::ios::binary);
+  const Json json = Json::parse(stream, nullptr, false);
+  if (!json.is_object() || json.empty()) return false;
+  const std::vector<std::string> known = known_keys();
+  return std::ranges::all_of(json.items(),
+                             [&](const auto& item) { return std::ranges::find(known, item.key()) != known.end(); });
 }
 
 CaseFile read_case_file(const CaseFolder& folder) {
@@ -229,7 +241,7 @@ CaseFile read_case_file(const CaseFolder& folder) {
     return file;  // a link to nothing exists, and cannot be read below
   const Json json = parsed(file.path);
   const CaseValue top{folder, file.path, "", json};
-  top.require_keys(keys_of_case_file());
+  top.require_keys(known_keys());
   if (json.contains("about")) file.about = top.at("about").text();
   if (json.contains("slow")) file.is_slow = top.at("slow").flag();
   if (json.contains("set")) file.set = sets_of(top.at("set"));

@@ -47,8 +47,8 @@ struct CaseFile {
   std::vector<Override> overrides(const std::string& profile) const;
 };
 
-/// Returns the keys that `case.json` may have at its top.
-std::vector<std::string> keys_of_case_file();
+/// Returns true for a `case.json` with the keys that `read_case_file` takes: notes on the case beside it.
+bool is_case_notes(const std::filesystem::path& file);
 
 /// Reads the case file of the folder; empty if it does not exist. Throws InputError with file and key for an unknown
 /// key, or a value of the wrong kind.

@@ -67,18 +67,6 @@ Record record_in(const fs::path& folder) {
   return std::regex_search(text.substr(0, kHeadOfCase), kCaseKey) ? Record::none : Record::broken;
 }
 
-/// Returns true for notes on the case of a folder, `case.json`: a case file has other keys.
-bool is_notes(const fs::path& file) {
-  if (file.filename() != "case.json") return false;
-  std::ifstream stream(file, std::ios::binary);
-  const Json json = Json::parse(stream, nullptr, false);
-  if (!json.is_object() || json.empty()) return false;
-  const std::vector<std::string> keys = keys_of_case_file();
-  for (const auto& [key, value] : json.items())
-    if (std::ranges::find(keys, key) == keys.end()) return false;
-  return true;
-}
-
 bool is_result(const fs::path& folder) {
   std::error_code error;
   return fs::is_directory(folder / "frames", error) || fs::exists(folder / "fos.json", error) ||
@@ -147,7 +135,7 @@ Json ServedFolder::list() const {
                            {"is_broken", record_in(entry.path()) == Record::broken},
                            {"is_finished", fs::exists(entry.path() / last_file_of(kind_of(entry.path())), of_entry)},
                            {"has_checkpoint", fs::exists(entry.path() / "checkpoint.h5", of_entry)}});
-    } else if (entry.is_regular_file(of_entry) && is_input(entry.path()) && !is_notes(entry.path()) &&
+    } else if (entry.is_regular_file(of_entry) && is_input(entry.path()) && !is_case_notes(entry.path()) &&
                files.size() < kMostEntries) {
       files.push_back(
           {{"path", name(entry.path())}, {"bytes", entry.file_size(of_entry)}, {"time", seconds_of(entry)}});

@@ -194,6 +194,22 @@ TEST(RestingStart, a_cantilever_stays_at_its_static_deflection) {
   EXPECT_NEAR(tip_of(stepper), tip, 1e-7 * bending);
 }
 
+// A body that is drawn above its floor by the rounding of coordinates is put down on it: it does not fall.
+TEST(RestingStart, what_is_drawn_within_rounding_of_its_support_rests_on_it) {
+  const auto way_after = [](double gap) {
+    const Analysis analysis = plain_analysis(1e-3, 1);
+    Blocks blocks;
+    blocks.blocks = {rectangle({-5, -1}, {5, 0}), rectangle({0, gap}, {2, 1 + gap})};
+    blocks.fixed_points = {{{-4, -0.5}, 0, {}}, {{4, -0.5}, 0, {}}};
+    StandardStepper stepper(mixed_scene_of(blocks, {1}, analysis, asked(analysis), 3, CoverFunctions::derived));
+    const State start = stepper.state();
+    run_to(stepper, 0.02);
+    return farthest_way(start, stepper.state());
+  };
+  EXPECT_LT(way_after(1e-5), 1e-9);
+  EXPECT_GT(way_after(1e-2), 1e-3) << "drawn on purpose";
+}
+
 // Bodies that fall, or fly at the beam, carry no initial load and are free; the beam is at rest until it is hit.
 TEST(RestingStart, what_nothing_holds_falls_and_what_has_a_velocity_flies) {
   for (const double speed : {0.0, 3.0}) {

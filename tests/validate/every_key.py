@@ -94,16 +94,25 @@ def difference(end, reason, verdict, doubt):
     if verdict != VERDICTS[end] or bool(doubt) != (end != "ran"):
         return f"{end} ({reason}), in the sweep {verdict} ({doubt})"
     said, known = (text.partition("error: ")[2] for text in (doubt, reason))
-    if end == "refused" and said != known and "expected a whole number" not in said:
+    if end == "refused" and said != known and "expected a whole number" not in said and "other than null" not in said:
         return f"refused: {known}, in the sweep: {said}"
     return ""
 
 
+def is_apart(value):
+    if value == "null":
+        return 2
+    try:
+        return not float(value).is_integer()
+    except (ValueError, OverflowError):
+        return False
+
+
 def differences(program, folder, rows, ends, jobs):
-    """Rows of sweeps that differ from the runs. Fractions have a sweep of their own: whole-number keys refuse it."""
+    """Rows of sweeps that differ from the runs. Fractions and null have sweeps of their own, which are refused as a whole."""
     groups = [(key, list(group)) for key, group in itertools.groupby(
-        sorted(range(len(rows)), key=lambda i: (str(rows[i][0]), rows[i][1], rows[i][2] == "1.5", i)),
-        key=lambda i: (rows[i][0], rows[i][1], rows[i][2] == "1.5"))]
+        sorted(range(len(rows)), key=lambda i: (str(rows[i][0]), rows[i][1], is_apart(rows[i][2]), i)),
+        key=lambda i: (rows[i][0], rows[i][1], is_apart(rows[i][2])))]
     with ThreadPoolExecutor(jobs) as pool:
         found = list(pool.map(lambda n: swept(program, folder, *groups[n][0][:2], [rows[i][2] for i in groups[n][1]], n),
                               range(len(groups))))

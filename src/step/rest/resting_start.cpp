@@ -25,8 +25,8 @@ namespace {
 
 using namespace tolerances;
 
-/// Finds sets of bodies connected by contacts that are no impact, or by bolts. Bodies that cannot move do not connect
-/// others.
+/// Finds sets of bodies connected by contacts that are no impact, across the rounding of drawings, or by bolts. Bodies
+/// that cannot move do not connect others.
 class Hanging {
  public:
   Hanging(const StandardScene& scene, const Motion& start)
@@ -60,7 +60,7 @@ class Hanging {
       all.push_back({of_body, e});
     }
     const Scales scales = scales_of(scene_, loads_at(scene_, start.q, 0), start.q, start.v);
-    for (const Touch& touch : resting_touches(scene_, start, scales))
+    for (const Touch& touch : meeting_touches(scene_, start, scales, of_gaps::kDrawnTogether * scales.size))
       all.push_back({scene_.model.vertices[touch.vertex].element, scene_.model.vertices[touch.start].element});
     for (const Bolt& bolt : scene_.model.bolts) all.push_back({bolt.first.element, bolt.second.element});
     return all;

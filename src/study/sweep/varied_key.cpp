@@ -260,6 +260,7 @@ VariedKey varied_key_of(const std::string& text, const std::function<WordKind(co
   if (std::ranges::any_of(words, [](const std::string& word) { return word.empty(); }))
     refuse("values separated by commas");
   varied.values = list_of(words, kind);
+  if (std::ranges::any_of(varied.values, &Json::is_null)) refuse("values other than null, which only designs have");
   return varied;
 }
 

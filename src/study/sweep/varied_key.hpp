@@ -47,7 +47,7 @@ struct VariedKey {
 };
 
 /// Parses "KEY=VALUES". `words` returns the words that a key takes; without it all may be numbers with units. Throws
-/// std::invalid_argument, with the text, if it has another form.
+/// std::invalid_argument, with the text, if it has another form, or a value is null.
 VariedKey varied_key_of(const std::string& text, const std::function<WordKind(const std::string& key)>& words = {});
 
 }  // namespace keyblock::study
