@@ -23,15 +23,32 @@ constexpr double kMargin = 30;
 constexpr double kTop = 66;
 constexpr double kBar = 110;
 constexpr std::size_t kMostPanels = 6;
-constexpr double kAround = 0.05;  // of the range of a key: room for marks at its ends
+constexpr std::size_t kMostWords = 6;  // beside the name of an axis
+constexpr double kAround = 0.05;       // of the range of a key: room for marks at its ends
 
 bool is_numeric(const ValuesColumn& column) {
   return std::ranges::any_of(column.numbers, [](double number) { return std::isfinite(number); });
 }
 
+bool has_places(const ValuesColumn& key) {
+  return std::ranges::all_of(key.numbers, [](double number) { return std::isfinite(number); });
+}
+
+/// Returns the name of an axis; if its places are an order of words, with the first of these: "(1: sand, 2: clay)".
+std::string axis_name(const ValuesColumn& key) {
+  if (has_places(key)) return key.name;
+  std::vector<std::string> known;
+  for (const std::string& word : key.words)
+    if (std::ranges::find(known, word) == known.end()) known.push_back(word);
+  std::string words;
+  for (std::size_t i = 0; i < std::min(known.size(), kMostWords); ++i)
+    words += fmt::format("{}{}: {}", i == 0 ? "" : ", ", i + 1, known[i]);
+  return fmt::format("{} ({}{})", key.name, words, known.size() > kMostWords ? ", …" : "");
+}
+
 /// Returns numbers along an axis: of the key, or of the order of its words.
 std::vector<double> places_of(const ValuesColumn& key) {
-  if (std::ranges::all_of(key.numbers, [](double number) { return std::isfinite(number); })) return key.numbers;
+  if (has_places(key)) return key.numbers;
   std::vector<std::string> known;
   std::vector<double> places;
   for (const std::string& word : key.words) {
@@ -56,7 +73,7 @@ void draw_panel(SvgPage& page, Point corner, const ValuesColumn& key, const Valu
   Curve points = line;
   points.style = Curve::Style::points;
   points.colour = line.colour = 2;
-  draw_chart(page, corner, {kWidth - 2 * kMargin, kPanel - 20}, {line, points}, {key.name, output.name});
+  draw_chart(page, corner, {kWidth - 2 * kMargin, kPanel - 20}, {line, points}, {axis_name(key), output.name});
 }
 
 std::string hex(const Channels& colour) {
@@ -103,7 +120,7 @@ void draw_map(SvgPage& page, Point corner, const ValuesPicture& picture, const M
                   .size = {kWidth - 2 * kMargin - kPlotLeft - kBar, kPanel - 30 - kPlotBottom},
                   .x = make_axis(left - kAround * (right - left), right + kAround * (right - left), 7),
                   .y = make_axis(bottom - kAround * (top - bottom), top + kAround * (top - bottom), 5)};
-  draw_axes(page, plot, picture.keys[0].name, picture.keys[1].name);
+  draw_axes(page, plot, axis_name(picture.keys[0]), axis_name(picture.keys[1]));
   const double half = std::clamp(120 / std::sqrt(static_cast<double>(map.x.size())), 2.5, 14.0);
   for (std::size_t i = 0; i < map.x.size(); ++i) {
     const Point at = plot({map.x[i], map.y[i]});

@@ -305,6 +305,18 @@ TEST(ValueSweep, random_joints_are_drawn_anew_for_each_row) {
   EXPECT_FALSE(contains(run.output, ",error,")) << run.output;
 }
 
+// Values of several units have no axis of numbers: their places have words.
+TEST(ValueSweep, a_list_of_several_units_has_none_in_table_and_picture) {
+  const std::string folder = fresh_folder("value_sweep_units");
+  const std::string file = slope_in(folder);
+  ASSERT_EQ(run_keyblock({"sweep", file, "--over", "time_step=1 ms, 0.002 s, 3 ms", "--set", "steps=2", "--out",
+                          "displacement", "-o", folder + "/out"})
+                .exit_code,
+            0);
+  EXPECT_TRUE(contains(read_text(folder + "/out/columns.csv"), "\ntime_step,,step size\n"));
+  EXPECT_TRUE(contains(read_text(folder + "/out/sweep.svg"), "step size (1: 1 ms, 2: 0.002 s, 3: 3 ms)"));
+}
+
 TEST(ValueSweep, columns_have_units_and_words) {
   const std::string folder = fresh_folder("value_sweep_columns");
   const std::string file = slope_in(folder);
