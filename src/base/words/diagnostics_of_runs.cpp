@@ -117,7 +117,7 @@ constexpr auto kRuns = std::to_array<Diagnostic>({
      "Nothing, if any such set will do; --set start=sudden starts without equilibrium."},
     {"start_without_rest", warning, "Some bodies start without equilibrium",
      "No equilibrium was found near the drawing for these bodies. They begin with the strains of their first "
-     "acceleration if they touch a support, else suddenly loaded.",
+     "acceleration if they touch a support; else they are suddenly loaded.",
      "Support these bodies, or damp them (mass_damping) until they come to rest."},
     {"step_above_limit", note, "Automatic steps exceed the time step of the file",
      "Under an automatic step control the step exceeded time_step, as in the Berkeley program.",

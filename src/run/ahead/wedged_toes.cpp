@@ -45,6 +45,7 @@ class Toes {
         near_(tolerances::of_gaps::kDrawnTogether * std::sqrt(scene.model.mean_area)),
         down_((1 / length(scene.settings.gravity)) * scene.settings.gravity),
         neighbours_(static_cast<std::size_t>(scene.model.elements.size())) {
+    if (!has_sharp_corners()) return;  // a wall of bricks pays for no search of pairs
     for (const ElementPair& pair : touching_pairs(model_)) {
       neighbours_[number(pair.lower)].push_back(pair.upper);
       neighbours_[number(pair.upper)].push_back(pair.lower);
@@ -70,9 +71,18 @@ class Toes {
     return {{place(v), place(end)}, model_.vertices[end].joint_material};
   }
 
+  static bool is_sharp(const Edge& before, const Edge& after) { return dot(before.along(), after.along()) < -kAlong; }
+
+  bool has_sharp_corners() const {
+    for (const Element& element : model_.elements)
+      for (VertexIndex v : element.vertices())
+        if (element.can_move() && is_sharp(edge_from(v), edge_from(model_.vertices[v].next))) return true;
+    return false;
+  }
+
   // Returns the dip of a face on which a sharp corner, where two edges of a block meet, would slide into a floor.
   std::optional<double> dip_of_toe(ElementIndex block, const Edge& before, const Edge& after) const {
-    if (dot(before.along(), after.along()) >= -kAlong) return std::nullopt;
+    if (!is_sharp(before, after)) return std::nullopt;
     const Point corner = before.line.end;
     const auto dip_on = [&](const Edge& lower, const Edge& face, Point slide) -> std::optional<double> {
       const double dip = std::asin(std::clamp(dot(slide, down_), -1.0, 1.0));

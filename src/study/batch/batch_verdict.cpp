@@ -63,7 +63,7 @@ std::string without_equilibrium(const report::CatalogueRow& row) {
   return has_none ? why : std::string();
 }
 
-/// Describes the profile that could not run the case; empty if there is none.
+/// Returns the reason why a profile did not run the case; empty if all ran it.
 std::string not_run(const report::CatalogueRow& row) {
   for (const CatalogueAnswer& answer : row.answers)
     if (!is_finished(answer) && !answer.measures) return fmt::format("not run by {}: {}", answer.profile, answer.end);
