@@ -8,7 +8,9 @@
 #include <variant>
 
 #include "model/continuum.hpp"
+#include "model/material_choices.hpp"
 #include "settings/settings_table.hpp"
+#include "step/scene/enforcement.hpp"
 
 namespace keyblock {
 namespace {
@@ -33,6 +35,13 @@ std::string_view without_material(std::string_view name) {
 
 bool is_loaded_in_steps(const Scene& first) {
   return first.is_untouched && may_yield(first);
+}
+
+/// The choice of `automatic` needs all pairs of touching blocks: ask only about settings that springs alone read.
+bool has_springs(const Scene& first) {
+  return std::ranges::any_of(scenes_of(first), [](const Scene* scene) {
+    return has_enforcement(with_enforcement_decided(scene->settings, scene->model), scene->model, Enforcement::penalty);
+  });
 }
 
 std::vector<Reason> reasons(const Problem& problem, const Scene& first) {
@@ -86,6 +95,8 @@ std::string why_unread(const Problem& problem, const Scene& first, const std::st
   for (const Reason& reason : reasons(problem, first))
     if (reason.holds && std::ranges::find(reason.settings, without_material(name)) != reason.settings.end())
       return reason.why;
+  if (name == "spring_points" && first.settings.dynamics == Dynamics::standard && !has_springs(first))
+    return "is read by contact springs (enforcement = penalty), and there are none";
   return why_unread(first.settings, name);
 }
 

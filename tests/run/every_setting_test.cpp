@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <map>
 #include <set>
 
 #include "result/describe.hpp"
@@ -99,10 +98,7 @@ std::vector<std::string> values_for(const SettingText& setting) {
   return values;
 }
 
-// Conditions on other settings for this one to be read, and effects that the scene cannot show, with the reason.
-const std::map<std::string, Override> kBeside{{"spring_points", {"enforcement", "penalty"}},
-                                              {"normal_to_shear_stiffness", {"enforcement", "penalty"}},
-                                              {"contact_penalty", {"enforcement", "penalty"}}};
+// Effects that the scene cannot show, with the reason.
 const std::set<std::string> kNotShown{"penetration_limit",
                                       "crushing_limit",
                                       "energy_limit",         // of the record, not the run
@@ -126,16 +122,12 @@ TEST_P(EverySetting, has_an_effect_or_is_said_to_have_none) {
   int settings = 0;
   for (const SettingText& setting : list(settings_of(problem, "standard", {}))) {
     if (kNotShown.contains(setting.name)) continue;
-    std::vector<Override> beside;
-    if (const auto found = kBeside.find(setting.name); found != kBeside.end()) beside.push_back(found->second);
-    const Answer before = answer(problem, beside);
+    const Answer before = answer(problem, {});
     std::string silent;
     bool is_heard = false;
     for (const std::string& value : values_for(setting)) {
-      std::vector<Override> with = beside;
-      with.emplace_back(setting.name, value);
       try {
-        const Answer after = answer(problem, with);
+        const Answer after = answer(problem, {{setting.name, value}});
         const bool is_said = std::ranges::any_of(after.warnings, [&](const Warning& warning) {
           return warning.name == "setting_without_effect" && warning.sentence.find(setting.name) != std::string::npos;
         });
