@@ -354,7 +354,7 @@ constexpr auto kMeanings = std::to_array<CaseMeaning>({
      "motion before. All coordinates are those of the drawing"},
     {"name", "name in messages and results"},
     {"steps", "largest number of steps"},
-    {"duration", "largest duration, T; if steps are given too, the shorter counts"},
+    {"duration", "largest duration, T, rounded up to whole time steps; if steps are given too, the shorter counts"},
     {"equilibrium",
      "force imbalance over the largest load at which the stage ends early; all speeds must be small too"},
     {"stages.excavations", "regions removed from this stage on; blocks that an outline crosses are cut"},

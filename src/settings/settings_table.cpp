@@ -103,7 +103,8 @@ std::vector<SettingRow> rows_of_the_run() {
           one_of<NearPieces>({{NearPieces::led_through, "led_through"}, {NearPieces::deleted, "deleted"}})),
       row("slivers",
           "treatment of slivers: keep them, glue each to the neighbour with the longest common side, or leave them "
-          "out. Slivers are below 1 % of the mean area or narrower than 2 % of their length",
+          "out. Slivers are below 1 % of the mean area, or no larger than the mean and narrower than 2 % of their "
+          "length",
           at(&Settings::slivers),
           one_of<Slivers>({{Slivers::kept, "keep"}, {Slivers::glued, "glue"}, {Slivers::left_out, "leave_out"}})),
       row("steps", "number of time steps; in statics, of load steps", at(&Settings::step_count), whole(1)),

@@ -176,8 +176,23 @@ TEST(CutBlocks, nodes_nearer_than_the_merging_distance_become_one_and_are_report
   const CutResult cut = cut_blocks(drawing_of(kSquare + std::vector<Segment>{{{0.05, -0.05}, {10.05, 10.05}}}, 0.01));
   EXPECT_EQ(cut.blocks.blocks.size(), 2U);
   EXPECT_TRUE(has_warning(cut.warnings, "nodes_merged"));
+  EXPECT_FALSE(has_warning(cut.warnings, "nodes_merged_far"));
   EXPECT_FALSE(cut.snaps.empty());
   EXPECT_NEAR(total_area(cut.blocks), 100, 1e-10);
+}
+
+// The merging distance grows with the drawing: at the same ratio, bricks of a large wall become triangles.
+TEST(CutBlocks, crossings_that_merging_moves_far_for_their_blocks_are_warned_of) {
+  const auto wall = [](double ratio) {
+    std::vector<Segment> lines{{{0, 0}, {20, 0}}, {{0, 10}, {20, 10}}, {{0, 0}, {0, 10}}, {{20, 0}, {20, 10}}};
+    for (int row = 1; row < 20; ++row) lines.push_back({{0, row / 2.0}, {20, row / 2.0}});
+    for (int column = 1; column < 40; ++column) lines.push_back({{column / 2.0, 0}, {column / 2.0, 10}});
+    return cut_blocks(drawing_of(lines, ratio));
+  };
+  const CutResult far = wall(0.06);
+  EXPECT_TRUE(has_warning(far.warnings, "nodes_merged"));
+  EXPECT_TRUE(has_warning(far.warnings, "nodes_merged_far"));
+  EXPECT_FALSE(has_warning(wall(0.01).warnings, "nodes_merged_far"));
 }
 
 TEST(CutBlocks, a_line_beside_another_nearer_than_the_tolerance_is_led_through_its_nodes) {

@@ -54,6 +54,14 @@ std::string refusal(const Blocks& blocks, Slivers slivers) {
 
 }  // namespace
 
+// A fixed base below a wall: gluing it to a brick would hold that brick.
+TEST(TreatSlivers, a_long_slab_larger_than_the_mean_block_is_none) {
+  Blocks blocks;
+  blocks.blocks = {box({0, 0}, {102, 2}, 0)};
+  for (int i = 0; i < 10; ++i) blocks.blocks.push_back(box({10.0 * i, 2}, {10.0 * (i + 1), 5}, i + 1));
+  EXPECT_EQ(treated(blocks, Slivers::glued).blocks.blocks.size(), 11U);
+}
+
 TEST(TreatSlivers, a_sliver_goes_to_the_neighbour_with_the_longest_common_side) {
   const CutResult cut = treated(row_with_sliver(), Slivers::glued);
   ASSERT_EQ(cut.blocks.blocks.size(), 3U);

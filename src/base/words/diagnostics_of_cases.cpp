@@ -170,7 +170,10 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "No part of this run reads the setting. The message says which runs do.",
      "Remove the setting; `keyblock run --settings` lists what reads each."},
     {"slivers", warning, "Some blocks are slivers",
-     "A block is below 1 % of the mean area, or narrower than 2 % of its length. Slivers need small steps and may "
+     "A block is below 1 % of the mean area, or no larger than the mean and narrower than 2 % of its length. Slivers "
+     "need "
+     "small steps "
+     "and may "
      "never come to rest.",
      "--set slivers=glue joins them to neighbours; slivers=leave_out removes them."},
     {"soft_patterns", note, "Short waves of elastoplastic NMM bodies are too slow",

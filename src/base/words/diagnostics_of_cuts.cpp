@@ -60,6 +60,10 @@ constexpr auto kCuts = std::to_array<Diagnostic>({
      "A crossing nearer to a node than 1.25 times the edge-node ratio times the scale of the drawing becomes that "
      "node.",
      "Nothing, if the picture is right; a smaller edge_node_ratio merges less."},
+    {"nodes_merged_far", warning, "Merging changed the shapes of blocks",
+     "A crossing was merged with a node that lies farther away than a twentieth of the width of the median block. "
+     "The merging distance grows with the drawing, so that large drawings of small blocks lose short edges.",
+     "Look at the picture of the cut. A smaller edge_node_ratio merges less; Shi's programs merge as this file says."},
     {"nodes_placed_otherwise", silent, "Merged nodes stand elsewhere than in Shi's cutter",
      "Merged nodes stand at the crossing that the geometry decides, not at the first one by the order of lines.",
      "Nothing; --set node_merging=in_order_found places them as Shi's cutter does."},
@@ -78,11 +82,14 @@ constexpr auto kCuts = std::to_array<Diagnostic>({
      "Lines close a loop with fewer than three corners after merging. It bounds no area.",
      "Nothing, if the lines are meant to be one; else use a smaller edge_node_ratio."},
     {"slivers_glued", note, "Slivers were joined to neighbours",
-     "A block below 1 % of the mean area, or narrower than 2 % of its length, is a sliver. Under slivers=glue it is "
+     "A sliver is below 1 % of the mean area, or no larger than the mean and narrower than 2 % of its length. Under "
+     "slivers=glue it "
+     "is "
      "joined to the neighbour with the longest common side.",
      "Nothing, if the blocks named have no meaning of their own."},
     {"slivers_left_out", note, "Slivers were left out",
-     "A block below 1 % of the mean area, or narrower than 2 % of its length, is a sliver. Under slivers=leave_out "
+     "A sliver is below 1 % of the mean area, or no larger than the mean and narrower than 2 % of its length. Under "
+     "slivers=leave_out "
      "it is removed, and a gap remains.",
      "Nothing, if the gaps do not matter; else use slivers=glue."},
     {"zero_length_line", note, "A line has no length",

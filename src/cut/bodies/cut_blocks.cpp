@@ -60,6 +60,7 @@ class Cutting {
     BlocksOfFaces blocks(arrangement_, faces, lines_, notes_, result_);
     blocks.make();
     if (result_.blocks.blocks.empty()) refuse();
+    notes_.of_far_merging();
     PlacedMarks placed = place_marks(drawing_, tolerances(), result_.blocks);
     for (const int block : placed.kept) {
       const std::vector<int>& lines = blocks.lines_of_block(block);

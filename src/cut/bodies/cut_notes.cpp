@@ -5,11 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "base/counted.hpp"
 #include "base/listed.hpp"
 #include "base/words/plain_number.hpp"
+#include "cut/bodies/slivers.hpp"
 #include "geometry/segment.hpp"
 #include "problem/lines/near_ends.hpp"
 
@@ -19,6 +22,16 @@ namespace {
 // Limits of the distance at which a free end is likely meant to meet a line.
 constexpr double kNearInMerges = 4;      // per merging distance
 constexpr double kNearInScales = 0.005;  // per scale of the drawing
+// Share of the width of the median block from which merging changes the shapes of blocks, and not only closes gaps.
+constexpr double kFarInWidths = 0.05;
+
+double median_width(const std::vector<BlockPolygon>& blocks) {
+  std::vector<double> areas;
+  for (const BlockPolygon& block : blocks) areas.push_back(form_of(block).area);
+  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+  std::ranges::nth_element(areas, middle);
+  return std::sqrt(*middle);
+}
 
 }  // namespace
 
@@ -122,6 +135,23 @@ void CutNotes::of_merging(const std::vector<Crossing>& found, const NodeTable& t
                      "that; the first is ({:.9g}, {:.9g})",
                      table.undecided_nodes.size(), tolerances().merge, at.x, at.y));
   }
+}
+
+void CutNotes::of_far_merging() {
+  const double width = median_width(result_.blocks.blocks);
+  const auto way = [](const Snap& snap) { return distance(snap.from, snap.to); };
+  const Snap* farthest = nullptr;
+  std::size_t count = 0;
+  for (const Snap& snap : result_.snaps) {
+    if (snap.kind == Snap::Kind::end_reached || way(snap) <= kFarInWidths * width) continue;
+    ++count;
+    if (farthest == nullptr || way(snap) > way(*farthest)) farthest = &snap;
+  }
+  if (farthest == nullptr) return;
+  warn("nodes_merged_far", farthest->place,
+       fmt::format("{} moved by more than {:g} % of the width of a block ({}), the farthest by {} from ({}, {})",
+                   counted(count, "crossing"), 100 * kFarInWidths, plain(width, 3), plain(way(*farthest), 3),
+                   plain(farthest->from.x, 6), plain(farthest->from.y, 6)));
 }
 
 void CutNotes::of_reach(const Crossing& c) {

@@ -33,6 +33,8 @@ class CutNotes {
   /// `is_dangling`: per line, true if a part of it has a free end.
   void of_dangling(const std::vector<char>& is_dangling);
   void of_merging(const std::vector<Crossing>& found, const NodeTable& table);
+  /// Warns of crossings that moved so far that blocks have other shapes than drawn. Call it when there are blocks.
+  void of_far_merging();
   /// Warns of free ends that stop just short of another line, with their distance and place.
   void of_near_ends(const std::vector<char>& is_dangling);
   void of_removed(const char* name, const char* why, const std::vector<Edge>& edges);

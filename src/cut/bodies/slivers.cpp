@@ -22,12 +22,14 @@ BlockForm form_of(const BlockPolygon& block) {
 }
 
 bool is_sliver(const BlockForm& form, double mean_area) {
-  return form.area < kSliverArea * mean_area || form.width() < kSliverWidth * form.length;
+  const bool is_narrow = form.width() < kSliverWidth * form.length;
+  return form.area <= (is_narrow ? 1 : kSliverArea) * mean_area;
 }
 
 std::string slivers_in_words() {
-  return fmt::format("below {:g} % of the mean area or narrower than {:g} % of their length", 100 * kSliverArea,
-                     100 * kSliverWidth);
+  return fmt::format(
+      "below {:g} % of the mean area, or no larger than the mean and narrower than {:g} % of their length",
+      100 * kSliverArea, 100 * kSliverWidth);
 }
 
 }  // namespace keyblock

@@ -10,7 +10,7 @@
 namespace keyblock {
 
 inline constexpr double kSliverArea = 0.01;   ///< per mean area of all blocks; smaller blocks are slivers
-inline constexpr double kSliverWidth = 0.02;  ///< mean width over length; narrower blocks are slivers
+inline constexpr double kSliverWidth = 0.02;  ///< mean width over length; narrower blocks below the mean area are slivers
 
 /// Size of a block, in the units of the input.
 struct BlockForm {
@@ -25,7 +25,7 @@ BlockForm form_of(const BlockPolygon& block);
 
 bool is_sliver(const BlockForm& form, double mean_area);
 
-/// Returns "below 1 % of the mean area or narrower than 2 % of their length".
+/// Returns "below 1 % of the mean area, or no larger than the mean and narrower than 2 % of their length".
 std::string slivers_in_words();
 
 }  // namespace keyblock
