@@ -10,6 +10,7 @@
 #include "base/context.hpp"
 #include "formats/case.hpp"
 #include "run/cover_settings.hpp"
+#include "tests/support/scenes.hpp"
 
 namespace keyblock::study::factor_of_safety_test {
 namespace {
@@ -35,7 +36,36 @@ StrengthTrials slope(double dilation_deg) {
   return {configured_under("standard", {}, problem, {{"mesh.side", "2"}}), Reduced::rock};
 }
 
+/// A block of 1 m on a plane of 30 degrees (gravity is turned), with a fixed stop at some distance below it.
+StrengthTrials block_above_a_stop(double distance, double friction_deg) {
+  Blocks all;
+  all.blocks = {support::rectangle({-2, -1}, {6, 0}), support::rectangle({0, 0}, {1, 1}),
+                support::rectangle({1 + distance, 0}, {2 + distance, 2})};
+  all.fixed_points = {
+      {{-1, -0.5}, 0, {}}, {{5, -0.5}, 0, {}}, {{1.2 + distance, 1}, 2, {}}, {{1.8 + distance, 1}, 2, {}}};
+  Problem problem;
+  problem.geometry = all;
+  problem.analysis = support::plain_analysis(1e-3, 1);
+  problem.analysis->joint_materials[0].friction_angle_deg = friction_deg;
+  const double g = 10;
+  return {configured_under("standard", {}, problem,
+                           {{"gravity.x", std::to_string(g / 2)}, {"gravity.y", std::to_string(-g * std::sqrt(0.75))}}),
+          Reduced::joints};
+}
+
 }  // namespace
+
+// At weak joints all factors down to a fifth let the block slide to its stop, and the equilibrium there seemed to be
+// that of the drawing: F = 16 in place of 0.15.
+TEST(FactorOfSafety, a_block_that_slides_to_a_stop_does_not_stand_whatever_its_friction) {
+  for (const double distance : {0.2, 1.0})
+    for (const double friction : {3.0, 10.0, 20.0}) {
+      const FactorOfSafety found = factor_of_safety(block_above_a_stop(distance, friction), {});
+      ASSERT_EQ(found.end, SearchEnd::bracketed) << distance << " " << friction;
+      EXPECT_LE(*found.bracket.stands, 1.001 * tangent(friction) / tangent(30)) << distance << " " << friction;
+      EXPECT_GE(*found.bracket.falls, 0.999 * tangent(friction) / tangent(30)) << distance << " " << friction;
+    }
+}
 
 TEST(FactorOfSafety, goes_up_by_quarters_and_bisects) {
   const FactorOfSafety found = factor_of_safety(block_on_plane(), {});

@@ -22,12 +22,10 @@ constexpr double kDown = 0.8;
 constexpr double kFarthest = 16;  // times the first factor, or divided by it
 // Fraction of half the scene's extent below which displacements count as zero, as for rigid blocks.
 constexpr double kNoDisplacement = 1e-5;
-// Tests whether a case has slid to a new equilibrium, so that a reference for the knee is sought below. kSlid is a
-// fraction of half the scene's extent. If trials down to kWeakest of the factor move at least kAsFar as much, the cause
-// is softness, not slip.
+// Fraction of half the scene's extent: an equilibrium farther from the drawing needs a reference. At kStrong of the
+// factor, which is a hundred times the strength, nothing slides, and only softness and open gaps are left.
 constexpr double kSlid = 0.01;
-constexpr double kAsFar = 0.95;
-constexpr double kWeakest = 0.45;
+constexpr double kStrong = 0.01;
 // Least limit of a trial. One of a slope of 20 blocks near its factor took 34,000 linear systems before it was decided.
 constexpr long long kFewestSystems = 100'000;
 constexpr long long kTimesLongest = 10;
@@ -62,7 +60,7 @@ class FactorSearch {
  private:
   SearchEnd search() {
     Verdict verdict = made_at(first_);
-    if (verdict == Verdict::stands) verdict = seek_reference(first_);
+    if (verdict == Verdict::stands) verdict = beside_reference(first_);
     double factor = first_;
     if (verdict == Verdict::falls && options_.from && !bracket_of(verdict_).stands) return SearchEnd::falls;
     while (verdict == Verdict::stands && factor < most_)
@@ -74,7 +72,7 @@ class FactorSearch {
     }
     while (verdict == Verdict::falls && !bracket_of(verdict_).stands && factor > first_ / kFarthest)
       verdict = made_at(factor = short_decimal(factor * kDown));
-    if (verdict == Verdict::stands) verdict = seek_reference(factor);
+    if (verdict == Verdict::stands) verdict = beside_reference(factor);
     if (verdict == Verdict::falls && !bracket_of(verdict_).stands) return SearchEnd::falls;
     if (verdict == Verdict::undecided || !bisect(verdict_)) return SearchEnd::undecided;
     close_service();
@@ -86,20 +84,14 @@ class FactorSearch {
     if (options_.seeks_knee && service.is_closed() && *service.falls < *bracket_of(verdict_).stands) bisect(service_);
   }
 
-  /// Tries smaller factors while the equilibrium at `first` was reached only after a slide. Returns the verdict of that
-  /// trial afterwards.
-  Verdict seek_reference(double first) {
-    const double far = kSlid * trials_.prepared().scene.model.scale;
-    double displacement = made_.at(first).told.displacement;
-    for (double factor = first; displacement > far;) {
-      factor = short_decimal(factor * kDown);
-      if (factor <= first_ / kFarthest) break;
-      if (made_at(factor) != Verdict::stands) break;
-      const double now = made_.at(factor).told.displacement;
-      if (now > kAsFar * displacement && factor < kWeakest * first) break;
-      displacement = now;
-    }
-    return made_.at(first).told.verdict;
+  /// Makes a trial of strong joints and rock if the equilibrium at `factor` may have been reached after a slide only.
+  /// Returns the verdict of that factor afterwards; undecided without such a reference.
+  Verdict beside_reference(double factor) {
+    const StrengthTrial& told = made_.at(factor).told;
+    const bool may_have_slid =
+        told.displacement > kSlid * trials_.prepared().scene.model.scale || told.farthest.share() > kFarFromDrawing;
+    if (may_have_slid && made_at(short_decimal(kStrong * factor)) != Verdict::stands) return Verdict::undecided;
+    return made_.at(factor).told.verdict;
   }
 
   using Sign = std::function<Verdict(const StrengthTrial&)>;
@@ -250,6 +242,20 @@ std::string why_undecided(const FactorOfSafety& result) {
       last.factor, last.why, known);
 }
 
+/// Returns a note if even the trial of the greatest strength ends far from the drawing: the verdicts of others are
+/// relative to it.
+std::string far_reference(const FactorOfSafety& result) {
+  const StrengthTrial* least = nullptr;
+  for (const StrengthTrial& trial : result.trials)
+    if (trial.is_balanced && (least == nullptr || trial.factor < least->factor)) least = &trial;
+  if (least == nullptr || least->farthest.share() <= kFarFromDrawing) return {};
+  return fmt::format(
+      "even at F = {:.4g} {} {} moves by {:.3g}, {:.2g} of its width: a gap in the drawing, soft rock, or a joint "
+      "without strength. The factor is that of the state after this motion",
+      least->factor, least->farthest.is_body ? "the body of element" : "block", least->farthest.number + 1,
+      least->farthest.way, least->farthest.share());
+}
+
 void add_notes(FactorOfSafety& result) {
   std::vector<std::string>& notes = result.notes;
   if (result.is_lower_estimate)
@@ -269,6 +275,7 @@ void add_notes(FactorOfSafety& result) {
         "bolts break at their strength and then carry nothing, and joints that slip lose their cohesion. Limit "
         "analysis, in which all keep their full strength, gives a factor at least as high");
   if (result.end == SearchEnd::undecided) notes.push_back(why_undecided(result));
+  if (const std::string note = far_reference(result); !note.empty()) notes.push_back(note);
 }
 
 }  // namespace
