@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 void read_named(Problem& problem, const std::string& name, const std::string& value) {
   if (names_a_file(name) && !value.empty() && problem.analysis)
-    problem.analysis->body_acceleration = formats::read_body_acceleration(formats::load(value));
+    problem.analysis->body_acceleration = formats::read_body_acceleration(formats::load(value), problem.units);
 }
 
 fs::path folder_of(const RunChoices& choices, std::size_t setting) {
