@@ -214,7 +214,7 @@ _OUTPUTS: dict[str, Callable[[Run], Any]] = {
 _FACTORS = {"fos": "", "fos_joints": "joints", "fos_rock": "rock", "fos_both": "both"}
 
 
-_RESERVED = ("verdict", "doubt", "seconds", "job")
+_RESERVED = ("verdict", "doubt", "warnings", "seconds", "job")
 
 
 def _check_names(inputs: Iterable[str], outputs: Iterable[str]) -> None:
@@ -246,12 +246,13 @@ def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, setti
     else:
         case = case(**names)
     case = case.with_values(keys)
-    row: dict[str, Any] = {"verdict": "", "doubt": ""}
+    row: dict[str, Any] = {"verdict": "", "doubt": "", "warnings": ""}
     if callable(out) or any(name in _OUTPUTS for name in out):
         run = Run(case, profile, settings, history=history)
         outcome = run.go_on()
         row["verdict"] = outcome.end
         row["doubt"] = outcome.reason or (outcome.doubts[0].sentence if outcome.doubts else "")
+        _add_warnings(row, outcome.warnings)
         if callable(out):
             result = out(run)
             found = _plain_output(result if isinstance(result, dict) else {"out": result})
@@ -267,11 +268,18 @@ def _row(case: Any, values: dict[str, Any], out: Any, profile: str | None, setti
         except _keyblock.Error as error:  # such as fos_rock of a case whose rock has no strength: other outputs stay
             row.update({"verdict": "error", "doubt": str(error), name: float("nan")})
             continue
+        _add_warnings(row, found.warnings)
         if found.end != "bracketed" and row["verdict"] in ("", "finished"):  # the number beside it is no factor
             row.update({"verdict": found.end, "doubt": _last_trial(found)})
         row["verdict"] = row["verdict"] or "finished"
         row[name] = found.stands if found.stands is not None else float("nan")
     return row
+
+
+def _add_warnings(row: dict[str, Any], warnings: Iterable[_keyblock.Warning]) -> None:
+    """Adds the codes of warnings that the row does not have yet, as the program does."""
+    codes = row["warnings"].split() + [w.code for w in warnings if w.level == "warning"]
+    row["warnings"] = " ".join(dict.fromkeys(codes))
 
 
 def _last_trial(found: Strength) -> str:
@@ -452,10 +460,10 @@ def _by_functions(case: Any, rows: list[dict[str, Any]], out: Any, pool: Pool, p
         for at, result in pool.unordered(work, missing) if client is None else _by_client(client, pool, work, missing):
             if isinstance(result, Failed):
                 seconds = longest if result.reason == "time_limit" else float("nan")
-                result = ({"verdict": result.reason, "doubt": result.message}, seconds)
+                result = ({"verdict": result.reason, "doubt": result.message, "warnings": ""}, seconds)
             journal.add(names[missing[at]], result)
     done = [journal.done[names[i]] for i in wanted]
-    columns: dict[str, None] = dict.fromkeys(["verdict", "doubt"])
+    columns: dict[str, None] = dict.fromkeys(["verdict", "doubt", "warnings"])
     columns.update(dict.fromkeys([] if callable(out) else out))
     for result, _ in done:
         columns.update(dict.fromkeys(result))
@@ -550,7 +558,7 @@ class _Journal:
             try:
                 text = json.dumps([name, row])
             except (TypeError, ValueError) as error:
-                row = ({"verdict": "error", "doubt": f"out: expected numbers, text, lists or dicts: {error}"}, row[1])
+                row = ({"verdict": "error", "doubt": f"out: expected numbers, text, lists or dicts: {error}", "warnings": ""}, row[1])
                 text = json.dumps([name, row])
             self._append(text)
             row = json.loads(text)[1]  # as a later call reads it

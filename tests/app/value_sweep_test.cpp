@@ -60,8 +60,8 @@ TEST(ValueSweep, a_grid_is_one_table_whatever_the_shards) {
   EXPECT_EQ(table, whole.output);
   EXPECT_EQ(std::ranges::count(table, '\n'), 9);
   EXPECT_TRUE(
-      table.starts_with("/analysis/joint_materials/0/friction_angle_deg,time_step,verdict,doubt,displacement,"
-                        "point1.dx,ledger.friction,/counts/blocks,job\n10,10 ms,finished,,1.7"))
+      table.starts_with("/analysis/joint_materials/0/friction_angle_deg,time_step,verdict,doubt,warnings,displacement,"
+                        "point1.dx,ledger.friction,/counts/blocks,job\n10,10 ms,finished,,,1.7"))
       << table;
   EXPECT_TRUE(fs::exists(folder + "/whole/sweep.svg"));
   const Words shards = sweep_of(file, folder + "/shards");
@@ -76,8 +76,8 @@ TEST(ValueSweep, times_and_factors_of_safety_have_no_tails_of_round_off) {
   const std::string folder = fresh_folder("value_sweep_tails");
   const ProgramRun run = run_keyblock({"sweep", slope_in(folder), "--over", "time_step=3 ms,0.7 ms", "--over",
                                        "steps=77", "--out", "time,fos", "-o", folder + "/out"});
-  EXPECT_TRUE(contains(run.output, "\n3 ms,77,finished,,0.231,0.624,")) << run.output;
-  EXPECT_TRUE(contains(run.output, "\n0.7 ms,77,finished,,0.0539,0.624,")) << run.output;
+  EXPECT_TRUE(contains(run.output, "\n3 ms,77,finished,,,0.231,0.624,")) << run.output;
+  EXPECT_TRUE(contains(run.output, "\n0.7 ms,77,finished,,,0.0539,0.624,")) << run.output;
   for (const auto& job : fs::directory_iterator(folder + "/out/jobs")) {
     std::istringstream table(read_text(job.path() / "run/history.csv"));
     std::string line;
@@ -146,7 +146,7 @@ TEST(ValueSweep, a_row_in_trouble_is_a_row) {
   EXPECT_EQ(run.exit_code, 1) << run.messages;
   EXPECT_TRUE(contains(run.output, "\n95,error,")) << run.output;
   EXPECT_TRUE(contains(run.output, "\nsteep,error,")) << run.output;
-  EXPECT_TRUE(contains(run.output, "\n20,finished,,0.9")) << run.output;
+  EXPECT_TRUE(contains(run.output, "\n20,finished,,,0.9")) << run.output;
 }
 
 TEST(ValueSweep, a_row_without_an_output_is_a_row_with_its_reason) {
@@ -156,9 +156,9 @@ TEST(ValueSweep, a_row_without_an_output_is_a_row_with_its_reason) {
   EXPECT_EQ(run.exit_code, 1) << run.messages;
   EXPECT_TRUE(contains(run.output,
                        "\noff,2,error,\"expected a result of the run, which has no ledger.csv, found "
-                       "ledger.friction\",,0.00"))
+                       "ledger.friction\",,,0.00"))
       << run.output;
-  EXPECT_TRUE(contains(run.output, "\non,2,finished,,")) << run.output;
+  EXPECT_TRUE(contains(run.output, "\non,2,finished,,,")) << run.output;
 }
 
 TEST(ValueSweep, an_output_that_no_row_has_is_refused_as_soon_as_it_is_known) {
@@ -219,7 +219,7 @@ TEST(ValueSweep, files_that_may_not_grow_end_the_sweep_with_exit_4) {
   EXPECT_TRUE(contains(run.messages, "error: cannot write ")) << run.messages;
   const ProgramRun resumed = support::run_script("exec $K sweep " + folder + "/block.json --resume" + words);
   EXPECT_EQ(resumed.exit_code, 0) << resumed.messages;
-  EXPECT_TRUE(contains(resumed.output, "\n20,finished,,")) << resumed.output;
+  EXPECT_TRUE(contains(resumed.output, "\n20,finished,,,")) << resumed.output;
   EXPECT_TRUE(contains(resumed.output, "\n1000,finished,,")) << resumed.output;
 }
 
@@ -326,7 +326,7 @@ TEST(ValueSweep, columns_have_units_and_words) {
             "/analysis/joint_materials/0/friction_angle_deg,deg,friction angle of joint material 1\n"
             "time_step,ms,step size\n"
             "verdict,,end of the run\n"
-            "doubt,,reason for the verdict\n"
+            "doubt,,reason for the verdict\nwarnings,,codes of warnings; keyblock explain CODE tells more\n"
             "displacement,m,largest displacement\n"
             "point1.dx,m,measured point 1: displacement x\n"
             "ledger.friction,N·m/m,energy balance: friction\n"
@@ -475,10 +475,10 @@ TEST(ValueSweep, a_name_with_an_equals_sign_is_addressed) {
   const std::string key = "/analysis/joint_materials/c~20/friction_angle_deg";
   const ProgramRun swept = run_keyblock({"sweep", file, "--over", key + "=10,20", "-o", folder + "/out"});
   EXPECT_EQ(swept.exit_code, 0) << swept.messages;
-  EXPECT_TRUE(contains(swept.output, "\n10,finished,,1.70")) << swept.output;
+  EXPECT_TRUE(contains(swept.output, "\n10,finished,,,1.70")) << swept.output;
   write_text(folder + "/rows.json", R"([{"/analysis/joint_materials/c=0/friction_angle_deg": 10}])");
   const ProgramRun rows = run_keyblock({"sweep", file, "--design", folder + "/rows.json", "-o", folder + "/rows"});
-  EXPECT_TRUE(contains(rows.output, "\n10,finished,,1.70")) << rows.output;
+  EXPECT_TRUE(contains(rows.output, "\n10,finished,,,1.70")) << rows.output;
   const Words run{"run",         file,    "--at",           key + "=10", "--set",
                   "steps=20000", "--set", "time_step=1e-5", "-o",        folder + "/run"};
   EXPECT_EQ(support::interrupt_keyblock(run, folder + "/run/checkpoint.h5", SIGTERM).exit_code, 130);

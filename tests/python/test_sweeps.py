@@ -170,9 +170,17 @@ class Pools(Folder):
 
 
 class Sweeps(Folder):
+    def test_warnings_of_a_row_are_in_its_table(self):
+        case = kb.read(kb.new("block", self.folder / "block.json"))
+        over = {"time_step": ["10 ms", "1 s"], "steps": [10]}  # the block passes the end of its base within a step
+        by_program = kb.sweep(case, over)
+        self.assertEqual(by_program["warnings"][0], "")
+        self.assertIn("step_passes_blocks", by_program["warnings"][1].split())
+        self.assertEqual(list(kb.sweep(case, over, out=lambda run: 0)["warnings"]), list(by_program["warnings"]))
+
     def test_a_grid_is_a_table_in_order(self):
         table = kb.sweep(slide(), {FRICTION: [10, 20], "time_step": [0.001, 0.0005]})
-        self.assertEqual(table.columns, [FRICTION, "time_step", "verdict", "doubt", "displacement", "job"])
+        self.assertEqual(table.columns, [FRICTION, "time_step", "verdict", "doubt", "warnings", "displacement", "job"])
         self.assertEqual(len(table.seconds), 4)
         self.assertEqual(list(table[FRICTION]), [10, 10, 20, 20])
         self.assertAlmostEqual(table[0]["displacement"], way(10), delta=1e-5)  # of a corner, and of the centroid
@@ -217,7 +225,7 @@ class Sweeps(Folder):
         undecided = SimpleNamespace(factor=128.0, verdict="undecided", why="forces do not settle")
         for end, trials, doubt in (("stands", [stable], "F = 64: stands"),
                                    ("undecided", [stable, undecided], "F = 128: undecided: forces do not settle")):
-            found = SimpleNamespace(end=end, stands=64.0, trials=trials)
+            found = SimpleNamespace(end=end, stands=64.0, trials=trials, warnings=[])
             with mock.patch("keyblock._sweeps.factor_of_safety", lambda *_, **__: found):
                 for out in (["fos"], ["fos", "steps"], ["steps", "fos"]):
                     row = kb._sweeps._row(slide(), {"steps": 2}, out, None, None, ())
@@ -242,7 +250,7 @@ class Sweeps(Folder):
 
     def test_rows_of_different_keys_are_one_table(self):
         table = kb.sweep(slide(), [{FRICTION: 10, "steps": 2}, {"steps": 3}, {FRICTION: 20, "time_step": "1 ms"}], out="time")
-        self.assertEqual(table.columns, [FRICTION, "steps", "time_step", "verdict", "doubt", "time", "job"])
+        self.assertEqual(table.columns, [FRICTION, "steps", "time_step", "verdict", "doubt", "warnings", "time", "job"])
         even = kb.sweep(slide(), [{FRICTION: 10, "steps": 2}, {FRICTION: 20, "steps": 3}], out="point1.dx")
         mixed = kb.sweep(slide(), [{FRICTION: 10, "steps": 2}, {"steps": 3}], out="point1.dx")
         np.testing.assert_array_equal(mixed["point1.dx"], even["point1.dx"])  # the case has 20 degrees
@@ -270,7 +278,7 @@ class Sweeps(Folder):
 
     def test_a_function_makes_the_cases(self):
         table = kb.sweep(lambda angle: slide().with_value(FRICTION, angle), {"angle": [10, 20]})
-        self.assertEqual(table.columns, ["angle", "verdict", "doubt", "displacement"])
+        self.assertEqual(table.columns, ["angle", "verdict", "doubt", "warnings", "displacement"])
         np.testing.assert_allclose(table["displacement"], [way(10), way(20)], atol=1e-5)
 
     def test_a_sweep_refuses_files_that_changed_since_they_were_read(self):

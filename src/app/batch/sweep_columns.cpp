@@ -206,6 +206,7 @@ std::vector<SweepColumn> sweep_columns(const SweepTable& table, const std::strin
   }
   columns.push_back({"verdict", "", "end of the run"});
   columns.push_back({"doubt", "", "reason for the verdict"});
+  columns.push_back({"warnings", "", "codes of warnings; keyblock explain CODE tells more"});
   for (const std::string& name : table.outputs) columns.push_back(column_of_output(table, name, units));
   columns.push_back({"job", "", "folder of the run in jobs"});
   return columns;

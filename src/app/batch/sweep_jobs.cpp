@@ -14,6 +14,7 @@
 #include "app/batch/logged_child.hpp"
 #include "app/exit_code.hpp"
 #include "base/error.hpp"
+#include "base/words/diagnostics.hpp"
 #include "formats/registry.hpp"
 #include "job/files.hpp"
 #include "job/folder/frame_files.hpp"
@@ -62,6 +63,7 @@ class SweepJob {
   ChildEnd run_or_resume();
   bool run();
   bool find_safety(const SweepOutput& output);
+  void add_warnings(const Json& list);
   void take(const SweepOutput& output, const std::function<study::SweptValue()>& find);
   void find_intensities();
 
@@ -178,7 +180,9 @@ bool SweepJob::run() {
   const ChildEnd end = run_or_resume();
   const fs::path record = run_folder() / "run.json";
   if (has_ended_early(end, "run", fs::exists(record))) return false;
-  const Json outcome = Json::parse(formats::load(record.string()).text).at("outcome");
+  const Json told = Json::parse(formats::load(record.string()).text);
+  add_warnings(told.at("warnings"));
+  const Json& outcome = told.at("outcome");
   result_.verdict = outcome.at("end");
   const Json doubts = outcome.value("doubts", Json::array());
   if (result_.verdict == "failed") result_.doubt = outcome.value("reason", "");
@@ -205,7 +209,9 @@ bool SweepJob::find_safety(const SweepOutput& output) {
   if (has_ended_early(end, output.name, Json::accept(text)))  // a refused factor leaves other outputs
     return !is_stopped_ && result_.verdict == "error";
   result_.out[output.name] = study::value_of_fos(text);
-  const std::string how = Json::parse(text).value("end", "bracketed");
+  const Json told = Json::parse(text);
+  add_warnings(told.value("warnings", Json::array()));
+  const std::string how = told.value("end", "bracketed");
   const bool is_good_so_far = result_.verdict.empty() || result_.verdict == "finished";
   if (is_good_so_far && how != "bracketed") {
     result_.verdict = how;
@@ -227,8 +233,19 @@ void SweepJob::find_intensities() {
   }
   if (!has(SweepSource::run) && end.exit_code == int(ExitCode::check_failed)) result_.verdict = "doubtful";
   const std::string text = formats::load((folder_ / "sif.out").string()).text;
+  add_warnings(Json::parse(text).value("warnings", Json::array()));
   for (const SweepOutput& output : plan_.outputs)
     if (output.source == SweepSource::sif) take(output, [&] { return study::value_of_sif(output, text); });
+}
+
+/// Adds the codes of warnings that the row does not have yet. Notes stay in the records of the job.
+void SweepJob::add_warnings(const Json& list) {
+  for (const Json& warning : list) {
+    const std::string code = warning.at("name");
+    const bool is_known = fmt::format(" {} ", result_.warnings).find(fmt::format(" {} ", code)) != std::string::npos;
+    if (is_known || level_of(code) != DiagnosticLevel::warning) continue;
+    result_.warnings += (result_.warnings.empty() ? "" : " ") + code;
+  }
 }
 
 /// Puts an output into the result. One that the results lack is the reason of the row.

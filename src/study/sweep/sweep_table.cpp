@@ -23,6 +23,7 @@ SweepResult result_of(const Json& json) {
   return {json.at("job"),
           json.at("verdict"),
           json.at("doubt"),
+          json.value("warnings", ""),
           json.at("out"),
           json.at("seconds"),
           json.value("units", Json::object()),
@@ -69,6 +70,7 @@ std::string sweep_journal_line(const SweepResult& result) {
   return line_of({{"job", result.job},
                   {"verdict", result.verdict},
                   {"doubt", result.doubt},
+                  {"warnings", result.warnings},
                   {"out", result.out},
                   {"units", result.units},
                   {"lacking", result.lacking},
@@ -98,13 +100,13 @@ void require_outputs(const SweepTable& table) {
 std::string table_csv(const SweepTable& table) {
   std::string text;
   for (const auto& [key, value] : table.rows.front().items()) text += csv_cell(key) + ",";
-  text += "verdict,doubt,";
+  text += "verdict,doubt,warnings,";
   for (const std::string& name : table.outputs) text += csv_cell(name) + ",";
   text += "job\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const SweepResult& result = table.results[i];
     for (const auto& [key, value] : table.rows[i].items()) text += cell_of(value) + ",";
-    text += fmt::format("{},{},", csv_cell(result.verdict), csv_cell(result.doubt));
+    text += fmt::format("{},{},{},", csv_cell(result.verdict), csv_cell(result.doubt), result.warnings);
     for (const std::string& name : table.outputs) text += cell_of(value_or_null(result.out, name)) + ",";
     text += result.job + "\n";
   }
@@ -124,6 +126,7 @@ std::string table_json(const SweepTable& table, const Json& units) {
     Json row = table.rows[i];
     row["verdict"] = result.verdict;
     row["doubt"] = result.doubt;
+    row["warnings"] = result.warnings;
     for (const std::string& name : table.outputs) row[name] = value_or_null(result.out, name);
     row["job"] = result.job;
     rows.push_back(std::move(row));

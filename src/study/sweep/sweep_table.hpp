@@ -1,8 +1,8 @@
 // Keeps the journal of a sweep, and writes its table.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A journal has one JSON object per line: first {"sweep": 1, "task": "…"}, then {"job", "verdict", "doubt", "out",
-// "units", "lacking", "files", "seconds"} per job. A last line cut short by a sudden end is ignored.
+// A journal has one JSON object per line: first {"sweep": 1, "task": "…"}, then {"job", "verdict", "doubt", "warnings",
+// "out", "units", "lacking", "files", "seconds"} per job. A last line cut short by a sudden end is ignored.
 #pragma once
 
 #include <map>
@@ -21,6 +21,7 @@ struct SweepResult {
   std::string job;
   std::string verdict = "finished";
   std::string doubt;                                                  ///< reason for the verdict
+  std::string warnings;                                               ///< their codes, with blanks between them
   nlohmann::ordered_json out = nlohmann::ordered_json::object();      ///< by name
   double seconds = 0;                                                 ///< of wall time
   nlohmann::ordered_json units = nlohmann::ordered_json::object();    ///< of outputs that have one, by name
@@ -50,7 +51,7 @@ struct SweepTable {
 /// Throws std::invalid_argument for an output that no row has, and that results of a row lack: a wrong name.
 void require_outputs(const SweepTable& table);
 
-/// Returns table.csv: keys, verdict, doubt, outputs, job. It does not depend on the machine or the order of the jobs.
+/// Returns table.csv: keys, verdict, doubt, warnings, outputs, job. It does not depend on the machine or the order of the jobs.
 std::string table_csv(const SweepTable& table);
 /// Returns times.csv: job, seconds.
 std::string times_csv(const SweepTable& table);
