@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
+import json
 import shlex
 from typing import Any
 
@@ -13,8 +14,8 @@ from . import _keyblock
 def cite(results: Any = None) -> str:
     """Returns BibTeX entries of Keyblock, with version, commit, compiler and build, and of the works on its methods.
 
-    The build is a hash of the library; results of the same build are the same. results: a Results, whose command and
-    checksums of files are added as lines that begin with %. run.json also has the checksums of frames.
+    The build is a hash of the library; results of the same build are the same. results: a Results, whose command, changed
+    values and checksums of files are added as lines that begin with %. run.json also has the checksums of frames.
     """
     return _entries() + ("" if results is None else _origin(results.run))
 
@@ -25,6 +26,7 @@ def _origin(run: Any) -> str:
     lines = [f"keyblock {run.get('version', '')}, commit {made.get('commit', 'unknown')}, {made.get('compiler', '')}",
              f"build {made.get('build', '')}", f"command {shlex.join(made.get('command', []))}",
              f"folder {made.get('folder', '')}", f"seed {made.get('seed')}"]
+    lines += [f"value {pointer}={json.dumps(value)}" for pointer, value in run.get("values", {}).items()]
     lines += [f"input {i['sha256']} {i['file']}" for i in run.get("inputs", [])]
     outputs = run.get("output_sha256", {})
     lines += [f"output {outputs[name]} {name}" for name in outputs if not name.startswith("frames/")]

@@ -66,11 +66,15 @@ class Table(list):  # type: ignore[type-arg]
         return frame
 
     def write(self, path: StrPath) -> None:
-        """Writes the table as CSV, with the bytes of table.csv of `keyblock sweep`; an existing file is replaced."""
+        """Writes the table as CSV, with the bytes of table.csv of `keyblock sweep`; an existing file is replaced.
+
+        Raises TypeError for values of functions that are no numbers, text, lists or dicts.
+        """
+        cells = list(self._texts(self, _cell))  # before the file is opened: TypeError for values that have no text
         with open(path, "w", newline="", encoding="utf-8") as file:
             out = csv.writer(file, lineterminator="\n")
             out.writerow(self.columns)
-            out.writerows(self._texts(self, _cell))
+            out.writerows(cells)
 
     def _repr_html_(self) -> str:
         cells = self._texts(self, _short)
@@ -103,7 +107,10 @@ def _cell(value: Any) -> str:
     if isinstance(value, float):
         text = repr(value)
         return text[:-2] if text.endswith(".0") else text
-    return json.dumps(value, separators=(",", ":"), ensure_ascii=False)
+    try:
+        return json.dumps(value, separators=(",", ":"), ensure_ascii=False)
+    except (TypeError, ValueError):
+        raise TypeError(f"out: expected numbers, text, lists or dicts, found {type(value).__name__}") from None
 
 
 def grid(over: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:

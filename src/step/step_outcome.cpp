@@ -57,8 +57,8 @@ StepReport report_of(const StandardScene& scene, const Motion& motion, const Sta
   report.fallbacks = made.step.fallbacks;
   report.locked_overlaps = made.step.locked_overlaps;
   report.unsettled_contacts = static_cast<int>(made.step.undecided.size());
-  report.contacts = static_cast<int>(made.step.touches.size());
   report.closed = static_cast<int>(motion.closed.size());
+  report.contacts = std::max(static_cast<int>(made.step.touches.size()), report.closed);  // statics may need no search
   report.matrix_blocks = static_cast<int>(scene.bodies().size());
   report.penalty = scene.has_springs() ? scene.normal_stiffness() : 0;
   report.residual = made.step.residual;

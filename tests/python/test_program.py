@@ -286,6 +286,10 @@ class Program(Folder):
     def test_a_citation_names_the_build_and_the_origin_of_results(self):
         kb.new("block", "block.json")
         cited = kb.cite(kb.record("block.json", "out", settings={"steps": 2}))
+        changed = kb.read("block.json").with_value("/analysis/joint_materials/0/friction_angle_deg", 12)
+        self.assertIn("% value /analysis/joint_materials/0/friction_angle_deg=12\n",
+                      kb.cite(kb.record(changed, "changed", settings={"steps": 2})))
+        self.assertNotIn("% value", cited)
         self.assertIn(f"commit {kb._keyblock.commit()}, {kb._keyblock.compiler()}, build {kb._keyblock.build()}", kb.cite())
         self.assertTrue(cited.startswith(kb.cite()))
         checksum = hashlib.sha256(Path("block.json").read_bytes()).hexdigest()

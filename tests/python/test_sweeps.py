@@ -457,6 +457,10 @@ class Sweeps(Folder):
             self.assertEqual([table[i]["a"] for i in (0, 1, 3)], [{"b": [third, 0.5]}, 2.0, third])
             self.assertEqual((table[2]["verdict"], math.isnan(table[2]["a"])), ("error", True))
             self.assertIn("complex", table[2]["doubt"])
+        in_memory = kb.sweep(slide(), over, out=out, settings=few)
+        with self.assertRaisesRegex(TypeError, "found complex"):
+            in_memory.write("none.csv")
+        self.assertFalse(Path("none.csv").exists())
 
     def test_shards_together_are_the_whole_table(self):
         over = {FRICTION: [10, 15, 20, 25, 5]}
