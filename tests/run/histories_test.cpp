@@ -92,6 +92,31 @@ Blocks wall(int courses) {
 
 }  // namespace
 
+// A toe or a free face is where histories are asked for; turned corners and points differ by their last digits.
+TEST(Histories, a_point_on_the_outline_of_a_turned_block_belongs_to_it) {
+  int on_edge = 0;
+  for (int degrees = 0; degrees < 90; ++degrees) {
+    const auto turned = [&](Point p) {
+      const double a = radians(degrees);
+      return Point{100 + std::cos(a) * p.x - std::sin(a) * p.y, std::sin(a) * p.x + std::cos(a) * p.y};
+    };
+    Blocks blocks;
+    blocks.blocks = {rectangle({0, 0}, {4, 1})};
+    for (BlockVertex& corner : blocks.blocks[0].outer) corner.position = turned(corner.position);
+    for (const double x : {0.3, 1.7, 3.5}) {
+      Problem problem;
+      problem.geometry = blocks;
+      problem.outputs.histories = {history_of("point:0,0")};
+      problem.outputs.histories[0].point = turned({x, 0});
+      ASSERT_NO_THROW(problem = with_followed_points(problem)) << degrees << " " << x;
+      on_edge += static_cast<int>(std::get<Blocks>(problem.geometry).measured_points.size());
+      problem.outputs.histories[0].point = turned({x, -1e-6});
+      EXPECT_THROW(with_followed_points(problem), InputError) << degrees << " " << x;
+    }
+  }
+  EXPECT_EQ(on_edge, 270);
+}
+
 TEST(Histories, words_of_the_command_line_say_what_is_followed) {
   const HistoryPlan point = history_of("crest=point:1.5,-2e1");
   EXPECT_EQ(point.name, "crest");

@@ -63,13 +63,26 @@ std::optional<int> element_at(const Cover& cover, Point p) {
                                            plain(plan.point->x, 6), plain(plan.point->y, 6)));
 }
 
+/// Distance up to which a point lies on an outline. Turned by the same angle, both differ by their last digits.
+double round_off_of(const Blocks& blocks) {
+  constexpr double kOnOutline = 1e-12;
+  double farthest = 0;
+  for (const BlockPolygon& block : blocks.blocks)
+    for (const BlockVertex& corner : block.outer) farthest = std::max(farthest, length(corner.position));
+  return kOnOutline * farthest;
+}
+
 void add_point(Problem& problem, const HistoryPlan& plan) {
   if (auto* drawing = std::get_if<Drawing>(&problem.geometry)) {
     drawing->measured_points.push_back({*plan.point, plan.place});
   } else if (auto* blocks = std::get_if<Blocks>(&problem.geometry)) {
-    const std::optional<int> block = block_at(blocks->blocks, *plan.point, 0);
-    if (!block) refuse_outside(plan);
-    blocks->measured_points.push_back({*plan.point, *block, plan.place});
+    if (const std::optional<int> block = block_at(blocks->blocks, *plan.point, 0)) {
+      blocks->measured_points.push_back({*plan.point, *block, plan.place});
+      return;
+    }
+    const auto beside = block_beside(blocks->blocks, *plan.point, round_off_of(*blocks));
+    if (!beside) refuse_outside(plan);
+    blocks->measured_points.push_back({*plan.point, beside->block, plan.place});
   } else if (auto* cover = std::get_if<Cover>(&problem.geometry)) {
     const std::optional<int> element = element_at(*cover, *plan.point);
     if (!element) refuse_outside(plan);
