@@ -180,7 +180,7 @@ class RestSearch {
     std::erase_if(ways, [](const Way& way) { return !(way.share > of_resting_start::kInPlace); });
     if (ways.empty()) return {};
     std::vector<Way> small;
-    if (!is_stressed()) {
+    if (!is_stressed(scene_, still_.q)) {
       scene_.load_share = of_resting_start::kSmallShare;
       const StandardStep made = static_step(scene_, still_, 0, of_resting_start::kMostIterations);
       scene_.load_share = 1;
@@ -192,13 +192,6 @@ class RestSearch {
                         : small[hanging_.of(way.element)].share > of_resting_start::kSameWay * way.share)
         away.push_back(way.element);
     return away;
-  }
-
-  // An initial stress of the file loads bodies even at zero unknowns.
-  bool is_stressed() const {
-    UnknownsTable none = still_.q;
-    none.set_zero();
-    return largest_load(scene_, none) > 0;
   }
 
   // Lets supported sets without equilibrium begin to move, and returns the result. Bodies that strike others at once

@@ -114,6 +114,8 @@ class StaticSolve {
     const double longest = range.all_strain ? of_statics::kLongest : of_statics::kLongestOfRigid;
     longest_ = range.slowest < std::numeric_limits<double>::max() ? longest / range.slowest : longest * tau_;
     tau_ = std::min(tau_, longest_);
+    // Initial stress presses faces together before weight moves the blocks: a longer first τ lets wedges fall out.
+    if (is_stressed(scene_, now_.q)) tau_ = std::min(tau_, longest_ / longest);
     return true;
   }
 

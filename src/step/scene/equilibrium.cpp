@@ -83,6 +83,11 @@ double largest_load(const StandardScene& scene, const UnknownsTable& loads) {
   return largest;
 }
 
+bool is_stressed(const StandardScene& scene, UnknownsTable q) {
+  q.set_zero();
+  return largest_load(scene, q) > 0;
+}
+
 double driving_force(const StandardScene& scene, const Motion& motion, double time, double dt) {
   const std::vector<double> ways = ways_left(scene, motion, time);
   double largest = 0;

@@ -27,6 +27,9 @@ double driving_force(const StandardScene& scene, const Motion& motion, double ti
 /// Returns the largest load, or force of the initial stress, on a block.
 double largest_load(const StandardScene& scene, const UnknownsTable& loads);
 
+/// Returns true if an initial stress of the file loads bodies. `q`: any unknowns of the scene.
+bool is_stressed(const StandardScene& scene, UnknownsTable q);
+
 /// Greatest displacement of a vertex between two motions over the size of its block. `far`: blocks that moved farther
 /// than a given fraction of their size, unless two points hold them. An equilibrium at such a distance is another one.
 struct Travel {
