@@ -12,9 +12,9 @@
 
 namespace keyblock::formats {
 
-/// Returns the table in the units of the case. Throws InputError, with the cell, if a heading has a wrong unit, or any
-/// though the case declares none; or if a column is missing, a value is not a number, times do not increase, or there
-/// is no row.
+/// Returns the table in the units of the case. Throws InputError, with the cell, if a column is missing, a value is not a
+/// number, times do not increase, or there is no row. A heading with a wrong unit is refused, and one with any unit if
+/// the case declares none.
 TimeCurve read_body_acceleration(const Source& source, const Units& units);
 
 }  // namespace keyblock::formats

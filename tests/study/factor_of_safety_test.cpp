@@ -56,7 +56,7 @@ StrengthTrials block_above_a_stop(double distance, double friction_deg) {
 }  // namespace
 
 // At weak joints all factors down to a fifth let the block slide to its stop, and the equilibrium there seemed to be
-// that of the drawing: F = 16 in place of 0.15.
+// that of the drawing: F = 16, not 0.15.
 TEST(FactorOfSafety, a_block_that_slides_to_a_stop_does_not_stand_whatever_its_friction) {
   for (const double distance : {0.2, 1.0})
     for (const double friction : {3.0, 10.0, 20.0}) {
