@@ -565,7 +565,8 @@ class _Journal:
             try:
                 text = json.dumps([name, row])
             except (TypeError, ValueError) as error:
-                row = ({"verdict": "error", "doubt": f"out: expected numbers, text, lists or dicts: {error}", "warnings": ""}, row[1])
+                doubt = f"out: expected numbers, text, lists or dicts: {error}"
+                row = ({"verdict": "error", "doubt": doubt, "warnings": ""}, row[1])
                 text = json.dumps([name, row])
             self._append(text)
             row = json.loads(text)[1]  # as a later call reads it

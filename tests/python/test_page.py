@@ -22,7 +22,7 @@ from run_pages import numbers_missing  # noqa: E402
 EXAMPLES = {  # arguments of the short form, and a pattern of the output
     "sliding_angles": (["5"], r"largest error: [0-9.]+e-(0[7-9]|1\d)"),
     "old_file": ([], r"finished"),
-    "slope_safety": (["1"], r"(?s)finished +0\.9[34].*probability of failure: 1\.00 of 1 joint sets"),  # 0.41 with a free back
+    "slope_safety": (["1"], r"(?s)finished [a-z_ ]+0\.9[34].*probability of failure: 1\.00 of 1 joint sets"),  # 0.41 with a free back
     "intensity_table": (["2"], r"arc_crack_30"),
     "own_criterion": ([], r"step 75, time 0.75: 3 pictures"),
     "beam_study": (["0.5"], r"-0\.0226"),

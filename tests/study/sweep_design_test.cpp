@@ -150,9 +150,11 @@ TEST(SweepDesign, outputs_are_known_by_their_form) {
 }
 
 TEST(SweepDesign, a_table_has_the_shortest_numbers_and_a_cut_journal_its_whole_lines) {
-  study::SweepResult result{"j", "finished", "a, b", "toe_wedged slivers", {{"x", 0.1}, {"y", nullptr}, {"z", 2.0}}, 1.5};
+  const Json out{{"x", 0.1}, {"y", nullptr}, {"z", 2.0}};
+  study::SweepResult result{"j", "finished", "a, b", "toe_wedged slivers", out, 1.5};
   const study::SweepTable table{{"x", "y", "z"}, {Json{{"/a", 20}}}, {result}};
-  EXPECT_EQ(table_csv(table), "/a,verdict,doubt,warnings,x,y,z,job\n20,finished,\"a, b\",toe_wedged slivers,0.1,,2,j\n");
+  EXPECT_EQ(table_csv(table),
+            "/a,verdict,doubt,warnings,x,y,z,job\n20,finished,\"a, b\",toe_wedged slivers,0.1,,2,j\n");
   EXPECT_EQ(times_csv(table), "job,seconds\nj,1.500\n");
   const std::string text = study::sweep_journal_head("t") + study::sweep_journal_line(result);
   EXPECT_EQ(study::read_sweep_journal(text + "{\"job\"").lines, text);

@@ -10,7 +10,7 @@
 namespace keyblock {
 
 inline constexpr double kSliverArea = 0.01;   ///< per mean area of all blocks; smaller blocks are slivers
-inline constexpr double kSliverWidth = 0.02;  ///< mean width over length; narrower blocks below the mean area are slivers
+inline constexpr double kSliverWidth = 0.02;  ///< mean width over length; narrower ones up to the mean area
 
 /// Size of a block, in the units of the input.
 struct BlockForm {

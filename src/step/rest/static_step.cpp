@@ -204,7 +204,7 @@ class StaticSolve {
   void accept(const SmoothMotion& made, const Touches& touches, double least_force) {
     result_.touches = touches;
     const UnknownsTable moved = plus(made.q, -1, now_.q);
-    turned_back_ = !moved_.empty() && work_of_mass(moved, moved_) < 0;
+    turned_back_ = !moved_.empty() && dot(moved, momentum(scene_, moved_)) < 0;
     moved_ = moved;
     now_.q = made.q;
     points_ = made.points;
@@ -232,8 +232,6 @@ class StaticSolve {
     }
     now_.closed = ClosedContacts(std::move(closed));
   }
-
-  double work_of_mass(const UnknownsTable& a, const UnknownsTable& b) const { return dot(a, momentum(scene_, b)); }
 
   // Returns true if a contact closed that was open at the start of slip counting.
   bool one_closed() const {

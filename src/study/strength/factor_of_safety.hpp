@@ -105,11 +105,11 @@ struct FactorOfSafety {
 
 /// Searches from `from`, or from the guess. A trial stands if it finds an equilibrium near that of the least factor.
 /// Near means that no body has moved farther by a tenth of its width (`kFarFromDrawing`). Farther away, the equilibrium
-/// is that of another scene than the drawn one. A trial may stand only after a slide, if it moved by a hundredth of half
-/// the scene's extent, or a block by a tenth of its width. One at a hundredth of its factor is then the reference. The
-/// search goes up by quarters, or down by fifths, to the first that ends differently, and bisects. If the knee lies
-/// below, its bracket is closed too. If only loose blocks have no equilibrium (`kLooseArea`, `kLooseInAll`), the search
-/// begins again without them. Throws as the trials.
+/// is that of another scene than the drawn one. A trial may stand only after a slide, if it moved by a hundredth of
+/// half the scene's extent, or a block by a tenth of its width. One at a hundredth of its factor is then the reference.
+/// The search goes up by quarters, or down by fifths, to the first that ends differently, and bisects. If the knee
+/// lies below, its bracket is closed too. If only loose blocks have no equilibrium (`kLooseArea`, `kLooseInAll`), the
+/// search begins again without them. Throws as the trials.
 FactorOfSafety factor_of_safety(const StrengthTrials& trials, const SearchOptions& options);
 
 }  // namespace keyblock::study

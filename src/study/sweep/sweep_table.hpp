@@ -51,7 +51,8 @@ struct SweepTable {
 /// Throws std::invalid_argument for an output that no row has, and that results of a row lack: a wrong name.
 void require_outputs(const SweepTable& table);
 
-/// Returns table.csv: keys, verdict, doubt, warnings, outputs, job. It does not depend on the machine or the order of the jobs.
+/// Returns table.csv: keys, verdict, doubt, warnings, outputs, job. It does not depend on the machine or the order of
+/// the jobs.
 std::string table_csv(const SweepTable& table);
 /// Returns times.csv: job, seconds.
 std::string times_csv(const SweepTable& table);
