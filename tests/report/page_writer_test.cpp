@@ -134,18 +134,22 @@ TEST(PageWriter, a_page_goes_on_with_frames_of_its_last_epoch_or_of_new_ones) {
   const PageFrame first = moved(0, 0);
   PageWriter same(report::origin_of(first.shape), first.shape);
   same.add(moved(5, 0.3));
-  const auto update = std::move(same).update();
-  EXPECT_EQ(update.at("frames").at(0).at("step"), 5);
-  EXPECT_EQ(update.at("frames").at(0).at("epoch"), -1) << "the page has these bodies";
-  EXPECT_TRUE(update.at("epochs").empty());
-  EXPECT_EQ(update.at("chunks").size(), update.at("texts").size());
+  const report::PageUpdate update = std::move(same).update();
+  std::size_t size = 0;
+  for (const auto& own : update.head.at("sizes")) size += own.get<std::size_t>();
+  EXPECT_EQ(update.head.at("frames").at(0).at("step"), 5);
+  EXPECT_EQ(update.head.at("frames").at(0).at("epoch"), -1) << "the page has these bodies";
+  EXPECT_TRUE(update.head.at("epochs").empty());
+  EXPECT_EQ(update.head.at("chunks").size(), update.head.at("sizes").size());
+  EXPECT_EQ(update.bytes.size(), size);
+  EXPECT_EQ(update.head.at("sizes").at("c0"), 6 * 2 * 4) << "motion of two bodies";
   PageFrame cut = moved(6, 0.1);
   cut.shape.places[9].x = 1007;
   PageWriter changed(report::origin_of(first.shape), first.shape);
   changed.add(cut);
-  const auto other = std::move(changed).update();
+  const nlohmann::ordered_json other = std::move(changed).update().head;
   EXPECT_EQ(other.at("frames").at(0).at("epoch"), 0);
-  EXPECT_TRUE(other.at("texts").contains(other.at("epochs").at(0).at("geometry")));
+  EXPECT_TRUE(other.at("sizes").contains(other.at("epochs").at(0).at("geometry")));
 }
 
 TEST(PageWriter, tables_in_time_keep_the_frames_that_have_them) {

@@ -134,8 +134,8 @@ export interface Update {
   fields: FieldHead[];
   parts: Record<string, PartHead>;
   chunks: ChunkHead[];
-  /** Chunks as base64, by their ids. */
-  texts: Record<string, string>;
+  /** Chunks, not packed, by their ids. */
+  bytes: Record<string, Uint8Array>;
 }
 
 /** Thrown for data that the page cannot show; its message is for the reader. */

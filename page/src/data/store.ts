@@ -51,7 +51,7 @@ export class Store {
   private readonly waiting = new Map<string, Promise<void>>();
   readonly field_heads = new Map<string, FieldHead>();
   /** Chunks of later frames that are not decoded yet. */
-  private readonly later_texts = new Map<string, string>();
+  private readonly later_bytes = new Map<string, Uint8Array>();
 
   constructor(
     readonly head: Head,
@@ -81,7 +81,7 @@ export class Store {
       this.field_heads.set(field.name, field);
     }
     head.parts = { ...update.parts, ...head.parts };
-    for (const [id, text] of Object.entries(update.texts)) this.later_texts.set(own_id(id), text);
+    for (const [id, bytes] of Object.entries(update.bytes)) this.later_bytes.set(own_id(id), bytes);
     for (const own of update.epochs) head.epochs.push({ ...own, geometry: own_id(own.geometry) });
     for (const own of update.chunks) {
       this.add_chunk({
@@ -145,8 +145,12 @@ export class Store {
   }
 
   private async bytes_of(id: string): Promise<Uint8Array> {
-    const text = this.later_texts.get(id) ?? this.text_of(id);
-    this.later_texts.delete(id);
+    const bytes = this.later_bytes.get(id);
+    if (bytes) {
+      this.later_bytes.delete(id);
+      return bytes;
+    }
+    const text = this.text_of(id);
     if (text === null) throw new PageError('A part of this page is missing: it was cut off or changed.');
     return inflate(from_base64(text));
   }

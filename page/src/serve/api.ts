@@ -118,15 +118,16 @@ export function address(path: string, parameters: Record<string, string>): strin
   return `${path}?${new URLSearchParams(parameters)}`;
 }
 
-async function get<T>(path: string, parameters: Record<string, string> = {}, end?: AbortSignal): Promise<T> {
-  let reply: Response;
+async function reply_to(path: string, parameters: Record<string, string>, end?: AbortSignal): Promise<Response> {
   try {
-    reply = await fetch(Object.keys(parameters).length ? address(path, parameters) : path, { signal: end });
+    return await fetch(Object.keys(parameters).length ? address(path, parameters) : path, { signal: end });
   } catch {
     throw new RequestError(0, 'The server does not answer: start keyblock serve again.');
   }
-  return answer<T>(reply);
 }
+
+const get = async <T>(path: string, parameters: Record<string, string> = {}) =>
+  answer<T>(await reply_to(path, parameters));
 
 async function post<T>(path: string, body: unknown): Promise<T> {
   let reply: Response;
@@ -142,8 +143,21 @@ async function post<T>(path: string, body: unknown): Promise<T> {
   return answer<T>(reply);
 }
 
-export const live = (result: string, shown: Record<string, string>, end: AbortSignal) =>
-  get<News>('/api/live', { result, ...shown }, end);
+/** News of a run: a line of JSON, and the bytes of its chunks after it. */
+export async function live(result: string, shown: Record<string, string>, end: AbortSignal): Promise<News> {
+  const reply = await reply_to('/api/live', { result, ...shown }, end);
+  if (!reply.headers.get('Content-Type')?.startsWith('application/octet')) return answer<News>(reply);
+  const bytes = new Uint8Array(await reply.arrayBuffer());
+  let at = bytes.indexOf(10) + 1;
+  const { sizes, ...news } = JSON.parse(new TextDecoder().decode(bytes.subarray(0, at)));
+  news.bytes = {};
+  for (const [id, size] of Object.entries(sizes as Record<string, number>)) {
+    news.bytes[id] = bytes.subarray(at, at + size);
+    at += size;
+  }
+  return news;
+}
+
 /** The page of a result (HTML). */
 export async function page(result: string): Promise<string> {
   const reply = await fetch(address('/page', { result }));

@@ -140,7 +140,7 @@ describe('store', () => {
     const other = make_wall({ columns: 2, rows: 2, frames: 1 });
     const store = new Store(wall.head, text_of(wall.writer.chunks));
     /** The only frame of a scene, or its last one, as the server sends it. */
-    const update = (scene: typeof wall, epoch: number): Update => {
+    const update = async (scene: typeof wall, epoch: number): Promise<Update> => {
       const f = scene.head.frames.length - 1;
       const writer = new PageWriter();
       const geometry = scene.writer.chunks.find(own => own.id === scene.head.epochs[0].geometry)!;
@@ -151,11 +151,14 @@ describe('store', () => {
         fields: [],
         parts: {},
         chunks: [{ id: motion, what: 'motion', from: 0, to: 0, epoch }],
-        texts: { g: geometry.text, [motion]: writer.chunks[0].text },
+        bytes: {
+          g: await inflate(from_base64(geometry.text)),
+          [motion]: await inflate(from_base64(writer.chunks[0].text)),
+        },
       };
     };
-    expect(store.append(update(whole, -1))).toBe(false);
-    expect(store.append(update(other, 0))).toBe(false);
+    expect(store.append(await update(whole, -1))).toBe(false);
+    expect(store.append(await update(other, 0))).toBe(false);
     expect(store.head.frames.map(own => own.epoch)).toEqual([0, 0, 0, 1]);
     for (const [f, motion] of [
       [2, whole.motion[2]],

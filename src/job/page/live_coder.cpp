@@ -7,7 +7,6 @@
 #include "base/error.hpp"
 #include "job/folder/frame_files.hpp"
 #include "job/page/result_frames.hpp"
-#include "report/page/page_writer.hpp"
 
 namespace keyblock {
 
@@ -15,7 +14,7 @@ report::PageShape LiveCoder::shape_of(int step) const {
   return read_result_frame(folder_, {step, frame_file(folder_, step), false}).frame.shape;
 }
 
-nlohmann::ordered_json LiveCoder::update(int step, int epoch_step, bool has_contacts) {
+report::PageUpdate LiveCoder::update(int step, int epoch_step, bool has_contacts) {
   if (first_step_ == kNone) {
     const auto frames = frames_in(folder_);
     if (frames.empty()) throw InputError({folder_.string()}, "expected the frames of a run, found none");

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "report/page/page_frame.hpp"
+#include "report/page/page_writer.hpp"
 
 namespace keyblock {
 
@@ -17,7 +17,7 @@ class LiveCoder {
 
   /// Returns what a page adds to go on with the frame of `step`, see PageWriter::update. Its last epoch began at
   /// `epoch_step`. Throws InputError if one of both frames, or the first frame of the run, is gone or broken.
-  nlohmann::ordered_json update(int step, int epoch_step, bool has_contacts);
+  report::PageUpdate update(int step, int epoch_step, bool has_contacts);
 
   /// Forgets the frames that were read: the run has written them anew.
   void forget() { first_step_ = epoch_step_ = kNone; }

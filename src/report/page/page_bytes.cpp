@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kFractionBits = 23;
 constexpr double kSmallest = 1e-30;
+constexpr int kLevel = 6;  // of zlib
 
 }  // namespace
 
@@ -52,11 +53,11 @@ std::string little_endian(std::span<const std::uint32_t> words) {
   return bytes;
 }
 
-std::string packed_text(const std::string& bytes, int level) {
+std::string packed_text(const std::string& bytes) {
   uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
   if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                bytes.size(), level) != Z_OK)
+                bytes.size(), kLevel) != Z_OK)
     throw std::runtime_error("zlib cannot pack the page");
   packed.resize(size);
   return base64(packed);

@@ -23,10 +23,7 @@ std::string byte_planes(std::span<const std::uint32_t> words);
 /// Returns the words as bytes, the lowest byte first.
 std::string little_endian(std::span<const std::uint32_t> words);
 
-inline constexpr int kPageLevel = 6;  ///< of zlib, for pages that are kept
-inline constexpr int kLiveLevel = 0;  ///< of zlib, for frames that must come soon
-
 /// Returns the bytes packed by zlib, as base64. Throws std::runtime_error if zlib fails.
-std::string packed_text(const std::string& bytes, int level);
+std::string packed_text(const std::string& bytes);
 
 }  // namespace keyblock::report

@@ -109,7 +109,7 @@ Point origin_of(const PageShape& first) {
   return extent_of(first.places).middle();
 }
 
-PageWriter::PageWriter(Point origin, PageShape shape) : level_(kLiveLevel), origin_(origin), shape_(std::move(shape)) {
+PageWriter::PageWriter(Point origin, PageShape shape) : packs_(false), origin_(origin), shape_(std::move(shape)) {
   centroids_ = centroids_of(*shape_);
 }
 
@@ -152,12 +152,12 @@ void PageWriter::begin_epoch(const PageShape& shape) {
                      {"geometry", add_text(little_endian(words))}});
 }
 
-std::string PageWriter::add_text(const std::string& bytes) {
-  return texts_.emplace_back(fmt::format("c{}", texts_.size()), packed_text(bytes, level_)).first;
+std::string PageWriter::add_text(std::string bytes) {
+  return texts_.emplace_back(fmt::format("c{}", texts_.size()), packs_ ? packed_text(bytes) : std::move(bytes)).first;
 }
 
-Json& PageWriter::add_chunk(const std::string& what, const std::string& bytes) {
-  chunks_.push_back({{"id", add_text(bytes)},
+Json& PageWriter::add_chunk(const std::string& what, std::string bytes) {
+  chunks_.push_back({{"id", add_text(std::move(bytes))},
                      {"what", what},
                      {"from", written_},
                      {"to", written_ + waiting_.size() - 1},
@@ -269,9 +269,12 @@ std::string PageWriter::finish(Json head) && {
   return page_with(head, texts_);
 }
 
-Json PageWriter::update() && {
-  Json found = members();
-  for (auto& [id, text] : texts_) found["texts"][id] = std::move(text);
+PageUpdate PageWriter::update() && {
+  PageUpdate found{members(), {}};
+  for (const auto& [id, bytes] : texts_) {
+    found.head["sizes"][id] = bytes.size();
+    found.bytes += bytes;
+  }
   return found;
 }
 

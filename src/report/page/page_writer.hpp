@@ -37,6 +37,13 @@ inline constexpr int kPlaceBits = 18;  ///< of places in such tables
 /// Returns the place that a page counts from if this is the shape of its first frame: the middle of all corners.
 Point origin_of(const PageShape& first);
 
+/// What a page adds to go on. `head` has frames, epochs, fields, chunks, parts, and `sizes`: the number of bytes of
+/// each chunk by its id. Frames count from 0, new epochs too; -1 is the last epoch of the page.
+struct PageUpdate {
+  nlohmann::ordered_json head;
+  std::string bytes;  ///< chunk after chunk, not packed
+};
+
 class PageWriter {
  public:
   PageWriter() = default;
@@ -53,9 +60,7 @@ class PageWriter {
   /// Returns the page: the built one with the head and the chunks. `head` has the members that frames do not give.
   std::string finish(nlohmann::ordered_json head) &&;
 
-  /// Returns what a page adds to its head to go on: frames, epochs, fields, chunks, parts; and `texts`, the coded
-  /// numbers by their ids. Frames count from 0, new epochs too; -1 is the last epoch of the page.
-  nlohmann::ordered_json update() &&;
+  PageUpdate update() &&;
 
  private:
   nlohmann::ordered_json members();
@@ -68,8 +73,8 @@ class PageWriter {
   void write_parts();
   void write_part(const std::string& name);
   void name_field(const PageField& field, int bits);
-  nlohmann::ordered_json& add_chunk(const std::string& what, const std::string& bytes);
-  std::string add_text(const std::string& bytes);
+  nlohmann::ordered_json& add_chunk(const std::string& what, std::string bytes);
+  std::string add_text(std::string bytes);
 
   nlohmann::ordered_json frames_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json epochs_ = nlohmann::ordered_json::array();
@@ -77,7 +82,7 @@ class PageWriter {
   nlohmann::ordered_json chunks_ = nlohmann::ordered_json::array();
   nlohmann::ordered_json parts_ = nlohmann::ordered_json::object();
   std::vector<PageText> texts_;
-  int level_ = kPageLevel;
+  bool packs_ = true;  ///< as base64 of zlib
   std::optional<Point> origin_;
   std::optional<PageShape> shape_;    ///< of the epoch
   std::vector<Point> centroids_;      ///< of the epoch

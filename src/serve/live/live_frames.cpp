@@ -117,11 +117,12 @@ class Followed {
     const std::string key = fmt::format("{} {} {}", stamp, base, shown.wants_contacts);
     if (key != key_) {
       Json json{{"is_running", is_running()}, {"stamp", stamp}};
-      json.update(coder_.update(step, shown.epoch, shown.wants_contacts));
-      newest_ = json.dump();
+      const report::PageUpdate update = coder_.update(step, shown.epoch, shown.wants_contacts);
+      json.update(update.head);
+      newest_ = json.dump() + "\n" + update.bytes;
       key_ = key;
     }
-    return {200, "application/json", newest_};
+    return {200, "application/octet-stream", newest_};
   }
 
   fs::path folder_;
