@@ -50,6 +50,18 @@ TEST(StrengthPicture, shows_both_states_and_what_slips) {
   EXPECT_EQ(strength_picture(standing).find("slip 0.3"), std::string::npos);
 }
 
+// A tall model leaves half the page empty if its states stand one above the other.
+TEST(StrengthPicture, states_of_a_tall_model_are_side_by_side) {
+  const auto height = [](double width) {
+    FieldFrame field{0, 0, {square(0, {0, 0}, {0, 0}), square(1, {width - 1, 1}, {0, 0})}};
+    const std::string svg = strength_picture({"a case", field, {0, 0}, "stands at 1", field, field, "falls at 1.1"});
+    const std::size_t at = svg.find("height=\"") + 8;
+    return std::stod(svg.substr(at));
+  };
+  EXPECT_LT(height(2), 650) << "as tall as wide: 411 of 900 units each";
+  EXPECT_NEAR(height(8), 44 + 26 + 210 + 40 + 210 + 50, 2) << "four times as wide";
+}
+
 // The displacement of an unstable trial is not drawn: the end of an abandoned search says nothing.
 TEST(StrengthPicture, the_chart_shows_what_falls_without_a_height_and_never_green) {
   using Kind = StrengthPoint::Kind;

@@ -20,14 +20,17 @@
 namespace keyblock::report {
 namespace {
 
+constexpr double kCaption = 13;
 constexpr double kCaptionRoom = 26;
+constexpr double kBelow = 22;  // from the lower panel to the scale bar
 constexpr double kPanelHeight = 330;
 constexpr std::size_t kMostArrows = 240;
 constexpr double kArrow = 34;        // page units, of the largest increment
 constexpr double kShownSlip = 0.02;  // of the largest increment: less is not drawn
 constexpr double kSameLine = 1e-6;   // of the extent
 constexpr std::size_t kMostEdges = 6'000;
-constexpr double kBarFromCaption = 240;
+constexpr double kGap = 18;
+constexpr double kTallHeight = 460;  // of panels side by side
 constexpr std::string_view kSlipColour = "#b2182b";
 constexpr std::string_view kArrowColour = "#222222";
 
@@ -164,7 +167,39 @@ void draw_arrow(SvgPage& page, Point from, Point way) {
                {.fill = kArrowColour});
 }
 
-void draw_standing(SvgPage& page, const PageMap& map, const StrengthPicture& picture, Point caption) {
+/// State of the model on the page.
+struct Panel {
+  Panel(const Box& box, Point corner, Point room, Point caption_at, Point bar_from_caption)
+      : map(box, corner, room),
+        caption(caption_at),
+        bar(caption_at + bar_from_caption),
+        bottom(corner.y + map.size().y) {}
+
+  PageMap map;
+  Point caption;
+  Point bar;  ///< of colours
+  double bottom;
+};
+
+/// Places both states one above the other; side by side if that shows them larger, or nearly as large.
+std::array<Panel, 2> place_panels(const Box& box, const StrengthPicture& picture) {
+  constexpr double kNearly = 0.8;
+  constexpr Point kBesideCaption{240, -10}, kBelowCaption{14, 10};
+  const Point corner{kMargin, kTitleHeight + kCaptionRoom}, caption = corner - Point{0, 10};
+  const Panel upper(box, corner, {kRoom, kPanelHeight}, caption, kBesideCaption);
+  const Point half{(kRoom - kGap) / 2, kTallHeight}, below_bar = corner + Point{0, kCaptionRoom};
+  const Panel left(box, below_bar, half, caption, kBelowCaption);
+  const double words = text_width(picture.standing_words + bolts_in_words(picture), kCaption);
+  if (left.map.scale() < kNearly * upper.map.scale() || words > half.x) {
+    const Point down{0, upper.map.size().y + kCaptionRoom + 14};
+    return {upper, Panel(box, corner + down, {kRoom, kPanelHeight}, caption + down, kBesideCaption)};
+  }
+  const Point across{half.x + kGap, 0};
+  return {left, Panel(box, below_bar + across, half, caption + across, kBelowCaption)};
+}
+
+void draw_standing(SvgPage& page, const Panel& panel, const StrengthPicture& picture) {
+  const PageMap& map = panel.map;
   double most = 0;
   for (const double strain : picture.plastic_strains) most = std::max(most, strain);
   const bool has_flow = most > 0;
@@ -178,13 +213,14 @@ void draw_standing(SvgPage& page, const PageMap& map, const StrengthPicture& pic
     }
   });
   page.layer([&] { draw_bolts(page, map, picture, true); });
-  page.text(caption, picture.standing_words + bolts_in_words(picture), {.size = 13, .bold = true});
+  page.text(panel.caption, picture.standing_words + bolts_in_words(picture), {.size = kCaption, .bold = true});
   if (has_flow)
-    draw_heat_bar(page, caption + Point{kBarFromCaption, -10}, fmt::format("{:.2g}", most), "plastic strain");
+    draw_heat_bar(page, panel.bar, fmt::format("{:.2g}", most), "plastic strain");
 }
 
-void draw_falling(SvgPage& page, const PageMap& map, const StrengthPicture& picture, Point caption) {
-  page.text(caption, picture.falling_words, {.size = 13, .bold = true});
+void draw_falling(SvgPage& page, const Panel& panel, const StrengthPicture& picture) {
+  const PageMap& map = panel.map;
+  page.text(panel.caption, picture.falling_words, {.size = kCaption, .bold = true});
   if (!picture.falling || picture.falling->elements.size() != picture.before.elements.size()) return;
   const FieldFrame& before = picture.before;
   const FieldFrame& after = *picture.falling;
@@ -212,8 +248,9 @@ void draw_falling(SvgPage& page, const PageMap& map, const StrengthPicture& pict
     draw_arrow(page, map(before.elements[e].middle.position), {way.x, -way.y});
   }
   page.layer([&] { draw_bolts(page, map, picture, false); });
-  draw_heat_bar(page, caption + Point{kBarFromCaption, -10}, "1",
-                "displacement increment over the largest; red lines: joints that slip or open");
+  draw_heat_bar(page, panel.bar, "1", "displacement increment over the largest");
+  page.text({kMargin + kRoom, panel.bottom + kBelow}, "red lines: joints that slip or open",
+            {.size = 12, .anchor = Anchor::end});
 }
 
 constexpr double kStrip = 22;  // above the axes, of trials without a displacement
@@ -297,15 +334,13 @@ std::vector<SlipLine> slip_lines(const FieldFrame& before, const FieldFrame& aft
 
 std::string strength_picture(const StrengthPicture& picture) {
   const Box box = box_of(picture.standing.elements.empty() ? picture.before : picture.standing);
-  const PageMap first(box, {kMargin, kTitleHeight + kCaptionRoom}, {kRoom, kPanelHeight});
-  const double below = kTitleHeight + 2 * kCaptionRoom + first.size().y + 14;
-  const PageMap second(box, {kMargin, below}, {kRoom, kPanelHeight});
-  SvgPage page(kPageWidth, below + first.size().y + 50);
+  const auto [first, second] = place_panels(box, picture);
+  SvgPage page(kPageWidth, second.bottom + 50);
   page.text({kMargin, 28}, picture.title, {.size = 17, .bold = true});
   if (box.empty()) return page.str();
-  draw_standing(page, first, picture, {kMargin, kTitleHeight + kCaptionRoom - 10});
-  draw_falling(page, second, picture, {kMargin, below - 10});
-  draw_scale_bar(page, {kMargin, below + first.size().y + 22}, kRoom, first, picture.units);
+  draw_standing(page, first, picture);
+  draw_falling(page, second, picture);
+  draw_scale_bar(page, {kMargin, second.bottom + kBelow}, kRoom, first.map, picture.units);
   return page.str();
 }
 
