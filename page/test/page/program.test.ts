@@ -38,6 +38,18 @@ describe.skipIf(!has_browser || !program)('program', () => {
     return own.address;
   };
 
+  test('tables of a report fit a narrow screen', async () => {
+    run('report', 'slope', '-o', 'report.html');
+    const page = await browser.newPage({ viewport: { width: 400, height: 800 } });
+    await page.goto(`file://${join(folder, 'report.html')}`);
+    const cut = await page.evaluate(
+      () =>
+        [...document.querySelectorAll('table')].filter(own => own.scrollWidth > own.parentElement!.clientWidth).length,
+    );
+    expect(cut).toBe(0);
+    await page.close();
+  });
+
   test('values on the screen equal the record of the run', async () => {
     run('view', 'slope', '-o', 'slope.html');
     const record: Open = JSON.parse(readFileSync(join(folder, 'slope/run.json'), 'utf8'));

@@ -28,6 +28,18 @@ bool is_numeric(const DocumentTable& table, std::size_t column) {
       table.rows, [&](const std::vector<std::string>& row) { return row[column].empty() || is_number(row[column]); });
 }
 
+// Returns true for a word that may break anywhere, such as a checksum.
+bool is_code(const std::string& cell) {
+  constexpr std::size_t kLeast = 40;
+  return cell.size() >= kLeast && std::ranges::all_of(cell, [](unsigned char c) { return std::isalnum(c) != 0; });
+}
+
+std::string_view class_of(const DocumentTable& table, std::size_t column) {
+  if (table.rows.empty()) return "";
+  if (is_numeric(table, column)) return " class=\"number\"";
+  return is_code(table.rows.front()[column]) ? " class=\"code\"" : "";
+}
+
 std::string_view class_of(Verdict verdict) {
   return verdict == Verdict::good ? "good" : verdict == Verdict::doubtful ? "doubtful" : "bad";
 }
@@ -36,16 +48,15 @@ std::string table_of(const DocumentTable& table) {
   std::string text = "<div class=\"scroll\" tabindex=\"0\"><table>";
   if (!std::ranges::all_of(table.columns, &std::string::empty)) {
     text += "<thead><tr>";
-    for (const std::string& column : table.columns)
-      text += fmt::format("<th scope=\"col\">{}</th>", escape_xml(column));
+    for (std::size_t column = 0; column < table.columns.size(); ++column)
+      text += fmt::format("<th scope=\"col\"{}>{}</th>", class_of(table, column), escape_xml(table.columns[column]));
     text += "</tr></thead>";
   }
   text += "<tbody>";
   for (const std::vector<std::string>& row : table.rows) {
     text += "<tr>";
     for (std::size_t column = 0; column < row.size(); ++column)
-      text +=
-          fmt::format("<td{}>{}</td>", is_numeric(table, column) ? " class=\"number\"" : "", escape_xml(row[column]));
+      text += fmt::format("<td{}>{}</td>", class_of(table, column), escape_xml(row[column]));
     text += "</tr>\n";
   }
   return text + "</tbody></table></div>\n";

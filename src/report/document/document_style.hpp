@@ -25,7 +25,8 @@ table { border-collapse: collapse; width: 100%; font-size: .92em }
 th, td { text-align: left; padding: .25rem .6rem .25rem 0; border-bottom: 1px solid var(--line);
   vertical-align: top; overflow-wrap: break-word }
 th { font-weight: 600; background: var(--head); overflow-wrap: normal }
-td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap }
+.number { text-align: right; font-variant-numeric: tabular-nums } td.number { white-space: nowrap }
+td.code { overflow-wrap: anywhere }
 .facts { display: flex; flex-wrap: wrap; gap: .3rem 2rem; margin: 0 0 1rem }
 .facts div { display: flex; gap: .5rem } dt { color: var(--faint) } dd { margin: 0; overflow-wrap: anywhere }
 .wide { max-width: 80rem }
@@ -51,6 +52,8 @@ figcaption { color: var(--faint); font-size: .9em }
 @media screen and (prefers-color-scheme: dark) {
   .card img, figure img { filter: invert(.91) hue-rotate(180deg) } /* black on white becomes light on dark */
   .card .none { color: var(--faint); background: var(--head) } }
+@media screen and (max-width: 30rem) { body { padding: 1rem .75rem 3rem }
+  table { font-size: .8em } th, td { padding-right: .35rem } }
 @media print {
   @page { size: A4; margin: 16mm } body { font-size: 10pt; padding: 0; max-width: none } nav, .filter { display: none }
   figure img { width: auto; max-width: 100%; max-height: 150mm }
