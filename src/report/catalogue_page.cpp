@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/counted.hpp"
 #include "report/document/document.hpp"
 
 namespace keyblock::report {
@@ -142,7 +143,7 @@ std::string summary_of(const std::vector<CatalogueRow>& rows) {
 }
 
 std::string catalogue_page(const std::string& title, const std::vector<CatalogueRow>& rows) {
-  Document document{title, "Catalogue of an archive", Verdict::good, summary_of(rows) + ".", {}};
+  Document document{title, "", Verdict::good, summary_of(rows) + ".", {}};
   document.sections.push_back({"All jobs", {}, {}, {table_of(rows)}});
   for (std::size_t i = 0; i < rows.size(); ++i) {
     document.verdict = std::max(document.verdict, verdict_of(rows[i]));
@@ -150,6 +151,8 @@ std::string catalogue_page(const std::string& title, const std::vector<Catalogue
     if (word_of(rows[i]) != "listed") document.cards.push_back(card_of(rows[i], i));
     document.sections.push_back(section_of(rows[i], i));
   }
+  document.subtitle = fmt::format("{} on cards, {} in the table below", counted(document.cards.size(), "case"),
+                                  counted(rows.size(), "job"));
   return document_page(document);
 }
 

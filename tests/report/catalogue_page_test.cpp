@@ -51,6 +51,7 @@ TEST(CataloguePage, a_file_that_is_no_case_has_a_row_and_no_card) {
   row.verdict = {"listed", "no case"};
   const std::string page = catalogue_page("All", {row});
   EXPECT_EQ(count(page, "class=\"card"), 0U);
+  EXPECT_EQ(count(page, "0 cases on cards, 1 job in the table below"), 1U);
   EXPECT_EQ(count(page, "<section id=\"job-"), 1U);
 }
 

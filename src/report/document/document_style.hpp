@@ -33,7 +33,7 @@ td.code { overflow-wrap: anywhere }
 .filter { display: flex; flex-wrap: wrap; gap: .5rem 1rem; align-items: center; margin: 1rem 0 }
 .filter input, .filter select { font: inherit; color: inherit; background: var(--head); border: 1px solid var(--line);
   border-radius: 6px; padding: .3rem .5rem; min-width: 0 }
-.cards { list-style: none; display: grid; grid-template-columns: repeat(auto-fill, minmax(min(15rem, 100%), 1fr));
+.cards { list-style: none; display: grid; grid-template-columns: repeat(auto-fill, minmax(min(18rem, 100%), 1fr));
   gap: 1rem; padding: 0; margin: 0 0 2rem }
 .card { border: 1px solid var(--line); border-top: 4px solid; border-radius: 8px; padding: .5rem .7rem; min-width: 0 }
 .card.good { border-top-color: #1a7f4b } .card.doubtful { border-top-color: #b26a00 }
@@ -44,7 +44,7 @@ td.code { overflow-wrap: anywhere }
 .card .none { color: #5b6472; padding: .5rem } .card b { overflow-wrap: anywhere }
 .card > span { display: block; font-size: .88em; color: var(--faint); overflow-wrap: anywhere }
 .card .ends { display: grid; grid-template-columns: 1fr 1fr; gap: .5rem; margin: .4rem 0; font-size: .82em }
-.card .ends img { margin-bottom: 0 } .card .links a { text-decoration: underline }
+.card .ends img { margin-bottom: 0; object-fit: cover; object-position: top } .card .links a { text-decoration: underline }
 th button { all: unset; cursor: pointer } th button:focus-visible { outline: 2px solid }
 figure { margin: 1rem 0; break-inside: avoid }
 figure img { width: 100%; background: #fff; border: 1px solid var(--line) }
