@@ -77,3 +77,13 @@ export function index_at(text: string, line: number, column: number): number {
   }
   return Math.min(text.length, at + Math.max(0, column - 1));
 }
+
+/** The error and what follows it; else the last lines of messages without those that told the progress. */
+export function last_messages(messages: string): string {
+  const lines = messages
+    .trim()
+    .split('\n')
+    .filter(line => !/^(initial state and )?step [0-9]+/.test(line));
+  const error = lines.findIndex(line => /\berror: /.test(line));
+  return (error < 0 ? lines.slice(-6) : lines.slice(error, error + 6)).join('\n');
+}

@@ -3,10 +3,11 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { show, show_with } from '../draw/numbers';
 import * as api from './api';
+import { last_messages } from './cases';
 import type { Units } from './edit/schema';
 import { follow, type LivePage } from './follow';
 import { Handouts } from './handouts';
-import { last_messages, progress_of } from './runs';
+import { progress_of } from './runs';
 import * as state from './state';
 import { StrengthView } from './strength';
 import { SweepView } from './study';

@@ -4,7 +4,7 @@ import { signal } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
 import * as api from './api';
-import { leaf_of, new_result, stem_of } from './cases';
+import { last_messages, leaf_of, new_result, stem_of } from './cases';
 import { dimension_of, limits_of, meaning_of, type Schema, schema_at, unit_in } from './edit/schema';
 import { ChoiceField, TextField, ValueBox } from './fields';
 import * as state from './state';
@@ -329,11 +329,7 @@ export function JobItem({ job }: { job: api.Job }) {
             {is_open ? 'Watch' : 'Open'}
           </a>
         )}
-        {job.kind === 'both' && job.state === 'ended' && has_both(job.result) && (
-          <a class="button" href={state.link('compare', `${job.result}/standard`, `${job.result}/legacy`)}>
-            Compare
-          </a>
-        )}
+        {job.kind === 'both' && job.state === 'ended' && <BothLink result={job.result} />}
       </div>
       {is_open && <progress value={share} max={1} aria-label={`Progress of ${job.result}`} />}
       <p class="note" aria-live="polite">
@@ -344,10 +340,18 @@ export function JobItem({ job }: { job: api.Job }) {
   );
 }
 
-/** Whether the results of both profiles are there, also if the checks of one failed. */
-function has_both(result: string): boolean {
+/** Link to the results of both profiles, or to the only one: `legacy` cannot run every case. */
+function BothLink({ result }: { result: string }) {
   const results = state.listing.value?.results ?? [];
-  return ['standard', 'legacy'].every(profile => results.some(own => own.path === `${result}/${profile}`));
+  const there = ['standard', 'legacy']
+    .map(profile => `${result}/${profile}`)
+    .filter(path => results.some(own => own.path === path));
+  if (!there.length) return null;
+  return (
+    <a class="button" href={state.link(there.length > 1 ? 'compare' : 'result', ...there)}>
+      {there.length > 1 ? 'Compare' : `Open ${leaf_of(there[0])}`}
+    </a>
+  );
 }
 
 /** Sentence on how far a job has come that runs. */
@@ -358,15 +362,6 @@ export function progress_of(job: api.Job): string {
   ].filter(Boolean);
   const steps = job.steps ? `step ${job.step} of ${job.steps}` : tried.join(', ') || 'starting';
   return `${steps}${job.left ? `, ${job.left} left` : ''}`;
-}
-
-/** The last lines of messages without those that told the progress. */
-export function last_messages(messages: string): string {
-  const lines = messages.trim().split('\n');
-  return lines
-    .filter(line => !/^(initial state and )?step [0-9]+/.test(line))
-    .slice(-6)
-    .join('\n');
 }
 
 /** Record of a run or of a search, as far as a list of jobs shows it. */

@@ -1,5 +1,14 @@
 import { describe, expect, test } from 'vitest';
-import { cases_of, folder_of, index_at, leaf_of, new_result, stem_of, tables_of } from '../../src/serve/cases';
+import {
+  cases_of,
+  folder_of,
+  index_at,
+  last_messages,
+  leaf_of,
+  new_result,
+  stem_of,
+  tables_of,
+} from '../../src/serve/cases';
 import { link, route_of } from '../../src/serve/routes';
 
 describe('cases', () => {
@@ -29,6 +38,13 @@ describe('cases', () => {
     expect(new_result('run', ['run', 'run_2'])).toBe('run_3');
     expect(index_at('ab\ncd\nef', 2, 2)).toBe(4);
     expect(index_at('ab', 9, 1)).toBe(2);
+  });
+  test('a failed job shows its error, not the files that it has written', () => {
+    const ran = 'step 3 of 9\nopen a.svg, b.svg\ndata c.csv\n';
+    expect(last_messages(`${ran}x.json:2:3: error: expected y\n  help: z\n`)).toBe(
+      'x.json:2:3: error: expected y\n  help: z',
+    );
+    expect(last_messages(ran)).toBe('open a.svg, b.svg\ndata c.csv');
   });
   test('routes come back', () => {
     const path = 'a b/ü#?%.json';
