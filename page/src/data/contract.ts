@@ -10,6 +10,8 @@ export const CHUNK_FRAMES = 25;
 export const NO_ROW = 0xffffffff;
 
 /** Bit of a body's kind that marks it as fixed; the low byte is 0 for a block, 1 for an element on covers. */
+/** Kind of a body that is an element of an NMM body. */
+export const ELEMENT_KIND = 1;
 export const FIXED_BIT = 256;
 
 export interface FrameHead {

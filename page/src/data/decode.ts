@@ -1,6 +1,6 @@
 // Decodes chunks: zlib, byte planes, xor in time. Little endian, as every browser in use is.
 
-import { type ColumnHead, FIXED_BIT } from './contract';
+import { type ColumnHead, ELEMENT_KIND, FIXED_BIT } from './contract';
 
 /** Bytes of a base64 text. */
 export function from_base64(text: string): Uint8Array {
@@ -74,6 +74,23 @@ export interface Geometry {
   body_loop: Uint32Array;
   /** Row of a body by its key. */
   row_of_key: Map<number, number>;
+}
+
+export function is_element(geometry: Geometry, row: number): boolean {
+  return (geometry.kind[row] & 255) === ELEMENT_KIND;
+}
+
+/** "block 7", or "element 7" of an NMM body. */
+export function body_name(geometry: Geometry, row: number): string {
+  return `${is_element(geometry, row) ? 'element' : 'block'} ${geometry.number[row]}`;
+}
+
+/** Word for bodies in the plural: blocks, elements, or both. */
+export function word_for_bodies(geometry: Geometry): string {
+  let elements = 0;
+  for (let row = 0; row < geometry.bodies; row++) if (is_element(geometry, row)) elements++;
+  if (elements === 0) return 'blocks';
+  return elements === geometry.bodies ? 'elements' : 'blocks and elements';
 }
 
 export function decode_geometry(bytes: Uint8Array): Geometry {

@@ -1,6 +1,7 @@
 // Tab Blocks: a table of all blocks at the present frame, for readers who cannot see the drawing and for look-ups.
 
 import { computed, signal } from '@preact/signals';
+import { body_name, word_for_bodies } from '../data/decode';
 import { scaled_unit, show } from '../draw/numbers';
 import { body_value, unit_of_value, values_of } from '../draw/scene';
 import { material_name } from './chosen';
@@ -37,6 +38,7 @@ export function BlocksTab() {
   const now = rows.value;
   if (!now) return null;
   const { geometry, own, list, scaled } = now;
+  const word = word_for_bodies(geometry);
   const pages = Math.max(1, Math.ceil(list.length / PAGE));
   const at = Math.min(page.value, pages - 1);
   const chosen = state.chosen.value;
@@ -79,15 +81,15 @@ export function BlocksTab() {
               page.value = 0;
             }}
           />
-          <span>Free blocks only</span>
+          <span>Free {word} only</span>
         </label>
         <table class="list">
           <caption>
-            {list.length} {list.length === 1 ? 'block' : 'blocks'}, {own.label.toLowerCase()}
+            {list.length === 1 ? body_name(geometry, list[0].row) : `${list.length} ${word}`}, {own.label.toLowerCase()}
           </caption>
           <thead>
             <tr>
-              <th scope="col">Block</th>
+              <th scope="col">Number</th>
               <th scope="col">Material</th>
               <th scope="col">Support</th>
               <th scope="col" class="number">

@@ -3,13 +3,14 @@
 import { computed, signal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { type ColumnHead, NO_ROW } from '../data/contract';
-import type { Geometry } from '../data/decode';
+import { body_name, type Geometry } from '../data/decode';
 import { value_at } from '../data/store';
 import type { Measure } from '../draw/measures';
 import { show, show_with } from '../draw/numbers';
 import { body_value, displacement_of, part_at, unit_of_value, values_of, vertices_of } from '../draw/scene';
 import { Chart, type Curve } from './chart';
 import { ident_of, nth_of, row_of } from './figure';
+import { capital } from './run';
 import { MeasureOptions } from './show';
 import * as state from './state';
 
@@ -123,12 +124,11 @@ function BodyPanel({ body, geometry, live }: { body: number; geometry: Geometry;
   if (row === undefined) {
     return (
       <div class="empty" aria-live="polite">
-        <p>The chosen block is not part of the model at this frame.</p>
+        <p>It is not part of the model at this frame.</p>
       </div>
     );
   }
   const length = head.units?.length ?? '';
-  const is_element = (geometry.kind[row] & 255) === 1;
   const moved = displacement_of(store, frame, row);
   const angle = rotation_of(row);
   const [ox, oy] = head.origin;
@@ -150,9 +150,7 @@ function BodyPanel({ body, geometry, live }: { body: number; geometry: Geometry;
     <div class="stack">
       <section class="group" aria-label="Chosen block">
         <div class="chosen-head" aria-live={live}>
-          <h2>
-            {is_element ? 'Element' : 'Block'} {geometry.number[row]}
-          </h2>
+          <h2>{capital(body_name(geometry, row))}</h2>
           <p>
             {geometry.fixed[row] ? 'Fixed' : 'Free'}, material {material_name(geometry.material[row])}
             {moved && `, displacement ${show_with(Math.hypot(...moved), length, 4)}`}
@@ -247,12 +245,12 @@ function ContactsOf({ row, geometry }: { row: number; geometry: Geometry }) {
     <section class="group" aria-labelledby="contacts-title">
       <h2 id="contacts-title">Contacts</h2>
       {list.length === 0 ? (
-        <p class="note">This block has no closed contact at this frame.</p>
+        <p class="note">No contact is closed at this frame.</p>
       ) : (
         <table class="list">
           <thead>
             <tr>
-              <th scope="col">Block</th>
+              <th scope="col">With</th>
               <th scope="col" class="number">
                 Normal force
               </th>
@@ -271,7 +269,7 @@ function ContactsOf({ row, geometry }: { row: number; geometry: Geometry }) {
                   <td>
                     {has_partner ? (
                       <button type="button" class="link" onClick={() => choose_body(geometry.key[partner])}>
-                        {geometry.number[partner]}
+                        {body_name(geometry, partner)}
                       </button>
                     ) : (
                       '–'
@@ -326,11 +324,17 @@ const COLUMN_LABELS: Record<string, string> = {
   fallbacks: 'Fallback solves',
 };
 
+/** The program follows bodies if a case has no measured points. */
+export const has_points = (): boolean => state.head.run?.counts?.measured_points !== 0;
+
+const word_for_places = () => (has_points() ? 'Point' : state.head.run?.counts.elements ? 'Element' : 'Block');
+
 export function column_label(name: string): string {
   if (COLUMN_LABELS[name]) return COLUMN_LABELS[name];
   if (/^[KJ]_?[IVX]*$/.test(name)) return name.replace('_', ' ');
-  const text = name.replace(/_/g, ' ');
-  return text.charAt(0).toUpperCase() + text.slice(1);
+  const place = /^(d?)([xy])(\d+)$/.exec(name);
+  if (place) return `${word_for_places()} ${place[3]}, ${place[1] && 'displacement '}${place[2]}`;
+  return capital(name.replace(/_/g, ' ').replace(/^bolt(\d+)$/, 'bolt $1, force'));
 }
 
 function parts_of_column(column: ColumnHead): string[] {
@@ -342,7 +346,7 @@ function parts_of_column(column: ColumnHead): string[] {
 function value_text(column: ColumnHead, value: number, part: number, geometry: Geometry): string {
   const { name } = column;
   if (name === 'block' || name === 'other') {
-    return value === NO_ROW || value >= geometry.bodies ? '–' : `block ${geometry.number[value]}`;
+    return value === NO_ROW || value >= geometry.bodies ? '–' : body_name(geometry, value);
   }
   if (column.names?.length) return column.names[value] ?? String(value);
   if (name === 'state') return STATES[value] ?? String(value);
@@ -392,7 +396,7 @@ function PartPanel({
                 <span key={row}>
                   {n > 0 && ' and '}
                   <button type="button" class="link" onClick={() => choose_body(geometry.key[row])}>
-                    block {geometry.number[row]}
+                    {body_name(geometry, row)}
                   </button>
                 </span>
               ))}

@@ -6,7 +6,7 @@ import type { CurveColumn, CurveTable } from '../data/contract';
 import { nearest_row } from '../draw/chart';
 import { show_with } from '../draw/numbers';
 import { Chart, curve_colour } from './chart';
-import { axis_label, column_label } from './chosen';
+import { axis_label, column_label, has_points } from './chosen';
 import * as state from './state';
 
 const table_name = signal('');
@@ -22,6 +22,12 @@ export function x_column(table: CurveTable): CurveColumn {
     if (own) return own;
   }
   return table.columns[0];
+}
+
+/** Title of a table; that of measured points holds bodies if there are none. */
+function title_of(table: CurveTable): string {
+  const title = table.title || table.name;
+  return has_points() ? title : title.replace('Measured points', 'Bodies');
 }
 
 /** Columns drawn at first: those of the first unit, four at most. */
@@ -83,14 +89,14 @@ export function CurvesTab() {
           >
             {tables.map(t => (
               <option value={t.name} key={t.name}>
-                {t.title || t.name}
+                {title_of(t)}
               </option>
             ))}
           </select>
         </label>
         {chosen.length > 0 && (
           <Chart
-            label={`Curves of ${table.title || table.name}`}
+            label={`Curves of ${title_of(table)}`}
             x={xs}
             x_label={axis_label(column_label(x.name).toLowerCase(), x.unit)}
             x_of={x_of}

@@ -2,6 +2,7 @@
 
 import { effect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
+import { body_name } from '../data/decode';
 import { to_world, zoom } from '../draw/camera';
 import { type Cost, is_webgl_faster, is_worth_measuring, measure } from '../draw/choose';
 import { show } from '../draw/numbers';
@@ -12,6 +13,7 @@ import { body_value, unit_of_value } from '../draw/scene';
 import { WebglBodies } from '../draw/webgl';
 import { contacts_of, figure_now, ident_of, lines_of, nth_of, points_of } from './figure';
 import { Icon } from './icons';
+import { capital } from './run';
 import * as state from './state';
 
 /** The figure on the screen, for picks and exports. */
@@ -306,7 +308,7 @@ function Hover() {
   const place = `x ${show(at.x + ox, 5)}, y ${show(at.y + oy, 5)}${unit ? ` ${unit}` : ''}`;
   let block = '';
   if (at.row !== null && at.row < pose.geometry.bodies) {
-    block = `${(pose.geometry.kind[at.row] & 255) === 1 ? 'Element' : 'Block'} ${pose.geometry.number[at.row]}`;
+    block = capital(body_name(pose.geometry, at.row));
     if (shade)
       block += `: ${unit_of_value(shade.measure, body_value(shade.measure, shade.values, pose.geometry, at.row))}`;
   }

@@ -1,5 +1,6 @@
 // Tab Run: verdict, facts, warnings, stages, settings of run.json in plain words.
 
+import { body_name, type Geometry } from '../data/decode';
 import { show, show_time, show_with } from '../draw/numbers';
 import { Icon } from './icons';
 import * as state from './state';
@@ -37,16 +38,35 @@ function Row({ name, value }: { name: string; value: unknown }) {
   );
 }
 
-function go_to_block(number: number): void {
-  const geometry = state.store.geometry_now(state.store.epoch_of(state.frame.value));
-  if (!geometry) return;
-  for (let row = 0; row < geometry.bodies; row++) {
-    if (geometry.number[row] === number) {
-      state.chosen.value = { kind: 'body', key: geometry.key[row] };
-      state.tab.value = 'chosen';
-      return;
-    }
+/** The last frame whose model has a body of this number, the present one if it has. */
+function find_body(number: number): { frame: number; geometry: Geometry; row: number } | null {
+  const { store, frame } = state;
+  for (const at of [frame.value, ...last_frames()]) {
+    const geometry = store.geometry_now(store.epoch_of(at));
+    const row = geometry?.number.indexOf(number) ?? -1;
+    if (geometry && row >= 0) return { frame: at, geometry, row };
   }
+  return null;
+}
+
+/** Last frames of all epochs, the newest first. */
+function last_frames(): number[] {
+  const { frames } = state.head;
+  const last = frames.flatMap((own, i) => (own.epoch === frames[i + 1]?.epoch ? [] : [i]));
+  return last.reverse();
+}
+
+function name_of_body(number: number): string {
+  const found = find_body(number);
+  return found ? body_name(found.geometry, found.row) : `block ${number}`;
+}
+
+function go_to_body(number: number): void {
+  const found = find_body(number);
+  if (!found) return;
+  state.frame.value = found.frame;
+  state.chosen.value = { kind: 'body', key: found.geometry.key[found.row] };
+  state.tab.value = 'chosen';
 }
 
 const EXTREMES: Record<string, { label: string; unit: 'length' | 'stress' | '' }> = {
@@ -80,6 +100,7 @@ export function RunTab() {
   const doubts: unknown[] = run.outcome?.doubts ?? [];
   const warnings: { name: string; count: number; first: string }[] = run.warnings ?? [];
   const counts = run.counts ?? {};
+  const at_start = head.epochs.length > 1 ? ' at the start' : '';
   const units = head.units;
   const seconds = run.seconds ? Object.values(run.seconds as Record<string, number>).reduce((a, b) => a + b, 0) : null;
   const extremes = Object.entries((run.extremes ?? {}) as Record<string, { value: number; element?: number }>).filter(
@@ -132,8 +153,8 @@ export function RunTab() {
                     <td>
                       {show_with(own.value, unit, name === 'least_area_share' ? 6 : 4)}
                       {own.element !== undefined && (
-                        <button type="button" class="link" onClick={() => go_to_block(own.element!)}>
-                          block {own.element}
+                        <button type="button" class="link" onClick={() => go_to_body(own.element!)}>
+                          {name_of_body(own.element!)}
                         </button>
                       )}
                     </td>
@@ -159,8 +180,8 @@ export function RunTab() {
               <Row name="Time" value={show_time(run.outcome.time, units?.time)} />
             )}
             <Row name="Frames on this page" value={head.frames.length} />
-            <Row name="Blocks" value={counts.blocks} />
-            <Row name="Elements" value={counts.elements} />
+            <Row name={`Blocks${at_start}`} value={counts.blocks} />
+            <Row name={`Elements${at_start}`} value={counts.elements} />
             <Row name="Covers" value={counts.covers} />
             <Row name="Unknowns" value={counts.unknowns} />
             <Row name="Most contacts" value={counts.most_contacts} />

@@ -1,12 +1,29 @@
 import { deflateSync } from 'node:zlib';
 import { describe, expect, test } from 'vitest';
 import { accept_head, NO_ROW, PageError, type Update } from '../../src/data/contract';
-import { decode_field, decode_geometry, decode_part, from_base64, from_planes, inflate } from '../../src/data/decode';
+import {
+  body_name,
+  decode_field,
+  decode_geometry,
+  decode_part,
+  from_base64,
+  from_planes,
+  type Geometry,
+  inflate,
+  word_for_bodies,
+} from '../../src/data/decode';
 import { offset_of, Store, value_at } from '../../src/data/store';
 import { encode_field, encode_geometry, encode_part, PageWriter, round_bits, to_planes } from '../encode';
 import { make_wall, noise, wall_bodies } from '../scenes';
 
 const text_of = (chunks: { id: string; text: string }[]) => (id: string) => chunks.find(c => c.id === id)?.text ?? null;
+
+test('elements of NMM bodies are not called blocks', () => {
+  const of = (...kind: number[]) =>
+    ({ bodies: kind.length, kind: Uint32Array.from(kind), number: Uint32Array.from([7, 9]) }) as Geometry;
+  expect([body_name(of(0, 257), 0), body_name(of(0, 257), 1)]).toEqual(['block 7', 'element 9']);
+  expect([of(0, 256), of(1, 1), of(0, 1)].map(word_for_bodies)).toEqual(['blocks', 'elements', 'blocks and elements']);
+});
 
 describe('coding', () => {
   test('base64 and zlib give the bytes back', async () => {
