@@ -102,9 +102,15 @@ class DrawingMaker {
     std::size_t entities = 0;
   };
 
+  // 39800 mm times 0.001 is 39.800000000000004 m: where the unit is a whole part of the metre, division is exact.
+  double to_metres(double length) const {
+    const double part = std::round(1 / scale_);
+    return part > 1 && 1 / part == scale_ ? length / part : scale_ * length;
+  }
+
   void to_metres(DxfShape& shape) const {
     for (Point& p : shape.points) {
-      p = scale_ * p;
+      p = {to_metres(p.x), to_metres(p.y)};
       if (!std::isfinite(p.x) || !std::isfinite(p.y))
         throw InputError(shape.place,
                          fmt::format("expected {} within the range of numbers, found it beyond", shape.type));

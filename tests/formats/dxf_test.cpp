@@ -132,6 +132,9 @@ TEST(Dxf, coordinates_are_brought_to_metres_and_the_factor_is_named) {
   const Reading millimetres = read_entities(line("JOINT_1"), "9\n$INSUNITS\n70\n4\n");
   EXPECT_EQ(millimetres.content.drawing->joints.at(0).segment.end, (Point{1, 2}));
   EXPECT_NE(sentence(millimetres, "dxf_scaled_to_metres").find("multiplied by 0.001"), std::string::npos);
+  const std::string ends = "10\n0\n20\n0\n11\n39800\n21\n200\n";
+  const Reading exact = read_entities("0\nLINE\n8\nJOINT_1\n" + ends, "9\n$INSUNITS\n70\n4\n");
+  EXPECT_EQ(exact.content.drawing->joints.at(0).segment.end, (Point{39.8, 0.2})) << "not 39.800000000000004";
   const Reading feet = read_entities(line("JOINT_1"), "9\n$INSUNITS\n70\n2\n");
   EXPECT_NEAR(feet.content.drawing->joints.at(0).segment.end.x, 304.8, 1e-12);
   for (const char* header : {"", "9\n$INSUNITS\n70\n0\n", "9\n$INSUNITS\n70\n6\n"}) {
