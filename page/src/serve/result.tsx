@@ -11,7 +11,7 @@ import { progress_of } from './runs';
 import * as state from './state';
 import { StrengthView } from './strength';
 import { SweepView } from './study';
-import { title_of_entry, units_of_entry } from './titles';
+import { relative_of_entry, title_of_entry, units_of_entry } from './titles';
 
 export function ResultView({ path }: { path: string }) {
   const entry = state.listing.value?.results.find(own => own.path === path);
@@ -340,7 +340,7 @@ function Differences({
                 </th>
                 <td>{text_of(own.first, one)}</td>
                 <td>{text_of(own.second, other)}</td>
-                <td class="number">{own.relative === undefined ? '' : `${show(100 * own.relative, 3)} %`}</td>
+                <td class="number">{relative_of_entry(own)}</td>
               </tr>
             );
           })}

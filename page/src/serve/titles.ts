@@ -1,5 +1,6 @@
 // Titles and units of entries that differ between two runs: from the schema, and from the record of a run.
 
+import { show } from '../draw/numbers';
 import type { Difference } from './api';
 import type { Path } from './edit/case_text';
 import { dimension_of, type Schema, schema_at, title_of, type Units, unit_in } from './edit/schema';
@@ -17,7 +18,13 @@ const OF_RECORD: Record<string, string> = {
   'outcome.motion.sentences[2]': 'Displacement in words',
   'outcome.motion.kinetic_share': 'Kinetic energy over the largest stored energy',
   'outcome.motion.fastest.speed': 'Greatest speed at the end',
-  'outcome.motion.farthest.displacement': 'Greatest displacement',
+  'outcome.motion.fastest.element': 'Fastest block at the end',
+  'outcome.motion.fastest.x': 'Place of the fastest block, x',
+  'outcome.motion.fastest.y': 'Place of the fastest block, y',
+  'outcome.motion.farthest.element': 'Block moved farthest at the end',
+  'outcome.motion.farthest.displacement': 'Greatest displacement at the end',
+  'outcome.motion.farthest.x': 'Place of the block moved farthest, x',
+  'outcome.motion.farthest.y': 'Place of the block moved farthest, y',
   'extremes.greatest_displacement.value': 'Greatest displacement',
   'extremes.greatest_displacement.element': 'Block of the greatest displacement',
   'extremes.least_principal_stress.value': 'Least principal stress',
@@ -25,6 +32,7 @@ const OF_RECORD: Record<string, string> = {
   'extremes.greatest_principal_stress.value': 'Greatest principal stress',
   'extremes.greatest_principal_stress.element': 'Block of the greatest principal stress',
   'extremes.least_area_share.value': 'Least share of area left',
+  'extremes.least_area_share.element': 'Block of the least share of area left',
   'counts.greatest_penetration': 'Deepest overlap',
   'counts.greatest_residual': 'Largest force out of balance, over the load',
   'counts.least_dt': 'Shortest step',
@@ -99,6 +107,11 @@ export function title_of_entry({ path }: Difference, schema: Schema | null): str
       .replace(/\.value$/, ''),
   );
   return capital(steps.map(own => (typeof own === 'number' ? String(own + 1) : in_words(own))).join(' '));
+}
+
+/** Relative difference in words; none for numbers of bodies, of which a share means nothing. */
+export function relative_of_entry({ path, relative }: Difference): string {
+  return relative === undefined || path.endsWith('.element') ? '' : `${show(100 * relative, 3)} %`;
 }
 
 /** Units of both values: those of the record, else that of the schema in the units of the case. */
