@@ -118,19 +118,20 @@ class ArchiveStudy(Study):
         return text.getvalue().split("\n")
 
     def end_of(self, job):
-        """Verdict, doubt, displacement and blocks of a job of the catalogue."""
+        """Verdict, doubt, warnings, displacement and blocks of a job of the catalogue."""
         killed = re.search("ended by (SIG[A-Z]+)", job["message"])
         if killed:
-            return "signal", killed[1], "", ""
+            return "signal", killed[1], "", "", ""
         answer, = job["answers"]
         verdict, _, reason = answer["end"].partition(": ")
         if verdict == "finished" and answer["doubt"]:
             verdict, reason = "doubtful", answer["doubt"]
         record = json.loads((self.folder / self.name / job["outputs"][0] / "run.json").read_text(encoding="utf-8"))
+        warnings = " ".join(one["name"] for one in record["warnings"] if ": warning: " in one["first"])
         if record["outcome"]["steps"] == 0:
-            return verdict, reason, "", ""
+            return verdict, reason, warnings, "", ""
         found = record["extremes"]["greatest_displacement"]["value"], record["counts"]["blocks"]
-        return verdict, reason, *(str(number).removesuffix(".0") for number in found)  # as tables write numbers
+        return verdict, reason, warnings, *(str(number).removesuffix(".0") for number in found)  # as tables write numbers
 
 
 def kill(pid):

@@ -20,16 +20,14 @@ h1 { font-size: 1.7rem; margin: 0 } h2 { font-size: 1.2rem; margin: 2rem 0 .5rem
 .good { border-color: #1a7f4b } .doubtful { border-color: #b26a00 } .bad { border-color: #b3261e }
 nav { margin: 1rem 0; color: var(--faint) } a { color: inherit }
 nav a { margin-right: 1rem; white-space: nowrap }
-.scroll { overflow-x: auto; margin: .6rem 0 }
-table { border-collapse: collapse; width: 100%; font-size: .92em }
+.scroll { overflow-x: auto; margin: .6rem 0 } table { border-collapse: collapse; width: 100%; font-size: .92em }
 th, td { text-align: left; padding: .25rem .6rem .25rem 0; border-bottom: 1px solid var(--line);
   vertical-align: top; overflow-wrap: break-word }
 th { font-weight: 600; background: var(--head); overflow-wrap: normal }
 .number { text-align: right; font-variant-numeric: tabular-nums } td.number { white-space: nowrap }
-td.code { overflow-wrap: anywhere }
 .facts { display: flex; flex-wrap: wrap; gap: .3rem 2rem; margin: 0 0 1rem }
 .facts div { display: flex; gap: .5rem } dt { color: var(--faint) } dd { margin: 0; overflow-wrap: anywhere }
-.wide { max-width: 80rem }
+.wide { max-width: 80rem } td.code { overflow-wrap: anywhere } .card .links a { text-decoration: underline }
 .filter { display: flex; flex-wrap: wrap; gap: .5rem 1rem; align-items: center; margin: 1rem 0 }
 .filter input, .filter select { font: inherit; color: inherit; background: var(--head); border: 1px solid var(--line);
   border-radius: 6px; padding: .3rem .5rem; min-width: 0 }
@@ -44,11 +42,10 @@ td.code { overflow-wrap: anywhere }
 .card .none { color: #5b6472; padding: .5rem } .card b { overflow-wrap: anywhere }
 .card > span { display: block; font-size: .88em; color: var(--faint); overflow-wrap: anywhere }
 .card .ends { display: grid; grid-template-columns: 1fr 1fr; gap: .5rem; margin: .4rem 0; font-size: .82em }
-.card .ends img { margin-bottom: 0; object-fit: cover; object-position: top } .card .links a { text-decoration: underline }
+.card .ends img { margin-bottom: 0; object-fit: cover; object-position: top }
 th button { all: unset; cursor: pointer } th button:focus-visible { outline: 2px solid }
-figure { margin: 1rem 0; break-inside: avoid }
+figure { margin: 1rem 0; break-inside: avoid } figcaption { color: var(--faint); font-size: .9em }
 figure img { width: 100%; background: #fff; border: 1px solid var(--line) }
-figcaption { color: var(--faint); font-size: .9em }
 @media screen and (prefers-color-scheme: dark) {
   .card img, figure img { filter: invert(.91) hue-rotate(180deg) } /* black on white becomes light on dark */
   .card .none { color: var(--faint); background: var(--head) } }
