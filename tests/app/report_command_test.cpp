@@ -170,7 +170,7 @@ TEST(ReportCommand, contacts_units_and_checksums_are_listed_and_quirks_are_not) 
   EXPECT_TRUE(contains(page, "<dt>Computed</dt><dd>"));
   EXPECT_TRUE(contains(page, "Contacts by joint material in the last recorded frame, step 100."));
   EXPECT_TRUE(contains(page, "<td>m, kg, s; force N/m, stress Pa</td>") || contains(page, "m, kg, s; force"));
-  EXPECT_TRUE(contains(page, "<td>ledger.csv</td><td>result</td><td>"));
+  EXPECT_TRUE(contains(page, "<td>ledger.csv</td><td>result</td><td class=\"code\">"));
   EXPECT_FALSE(contains(page, "quirk."));
 }
 
@@ -187,7 +187,7 @@ TEST(ReportCommand, a_factor_of_safety_has_a_report_and_a_page) {
   EXPECT_TRUE(contains(page, "<h2>Materials</h2>") && contains(page, "<td>20°</td>"));
   EXPECT_TRUE(contains(page, "<td>2350 kg/m³</td><td>2305")) << "2350 kg/m³ times 9.81 m/s² is 23053.5 N/m³";
   EXPECT_TRUE(contains(page, record["inputs"][0]["sha256"].get<std::string>()));
-  EXPECT_TRUE(contains(page, "<td>trials.csv</td><td>result</td><td>"));
+  EXPECT_TRUE(contains(page, "<td>trials.csv</td><td>result</td><td class=\"code\">"));
   EXPECT_EQ(run_keyblock({"view", folder + "/fos", "-o", folder + "/page.html"}).exit_code, 0);
   EXPECT_TRUE(contains(read_text(folder + "/page.html"), "Trials"));
 }

@@ -109,7 +109,7 @@ describe.skipIf(!has_browser)('page', () => {
     expect(await head.locator('.reason').textContent()).toBe('Step 1: no equilibrium: block <2> accelerates.');
     await page.getByRole('tab', { name: 'Run' }).click();
     // A run without steps counts no overlap.
-    await page.getByRole('row', { name: 'Blocks 5' }).waitFor();
+    await page.getByRole('row', { name: 'Blocks at the start 5' }).waitFor();
     expect(await page.getByText('Deepest overlap').count()).toBe(0);
     await page.context().close();
   });
