@@ -151,10 +151,8 @@ std::vector<SettingRow> rows_of_loads_and_materials() {
       row(
           "body_acceleration_file",
           "table of a force per mass on every block, CSV with columns time,ax,ay; added to the constant one. A heading "
-          "may "
-          "name a unit if the case declares its own: time [ms], ax [g]. It "
-          "replaces a table of the case, and belongs to the whole run. A path in a case file starts at the folder of "
-          "that file",
+          "may name a unit if the case declares its own: time [ms], ax [g]. It replaces a table of the case, and "
+          "belongs to the whole run. A path in a case file starts at the folder of that file",
           [](auto& s) -> auto& { return s.body_acceleration.file; }, any_text()),
       row(Materials::of_blocks, "mass_damping",
           "coefficient a of the damping matrix a M + b K [1/time]. It slows rigid motion too",

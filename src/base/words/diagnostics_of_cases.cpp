@@ -171,10 +171,7 @@ constexpr auto kCases = std::to_array<Diagnostic>({
      "Remove the setting; `keyblock run --settings` lists what reads each."},
     {"slivers", warning, "Some blocks are slivers",
      "A block is below 1 % of the mean area, or no larger than the mean and narrower than 2 % of its length. Slivers "
-     "need "
-     "small steps "
-     "and may "
-     "never come to rest.",
+     "need small steps and may never come to rest.",
      "--set slivers=glue joins them to neighbours; slivers=leave_out removes them."},
     {"soft_patterns", note, "Short waves of elastoplastic NMM bodies are too slow",
      "Gradients of constant functions are averaged over covers and hardly see motion that alternates from cover to "

@@ -83,14 +83,11 @@ constexpr auto kCuts = std::to_array<Diagnostic>({
      "Nothing, if the lines are meant to be one; else use a smaller edge_node_ratio."},
     {"slivers_glued", note, "Slivers were joined to neighbours",
      "A sliver is below 1 % of the mean area, or no larger than the mean and narrower than 2 % of its length. Under "
-     "slivers=glue it "
-     "is "
-     "joined to the neighbour with the longest common side.",
+     "slivers=glue it is joined to the neighbour with the longest common side.",
      "Nothing, if the blocks named have no meaning of their own."},
     {"slivers_left_out", note, "Slivers were left out",
      "A sliver is below 1 % of the mean area, or no larger than the mean and narrower than 2 % of its length. Under "
-     "slivers=leave_out "
-     "it is removed, and a gap remains.",
+     "slivers=leave_out it is removed, and a gap remains.",
      "Nothing, if the gaps do not matter; else use slivers=glue."},
     {"zero_length_line", note, "A line has no length",
      "Both ends of the line are the same point. It cuts nothing and is left out.",

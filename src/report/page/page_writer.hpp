@@ -37,8 +37,8 @@ inline constexpr int kPlaceBits = 18;  ///< of places in such tables
 /// Returns the place that a page counts from if this is the shape of its first frame: the middle of all corners.
 Point origin_of(const PageShape& first);
 
-/// What a page adds to go on. `head` has frames, epochs, fields, chunks, parts, and `sizes`: the number of bytes of
-/// each chunk by its id. Frames count from 0, new epochs too; -1 is the last epoch of the page.
+/// New frames for a page. `head` has frames, epochs, fields, chunks and parts; `sizes` has the bytes of each chunk by
+/// its id. Frames and new epochs count from 0; -1 is the last epoch of the page.
 struct PageUpdate {
   nlohmann::ordered_json head;
   std::string bytes;  ///< chunk after chunk, not packed
