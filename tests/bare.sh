@@ -2,6 +2,7 @@
 # Runs commands in a minimal Debian, on a clone of this checkout: nothing else of this machine is there.
 # usage: tests/bare.sh COMMAND...    each COMMAND is a line for sh, run in the clone, one after the other
 # variable: KEYBLOCK_BARE_FILES   files, separated by blanks, that lie in the folder `files` beside the clone
+#           KEYBLOCK_BARE_CACHE   folder of a ccache of this machine: the system gets ccache and compiles with it
 # exit code: 0 all succeeded; 1 one failed; 77 no such system can be made here (the last line says why)
 # The system is made once, in build-bare/base, by debootstrap from the mirror of this machine; each run begins with a
 # copy of it, build-bare/root. All mounts belong to a namespace of their own, which ends with the script.
@@ -81,6 +82,16 @@ make_root() {
     cannot "../shared cannot be mounted"
 }
 
+# A cache saves the hour of compiling; what the system lacks shows all the same.
+use_cache() {
+  [ -n "${KEYBLOCK_BARE_CACHE:-}" ] || return 0
+  mkdir -p "$root/root/.cache/ccache" "$root/root/.config/ccache"
+  mount --bind "$KEYBLOCK_BARE_CACHE" "$root/root/.cache/ccache" || cannot "$KEYBLOCK_BARE_CACHE cannot be mounted"
+  printf '%s\n' "base_dir = $home" "hash_dir = false" \
+    "sloppiness = pch_defines,time_macros,include_file_ctime,include_file_mtime" >"$root/root/.config/ccache/ccache.conf"
+  within "apt-get -qq install -y ccache" >"$bare/ccache.log" 2>&1 || cannot "ccache cannot be installed"
+}
+
 mkdir -p "$bare" || cannot "no folder $bare"
 exec 9>"$bare/lock"
 flock -n 9 || cannot "another is at work in $bare"
@@ -88,6 +99,7 @@ flock -n 9 || cannot "another is at work in $bare"
 make_root
 within "apt-get -qq update -o APT::Update::Error-Mode=any" >"$bare/update.log" 2>&1 ||
   cannot "its mirror is out of reach: $(tail -n 1 "$bare/update.log")"
+use_cache
 within "rm -rf /var/lib/apt/lists"
 [ -z "$(git -C "$checkout" status --porcelain)" ] || echo "bare: changes that are not committed are not in the clone"
 
