@@ -20,6 +20,7 @@
 #include "step/rest/resting_start.hpp"
 #include "step/rest/settled_start.hpp"
 #include "step/rest/static_shares.hpp"
+#include "step/rest/stressed_start.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/carry_motion.hpp"
 #include "step/scene/contact_frames.hpp"
@@ -118,6 +119,7 @@ First asked_motion(const StandardScene& scene) {
       std::ranges::all_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_compatible_start(); });
   // Blocks that may yield have stress that forces alone do not give.
   if (!as_drawn && is_in_time && !slides_in_balance) return resting_first(scene, std::move(motion));
+  if (!as_drawn && slides_in_balance && has_initial_stress(scene)) motion.closed = stressed_contacts(scene, motion);
   if (as_drawn || !slides_in_balance || has_initial_stress(scene)) return {std::move(motion), {}, {}};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);

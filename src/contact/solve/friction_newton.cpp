@@ -52,6 +52,9 @@ constexpr double kOfGoal = 1e-3;
 constexpr double kInner = 0.3;
 constexpr double kForcing = 0.001;
 
+// A pair sticks at first if its tangential force is below this fraction of its limit; rounding stays far from it.
+constexpr double kWithinStrength = 1 - 1e-9;
+
 class Newton {
  public:
   Newton(const FrictionalProblem& problem, FrictionalSolution so_far, KeptSystem& kept, Tried first)
@@ -102,6 +105,7 @@ class Newton {
     const double goal = std::max(kInner * problem_.goal, kOfRound * solution_.residual);
     std::vector<std::vector<Grip>> visited;  // since the last partial step
     NaturalMap map = natural_map(problem_, tried_, proximal);
+    if (is_unique_ && is_static()) keep_sticking(map.grips);
     std::size_t first_changes = 0;
     int rises = 0;
     bool was_solved = is_solved();
@@ -145,10 +149,23 @@ class Newton {
   // Returns the residual that a line search reduces. In statics of very many pairs it is the energy of the change: the
   // largest change belongs to one pair, which would shorten the steps of all others.
   double merit(const NaturalMap& map) const {
-    const bool is_static = problem_.scale.size() > 0;
-    if (!is_static || !problem_.has_very_many()) return change(map);
+    if (!is_static() || !problem_.has_very_many()) return change(map);
     return std::sqrt((map.forces - tried_.forces).cwiseAbs2().dot(problem_.compliance()));
   }
+
+  // The first active set of statics holds every pair whose force is within its strength, as the elastic predictor of
+  // plasticity does. The natural map lets each pair answer the whole load alone, and so may find a state in which all
+  // slip although they stick together.
+  void keep_sticking(std::vector<Grip>& grips) const {
+    for (std::size_t i = 0; i < problem_.count(); ++i) {
+      const auto n = static_cast<Eigen::Index>(2 * i);
+      const bool bears = tried_.forces[n] > problem_.laws[i].least;
+      if (bears && std::abs(tried_.forces[n + 1]) < kWithinStrength * problem_.laws[i].limit(tried_.forces[n]))
+        grips[i] = Grip::stick;
+    }
+  }
+
+  bool is_static() const { return problem_.scale.size() > 0; }
 
   // Moves to the forces of an active set. Under springs, which make normal forces unique, it halves the step until the
   // residual has fallen enough. Otherwise it takes the step with the smallest residual: Newton's method for a map with

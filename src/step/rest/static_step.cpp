@@ -26,6 +26,16 @@ using namespace tolerances;
 // leads to no rest that the bond could bear.
 constexpr double kFarFromRest = 1e-3;
 
+// Round-off of a gap over the farthest coordinate: two units of the last place.
+constexpr double kRoundOff = 5e-16;
+
+// Returns the force by which springs answer the round-off of gaps far from the origin: no balance is better.
+double force_of_round_off(const StandardScene& scene) {
+  double farthest = 0;
+  for (const Point place : scene.model.start_vertices) farthest = std::max(farthest, length(place));
+  return scene.has_springs() ? kRoundOff * farthest * scene.normal_stiffness() : 0;
+}
+
 // Forces of an earlier stage may be beyond the strength of joints that have become weaker.
 bool has_permitted_forces(const StandardScene& scene, const Motion& motion, double load) {
   const double tolerance = of_statics::kForceAcceptable * load;
@@ -34,6 +44,14 @@ bool has_permitted_forces(const StandardScene& scene, const Motion& motion, doub
     return contact.memory.normal >= law.least - tolerance &&
            std::abs(contact.memory.tangential) <= law.limit(contact.memory.normal) + tolerance;
   });
+}
+
+MassRange mass_range(const StandardScene& scene) {
+  MassRange range;
+  for (const auto& group : scene.groups) group->add_to(range, scene.has_springs() ? scene.normal_stiffness() : 0);
+  for (const Bolt& bolt : scene.model.bolts)
+    if (bolt.is_spring()) range.slowest = std::min(range.slowest, std::sqrt(bolt.stiffness / range.heaviest));
+  return range;
 }
 
 class StaticSolve {
@@ -101,18 +119,18 @@ class StaticSolve {
   // Returns false if there is no load to balance. Once the last load is gone, the strain that it left is one.
   bool choose_scales() {
     const UnknownsTable loads = loads_at(scene_, now_.q, time_);
-    load_ = std::max(largest_load(scene_, loads), driving_force(scene_, start_, time_, scene_.settings.time_step));
+    const MassRange range = mass_range(scene_);
+    const bool can_strain = range.slowest < std::numeric_limits<double>::max();
+    // A driven point strains what it moves: time steps of statics say nothing of its force.
+    const double shortest = can_strain ? 1 / range.slowest : scene_.settings.time_step;
+    load_ = std::max(largest_load(scene_, loads), driving_force(scene_, start_, time_, shortest));
     const Scales scales = scales_of(scene_, loads, now_.q, now_.v);
     if (load_ == 0) load_ = force_of_strain(of_statics::kNoStrain * scene_.normal_stiffness() * scales.size);
-    first_load_ = load_;
     if (load_ == 0) return false;
-    MassRange range;
-    for (const auto& group : scene_.groups) group->add_to(range, scene_.has_springs() ? scene_.normal_stiffness() : 0);
-    for (const Bolt& bolt : scene_.model.bolts)
-      if (bolt.is_spring()) range.slowest = std::min(range.slowest, std::sqrt(bolt.stiffness / range.heaviest));
+    first_load_ = load_ = std::max(load_, force_of_round_off(scene_) / of_statics::kBalanceAcceptable);
     tau_ = std::sqrt(of_statics::kFarthest * scales.size * range.lightest / load_);
     const double longest = range.all_strain ? of_statics::kLongest : of_statics::kLongestOfRigid;
-    longest_ = range.slowest < std::numeric_limits<double>::max() ? longest / range.slowest : longest * tau_;
+    longest_ = can_strain ? longest / range.slowest : longest * tau_;
     tau_ = std::min(tau_, longest_);
     // Initial stress presses faces together before weight moves the blocks: a longer first τ lets wedges fall out.
     if (is_stressed(scene_, now_.q)) tau_ = std::min(tau_, longest_ / longest);
