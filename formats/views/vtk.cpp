@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <numeric>
-#include <regex>
+#include <pugixml.hpp>
 #include <string_view>
 
 #include "formats/views/vtk_arrays.hpp"
@@ -137,11 +137,16 @@ std::string pvd(const std::vector<PvdEntry>& entries) {
 }
 
 std::vector<PvdEntry> read_pvd(const std::string& text) {
-  static const std::regex kEntry(
-      "<DataSet timestep=\"([^\"]+)\" part=\"([0-9]{1,9})\"(?: name=\"([^\"]*)\")? file=\"([^\"]+)\"/>");
+  pugi::xml_document document;
+  document.load_buffer(text.data(), text.size());  // what a cut file still has is read
   std::vector<PvdEntry> entries;
-  for (std::sregex_iterator at(text.begin(), text.end(), kEntry), end; at != end; ++at)
-    entries.push_back({std::strtod((*at)[1].str().c_str(), nullptr), std::stoi((*at)[2]), (*at)[4], (*at)[3]});
+  for (const pugi::xpath_node& found : document.select_nodes("//DataSet")) {
+    const pugi::xml_node entry = found.node();
+    const int part = entry.attribute("part").as_int(-1);
+    if (part < 0 || !entry.attribute("timestep") || !entry.attribute("file")) continue;
+    entries.push_back({entry.attribute("timestep").as_double(), part, entry.attribute("file").value(),
+                       entry.attribute("name").value()});
+  }
   return entries;
 }
 

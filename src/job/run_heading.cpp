@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/bytes/file_bytes.hpp"
+#include "base/bytes/sound_json.hpp"
 #include "base/error.hpp"
 #include "job/folder/output_files.hpp"
 #include "problem/units/measure.hpp"
@@ -54,8 +55,9 @@ RunHeading heading_of(const std::filesystem::path& folder) {
   RunHeading heading{std::filesystem::absolute(folder / ".").lexically_normal().parent_path().filename().string()};
   const std::filesystem::path file = folder / kRecord;
   if (!std::filesystem::is_regular_file(file)) return heading;
-  const Json record = Json::parse(file_bytes(file.string()), nullptr, false);
-  if (!record.is_object()) throw InputError({file.string()}, "expected the record of a run (JSON), found another file");
+  const Json record = sound_json(file_bytes(file.string()));
+  if (!record.is_object() || !record.contains("outcome"))
+    throw InputError({file.string()}, "expected the record of a run (JSON), found another file");
   const Json& inputs = member(record, "inputs");
   const std::string first = inputs.is_array() && !inputs.empty() ? text(inputs[0], "file") : std::string();
   const std::string profile = text(record, "profile");

@@ -23,7 +23,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::chrono::milliseconds kPause{50};
 constexpr std::chrono::milliseconds kIdlePause{1000};
-constexpr std::streamoff kTail = 4000;  // bytes of messages that are read again at each look
+// Bytes of messages that are read again at each look. A trial of an hour, 107 bytes every 5 s, leaves the last factors.
+constexpr std::streamoff kTail = 80'000;
 
 std::string tail_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);

@@ -21,6 +21,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostErrors = 200;
+constexpr std::size_t kMostSettings = 500;    // more than there are
+constexpr std::size_t kMostTexts = 100;       // of a list: files of a case, quantities, values
+constexpr std::size_t kLongestText = 10'000;  // bytes of one of them: each is an argument of a process
 
 /// Returns the number that ends a text behind a colon, and cuts both off; -1 if there is none.
 int number_cut_off(std::string& text) {
@@ -55,6 +58,9 @@ std::vector<std::string> texts(const Json& body, const char* name) {
   if (found == body.end()) return {};
   if (!found->is_array() || !std::ranges::all_of(*found, [](const Json& item) { return item.is_string(); }))
     throw BadRequest(fmt::format("expected a list of texts in \"{}\"", name));
+  const auto is_long = [](const Json& item) { return item.get_ref<const std::string&>().size() > kLongestText; };
+  if (found->size() > kMostTexts || std::ranges::any_of(*found, is_long))
+    throw BadRequest(fmt::format("expected at most {} texts of {} bytes in \"{}\"", kMostTexts, kLongestText, name));
   return found->get<std::vector<std::string>>();
 }
 
@@ -128,7 +134,7 @@ std::vector<std::string> setting_arguments(const ServedFolder& folder, const Jso
     words.insert(words.end(), {"--profile", profile});
   }
   const Json set = body.value("set", Json::object());
-  if (!set.is_object()) throw BadRequest("expected settings by name in \"set\"");
+  if (!set.is_object() || set.size() > kMostSettings) throw BadRequest("expected settings by name in \"set\"");
   for (const auto& [name, value] : set.items()) {
     if (!is_plain_word(name)) throw BadRequest("expected the name of a setting");
     const std::string setting = text(set, name.c_str());

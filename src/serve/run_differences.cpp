@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
-#include <regex>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "problem/units/unit_conversion.hpp"
 
 namespace keyblock::serve {
 namespace {
@@ -17,18 +21,51 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::string_view, 8> kLeftOut{"seconds", "made_by", "outputs", "output_sha256",
                                                    "steps",   "inputs",  "unit_of", "supports"};
 
+// Numbers of two systems of units are equal up to the rounding of their conversion and of the runs.
+constexpr double kEqualInOtherUnits = 1e-9;
+
+// The table of units has one entry for all items of a list: "reactions[].slope".
+std::string without_numbers(const std::string& path) {
+  std::string without;
+  bool is_index = false;
+  for (const char c : path) {
+    is_index = is_index && std::isdigit(static_cast<unsigned char>(c)) != 0;
+    if (!is_index) without += c;
+    is_index = is_index || c == '[';
+  }
+  return without;
+}
+
+std::string unit_at(const Json& units, const std::string& path) {
+  const Json unit = units.is_object() ? units.value(without_numbers(path), Json()) : Json();
+  return unit.is_string() ? unit.get<std::string>() : std::string();
+}
+
+struct Units {
+  std::string first, second;
+
+  bool are_named() const { return !first.empty() || !second.empty(); }
+  bool differ() const { return first != second; }
+};
+
+/// Walks through two values. `units_of_first` and `units_of_second` name the units of their members, or are null.
 class Differences {
  public:
-  explicit Differences(bool is_of_records) : is_of_records_(is_of_records) {}
+  Differences(bool is_of_records, Json units_of_first, Json units_of_second)
+      : is_of_records_(is_of_records),
+        units_of_first_(std::move(units_of_first)),
+        units_of_second_(std::move(units_of_second)) {}
 
   void compare(const Json& a, const Json& b, const std::string& path) {
-    if (found_.size() >= kMostDifferences || a == b) return;
+    if (found_.size() >= kMostDifferences) return;
     if (a.is_object() && b.is_object()) return compare_members(a, b, path);
     if (a.is_array() && b.is_array() && a.size() == b.size()) {
       for (std::size_t i = 0; i < a.size(); ++i) compare(a[i], b[i], path + "[" + std::to_string(i + 1) + "]");
       return;
     }
-    add(a, b, path);
+    const Units units{unit_at(units_of_first_, path), unit_at(units_of_second_, path)};
+    if (a == b && !(a.is_number() && units.differ())) return;
+    add(a, b, path, units);
   }
 
   Json found() && { return std::move(found_); }
@@ -45,48 +82,37 @@ class Differences {
       if (!is_left_out(key) && !a.contains(key)) compare(Json(), value, inner(key));
   }
 
-  void add(const Json& a, const Json& b, const std::string& path) {
+  void add(const Json& a, const Json& b, const std::string& path, const Units& units) {
     Json difference{{"path", path}, {"first", a}, {"second", b}};
     if (a.is_number() && b.is_number()) {
-      const double x = a, y = b;
+      const std::optional<Unit> one = unit_named(units.first), other = unit_named(units.second);
+      const bool is_converted = units.differ() && one && other && one->dimension == other->dimension;
+      const double x = a.get<double>() * (is_converted ? one->factor : 1);
+      const double y = b.get<double>() * (is_converted ? other->factor : 1);
       const double scale = std::max(std::abs(x), std::abs(y));
-      if (scale > 0) difference["relative"] = std::abs(x - y) / scale;
+      const double relative = scale > 0 ? std::abs(x - y) / scale : 0;
+      if (is_converted && relative <= kEqualInOtherUnits) return;
+      if (scale > 0) difference["relative"] = relative;
     }
+    if (units.are_named()) difference["units"] = {units.first, units.second};
     found_.push_back(std::move(difference));
   }
 
   bool is_of_records_;
+  Json units_of_first_, units_of_second_;
   Json found_ = Json::array();
 };
-
-// The table of units has one entry for all items of a list: "reactions[].slope".
-std::string without_numbers(const std::string& path) {
-  static const std::regex kIndex("\\[[0-9]+\\]");
-  return std::regex_replace(path, kIndex, "[]");
-}
-
-std::string unit_at(const Json& record, const std::string& path) {
-  const Json units = record.value("unit_of", Json());
-  const Json unit = units.is_object() ? units.value(path, Json()) : Json();
-  return unit.is_string() ? unit.get<std::string>() : std::string();
-}
 
 }  // namespace
 
 Json run_differences(const Json& first, const Json& second) {
-  Differences differences(true);
+  Differences differences(true, first.value("unit_of", Json()), second.value("unit_of", Json()));
   differences.compare(first, second, "");
-  Json found = std::move(differences).found();
-  for (Json& difference : found) {
-    const std::string path = without_numbers(difference["path"]);
-    const std::string one = unit_at(first, path), other = unit_at(second, path);
-    if (!one.empty() || !other.empty()) difference["units"] = {one, other};
-  }
-  return found;
+  return std::move(differences).found();
 }
 
 Json value_differences(const Json& first, const Json& second) {
-  Differences differences(false);
+  Differences differences(false, {}, {});
   differences.compare(first, second, "");
   return std::move(differences).found();
 }

@@ -9,7 +9,8 @@ namespace keyblock::serve {
 inline constexpr std::size_t kMostDifferences = 500;
 
 /// Returns the members with different values: path, first, second, for numbers the relative difference, and the units
-/// of both if the records name any. Times of work, names of files and the lists of columns are left out.
+/// of both if the records name any. Numbers with different units are compared in SI. Times of work, names of files and
+/// the lists of columns are left out.
 nlohmann::ordered_json run_differences(const nlohmann::ordered_json& first, const nlohmann::ordered_json& second);
 
 /// Does the same for all entries of two values.

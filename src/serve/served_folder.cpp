@@ -9,11 +9,14 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <regex>
 #include <string_view>
 #include <vector>
 
 #include "api/case_file.hpp"
+#include "base/bytes/sound_json.hpp"
+#include "study/sweep/sweep_table.hpp"
 
 namespace keyblock::serve {
 namespace {
@@ -21,11 +24,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 16> kInputs{".json",  ".yaml", ".yml", ".dxf", ".geo", ".ana",
-                                                   ".blk",   ".cv",   ".df",  ".xml", ".dc",  ".block",
-                                                   ".ddaml", ".txt",  ".dat", ".csv"};
+constexpr std::array<std::string_view, 21> kInputs{".json", ".yaml", ".yml",   ".dxf",   ".geo", ".ana", ".blk",
+                                                   ".cv",   ".mf",   ".ml",    ".mc",    ".df",  ".dl",  ".dc",
+                                                   ".dcg",  ".xml",  ".block", ".ddaml", ".txt", ".dat", ".csv"};
+/// Beginnings of the names without an ending that Shi's programs give: dc and df of DDA, cv and mf of the manifold.
+constexpr std::array<std::string_view, 4> kOldNames{"dc", "df", "cv", "mf"};
 
-constexpr std::size_t kHeadOfCase = 4096;  // bytes, in which a case has its first key
+constexpr std::uintmax_t kMostRecord = 64U << 20U;  // bytes, as of a record that is shown
+constexpr std::size_t kHeadOfCase = 4096;           // bytes, in which a case has its first key
 
 bool is_hidden(const fs::path& name) {
   return name.string().starts_with(".") && name != "." && name != "..";
@@ -37,19 +43,9 @@ std::string lower(std::string text) {
 }
 
 bool is_input(const fs::path& file) {
+  if (const std::string name = lower(file.filename().string()); file.extension().empty())
+    return std::ranges::any_of(kOldNames, [&](std::string_view begin) { return name.starts_with(begin); });
   return std::ranges::find(kInputs, lower(file.extension().string())) != kInputs.end();
-}
-
-/// The journal of a batch has the same name, and another head.
-bool is_sweep(const fs::path& folder) {
-  constexpr std::string_view kHead = "{\"sweep\":";
-  const fs::path journal = folder / "journal.jsonl";
-  std::error_code error;
-  if (!fs::is_regular_file(journal, error)) return false;
-  std::ifstream stream(journal, std::ios::binary);
-  std::string head(kHead.size(), ' ');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return stream && head == kHead;
 }
 
 enum class Record { none, sound, broken };
@@ -60,24 +56,29 @@ Record record_in(const fs::path& folder) {
   const fs::path file = folder / "run.json";
   std::error_code error;
   if (!fs::is_regular_file(fs::symlink_status(file, error))) return Record::none;
+  if (fs::file_size(file, error) > kMostRecord || error) return Record::broken;
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (const Json json = Json::parse(text, nullptr, false); json.is_object())
+  if (const Json json = sound_json(text); json.is_object())
     return json.contains("keyblock") ? Record::none : Record::sound;
   return std::regex_search(text.substr(0, kHeadOfCase), kCaseKey) ? Record::none : Record::broken;
 }
 
-bool is_result(const fs::path& folder) {
-  std::error_code error;
-  return fs::is_directory(folder / "frames", error) || fs::exists(folder / "fos.json", error) ||
-         fs::exists(folder / "checkpoint.h5", error) || is_sweep(folder) || record_in(folder) != Record::none;
-}
+/// Result in a folder.
+struct Result {
+  const char* kind;  ///< "run", "fos" or "sweep"
+  bool is_broken = false;
+};
 
-/// Returns "run", "fos" or "sweep".
-const char* kind_of(const fs::path& result) {
+std::optional<Result> result_in(const fs::path& folder) {
   std::error_code error;
-  if (fs::exists(result / "fos.json", error)) return "fos";
-  return is_sweep(result) ? "sweep" : "run";
+  const Record record = record_in(folder);
+  const bool is_broken = record == Record::broken;
+  if (fs::exists(folder / "fos.json", error)) return Result{"fos", is_broken};
+  if (study::is_of_a_sweep(folder)) return Result{"sweep", is_broken};
+  const bool is_run = record != Record::none || fs::is_directory(folder / "frames", error) ||
+                      fs::exists(folder / "checkpoint.h5", error);
+  return is_run ? std::optional(Result{"run", is_broken}) : std::nullopt;
 }
 
 /// Returns the file that a finished result has.
@@ -127,13 +128,14 @@ Json ServedFolder::list() const {
       continue;
     }
     if (entry.is_directory(of_entry)) {
-      if (at.depth() >= kDeepest || is_result(entry.path())) at.disable_recursion_pending();
-      if (is_result(entry.path()) && results.size() < kMostEntries)
+      const std::optional<Result> result = result_in(entry.path());
+      if (at.depth() >= kDeepest || result) at.disable_recursion_pending();
+      if (result && results.size() < kMostEntries)
         results.push_back({{"path", name(entry.path())},
-                           {"kind", kind_of(entry.path())},
+                           {"kind", result->kind},
                            {"time", seconds_of(entry)},
-                           {"is_broken", record_in(entry.path()) == Record::broken},
-                           {"is_finished", fs::exists(entry.path() / last_file_of(kind_of(entry.path())), of_entry)},
+                           {"is_broken", result->is_broken},
+                           {"is_finished", fs::exists(entry.path() / last_file_of(result->kind), of_entry)},
                            {"has_checkpoint", fs::exists(entry.path() / "checkpoint.h5", of_entry)}});
     } else if (entry.is_regular_file(of_entry) && is_input(entry.path()) && !is_case_notes(entry.path()) &&
                files.size() < kMostEntries) {

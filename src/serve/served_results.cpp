@@ -3,6 +3,7 @@
 #include "serve/served_results.hpp"
 
 #include "base/bytes/file_bytes.hpp"
+#include "base/bytes/sound_json.hpp"
 #include "serve/request_words.hpp"
 #include "serve/run_differences.hpp"
 
@@ -54,7 +55,7 @@ Json ServedResults::record(const Parameters& parameters) const {
   const fs::path folder = folder_.whole(parameter(parameters, "result"));
   std::error_code error;
   const char* name = fs::exists(folder / "fos.json", error) ? "fos.json" : "run.json";
-  const Json found = Json::parse(bytes_of(folder_.whole(folder_.name(folder / name)), kMostRecord), nullptr, false);
+  const Json found = sound_json(bytes_of(folder_.whole(folder_.name(folder / name)), kMostRecord));
   if (!found.is_object()) throw BadRequest("expected the record of a run, found another file");
   return found;
 }

@@ -10,6 +10,7 @@
 
 #include "base/bytes/file_bytes.hpp"
 #include "base/bytes/sha256.hpp"
+#include "base/bytes/sound_json.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
 #include "job/files.hpp"
@@ -88,7 +89,7 @@ Reply Service::answer(const Request& request) {
   Reply reply = caught(folder_, [&] {
     const Target target = target_of(request.target);
     if (request.method == "GET") return get(target);
-    const Json body = Json::parse(request.body, nullptr, false);
+    const Json body = sound_json(request.body);
     if (!body.is_object()) throw BadRequest("expected a JSON object");
     return post(target.path, body);
   });
@@ -182,7 +183,7 @@ Json Service::check(const Json& body) const {
   words.insert(words.end(), last.begin(), last.end());
   if (!body.contains("text")) words.insert(words.begin(), "check");
   const Answer answer = body.contains("text") ? unsaved_.check(body, words) : program_(words);
-  Json report = Json::parse(answer.output, nullptr, false);
+  Json report = sound_json(answer.output);
   if (!report.is_object()) report = Json::object();
   report["exit_code"] = answer.exit_code;
   report["errors"] = errors_in(answer.messages);

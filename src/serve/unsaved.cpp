@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/bytes/file_bytes.hpp"
+#include "base/bytes/sound_json.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "job/files.hpp"
@@ -125,7 +126,7 @@ Json Unsaved::joints(const Json& body) const {
     replace_all(answer.messages, draft.string(), "joints");
     return {{"errors", errors_in(answer.messages)}};
   }
-  const Json scene = Json::parse(file_bytes(drawn.string()), nullptr, false);
+  const Json scene = sound_json(file_bytes(drawn.string()));
   return scene.value("drawing", Json::object());
 }
 

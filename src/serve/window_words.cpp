@@ -14,10 +14,11 @@ struct Replacement {
   const char* to;
 };
 
-constexpr std::array<Replacement, 8> kReplacements{{
-    {"`?keyblock run --resume [^ \n`]+`?", "the button Resume"},
+constexpr std::array<Replacement, 9> kReplacements{{
+    {"`?keyblock run --resume [^ \n`]+`?", "the button Go on"},
     {"; give another name, or --force to overwrite it", "; give another name"},
     {"--set ([A-Za-z][A-Za-z0-9_.]*)=", "setting $1 = "},
+    {"by --set\\b", "in the form Run"},
     {"--set\\b", "setting"},
     {"--reduce\\b", "strength to reduce"},
     {"--(profile|history|contacts|field|over)\\b", "$1"},

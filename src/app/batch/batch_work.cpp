@@ -12,6 +12,7 @@
 #include "api/case_folder.hpp"
 #include "app/batch/logged_child.hpp"
 #include "app/exit_code.hpp"
+#include "base/bytes/sound_json.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
 #include "formats/registry.hpp"
@@ -188,7 +189,7 @@ CatalogueRow check_in_child(const BatchPlan& plan, const study::BatchJob& job,
 
 /// Adds a warning to a successful job if the target format cannot hold all content.
 void add_losses(CatalogueRow& row, const std::string& report) {
-  const auto json = nlohmann::json::parse(report, nullptr, false);
+  const auto json = sound_json(report);
   if (!json.is_object() || !json.contains("losses") || json["losses"].empty()) return;
   const auto& losses = json["losses"];
   if (row.outcome == "ok")

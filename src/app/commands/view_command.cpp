@@ -55,9 +55,9 @@ ExitCode view(const ViewOptions& options) {
     fmt::print("{}\n", nlohmann::ordered_json({{"file", file}, {"bytes", page.size()}})
                            .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   spdlog::info("{}: {:.3g} MB, opens in a browser without a network", file, static_cast<double>(page.size()) / 1e6);
-  const std::string gone = is_of_strength(options.folder) ? "" : outputs_gone(options.folder);
+  const std::string gone = is_of_strength(options.folder) ? "" : outputs_altered(options.folder);
   if (gone.empty()) return ExitCode::ok;
-  spdlog::error("{}: error: {}; the page lacks it", options.folder, gone);
+  spdlog::error("{}: error: {}; the page shows what is there", options.folder, gone);
   return ExitCode::check_failed;
 }
 

@@ -16,6 +16,7 @@
 #include "job/folder/frame_files.hpp"
 #include "job/folder/output_files.hpp"
 #include "report/document/frame_thumbnail.hpp"
+#include "study/sweep/sweep_table.hpp"
 
 namespace keyblock {
 namespace {
@@ -34,7 +35,7 @@ std::vector<fs::path> results_below(const fs::path& folder) {
   for (auto entry = fs::recursive_directory_iterator(folder, options); entry != fs::recursive_directory_iterator();
        ++entry) {
     const fs::path name = entry->path().filename();
-    if (name == kFrameFolder) entry.disable_recursion_pending();
+    if (name == kFrameFolder || study::is_of_a_sweep(entry->path())) entry.disable_recursion_pending();
     if (entry->is_regular_file() && (name == kRecord || name == kStrengthRecord))
       results.push_back(entry->path().parent_path());
   }

@@ -9,6 +9,8 @@
 #include <map>
 
 #include "app/handout/record_reading.hpp"
+#include "base/bytes/file_bytes.hpp"
+#include "base/bytes/sha256.hpp"
 #include "base/counted.hpp"
 #include "formats/registry.hpp"
 #include "formats/views/vtu_reading.hpp"
@@ -32,16 +34,24 @@ struct Faults {
 
 }  // namespace
 
-std::string outputs_gone(const fs::path& folder) {
+std::string outputs_altered(const fs::path& folder) {
   if (!fs::is_regular_file(folder / kRecord)) return {};
-  Faults gone;
+  Faults gone, changed;
   const RunRecordFile record(folder);
-  for (const auto& output : record.at("output_sha256").items())
-    if (fs::path(output.key()).extension() != ".svg" && !fs::is_regular_file(folder / output.key()))
-      gone.add(output.key());
-  if (gone.count == 0) return {};
-  return fmt::format("{} of its results {} gone; the first: {}", counted(gone.count, "file"),
-                     gone.count == 1 ? "is" : "are", gone.first);
+  for (const auto& [name, checksum] : record.at("output_sha256").items()) {
+    const fs::path file = folder / name;
+    if (file.extension() == ".svg") continue;
+    if (!fs::is_regular_file(file))
+      gone.add(name);
+    else if (checksum != sha256(file_bytes(file.string())))
+      changed.add(name);
+  }
+  const auto told = [](const Faults& faults, const char* what) {
+    return fmt::format("{} of its results {} {}; the first: {}", counted(faults.count, "file"),
+                       faults.count == 1 ? "is" : "are", what, faults.first);
+  };
+  if (gone.count > 0) return told(gone, "gone");
+  return changed.count > 0 ? told(changed, "not as the run wrote them") : std::string();
 }
 
 FrameState frames_of(const fs::path& folder) {
@@ -57,7 +67,7 @@ FrameState frames_of(const fs::path& folder) {
     state.fault = fmt::format("{} of {} cannot be read; the first: {}", unreadable.count,
                               counted(frames.size(), "frame"), unreadable.first);
   else
-    state.fault = outputs_gone(folder);
+    state.fault = outputs_altered(folder);
   return state;
 }
 

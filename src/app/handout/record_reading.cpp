@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/bytes/file_bytes.hpp"
+#include "base/bytes/sound_json.hpp"
 #include "base/error.hpp"
 #include "base/words/plain_number.hpp"
 #include "job/folder/output_files.hpp"
@@ -28,7 +29,7 @@ std::filesystem::path file_in(const std::filesystem::path& folder, const char* n
 }  // namespace
 
 ResultRecord::ResultRecord(const std::filesystem::path& file, const char* key, const char* what)
-    : json_(Json::parse(file_bytes(file.string()), nullptr, false)) {
+    : json_(sound_json(file_bytes(file.string()))) {
   if (!json_.is_object() || !json_.contains(key))
     throw InputError({file.string()}, fmt::format("expected the record of {}, found another file", what));
   units_ = {text("units.length"), text("units.mass"), text("units.time")};

@@ -11,6 +11,7 @@
 
 #include "base/bytes/file_bytes.hpp"
 #include "base/bytes/sha256.hpp"
+#include "base/bytes/sound_json.hpp"
 #include "base/error.hpp"
 #include "formats/case.hpp"
 #include "formats/registry.hpp"
@@ -75,7 +76,7 @@ std::set<std::string> OutputFiles::written_before() const {
       for (const std::string& name : growing_files()) names.insert(name);
     return names;
   }
-  const auto record = nlohmann::json::parse(formats::load((folder_ / kRecord).string()).text, nullptr, false);
+  const auto record = sound_json(formats::load((folder_ / kRecord).string()).text);
   if (!record.is_object() || !record.contains("outputs")) return names;
   const std::vector<std::string> files = all_files();
   for (const auto& name : record.at("outputs"))

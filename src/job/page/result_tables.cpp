@@ -245,11 +245,15 @@ RowsByStep tips_by_step(const fs::path& folder, bool has_units) {
 
 std::map<int, double> load_factors(const fs::path& folder) {
   std::map<int, double> found;
-  const auto table = table_in(folder, "tips.csv");
-  if (!table) return found;
-  const std::size_t step = formats::csv_column(*table, "step"), factor = formats::csv_column(*table, "load_factor");
-  for (const CsvRow& row : table->rows)
-    found[static_cast<int>(number_in(row.cells[step]))] = number_in(row.cells[factor]);
+  for (const auto& [file, column] : {std::pair("tips.csv", "load_factor"), std::pair("history.csv", "load_share")}) {
+    const auto table = table_in(folder, file);
+    if (!table || std::ranges::find(table->header, column) == table->header.end()) continue;
+    const std::size_t step = formats::csv_column(*table, "step"), factor = formats::csv_column(*table, column);
+    for (const CsvRow& row : table->rows)
+      if (const double value = number_in(row.cells[factor]); std::isfinite(value))
+        found[static_cast<int>(number_in(row.cells[step]))] = value;
+    break;
+  }
   return found;
 }
 

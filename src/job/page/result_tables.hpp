@@ -23,7 +23,8 @@ using RowsByStep = std::map<int, report::PageRows>;
 RowsByStep points_by_step(const std::filesystem::path& folder, bool has_units);
 RowsByStep tips_by_step(const std::filesystem::path& folder, bool has_units);
 
-/// Returns the load factor of crack growth at each step that has tips.
+/// Returns the load factor of each step: that of crack growth, or the fraction of the loads on a path with limit loads.
+/// Empty if the tables have neither.
 std::map<int, double> load_factors(const std::filesystem::path& folder);
 
 }  // namespace keyblock

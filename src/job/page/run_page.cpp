@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/bytes/file_bytes.hpp"
+#include "base/bytes/sound_json.hpp"
 #include "job/folder/output_files.hpp"
 #include "job/page/result_frames.hpp"
 #include "job/page/result_tables.hpp"
@@ -29,7 +30,7 @@ constexpr const char* kPrecision =
 /// Record of a run; null for a killed one. `heading_of` refuses other files before.
 Json record_in(const fs::path& folder) {
   const fs::path file = folder / kRecord;
-  return fs::is_regular_file(file) ? Json::parse(file_bytes(file.string()), nullptr, false) : Json();
+  return fs::is_regular_file(file) ? sound_json(file_bytes(file.string())) : Json();
 }
 
 Json verdict_json(const RunVerdict& verdict) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,7 +69,7 @@ struct PageRows {
 struct PageFrame {
   int step = 0;
   double time = 0;
-  double load_factor = 1;
+  std::optional<double> load_factor = {};  ///< of a static run that has one
   std::string stage = {};
   PageShape shape = {};
   std::vector<Point> moves = {};  ///< displacement of each corner

@@ -120,7 +120,7 @@ void PageWriter::add(PageFrame frame) {
   if (is_new) begin_epoch(frame.shape);
   frames_.push_back({{"step", frame.step},
                      {"time", frame.time},
-                     {"load_factor", frame.load_factor},
+                     {"load_factor", frame.load_factor ? Json(*frame.load_factor) : Json()},
                      {"epoch", epoch()},
                      {"stage", frame.stage}});
   motions_.push_back(motions_of(*shape_, centroids_, frame.moves));

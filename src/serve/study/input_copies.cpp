@@ -10,6 +10,7 @@
 
 #include "base/bytes/file_bytes.hpp"
 #include "base/bytes/sha256.hpp"
+#include "base/bytes/sound_json.hpp"
 #include "base/printable.hpp"
 #include "serve/run_differences.hpp"
 
@@ -50,7 +51,7 @@ void add_lines(Json& found, const std::string& name, const std::string& first, c
 
 // Adds the values of two case files that differ, or their lines.
 void add_differences(Json& found, const std::string& name, const std::string& first, const std::string& second) {
-  const auto parsed = [](const std::string& text) { return Json::parse(text, nullptr, false, true); };
+  const auto parsed = [](const std::string& text) { return sound_json(text, true); };
   const Json a = parsed(first), b = parsed(second);
   if (!a.is_object() || !b.is_object()) return add_lines(found, name, first, second);
   for (Json& difference : value_differences(a, b)) found.push_back(std::move(difference));

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "base/bytes/file_bytes.hpp"
+#include "base/bytes/sound_json.hpp"
 #include "base/printable.hpp"
 #include "serve/replies.hpp"
 #include "serve/request_words.hpp"
@@ -46,7 +47,7 @@ Json answer_of(const Drafts& drafts, const Program& program, std::vector<std::st
   const fs::path svg = drafts.file(".svg"), table = drafts.file(".csv");
   words.insert(words.end(), {"--json", "--svg", svg.string(), "-o", table.string()});
   const Answer answer = program(words);
-  Json record = Json::parse(answer.output, nullptr, false);
+  Json record = sound_json(answer.output);
   return {{"exit_code", answer.exit_code},           {"record", record.is_discarded() ? Json() : std::move(record)},
           {"svg", valid_utf8(text_and_remove(svg))}, {"table", valid_utf8(text_and_remove(table))},
           {"errors", errors_in(answer.messages)},    {"messages", words_of(answer)}};

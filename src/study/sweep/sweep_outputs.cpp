@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "api/case_values.hpp"
+#include "base/bytes/sound_json.hpp"
 #include "formats/registry.hpp"
 #include "formats/tables/run_tables.hpp"
 #include "formats/text/csv.hpp"
@@ -97,7 +98,7 @@ SweepOutput output_of(const std::string& name) {
 
 Json number_in(const std::string& text) {
   if (text.empty()) return {};
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = sound_json(text);
   return json.is_discarded() ? Json(text) : json;
 }
 
@@ -198,7 +199,7 @@ SweptValue value_of_run(const SweepOutput& output, const fs::path& folder) {
 }
 
 Json value_of_fos(const std::string& fos_json) {
-  const Json json = Json::parse(fos_json, nullptr, false);
+  const Json json = sound_json(fos_json);
   return json.is_object() ? json.value(Json::json_pointer("/bracket/stands"), Json()) : Json();
 }
 

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
+#include "base/bytes/sound_json.hpp"
 #include "base/printable.hpp"
 
 namespace keyblock::study {
@@ -46,7 +48,7 @@ Json value_or_null(const Json& object, const std::string& key) {
 }  // namespace
 
 void SweepJournal::add(std::string_view line) {
-  const Json json = Json::parse(line, nullptr, false);
+  const Json json = sound_json(line);
   if (!json.is_object()) return;
   try {
     if (task.empty()) {
@@ -60,6 +62,13 @@ void SweepJournal::add(std::string_view line) {
     return;
   }
   lines += line;
+}
+
+bool is_of_a_sweep(const std::filesystem::path& folder) {
+  constexpr std::string_view kHead = "{\"sweep\":";
+  std::ifstream stream(folder / "journal.jsonl", std::ios::binary);
+  std::string head(kHead.size(), ' ');
+  return stream.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kHead;
 }
 
 std::string sweep_journal_head(const std::string& task) {

@@ -5,6 +5,7 @@
 // "out", "units", "lacking", "files", "seconds"} per job. A last line cut short by a sudden end is ignored.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -40,6 +41,9 @@ struct SweepJournal {
 std::string sweep_journal_head(const std::string& task);
 std::string sweep_journal_line(const SweepResult& result);
 SweepJournal read_sweep_journal(std::string_view text);
+
+/// Returns true for the results folder of a sweep, by its journal. That of a batch has the same name, and another head.
+bool is_of_a_sweep(const std::filesystem::path& folder);
 
 /// Rows of a sweep with their results.
 struct SweepTable {
