@@ -158,7 +158,43 @@ TEST(ReportCommand, frames_that_are_damaged_or_gone_are_reported_with_exit_code_
       << made.messages;
   made = run_keyblock({"view", out, "-o", folder + "/page.html"});
   EXPECT_EQ(made.exit_code, 1) << made.messages;
-  EXPECT_TRUE(contains(made.messages, "frames/00000100.vtu; the page lacks it")) << made.messages;
+  EXPECT_TRUE(contains(made.messages, "frames/00000100.vtu; the page shows what is there")) << made.messages;
+}
+
+TEST(ReportCommand, tables_that_are_not_as_the_run_wrote_them_are_reported_with_exit_code_1) {
+  const std::string folder = fresh_folder("report_altered");
+  const std::string out = run_of_block(folder);
+  const std::string history = read_text(out + "/history.csv");
+  write_text(out + "/history.csv", history.substr(0, history.size() / 2));
+  const std::string words = "1 file of its results is not as the run wrote them; the first: history.csv";
+  for (const char* command : {"report", "view"}) {
+    const ProgramRun made = run_keyblock({command, out, "-o", folder + "/" + command + ".html"});
+    EXPECT_EQ(made.exit_code, 1) << made.messages;
+    EXPECT_TRUE(contains(made.messages, words)) << made.messages;
+  }
+  EXPECT_TRUE(contains(read_text(folder + "/report.html"), words));
+}
+
+TEST(ReportCommand, a_record_that_is_none_makes_no_page) {
+  const std::string folder = fresh_folder("report_no_record");
+  const std::string out = run_of_block(folder);
+  write_text(out + "/run.json", "{}");
+  const ProgramRun made = run_keyblock({"view", out, "-o", folder + "/page.html"});
+  EXPECT_EQ(made.exit_code, 3) << made.messages;
+  EXPECT_FALSE(fs::exists(folder + "/page.html"));
+}
+
+TEST(ReportCommand, jobs_of_a_sweep_are_no_results_of_an_archive) {
+  const std::string folder = fresh_folder("report_sweep");
+  const std::string out = run_of_block(folder);
+  ASSERT_EQ(
+      run_keyblock({"sweep", folder + "/block.json", "--over", "/analysis/joint_materials/0/friction_angle_deg=20,40",
+                    "--out", "displacement", "-o", folder + "/sweep"})
+          .exit_code,
+      0);
+  const ProgramRun made = run_keyblock({"report", folder, "-o", folder + "/all.html"});
+  EXPECT_TRUE(contains(made.messages, ": 1 result: 1 still moving")) << made.messages;
+  EXPECT_FALSE(contains(read_text(folder + "/all.html"), "sweep/jobs"));
 }
 
 TEST(ReportCommand, contacts_units_and_checksums_are_listed_and_quirks_are_not) {

@@ -109,6 +109,15 @@ TEST(Vtk, the_list_of_files_names_parts_and_reads_back_with_and_without_names) {
   EXPECT_EQ(back[2].file, "d.vtu");
 }
 
+TEST(Vtk, a_list_of_files_with_a_long_value_or_a_cut_end_reads_what_it_has) {
+  const std::string first = "<DataSet timestep=\"0.5\" part=\"0\" file=\"a.vtu\"/>";
+  const std::string second = "<DataSet timestep=\"1" + std::string(200'000, '0') + "\" part=\"0\" file=\"b.vtu\"/>";
+  const std::vector<PvdEntry> back = read_pvd("<VTKFile><Collection>" + first + second + "<DataSet timestep=");
+  ASSERT_GE(back.size(), 2U);
+  EXPECT_EQ(back[0].file, "a.vtu");
+  EXPECT_EQ(back[0].time, 0.5);
+}
+
 TEST(Vtk, a_field_has_displacement_and_stress_at_every_corner) {
   FieldFrame field{2, 0.5, {}};
   const auto corner = [](double x, double y) { return FieldCorner{{x, y}, {x / 100, y / 10}, {x, y, x + y}}; };

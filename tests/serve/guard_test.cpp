@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/bytes/sound_json.hpp"
 #include "serve/request_words.hpp"
 #include "serve/run_differences.hpp"
 #include "serve/window_words.hpp"
@@ -174,6 +175,58 @@ TEST(RequestWords, warnings_of_a_report_get_their_level_and_remedy) {
   EXPECT_EQ(warning.at("level"), "warning");
   const std::string remedy = warning.at("remedy");
   EXPECT_TRUE(remedy.starts_with("Setting slivers = glue")) << remedy;
+}
+
+TEST(WindowWords, buttons_and_forms_have_their_names) {
+  EXPECT_EQ(serve::window_words("`keyblock run --resume out` goes on"), "the button Go on goes on");
+  EXPECT_EQ(serve::window_words("give these settings by --set, to keep them"),
+            "give these settings in the form Run, to keep them");
+}
+
+TEST(RequestWords, lists_and_settings_are_bounded) {
+  Json many = Json::object();
+  for (int i = 0; i < 1000; ++i) many["set"]["name" + std::to_string(i)] = "1";
+  const std::string top = keyblock::support::fresh_folder("bounded_requests");
+  EXPECT_THROW(serve::setting_arguments(serve::ServedFolder(top), many), serve::BadRequest);
+  const Json files = {{"paths", std::vector<std::string>(1000, "a.json")}};
+  EXPECT_THROW(serve::texts(files, "paths"), serve::BadRequest);
+  EXPECT_THROW(serve::texts(Json{{"paths", {std::string(100'000, 'a')}}}, "paths"), serve::BadRequest);
+}
+
+TEST(SoundJson, deep_values_are_discarded_and_others_read) {
+  const auto nested = [](int levels) { return std::string(levels, '[') + "1" + std::string(levels, ']'); };
+  EXPECT_FALSE(sound_json(nested(kMostJsonLevels)).is_discarded());
+  for (const int levels : {kMostJsonLevels + 2, 200'000})
+    EXPECT_TRUE(sound_json(nested(levels)).is_discarded()) << levels;
+  EXPECT_TRUE(sound_json("{").is_discarded());
+  EXPECT_EQ(sound_json(R"({"b": 1, "a": [2]} // x)", true).dump(), R"({"b":1,"a":[2]})");
+}
+
+TEST(ServedFolder, old_files_without_endings_are_listed) {
+  const std::string top = keyblock::support::fresh_folder("old_names");
+  for (const char* name : {"cv15", "mf15", "dc01", "df01", "a.mf", "readme", "notes.pdf"})
+    keyblock::support::write_text(top + "/" + name, "1\n");
+  Json names = Json::array();
+  const Json files = serve::ServedFolder(top).list().at("files");
+  for (const Json& file : files) names.push_back(file.at("path"));
+  EXPECT_EQ(names, Json({"a.mf", "cv15", "dc01", "df01", "mf15"}));
+}
+
+TEST(RunDifferences, numbers_of_other_units_are_compared_in_si) {
+  const Json first = Json::parse(R"({"a": 2, "b": [5], "c": 3, "unit_of": {"a": "m", "b[]": "kPa", "c": "m"}})");
+  const Json second =
+      Json::parse(R"({"a": 2000, "b": [5], "c": 6000, "unit_of": {"a": "mm", "b[]": "Pa", "c": "mm"}})");
+  const Json found = serve::run_differences(first, second);
+  ASSERT_EQ(found.size(), 2U) << found.dump();
+  EXPECT_EQ(found[0]["path"], "b[1]");
+  EXPECT_NEAR(found[0]["relative"].get<double>(), 0.999, 1e-12);
+  EXPECT_EQ(found[1],
+            Json::parse(R"({"path": "c", "first": 3, "second": 6000, "relative": 0.5, "units": ["m", "mm"]})"));
+}
+
+TEST(RunDifferences, names_with_very_many_digits_are_compared) {
+  const std::string name = "[" + std::string(1'000'000, '1');
+  EXPECT_EQ(serve::run_differences(Json{{name, 1}}, Json{{name, 2}}).size(), 1U);
 }
 
 TEST(RunDifferences, values_that_differ_are_listed_with_their_paths) {
