@@ -112,7 +112,8 @@ std::string default_name(const PlotOptions& options) {
       .string();
 }
 
-/// Returns the width of the page in its units: letters of 11 units are 6.9 points high in print.
+/// Returns the width of the page in its units. Letters of 11 units are 6.9 points high in print; narrower and wider
+/// pages are scaled as a whole.
 double units_wide(const std::optional<double>& millimetres) {
   constexpr double kUnitsAMillimetre = 4.5;
   constexpr double kNarrowest = 300, kWidest = 900;

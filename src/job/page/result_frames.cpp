@@ -99,6 +99,8 @@ void add(std::vector<double>& numbers, const Stress& s) {
   numbers.insert(numbers.end(), {s.xx, s.yy, s.xy, s.zz});
 }
 
+// Principal stresses that differ little come from differences of these: 0.003 % of the largest component.
+constexpr int kStressBits = 14;
 const std::vector<std::string> kTensor{"xx", "yy", "xy", "zz"};
 
 /// Fields of the bodies and of the corners of a frame.
@@ -126,11 +128,12 @@ class FieldsOf {
 
   void add_stresses() {
     const std::string unit = frame_.units == Units{} ? "" : unit_of(measures::kStress, frame_.units);
-    report::PageValues of_bodies{{"stress", "Stress", unit, PageRowsOf::body, kTensor}, {}};
+    report::PageValues of_bodies{{"stress", "Stress", unit, PageRowsOf::body, kTensor, {}, kStressBits}, {}};
     for (const FieldElement& element : frame_.field.elements) add(of_bodies.numbers, element.middle.stress);
     found_.push_back(std::move(of_bodies));
     if (!frame_.has_corner_stress) return;
-    report::PageValues of_corners{{"corner_stress", "Stress at corners", unit, PageRowsOf::vertex, kTensor}, {}};
+    report::PageValues of_corners{
+        {"corner_stress", "Stress at corners", unit, PageRowsOf::vertex, kTensor, {}, kStressBits}, {}};
     visit_corners_of(frame_.field, [&](const FieldCorner& corner) { add(of_corners.numbers, corner.stress); });
     found_.push_back(std::move(of_corners));
   }

@@ -24,8 +24,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kPrecision =
-    "Displacements are rounded to 0.003 % of their value, contact forces to 0.01 %, stresses and other fields to "
-    "0.05 %, velocities to 0.4 %. Curves have nine digits.";
+    "Displacements and components of stress are rounded to 0.003 % of their value, contact forces to 0.01 %, other "
+    "fields to 0.05 %, velocities to 0.4 %. Shear stress and the difference of principal stresses are as "
+    "precise as the largest component. Curves have nine digits.";
 
 /// Record of a run; null for a killed one. `heading_of` refuses other files before.
 Json record_in(const fs::path& folder) {

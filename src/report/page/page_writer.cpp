@@ -183,7 +183,7 @@ void PageWriter::write_chunks() {
   if (waiting_.empty()) return;
   write_motion();
   if (std::ranges::any_of(motions_, [](const BodyMotions& m) { return !m.is_exact; })) write_vertex_motion();
-  for (const PageValues& values : waiting_.front().values) write_field(values.field);
+  write_fields();
   write_parts();
   written_ += waiting_.size();
   waiting_.clear();
@@ -209,6 +209,16 @@ void PageWriter::write_vertex_motion() {
       words.set(1, f, v, waiting_[f].moves[v].y, kMotionBits);
     }
   add_chunk("vertex_motion", std::move(words).bytes());
+}
+
+void PageWriter::write_fields() {
+  std::vector<std::string> names;
+  for (const PageFrame& frame : waiting_)
+    for (const PageValues& values : frame.values)
+      if (std::ranges::find(names, values.field.name) == names.end()) {
+        names.push_back(values.field.name);
+        write_field(values.field);
+      }
 }
 
 void PageWriter::write_field(const PageField& field) {

@@ -69,6 +69,7 @@ class PageWriter {
   void write_chunks();
   void write_motion();
   void write_vertex_motion();
+  void write_fields();
   void write_field(const PageField& field);
   void write_parts();
   void write_part(const std::string& name);
