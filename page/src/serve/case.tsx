@@ -50,6 +50,7 @@ export function CaseView({ paths }: { paths: string[] }) {
   const area = useRef<HTMLTextAreaElement>(null);
   const histories = useRef(new Map<string, History>());
   const checks = useRef(0);
+  const checked_draft = useRef<string | undefined>(undefined);
 
   const text = texts[current] ?? '';
   const file = files[current];
@@ -57,14 +58,17 @@ export function CaseView({ paths }: { paths: string[] }) {
   // A case that names other files is checked as it is saved: a draft would not find them.
   const is_whole = paths.length === 1 && !!scene && scene.geometry !== 'file' && !names_files(scene.root);
   const changed = paths.filter(path => files[path] && texts[path] !== files[path].text);
+  /** Text to check instead of the saved files. */
+  const draft = is_whole && changed.length ? text : undefined;
   const cut = useBlocks(paths[0], text, is_whole && scene.geometry !== 'cover' && !fault);
 
   const chosen_settings = () => Object.fromEntries(settings.filter(([name, value]) => name && value));
 
-  const run_check = async (trial = false, draft?: string) => {
+  const run_check = async (trial = false, unsaved?: string) => {
     const own = ++checks.current;
+    checked_draft.current = unsaved;
     set_checking(true);
-    const value = await state.attempt(() => api.check(paths, profile, chosen_settings(), trial, draft));
+    const value = await state.attempt(() => api.check(paths, profile, chosen_settings(), trial, unsaved));
     if (own !== checks.current) return;
     if (value) set_report(value);
     set_checking(false);
@@ -96,13 +100,12 @@ export function CaseView({ paths }: { paths: string[] }) {
 
   useEffect(state.read_schema, []);
 
-  // Unsaved text is checked after a pause.
-  const is_changed = changed.length > 0;
+  // A text that differs from the one checked last is checked after a pause, also if it is the saved one again.
   useEffect(() => {
-    if (!is_whole || !is_changed) return;
-    const timer = setTimeout(() => void run_check(false, text), 800);
+    if (draft === checked_draft.current) return;
+    const timer = setTimeout(() => void run_check(false, draft), 800);
     return () => clearTimeout(timer);
-  }, [text, is_whole, is_changed]);
+  }, [draft, report]);
 
   useEffect(() => {
     state.unsaved.value = Object.fromEntries(changed.map(path => [path, true]));
@@ -317,7 +320,7 @@ export function CaseView({ paths }: { paths: string[] }) {
           settings={settings}
           set_settings={set_settings}
           checking={checking}
-          check={trial => run_check(trial, is_whole && changed.length ? text : undefined)}
+          check={trial => run_check(trial, draft)}
           before={async () =>
             changed.length === 0 ||
             (confirm(`Save the changes of ${changed.join(', ')} before the run?`) && (await save()))

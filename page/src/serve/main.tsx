@@ -308,17 +308,18 @@ function drop(event: DragEvent): void {
 window.addEventListener('dragover', event => event.preventDefault());
 window.addEventListener('drop', drop);
 window.addEventListener('hashchange', () => {
-  const is_unsaved = Object.keys(state.unsaved.value).length > 0;
+  if (location.hash === state.route.value) return;
+  const is_unsaved = state.unsaved.value.length > 0;
   if (is_unsaved && !window.confirm('Changes of this case are not saved. Leave it all the same?')) {
-    history.back();
+    // Going back would raise this event again, and the reader may have come here by going back.
+    history.replaceState(null, '', state.route.value || '#/');
     return;
   }
-  state.unsaved.value = {};
   state.route.value = location.hash;
   state.trouble.value = '';
 });
 window.addEventListener('beforeunload', event => {
-  if (Object.keys(state.unsaved.value).length) event.preventDefault();
+  if (state.unsaved.value.length) event.preventDefault();
 });
 
 render(<App />, document.getElementById('page')!);

@@ -13,8 +13,8 @@ export const trouble = signal('');
 export const route = signal(location.hash);
 /** Case file that a conversion wrote last, and the words of the program on it. */
 export const converted = signal({ path: '', messages: '' });
-/** Files with changes that are not saved. */
-export const unsaved = signal<Record<string, boolean>>({});
+/** Files with changes that are not saved; only the view of the case sets them. */
+export const unsaved = signal<string[]>([]);
 
 /** Schema of a case file and of the settings. Without it there are no tables and no completion. */
 export const schema = signal<Schema | null>(null);

@@ -73,6 +73,19 @@ describe.skipIf(!has_browser)('window', () => {
     await page.context().close();
   });
 
+  test('a text that goes back to the saved one is checked again', async () => {
+    const page = await open('#/case/slope.json');
+    const run = page.getByRole('button', { name: 'Run', exact: true });
+    await expect.poll(() => run.isEnabled()).toBe(true);
+    await page.locator('textarea').fill('{\n "keyblock": 2, "wrong": 1\n}\n');
+    await page.getByRole('button', { name: 'line 2' }).waitFor();
+    expect(await run.isEnabled()).toBe(false);
+    await page.locator('textarea').fill('{\n "keyblock": 2\n}\n');
+    await page.getByText('No problem found.').waitFor({ timeout: 5000 });
+    expect(await run.isEnabled()).toBe(true);
+    await page.context().close();
+  });
+
   test('a problem leads to its line; a correction is saved and run', async () => {
     const page = await open('#/case/bad.json');
     await page.getByRole('button', { name: 'line 3' }).click();

@@ -51,8 +51,8 @@ export function SaveAs({
       const saved = await state.attempt(() => api.save(name, text));
       if (!saved) return close();
       await state.refresh();
-      // The text under its new name is no longer unsaved.
-      state.unsaved.value = {};
+      // The text is saved under its new name: this view may be left without a question.
+      state.unsaved.value = [];
       close();
       return state.go(state.link('case', ...paths.map(own => (own === current ? saved.path : own))));
     }
