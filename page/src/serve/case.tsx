@@ -108,9 +108,9 @@ export function CaseView({ paths }: { paths: string[] }) {
   }, [draft, report]);
 
   useEffect(() => {
-    state.unsaved.value = Object.fromEntries(changed.map(path => [path, true]));
+    state.unsaved.value = changed;
     return () => {
-      state.unsaved.value = {};
+      state.unsaved.value = [];
     };
   }, [changed.join('\n')]);
 

@@ -86,6 +86,37 @@ describe.skipIf(!has_browser)('window', () => {
     await page.context().close();
   });
 
+  test('who refuses to leave unsaved changes stays there, and is asked again', async () => {
+    const page = await open();
+    const asked: string[] = [];
+    page.removeAllListeners('dialog');
+    page.on('dialog', own => {
+      asked.push(own.message());
+      void own.dismiss();
+    });
+    for (const name of ['bad', 'slope']) {
+      await page.getByRole('navigation').getByRole('link', { name }).click();
+      await expect.poll(() => page.locator('textarea').inputValue()).toContain('keyblock');
+    }
+    const text = '{\n "keyblock": 2, "typed": 1\n}\n';
+    await page.locator('textarea').fill(text);
+    await page.getByText('not saved').waitFor();
+    for (const count of [1, 2]) {
+      await page.locator('header .title').click();
+      await expect.poll(() => asked.length).toBe(count);
+      await page.waitForTimeout(300);
+      expect(asked.length).toBe(count);
+      await expect.poll(() => new URL(page.url()).hash).toBe('#/case/slope.json');
+      expect(await page.locator('textarea').inputValue()).toBe(text);
+    }
+    // The two refusals stand in the history as this case.
+    for (let i = 0; i < 3; i++) await page.goBack();
+    await expect.poll(() => asked.length).toBe(3);
+    await expect.poll(() => new URL(page.url()).hash).toBe('#/case/slope.json');
+    expect(await page.locator('textarea').inputValue()).toBe(text);
+    await page.context().close();
+  });
+
   test('a problem leads to its line; a correction is saved and run', async () => {
     const page = await open('#/case/bad.json');
     await page.getByRole('button', { name: 'line 3' }).click();
