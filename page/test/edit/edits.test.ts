@@ -242,6 +242,13 @@ describe('edits', () => {
     expect([read(after, 'keyblock'), read(after, 'units')]).toEqual([2, { length: 'mm', mass: 'kg', time: 's' }]);
     expect(read(after, 'analysis', 'joint_materials')).toHaveLength(3);
     expect(read(after, 'analysis', 'block_materials')).toEqual([{ name: 'rock 1', like: 'granite' }]);
+    for (const units of [
+      { length: 'm', mass: 't', time: 's' },
+      { length: 'mm', stress: 'MPa', time: 'ms' },
+    ])
+      expect(read(edits.add_analysis(JSON.stringify({ keyblock: 2, units, drawing: {} }), 'granite'), 'units')).toEqual(
+        units,
+      );
     const blocks = edits.add_analysis(BLOCKS.replace('[2, 0, 1]', '[2, 0, 2]'), 'granite');
     expect(read(blocks, 'analysis', 'joint_materials')).toHaveLength(2);
   });

@@ -242,9 +242,11 @@ export function add_analysis(text: string, rock: string): string {
     ['drawing', 'material_lines'],
     ['blocks', 'blocks'],
   ]);
-  const length = scene.length || 'm';
   let result = set(text, ['keyblock'], 2);
-  result = set(result, ['units'], { length, mass: 'kg', time: 's' });
+  const declares = (...keys: string[]) => keys.some(key => find(scene.root, ['units', key]));
+  if (!declares('length')) result = set(result, ['units', 'length'], scene.length || 'm');
+  if (!declares('mass', 'force', 'stress')) result = set(result, ['units', 'mass'], 'kg');
+  if (!declares('time')) result = set(result, ['units', 'time'], 's');
   return set(result, ['analysis'], {
     step_count: 1000,
     time_step: '1 ms',
