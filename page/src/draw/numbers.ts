@@ -78,6 +78,19 @@ export function show_with(value: number, unit: string, digits = 4): string {
   return `${show(value / factor, digits)}${name ? THIN + name : ''}`.replace(THIN, '\u00a0');
 }
 
+/** Decimals that tell places apart by one part in `parts` of the extent of a model. */
+export function place_decimals(extent: number, parts: number): number {
+  return extent > 0 ? Math.max(0, Math.min(20, Math.ceil(Math.log10(parts / extent)))) : 4;
+}
+
+/** A place to a hundred-thousandth of the extent of the model, wherever its origin is. */
+export function show_place(value: number, extent: number): string {
+  if (!Number.isFinite(value)) return show(value);
+  const digits = Math.abs(value).toFixed(place_decimals(extent, 1e5));
+  const text = digits.includes('.') ? digits.replace(/\.?0+$/, '') : digits;
+  return value < 0 && text !== '0' ? MINUS + text : text;
+}
+
 /** Two ends of a range with one unit. */
 export function show_range(low: number, high: number, unit: string, digits = 4): string {
   const { factor, unit: name } = scaled_unit(unit, Math.max(Math.abs(low), Math.abs(high)));

@@ -3,6 +3,7 @@
 import { NO_ROW } from '../data/contract';
 import type { Geometry, PartRows } from '../data/decode';
 import { offset_of, type Store, value_at } from '../data/store';
+import { add_places, empty_box } from './camera';
 import { class_table, table_of } from './colours';
 import type { Measure } from './measures';
 import { show_with } from './numbers';
@@ -81,6 +82,23 @@ export function pose_of(store: Store, frame: number, magnification: number): Pos
     }
   }
   return { frame, epoch, magnification, geometry, places, centres };
+}
+
+const extents = new WeakMap<Geometry, number>();
+
+/** Larger one of width and height of the undeformed model. */
+export function extent_of(geometry: Geometry): number {
+  let extent = extents.get(geometry);
+  if (extent === undefined) {
+    const { centroid, place, vertex_body, vertices } = geometry;
+    const places = new Float32Array(2 * vertices);
+    for (let i = 0; i < places.length; i++) places[i] = centroid[2 * vertex_body[i >> 1] + (i & 1)] + place[i];
+    const box = empty_box();
+    add_places(box, places);
+    extent = Math.max(0, box.right - box.left, box.top - box.bottom);
+    extents.set(geometry, extent);
+  }
+  return extent;
 }
 
 /** Displacement of a body's centroid at a frame. */

@@ -6,8 +6,8 @@ import { type ColumnHead, NO_ROW } from '../data/contract';
 import { body_name, type Geometry } from '../data/decode';
 import { value_at } from '../data/store';
 import type { Measure } from '../draw/measures';
-import { show, show_with } from '../draw/numbers';
-import { body_value, displacement_of, part_at, unit_of_value, values_of, vertices_of } from '../draw/scene';
+import { show, show_place, show_with } from '../draw/numbers';
+import { body_value, displacement_of, extent_of, part_at, unit_of_value, values_of, vertices_of } from '../draw/scene';
 import { Chart, type Curve } from './chart';
 import { ident_of, nth_of, row_of } from './figure';
 import { capital } from './run';
@@ -132,6 +132,7 @@ function BodyPanel({ body, geometry, live }: { body: number; geometry: Geometry;
   const moved = displacement_of(store, frame, row);
   const angle = rotation_of(row);
   const [ox, oy] = head.origin;
+  const extent = extent_of(geometry);
   const cx = geometry.centroid[2 * row] + ox + (moved?.[0] ?? 0);
   const cy = geometry.centroid[2 * row + 1] + oy + (moved?.[1] ?? 0);
   const groups = new Map<string, [string, string][]>();
@@ -158,7 +159,10 @@ function BodyPanel({ body, geometry, live }: { body: number; geometry: Geometry;
         </div>
         <table class="facts">
           <tbody>
-            <Fact name="Centroid" value={`${show(cx, 5)}, ${show(cy, 5)}${length ? ` ${length}` : ''}`} />
+            <Fact
+              name="Centroid"
+              value={`${show_place(cx, extent)}, ${show_place(cy, extent)}${length ? ` ${length}` : ''}`}
+            />
             <Fact name="Area" value={`${show(area_of(geometry, row), 4)}${length ? ` ${length}²` : ''}`} />
             {angle !== null && <Fact name="Rotation" value={`${show(angle, 3)}°`} />}
           </tbody>
@@ -353,7 +357,7 @@ function value_text(column: ColumnHead, value: number, part: number, geometry: G
   if (name === 'joint') return value === NO_ROW ? '–' : (state.head.joints[value] ?? String(value));
   if (column.type === 'u32') return value === NO_ROW ? '–' : String(value);
   if (name === 'place' || name === 'ends' || name === 'from' || name === 'to') {
-    return `${show(value + state.head.origin[part % 2], 5)}${column.unit ? ` ${column.unit}` : ''}`;
+    return `${show_place(value + state.head.origin[part % 2], extent_of(geometry))}${column.unit ? ` ${column.unit}` : ''}`;
   }
   return show_with(value, column.unit ?? '', 4);
 }

@@ -5,11 +5,11 @@ import { useEffect, useRef } from 'preact/hooks';
 import { body_name } from '../data/decode';
 import { to_world, zoom } from '../draw/camera';
 import { type Cost, is_webgl_faster, is_worth_measuring, measure } from '../draw/choose';
-import { show } from '../draw/numbers';
+import { show_place } from '../draw/numbers';
 import { contact_line, type Figure, paint_bodies, paint_legend, paint_over, screen_of } from '../draw/paint';
 import { CanvasPen } from '../draw/pen';
 import { pick_body, pick_point, pick_segment } from '../draw/pick';
-import { body_value, unit_of_value } from '../draw/scene';
+import { body_value, extent_of, unit_of_value } from '../draw/scene';
 import { WebglBodies } from '../draw/webgl';
 import { contacts_of, figure_now, ident_of, lines_of, nth_of, points_of } from './figure';
 import { Icon } from './icons';
@@ -305,7 +305,8 @@ function Hover() {
   const { pose, shade } = shown;
   const [ox, oy] = state.head.origin;
   const unit = state.head.units?.length ?? '';
-  const place = `x ${show(at.x + ox, 5)}, y ${show(at.y + oy, 5)}${unit ? ` ${unit}` : ''}`;
+  const extent = extent_of(pose.geometry);
+  const place = `x ${show_place(at.x + ox, extent)}, y ${show_place(at.y + oy, extent)}${unit ? ` ${unit}` : ''}`;
   let block = '';
   if (at.row !== null && at.row < pose.geometry.bodies) {
     block = capital(body_name(pose.geometry, at.row));

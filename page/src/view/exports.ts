@@ -1,9 +1,11 @@
 // Saves what is shown: PNG, SVG, CSV, video.
 
+import type { Geometry } from '../data/decode';
+import { place_decimals } from '../draw/numbers';
 import type { Figure } from '../draw/paint';
 import { paint_all } from '../draw/paint';
 import { CanvasPen, SvgPen } from '../draw/pen';
-import { body_value, displacement_of, part_at, values_of } from '../draw/scene';
+import { body_value, displacement_of, extent_of, part_at, values_of } from '../draw/scene';
 import { material_name } from './chosen';
 import { figure_now } from './figure';
 import * as state from './state';
@@ -76,6 +78,11 @@ function number(value: number, digits: number): number {
   return Number(value.toPrecision(digits));
 }
 
+/** A place with the precision of the 18 bits that places have in the file. */
+function place(value: number, geometry: Geometry): number {
+  return Number(value.toFixed(place_decimals(extent_of(geometry), 2 ** 18)));
+}
+
 /** Blocks of the present frame with all their values. */
 export function blocks_csv(): string | null {
   const { store, head, frame } = state;
@@ -104,8 +111,8 @@ export function blocks_csv(): string | null {
       geometry.number[row],
       material_name(geometry.material[row]),
       geometry.fixed[row] ? 'fixed' : 'free',
-      number(geometry.centroid[2 * row] + head.origin[0] + moved[0], 7),
-      number(geometry.centroid[2 * row + 1] + head.origin[1] + moved[1], 7),
+      place(geometry.centroid[2 * row] + head.origin[0] + moved[0], geometry),
+      place(geometry.centroid[2 * row + 1] + head.origin[1] + moved[1], geometry),
       ...measures.map(({ own, values }) => {
         const value = body_value(own, values!, geometry, row);
         return own.kind === 'state' ? (own.names?.[Math.round(value)] ?? value) : number(value, own.digits + 1);
@@ -146,7 +153,7 @@ export function contacts_csv(): string | null {
           line.push(value < geometry.bodies ? geometry.number[value] : null);
         } else if (c.names?.length) line.push(c.names[value] ?? value);
         else if (c.name === 'joint') line.push(value + 1);
-        else if (c.name === 'place') line.push(number(value + head.origin[p], 7));
+        else if (c.name === 'place') line.push(place(value + head.origin[p], geometry));
         else line.push(c.type === 'u32' ? value : number(value, 6));
       }
     }

@@ -5,7 +5,16 @@ import { fit, to_screen, to_world, zoom } from '../../src/draw/camera';
 import { draw_chart } from '../../src/draw/chart';
 import { class_table, css_of, index_of, table_of } from '../../src/draw/colours';
 import { measures_of } from '../../src/draw/measures';
-import { round_below, scaled_unit, show, show_range, show_with, ticks_of } from '../../src/draw/numbers';
+import {
+  place_decimals,
+  round_below,
+  scaled_unit,
+  show,
+  show_place,
+  show_range,
+  show_with,
+  ticks_of,
+} from '../../src/draw/numbers';
 import { type Figure, LIGHT, paint_all } from '../../src/draw/paint';
 import { type Pen, SvgPen } from '../../src/draw/pen';
 import { pick_body, pick_point, pick_segment, typical_size } from '../../src/draw/pick';
@@ -272,6 +281,11 @@ describe('numbers', () => {
     expect(show_with(0.000775, 'm')).toBe('0.775\u00a0mm');
     expect(show_with(0.000000775, 'm')).toBe('0.775\u00a0µm');
     expect(show_with(-269530, 'Pa', 3)).toBe('−270\u00a0kPa');
+    // Places far from the origin keep what tells them apart.
+    expect(show_place(432104.38, 10)).toBe('432104.38');
+    expect(show_place(5650003.82, 10)).toBe('5650003.82');
+    expect([show_place(-0.00001, 10), show_place(-12.5, 900), show_place(120, 9e6)]).toEqual(['0', '−12.5', '120']);
+    expect([place_decimals(10, 2 ** 18), place_decimals(0, 1e5)]).toEqual([5, 4]);
     expect(show_with(3, 'kJ')).toBe('3\u00a0kJ');
     expect(show_range(0, 0.4565, 'm')).toBe('0 to 456.5\u00a0mm');
     expect(scaled_unit('', 1e-6)).toEqual({ factor: 1, unit: '' });
