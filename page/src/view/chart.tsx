@@ -23,8 +23,8 @@ export function curve_colour(i: number): string {
   return classes[i % classes.length];
 }
 
-/** Times of drawing, for the tests of the page, and the cursor's place. */
-export const chart_times = { drawn: 0, cursor: 0 };
+/** Time of drawing, place of the cursor and number of values, for the tests of the page. */
+export const chart_times = { drawn: 0, cursor: 0, values: 0 };
 
 export function Chart({ label, x, x_label, x_of, curves, height = 200 }: ChartProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -57,6 +57,7 @@ export function Chart({ label, x, x_label, x_of, curves, height = 200 }: ChartPr
       draw_chart(pen, own);
       chart_times.drawn = performance.now() - start;
       chart_times.cursor = own.cursor ?? 0;
+      chart_times.values = x.length;
     };
     const stop = effect(draw);
     const watch = new ResizeObserver(draw);

@@ -199,12 +199,13 @@ function Fact({ name, value, indent }: { name: string; value: string; indent?: b
   );
 }
 
-const settled = computed(() => state.all_decoded.value);
+/** Changes when curves must be read again: at the end of decoding, and with each frame of a run that goes on. */
+const settled = computed(() => `${state.all_decoded.value} ${state.count.value}`);
 
 function History({ body }: { body: number }) {
-  const axis = useMemo(time_axis, []);
-  const own = state.measures.find(m => m.id === history_id.value) ?? state.measures[0];
   const stamp = settled.value;
+  const axis = useMemo(time_axis, [stamp]);
+  const own = state.measures.find(m => m.id === history_id.value) ?? state.measures[0];
   const curves = useMemo(() => [body_curve(own, body)], [own, body, stamp]);
   if (state.last_frame() < 1) return null;
   return (
@@ -446,7 +447,7 @@ function PartHistory({ chosen, columns }: { chosen: Extract<state.Chosen, { kind
     const frames = state.head.frames.map((_, f) => f).filter(f => state.store.covers(chosen.what, f));
     const { of, label } = time_axis();
     return { frames, x: frames.map(of), label, of };
-  }, [chosen.what]);
+  }, [chosen.what, stamp]);
   const curves = useMemo(() => {
     if (!own) return [];
     const values: (number | null)[] = [];

@@ -114,6 +114,27 @@ describe.skipIf(!has_browser)('page', () => {
     await page.context().close();
   });
 
+  test('the history of a chosen block grows with the frames of a run that goes on', async () => {
+    const { page } = await open(browser, path);
+    await decoded(page);
+    const values = () => page.evaluate(() => (window as Open).keyblock_page.chart_times.values);
+    await page.evaluate(() => {
+      const { state } = (window as Open).keyblock_page;
+      state.chosen.value = { kind: 'body', key: 3 };
+      state.tab.value = 'chosen';
+    });
+    const count = wall.head.frames.length;
+    await expect.poll(values).toBe(count);
+    await page.evaluate(() => {
+      const { live, state } = (window as Open).keyblock_page;
+      const last = state.head.frames.at(-1);
+      const frames = [{ ...last, step: last.step + 3, time: last.time + 0.01, epoch: -1 }];
+      return live.append({ frames, epochs: [], fields: [], parts: {}, chunks: [], bytes: {} });
+    });
+    await expect.poll(values).toBe(count + 1);
+    await page.context().close();
+  });
+
   test('chart cursors follow the slider', async () => {
     const { page } = await open(browser, path);
     await decoded(page);
