@@ -8,6 +8,7 @@ import { last_messages, leaf_of, new_result, stem_of } from './cases';
 import { dimension_of, limits_of, meaning_of, type Schema, schema_at, unit_in } from './edit/schema';
 import { ChoiceField, TextField, ValueBox } from './fields';
 import * as state from './state';
+import { factor_words, type StrengthResult } from './verdicts';
 
 /** What a run records beside its case, and where it stops. They stay while the window is open. */
 const histories = signal('');
@@ -365,8 +366,7 @@ export function progress_of(job: api.Job): string {
 }
 
 /** Record of a run or of a search, as far as a list of jobs shows it. */
-interface Recorded {
-  factor_of_safety?: number | null;
+interface Recorded extends StrengthResult {
   outcome?: { steps: number; ended_early?: string };
 }
 
@@ -391,8 +391,9 @@ function useAnswer(job: api.Job): string {
   return answer;
 }
 
-function answer_in({ factor_of_safety, outcome }: Recorded, is_stopped: boolean): string {
-  if (typeof factor_of_safety === 'number') return `Factor of safety ${show(factor_of_safety, 4)}`;
+function answer_in(record: Recorded, is_stopped: boolean): string {
+  const { factor_of_safety, outcome } = record;
+  if (typeof factor_of_safety === 'number') return factor_words(record).join(' ');
   if (!outcome || !(is_stopped || outcome.ended_early)) return '';
   const steps = `${outcome.steps} ${outcome.steps === 1 ? 'step' : 'steps'}`;
   return is_stopped ? `paused after ${steps}` : `stopped after ${steps}: ${outcome.ended_early}`;

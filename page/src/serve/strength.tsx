@@ -5,6 +5,7 @@ import { show } from '../draw/numbers';
 import * as api from './api';
 import { Handouts } from './handouts';
 import * as state from './state';
+import { bracket_words, factor_words, type StrengthResult } from './verdicts';
 
 interface Trial {
   factor: number;
@@ -13,20 +14,14 @@ interface Trial {
   why?: string;
 }
 
-interface Strength {
+interface Strength extends StrengthResult {
   case?: string;
   profile?: string;
-  reduced?: string;
-  /** How the search ended: bracketed, falls, stands, undecided or stopped. */
-  end?: string;
-  factor_of_safety?: number | null;
-  bracket?: { stands?: number | null; falls?: number | null };
   notes?: string[];
   trials?: Trial[];
   units?: { length?: string };
 }
 
-const REDUCED: Record<string, string> = { joints: 'joints', rock: 'rock', both: 'joints and rock' };
 const VERDICTS: Record<string, string> = { stands: 'stable', falls: 'unstable' };
 
 export function StrengthView({ path }: { path: string }) {
@@ -43,7 +38,8 @@ export function StrengthView({ path }: { path: string }) {
     };
   }, [path]);
   if (!record) return <p class="note pad">Reading the record…</p>;
-  const { bracket } = record;
+  const [heading, factor] = factor_words(record);
+  const bracket = bracket_words(record);
   const unit = record.units?.length ?? '';
   const trials = (record.trials ?? []).slice().sort((a, b) => a.factor - b.factor);
   return (
@@ -53,24 +49,10 @@ export function StrengthView({ path }: { path: string }) {
         <span class="space" />
         <Handouts path={path} has_page={false} />
       </div>
-      {typeof record.factor_of_safety === 'number' ? (
-        <p class="factor">
-          Factor of safety <b>{show(record.factor_of_safety, 4)}</b>
-        </p>
-      ) : (
-        <p class="factor">
-          {record.end === 'stopped'
-            ? 'The search was stopped before it found a factor of safety.'
-            : 'No factor of safety was found.'}
-        </p>
-      )}
-      {bracket && (
-        <p>
-          Strength of {REDUCED[record.reduced ?? ''] ?? record.reduced} was reduced.
-          {typeof bracket.stands === 'number' && ` The model is stable at a factor of ${bracket.stands.toPrecision(4)}`}
-          {typeof bracket.falls === 'number' && ` and unstable at ${bracket.falls.toPrecision(4)}`}.
-        </p>
-      )}
+      <p class="factor">
+        {heading} {factor && <b>{factor}</b>}
+      </p>
+      {bracket && <p>{bracket}</p>}
       {(record.notes ?? []).map(text => (
         <p class="note" key={text}>
           {text.charAt(0).toUpperCase() + text.slice(1)}.

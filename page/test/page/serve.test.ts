@@ -258,7 +258,7 @@ describe.skipIf(!has_browser)('window', () => {
     const page = await open('#/result/strength');
     await page.waitForSelector('.factor');
     expect(await page.locator('.strength').textContent()).toContain(
-      'stable at a factor of 3.284 and unstable at 3.290.',
+      'stable at 3.284, unstable at 3.290, with the strength of joints divided by these factors.',
     );
     expect(await page.getByRole('columnheader', { name: 'Largest displacement [m]' }).count()).toBe(1);
     expect(await page.locator('iframe').count()).toBe(0);

@@ -1,0 +1,37 @@
+// Words on results, as command line and reports have them.
+
+import { show } from '../draw/numbers';
+
+/** Record of a search for the factor of safety, as far as its result goes. */
+export interface StrengthResult {
+  reduced?: string;
+  /** How the search ended: bracketed, falls, stands, undecided or stopped. */
+  end?: string;
+  factor_of_safety?: number | null;
+  /** The factor of safety may be larger. */
+  lower_estimate?: boolean;
+  bracket?: { stands?: number | null; falls?: number | null };
+}
+
+const REDUCED: Record<string, string> = { joints: 'joints', rock: 'rock', both: 'joints and rock' };
+
+/** Factor of safety with its reservation, or why there is none: heading and figure. */
+export function factor_words({ factor_of_safety, lower_estimate, end }: StrengthResult): [string, string] {
+  if (typeof factor_of_safety === 'number')
+    return ['Factor of safety', `${show(factor_of_safety, 4)}${lower_estimate ? ' (a lower estimate)' : ''}`];
+  return [
+    end === 'stopped' ? 'The search was stopped before it found a factor of safety.' : 'No factor of safety was found.',
+    '',
+  ];
+}
+
+/** Sentence on the factors at which the model is stable and unstable; empty without any. */
+export function bracket_words({ bracket, reduced }: StrengthResult): string {
+  const known = [
+    typeof bracket?.stands === 'number' ? `stable at ${bracket.stands.toPrecision(4)}` : '',
+    typeof bracket?.falls === 'number' ? `unstable at ${bracket.falls.toPrecision(4)}` : '',
+  ].filter(Boolean);
+  if (!known.length) return '';
+  const strength = REDUCED[reduced ?? ''] ?? reduced;
+  return `The model is ${known.join(', ')}, with the strength of ${strength} divided by these factors.`;
+}
