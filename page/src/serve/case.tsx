@@ -16,6 +16,7 @@ import { Tables } from './edit/tables';
 import { TextArea } from './edit/text_area';
 import { RunForm } from './runs';
 import * as state from './state';
+import { is_failure } from './verdicts';
 
 type Mode = 'both' | 'drawing' | 'text' | 'tables';
 
@@ -415,7 +416,7 @@ async function convert_to_case(paths: string[], more?: (text: string) => string)
   const target = `${new_result(stem_of(paths[0]), taken)}.json`;
   const done = await state.attempt(() => api.convert(paths, target, 'keyblock-case'));
   if (!done) return;
-  if (done.exit_code > 1) {
+  if (is_failure(done.exit_code)) {
     state.trouble.value = done.messages;
     return;
   }

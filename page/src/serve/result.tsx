@@ -12,6 +12,7 @@ import * as state from './state';
 import { StrengthView } from './strength';
 import { SweepView } from './study';
 import { relative_of_entry, title_of_entry, units_of_entry } from './titles';
+import { ending_words } from './verdicts';
 
 export function ResultView({ path }: { path: string }) {
   const entry = state.listing.value?.results.find(own => own.path === path);
@@ -88,7 +89,7 @@ export function ResultView({ path }: { path: string }) {
         </span>
         {!job && failed && (
           <span class="note bad" role="alert">
-            {last_messages(failed.messages ?? '') || `The run ended with code ${failed.exit_code}.`}
+            {last_messages(failed.messages ?? '') || `The run ${ending_words(failed.exit_code)}.`}
           </span>
         )}
         <span class="space" />

@@ -8,7 +8,7 @@ import { last_messages, leaf_of, new_result, stem_of } from './cases';
 import { dimension_of, limits_of, meaning_of, type Schema, schema_at, unit_in } from './edit/schema';
 import { ChoiceField, TextField, ValueBox } from './fields';
 import * as state from './state';
-import { factor_words, type StrengthResult } from './verdicts';
+import { ending_words, factor_words, is_failure, type StrengthResult } from './verdicts';
 
 /** What a run records beside its case, and where it stops. They stay while the window is open. */
 const histories = signal('');
@@ -277,7 +277,8 @@ const KINDS = {
 export function JobItem({ job }: { job: api.Job }) {
   const is_open = job.state === 'runs' || job.state === 'waits';
   const share = job.steps ? (job.step ?? 0) / job.steps : 0;
-  const failed = job.state === 'ended' && job.exit_code !== 0;
+  const has_code = job.state === 'ended' && job.exit_code !== 0;
+  const failed = has_code && is_failure(job.exit_code);
   const entry = state.listing.value?.results.find(own => own.path === job.result);
   const answer = useAnswer(job);
   const words =
@@ -291,8 +292,8 @@ export function JobItem({ job }: { job: api.Job }) {
             ? entry?.has_checkpoint
               ? 'paused'
               : 'stopped'
-            : failed
-              ? `ended with code ${job.exit_code}`
+            : has_code
+              ? ending_words(job.exit_code)
               : `finished in ${duration(job.seconds ?? 0)}`;
   return (
     <li class={`job ${failed ? 'bad' : ''}`}>
@@ -336,7 +337,7 @@ export function JobItem({ job }: { job: api.Job }) {
       <p class="note" aria-live="polite">
         {answer || words}
       </p>
-      {failed && job.messages && <pre class="messages">{last_messages(job.messages)}</pre>}
+      {has_code && job.messages && <pre class="messages">{last_messages(job.messages)}</pre>}
     </li>
   );
 }

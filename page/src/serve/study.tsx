@@ -8,6 +8,7 @@ import { ChoiceField, TextField } from './fields';
 import { JobItem, words_of } from './runs';
 import * as state from './state';
 import { number_in, numbers_in, parameter_rows, type TestRecord, value_rows } from './tested';
+import { is_failure } from './verdicts';
 
 export function StudyView({ study, paths }: { study: string; paths: string[] }) {
   if (study === 'sweep') return <SweepForm paths={paths} />;
@@ -354,7 +355,7 @@ function FitForm({ path }: { path: string }) {
 
 function TestedView({ tested, name }: { tested: api.Tested | null; name: string }) {
   if (!tested) return null;
-  const is_bad = tested.exit_code !== 0 && tested.exit_code !== 1;
+  const is_bad = is_failure(tested.exit_code);
   return (
     <div class="tested" aria-live="polite">
       {tested.errors.map(own => (

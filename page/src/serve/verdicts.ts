@@ -35,3 +35,19 @@ export function bracket_words({ bracket, reduced }: StrengthResult): string {
   const strength = REDUCED[reduced ?? ''] ?? reduced;
   return `The model is ${known.join(', ')}, with the strength of ${strength} divided by these factors.`;
 }
+
+/** Words on exit codes of the program besides 0. */
+const ENDINGS: Record<number, string> = {
+  1: 'finished, but a check failed',
+  2: 'refused: the request is not valid',
+  3: 'refused: the input cannot be read or used',
+  4: 'failed: the computation could not continue, or its results could not be written',
+  5: 'ended at a limit of processor time or memory; results up to there are saved',
+  6: 'failed: its results could not be written',
+};
+
+/** True if a program that ended with this code left no result of its own. */
+export const is_failure = (code: number | undefined): boolean => code !== 0 && code !== 1;
+
+/** Words on the end of a job by its exit code. */
+export const ending_words = (code: number | undefined): string => ENDINGS[code ?? -1] ?? `ended with code ${code}`;

@@ -1,5 +1,13 @@
 import { describe, expect, test } from 'vitest';
-import { bracket_words, factor_words } from '../../src/serve/verdicts';
+import { bracket_words, ending_words, factor_words, is_failure } from '../../src/serve/verdicts';
+
+describe('ends of jobs', () => {
+  test('a failed check is a result, other codes are not', () => {
+    expect([0, 1, 3, 4, 5, undefined].map(is_failure)).toEqual([false, false, true, true, true, true]);
+    expect(ending_words(1)).toBe('finished, but a check failed');
+    expect(ending_words(77)).toBe('ended with code 77');
+  });
+});
 
 describe('factor of safety in words', () => {
   test('a lower estimate is called so', () => {
