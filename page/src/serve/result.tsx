@@ -1,12 +1,13 @@
-// A result in its own page, and two results side by side with one slider, linked by time.
+// A result in its own page, and two results side by side with one slider, linked by time or by step.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { show, show_with } from '../draw/numbers';
+import { show_time, show_with } from '../draw/numbers';
 import * as api from './api';
 import { last_messages } from './cases';
 import type { Units } from './edit/schema';
 import { follow, type LivePage } from './follow';
 import { Handouts } from './handouts';
+import { frame_at, last_place } from './pair';
 import { progress_of } from './runs';
 import * as state from './state';
 import { StrengthView } from './strength';
@@ -133,7 +134,9 @@ export function CompareView({ first, second }: { first: string; second: string }
   );
   const [is_refused, set_refused] = useState(false);
   const [pages, set_pages] = useState<Page[]>([]);
-  const [time, set_time] = useState(0);
+  const [place, set_place] = useState(0);
+  // Times of a static run are those of load steps.
+  const by_step = pages.some(page => page.state.is_static());
   const [measure, set_measure] = useState('displacement.size');
   const [same, set_same] = useState(true);
   const [playing, set_playing] = useState(false);
@@ -156,7 +159,7 @@ export function CompareView({ first, second }: { first: string; second: string }
       clearInterval(timer);
       if (is_old) return;
       set_pages(now);
-      set_time(Math.max(...now.map(last_time)));
+      set_place(Infinity);
     }, 200);
     return () => {
       is_old = true;
@@ -164,10 +167,11 @@ export function CompareView({ first, second }: { first: string; second: string }
     };
   }, [first, second]);
 
-  const last = pages.length ? Math.max(...pages.map(last_time)) : 1;
+  const last = pages.length ? Math.max(...pages.map(page => last_place(page.state.head.frames, by_step))) : 1;
+  const shown = Math.min(place, last);
   useEffect(() => {
-    for (const page of pages) page.state.frame.value = frame_at(page, time);
-  }, [pages, time]);
+    for (const page of pages) page.state.frame.value = frame_at(page.state.head.frames, by_step, shown);
+  }, [pages, shown]);
   useEffect(() => {
     for (const page of pages) page.state.measure_id.value = measure;
     if (!pages.length) return;
@@ -189,11 +193,11 @@ export function CompareView({ first, second }: { first: string; second: string }
     if (!playing || !pages.length) return;
     let request = 0;
     let before = performance.now();
-    let now = time >= last ? 0 : time;
+    let now = shown >= last ? 0 : shown;
     const tick = (at: number) => {
       now += ((at - before) / 10_000) * last;
       before = at;
-      set_time(Math.min(last, now));
+      set_place(Math.min(last, now));
       if (now >= last) set_playing(false);
       else request = requestAnimationFrame(tick);
     };
@@ -205,6 +209,7 @@ export function CompareView({ first, second }: { first: string; second: string }
     ? pages[0].state.measures.filter((m: Page) => pages[1].state.measures.some((n: Page) => n.id === m.id))
     : [];
   const unit = pages[0]?.state.head.units?.time ?? '';
+  const words = by_step ? `step ${Math.round(shown)}` : show_time(shown, unit);
   const [one, other] = pages.map(page => page.state.head.units as Units | null);
   const units = one && JSON.stringify(one) === JSON.stringify(other) ? one : null;
   return (
@@ -228,19 +233,17 @@ export function CompareView({ first, second }: { first: string; second: string }
           type="range"
           min={0}
           max={last}
-          step={last / 1000}
-          value={time}
-          style={{ '--share': time / last }}
-          aria-label="Time of both runs"
-          aria-valuetext={`${show(time, 4)} ${unit}`}
+          step={by_step ? 1 : last / 1000}
+          value={shown}
+          style={{ '--share': shown / last }}
+          aria-label={by_step ? 'Step of both runs' : 'Time of both runs'}
+          aria-valuetext={words}
           onInput={event => {
             set_playing(false);
-            set_time(Number(event.currentTarget.value));
+            set_place(Number(event.currentTarget.value));
           }}
         />
-        <output class="note">
-          {show(time, 3)} {unit}
-        </output>
+        <output class="note">{words}</output>
         <select aria-label="Colour by" value={measure} onChange={event => set_measure(event.currentTarget.value)}>
           {shared.map(own => (
             <option value={own.id} key={own.id}>
@@ -276,21 +279,6 @@ export function CompareView({ first, second }: { first: string; second: string }
 
 function verdict(page: Page): string {
   return page.verdict?.() ?? '';
-}
-
-function last_time(page: Page): number {
-  const { frames } = page.state.head;
-  return frames[frames.length - 1].time || 1;
-}
-
-/** Frame of a run nearest to a time. */
-function frame_at(page: Page, time: number): number {
-  const { frames } = page.state.head;
-  let best = 0;
-  for (let f = 1; f < frames.length; f++) {
-    if (Math.abs(frames[f].time - time) <= Math.abs(frames[best].time - time)) best = f;
-  }
-  return best;
 }
 
 function text_of(value: unknown, unit: string): string {
