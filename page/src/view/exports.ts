@@ -181,6 +181,22 @@ export function cancel_video(): void {
   stop_video = true;
 }
 
+/** Draws all frames on a canvas at a rate, each once it is decoded with all that the drawing shows. */
+async function film(rate: number, draw: () => void, track: { requestFrame(): void }): Promise<void> {
+  const { store } = state;
+  let due = performance.now();
+  for (let f = 0; f <= state.last_frame() && !stop_video; f++) {
+    await store.need_frame(f, store.kinds());
+    state.frame.value = f;
+    draw();
+    track.requestFrame();
+    due += 1000 / rate;
+    await new Promise(resolve => setTimeout(resolve, Math.max(0, due - performance.now())));
+  }
+  track.requestFrame();
+  await new Promise(resolve => setTimeout(resolve, 100));
+}
+
 /** Plays all frames once at the player's speed and records the drawing. Returns the video. */
 export async function record_video(rate: number): Promise<Blob | null> {
   const kind = video_kind();
@@ -196,34 +212,29 @@ export async function record_video(rate: number): Promise<Blob | null> {
   const size = { width: even(first.size.width), height: even(first.size.height) };
   const ratio = size.width < 1400 ? 1.5 : 1;
   const scale = ratio === 1.5 && (size.width * 1.5) % 2 === 0 && (size.height * 1.5) % 2 === 0 ? 1.5 : 1;
-  draw_on(canvas, { ...first, size }, scale);
-  const stream = canvas.captureStream(0);
-  const track = stream.getVideoTracks()[0] as MediaStreamTrack & { requestFrame(): void };
-  const recorder = new MediaRecorder(stream, { mimeType: kind, videoBitsPerSecond: 8_000_000 });
-  const parts: Blob[] = [];
-  recorder.ondataavailable = event => parts.push(event.data);
-  const done = new Promise<void>(resolve => {
-    recorder.onstop = () => resolve();
-  });
-  recorder.start();
-  const wait = 1000 / rate;
-  let due = performance.now();
-  for (let f = 0; f <= state.last_frame() && !stop_video; f++) {
-    state.frame.value = f;
-    await state.store.need('motion', f);
+  const draw = () => {
     const figure = figure_now();
     if (figure) draw_on(canvas, { ...figure, size }, scale);
-    track.requestFrame();
-    due += wait;
-    await new Promise(resolve => setTimeout(resolve, Math.max(0, due - performance.now())));
+  };
+  const parts: Blob[] = [];
+  let stream: MediaStream | null = null;
+  try {
+    draw();
+    stream = canvas.captureStream(0);
+    const recorder = new MediaRecorder(stream, { mimeType: kind, videoBitsPerSecond: 8_000_000 });
+    recorder.ondataavailable = event => parts.push(event.data);
+    const done = new Promise<void>(resolve => {
+      recorder.onstop = () => resolve();
+    });
+    recorder.start();
+    await film(rate, draw, stream.getVideoTracks()[0] as MediaStreamTrack & { requestFrame(): void });
+    recorder.stop();
+    await done;
+  } finally {
+    for (const own of stream?.getTracks() ?? []) own.stop();
+    state.recording.value = false;
+    state.frame.value = before;
   }
-  track.requestFrame();
-  await new Promise(resolve => setTimeout(resolve, 100));
-  recorder.stop();
-  await done;
-  for (const own of stream.getTracks()) own.stop();
-  state.recording.value = false;
-  state.frame.value = before;
   return stop_video ? null : new Blob(parts, { type: kind.split(';')[0] });
 }
 
