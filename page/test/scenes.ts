@@ -14,6 +14,8 @@ export interface WallOptions {
   missing?: number[];
   /** Elements on covers: displacements vertex by vertex. */
   on_vertices?: boolean;
+  /** The last frame has no stress. */
+  relaxes?: boolean;
 }
 
 export interface Wall {
@@ -175,6 +177,7 @@ export function make_wall(options: WallOptions): Wall {
     stress.push(
       bodies.map(body => {
         const [x, y] = centroid_of(body.loops);
+        if (options.relaxes && f === frames - 1) return [0, 0, 0, 0];
         return [2e3 * Math.sin(x) * t, -2.5e4 * (top - y), 3e3 * Math.cos(x + y) * t, -6e3 * (top - y)];
       }),
     );

@@ -263,19 +263,6 @@ function arrows_of(pose: Pose): Arrows | null {
   return { at: pose.centres, vector, largest, label: size.group, unit: size.unit };
 }
 
-/** Stress of the longest cross: what 97 % of the bodies do not exceed at a frame, so that a peak does not hide all. */
-function cross_scale(frame: number): number {
-  const sizes: number[] = [];
-  for (const id of ['stress.greatest', 'stress.least']) {
-    const own = state.measures.find(m => m.id === id);
-    const values = own && values_of(state.store, own, frame);
-    for (const value of values ?? []) if (!Number.isNaN(value)) sizes.push(Math.abs(value));
-  }
-  sizes.sort((a, b) => a - b);
-  // Each body counts twice, and its smaller stress never decides: 97 % of bodies are 98.5 % of the list.
-  return sizes[Math.floor(0.985 * (sizes.length - 1))] ?? 0;
-}
-
 function crosses_of(pose: Pose): Crosses | null {
   if (!state.layers.value.crosses) return null;
   const wanted = ['xx', 'yy', 'xy'].map(part => state.measures.find(m => m.id === `stress.${part}`));
@@ -293,7 +280,8 @@ function crosses_of(pose: Pose): Crosses | null {
     least[b] = middle - radius;
     angle[b] = Math.atan2(2 * xy, xx - yy) / 2;
   }
-  const largest = cross_scale(state.range_mode.value === 'frame' ? pose.frame : state.last_frame());
+  const own = state.largest_cross_at(pose.frame) ?? 0;
+  const largest = state.range_mode.value === 'frame' ? own : Math.max(own, state.largest_cross());
   return { at: pose.centres, greatest, least, angle, largest, unit: wanted[0].unit };
 }
 
