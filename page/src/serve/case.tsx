@@ -137,13 +137,18 @@ export function CaseView({ paths }: { paths: string[] }) {
     void run_check();
   });
 
+  /** State of the last picture of this view, for what goes on after a request. */
+  const now = useRef({ files, texts, changed });
+  now.current = { files, texts, changed };
+  const latest = () => histories.current.get(current)?.text ?? text;
+
   /** Saves the changed files but one. */
   const save = async (but = '') => {
     await disk.look();
-    for (const path of changed) {
+    for (const path of now.current.changed) {
       if (path === but) continue;
-      const sent = texts[path];
-      const saved = await state.attempt(() => api.save(path, sent, files[path].sha256));
+      const sent = now.current.texts[path];
+      const saved = await state.attempt(() => api.save(path, sent, now.current.files[path].sha256));
       if (!saved) return false;
       set_files(before => ({ ...before, [path]: { text: sent, sha256: saved.sha256, is_text: true } }));
     }
@@ -275,7 +280,7 @@ export function CaseView({ paths }: { paths: string[] }) {
                 text={text}
                 scene={scene}
                 schema={state.schema.value}
-                latest={() => histories.current.get(current)?.text ?? text}
+                latest={latest}
                 change={change}
                 is_old={!!fault}
               />
@@ -303,13 +308,7 @@ export function CaseView({ paths }: { paths: string[] }) {
       </section>
       <section class="plan" aria-label="Check and run">
         {has_sets && scene && (
-          <JointSets
-            text={text}
-            latest={() => histories.current.get(current)?.text ?? text}
-            scene={scene}
-            change={change}
-            close={() => set_has_sets(false)}
-          />
+          <JointSets text={text} latest={latest} scene={scene} change={change} close={() => set_has_sets(false)} />
         )}
         {!has_drawing && <Picture paths={paths} stamp={stamp} />}
         <Conversion path={paths[0]} />
@@ -333,7 +332,7 @@ export function CaseView({ paths }: { paths: string[] }) {
           is_checked={!!report}
           go_to={go_to}
           lacks={report?.case?.lacks}
-          complete={() => void complete(paths[0], text, change)}
+          complete={() => void complete(paths[0], latest, change)}
         />
         <Plan report={report} />
       </section>
@@ -404,9 +403,9 @@ function useBlocks(path: string, text: string, is_on: boolean): { blocks: Polygo
 }
 
 /** Adds an analysis to a geometry: to the case file itself, or to a new one beside files of another format. */
-async function complete(path: string, text: string, change: (text: string) => void): Promise<void> {
+async function complete(path: string, latest: () => string, change: (text: string) => void): Promise<void> {
   const rock = (await state.attempt(api.materials))?.block_materials[0]?.like ?? 'limestone';
-  if (is_case(path, text)) return change(add_analysis(text, String(rock)));
+  if (is_case(path, latest())) return change(add_analysis(latest(), String(rock)));
   await convert_to_case([path], own => add_analysis(own, String(rock)));
 }
 
