@@ -5,6 +5,7 @@ import { show } from '../draw/numbers';
 import * as api from './api';
 import { leaf_of, new_result, stem_of } from './cases';
 import { ChoiceField, TextField } from './fields';
+import { pointers_in } from './pointers';
 import { JobItem, words_of } from './runs';
 import * as state from './state';
 import { number_in, numbers_in, parameter_rows, type TestRecord, value_rows } from './tested';
@@ -15,41 +16,6 @@ export function StudyView({ study, paths }: { study: string; paths: string[] }) 
   if (study === 'element') return <ElementForm paths={paths} />;
   if (study === 'fit') return <FitForm path={paths[0]} />;
   return <p class="note pad">There is no study of this name.</p>;
-}
-
-/** Pointers of the numbers in a case file, with their values: "/analysis/gravity". */
-export function pointers_in(text: string): [string, number | string][] {
-  let value: unknown;
-  try {
-    value = JSON.parse(without_comments(text));
-  } catch {
-    return [];
-  }
-  const found: [string, number | string][] = [];
-  const walk = (own: unknown, path: string) => {
-    if (found.length >= 500) return;
-    if (typeof own === 'number' || (typeof own === 'string' && QUANTITY.test(own))) found.push([path, own]);
-    // Lists of numbers are coordinates.
-    else if (Array.isArray(own)) {
-      if (!own.some(item => typeof item === 'number'))
-        for (const [i, item] of own.entries()) walk(item, `${path}/${i}`);
-    } else if (own && typeof own === 'object') {
-      for (const [key, item] of Object.entries(own))
-        walk(item, `${path}/${key.replace(/~/g, '~0').replace(/\//g, '~1')}`);
-    }
-  };
-  const root = value as Record<string, unknown>;
-  for (const part of ['analysis', 'blocks', 'drawing', 'covers', 'stages']) walk(root?.[part], `/${part}`);
-  return found;
-}
-
-/** Number with a unit: "20 deg". */
-const QUANTITY = /^[-+]?[0-9.]+(e[-+]?[0-9]+)? *[^0-9 ].*$/i;
-
-/** Text of a case file as JSON: comments become blanks, and so do commas before a closing bracket. */
-function without_comments(text: string): string {
-  const plain = text.replace(/"(?:[^"\\]|\\.)*"|\/\/[^\n]*|\/\*[\s\S]*?\*\//g, part => (part[0] === '"' ? part : ' '));
-  return plain.replace(/"(?:[^"\\]|\\.)*"|,(?=\s*[\]}])/g, part => (part[0] === '"' ? part : ' '));
 }
 
 function CaseHead({ paths, title }: { paths: string[]; title: string }) {
