@@ -12,7 +12,7 @@ import { History } from './edit/history';
 import { JointSets } from './edit/joint_sets';
 import { SaveAs } from './edit/save_as';
 import { type Polygon, type Scene, scene_of } from './edit/scene';
-import { Tables } from './edit/tables';
+import { Tables, units_of } from './edit/tables';
 import { TextArea } from './edit/text_area';
 import { RunForm } from './runs';
 import * as state from './state';
@@ -315,6 +315,7 @@ export function CaseView({ paths }: { paths: string[] }) {
         <RunForm
           paths={paths}
           report={report}
+          units={scene ? units_of(text) : {}}
           profile={profile}
           set_profile={set_profile}
           settings={settings}

@@ -5,7 +5,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
 import * as api from './api';
 import { last_messages, leaf_of, new_result, stem_of } from './cases';
-import { dimension_of, limits_of, meaning_of, type Schema, schema_at, unit_in } from './edit/schema';
+import { dimension_of, limits_of, meaning_of, type Schema, schema_at, type Units, unit_in } from './edit/schema';
 import { ChoiceField, TextField, ValueBox } from './fields';
 import * as state from './state';
 import { ending_words, factor_words, is_failure, type StrengthResult } from './verdicts';
@@ -19,6 +19,7 @@ const reduce = signal('joints');
 export function RunForm({
   paths,
   report,
+  units,
   profile,
   set_profile,
   settings,
@@ -29,6 +30,8 @@ export function RunForm({
 }: {
   paths: string[];
   report: api.Report | null;
+  /** Units that the case declares. */
+  units: Units;
   profile: string;
   set_profile: (profile: string) => void;
   settings: [string, string][];
@@ -81,6 +84,7 @@ export function RunForm({
         <Setting
           key={i}
           schema={schema}
+          units={units}
           name={name}
           value={value}
           standard={name in known ? String(known[name]) : 'value'}
@@ -188,6 +192,7 @@ function names_of(schema: Schema | null, known: Record<string, unknown>): string
 /** One setting of a run: its name, its value, and what the table of settings says of it. */
 function Setting({
   schema,
+  units,
   name,
   value,
   standard,
@@ -195,6 +200,7 @@ function Setting({
   remove,
 }: {
   schema: Schema | null;
+  units: Units;
   name: string;
   value: string;
   /** Value if nothing is set. */
@@ -203,7 +209,7 @@ function Setting({
   remove: () => void;
 }) {
   const own = setting_in(schema, name);
-  const unit = own ? unit_in(dimension_of(own), {}) : '';
+  const unit = own ? unit_in(dimension_of(own), units) : '';
   return (
     <div class="setting">
       <input

@@ -103,19 +103,13 @@ export function dimension_of(own: Schema): string {
 /** Units of a case file by their keys. */
 export type Units = Record<string, string>;
 
-/** Writes a dimension in the units of the file: F/L² becomes N/m² with m, kg and s. */
-export function unit_in(dimension: string, units: Units): string {
-  if (!units.length) return dimension;
-  const { length, time, mass } = units;
+/** Writes a dimension in the units of the file: F/L² becomes N/m². Empty if the file does not name a unit of it. */
+export function unit_in(dimension: string, { length, time, mass, force, stress }: Units): string {
   const is_si = length === 'm' && mass === 'kg' && time === 's';
-  const force = units.force ?? (is_si ? 'N' : '');
-  if (dimension.includes('F') && !force) return dimension;
-  if (dimension === 'F/L²' && is_si) return 'Pa';
-  const own: Units = { L: length, T: time, M: mass ?? '', F: force };
-  const text = dimension.replace(/[LTMF]/g, letter => own[letter] || letter);
-  return /[LTMF]/.test(dimension) && Object.entries(own).some(([letter, word]) => !word && dimension.includes(letter))
-    ? dimension
-    : text;
+  if (dimension === 'F/L²' && (stress || is_si)) return stress || 'Pa';
+  const own: Partial<Units> = { L: length, T: time, M: mass, F: force ?? (is_si ? 'N' : undefined) };
+  if (dimension.match(/[LTMF]/g)?.some(letter => !own[letter])) return '';
+  return dimension.replace(/[LTMF]/g, letter => own[letter]!);
 }
 
 /** Words of a description without its limits. */

@@ -21,7 +21,7 @@ export function words_at(schema: Schema | null, path: Path, length: string): { l
   const own = schema ? schema_at(schema, path) : undefined;
   const title = title_of(String(path.at(-1)), own);
   if (!own) return { label: title, title: '' };
-  const unit = { L: length || 'L', '°': '°' }[dimension_of(own)];
+  const unit = { L: length, '°': '°' }[dimension_of(own)];
   return { label: unit ? `${title} [${unit}]` : title, title: words_on(own) };
 }
 

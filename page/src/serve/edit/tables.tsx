@@ -272,7 +272,7 @@ function Box({ id, label, path, node, schema, edit }: Part & { id?: string; labe
 let units_read = { text: '', units: {} as Units };
 
 /** Units that the case declares; read once per text. */
-function units_of(text: string): Units {
+export function units_of(text: string): Units {
   if (units_read.text !== text) {
     let units: Units = {};
     try {
