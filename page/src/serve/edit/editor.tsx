@@ -8,7 +8,7 @@ import { Chosen, Held } from './chosen';
 import * as edits from './edits';
 import { type Item, loops_of, type Point, type Polygon, quantity_of, type Scene, title_of, value_of } from './scene';
 import { type Snapped, typed_point } from './snap';
-import { is_for, points_of, TOOLS, type Tool, type ToolName, tool_of } from './tools';
+import { hint_of, is_for, points_of, TOOLS, type Tool, type ToolName, tool_of } from './tools';
 
 export interface EditorProps {
   text: string;
@@ -204,7 +204,7 @@ export function Editor(props: EditorProps) {
       />
       <div class="edit-strip">
         <p class="edit-hint" id="canvas-hint">
-          {tool.hint}
+          {hint_of(tool, scene.geometry)}
         </p>
         <Options tool={tool} scene={scene} options={options} />
         {tool.name === 'fixed' && scene.geometry === 'drawing' && loops_of(scene).length > 0 && (
