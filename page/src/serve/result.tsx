@@ -12,7 +12,7 @@ import { progress_of } from './runs';
 import * as state from './state';
 import { StrengthView } from './strength';
 import { SweepView } from './study';
-import { relative_of_entry, title_of_entry, units_of_entry } from './titles';
+import { relative_of_entry, title_of_entry, units_of_entry, words_of_value } from './titles';
 import { ending_words } from './verdicts';
 
 export function ResultView({ path }: { path: string }) {
@@ -282,9 +282,8 @@ function verdict(page: Page): string {
 }
 
 function text_of(value: unknown, unit: string): string {
-  if (value === undefined || value === null) return '–';
   if (typeof value === 'number') return show_with(value, unit, 5);
-  const text = typeof value === 'object' ? JSON.stringify(value) : String(value);
+  const text = words_of_value(value);
   return text.length > 200 ? `${text.slice(0, 200)}…` : text;
 }
 

@@ -5,8 +5,9 @@ import type { Difference } from './api';
 import type { Path } from './edit/case_text';
 import { dimension_of, type Schema, schema_at, title_of, type Units, unit_in } from './edit/schema';
 
-/** Titles of entries of run.json, which has no schema. */
+/** Titles of entries of run.json: those without a schema, and one whose schema has the title of another key. */
 const OF_RECORD: Record<string, string> = {
+  'settings.motion': 'Setting: Kind of steps',
   profile_because: 'Reason for the profile',
   'outcome.end': 'End of the run',
   'outcome.steps': 'Steps',
@@ -92,14 +93,14 @@ function setting_of(path: string, schema: Schema | null): { own?: Schema; name: 
 /** Title of an entry of the records or of the input files of two runs. */
 export function title_of_entry({ path }: Difference, schema: Schema | null): string {
   if (/ line \d+$/.test(path)) return path;
+  const known = OF_RECORD[path];
+  if (known) return known;
   if (path.startsWith('settings.')) {
     const { own, name, material } = setting_of(path, schema);
     return `Setting: ${title_of(name, own)}${material}`;
   }
   const [first] = steps_of(path);
   if (schema?.properties?.[String(first)] && first !== 'profile') return of_case(path, schema);
-  const known = OF_RECORD[path];
-  if (known) return known;
   const steps = steps_of(
     path
       .replace(/^(outcome|extremes|counts)\./, '')
@@ -107,6 +108,26 @@ export function title_of_entry({ path }: Difference, schema: Schema | null): str
       .replace(/\.value$/, ''),
   );
   return capital(steps.map(own => (typeof own === 'number' ? String(own + 1) : in_words(own))).join(' '));
+}
+
+/** Keys of an object whose values speak for themselves. */
+const WITHOUT_KEY = ['code', 'name', 'term', 'numbers'];
+
+/** A value of a record in words: an object by its sentence, else key by key. */
+export function words_of_value(value: unknown): string {
+  if (value === undefined || value === null) return '–';
+  if (typeof value === 'number') return show(value, 5);
+  if (Array.isArray(value)) return value.map(words_of_value).join('; ') || 'none';
+  if (typeof value !== 'object') return String(value);
+  const { sentence, first } = value as Record<string, unknown>;
+  if (typeof sentence === 'string' || typeof first === 'string') return String(sentence ?? first);
+  return Object.entries(value)
+    .map(([key, own]) =>
+      WITHOUT_KEY.includes(key)
+        ? words_of_value(typeof own === 'string' ? in_words(own) : own)
+        : `${in_words(key)}: ${words_of_value(own)}`,
+    )
+    .join(', ');
 }
 
 /** Relative difference in words; none for numbers of bodies, of which a share means nothing. */
