@@ -3,15 +3,12 @@
 export const FORMAT = 'keyblock-page';
 export const VERSION = 1;
 
-/** Longest series of frames in one chunk. */
-export const CHUNK_FRAMES = 25;
-
 /** Row of a body that is missing, as contacts with nothing on one side have it. */
 export const NO_ROW = 0xffffffff;
 
-/** Bit of a body's kind that marks it as fixed; the low byte is 0 for a block, 1 for an element on covers. */
-/** Kind of a body that is an element of an NMM body. */
+/** Low byte of a body's kind if it is an element of an NMM body; that of a block is 0. */
 export const ELEMENT_KIND = 1;
+/** Bit of a body's kind that marks it as fixed. */
 export const FIXED_BIT = 256;
 
 export interface FrameHead {
@@ -77,13 +74,8 @@ export interface CurveTable {
 
 export interface StillThing {
   kind: string;
-  /** Place, not taken from the origin. */
-  x?: number;
-  y?: number;
   /** Place from the origin. */
-  at?: [number, number];
-  from?: [number, number];
-  to?: [number, number];
+  at: [number, number];
   force?: [number, number];
   [more: string]: unknown;
 }
@@ -167,10 +159,6 @@ export function accept_head(value: unknown): Head {
     materials: head.materials ?? [],
     joints: head.joints ?? [],
     tables: head.tables ?? [],
-    still: (head.still ?? []).map(thing =>
-      thing.at || thing.x === undefined || thing.y === undefined
-        ? thing
-        : { ...thing, at: [thing.x - (head.origin?.[0] ?? 0), thing.y - (head.origin?.[1] ?? 0)] },
-    ),
+    still: head.still ?? [],
   };
 }

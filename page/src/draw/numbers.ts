@@ -1,7 +1,6 @@
 // Numbers and units as the page shows them.
 
 const MINUS = '\u2212';
-const THIN = '\u2009';
 
 /** A number with `digits` significant digits, a true minus sign, and powers of ten beyond 10^6 and 10^-4. */
 export function show(value: number | null | undefined, digits = 4): string {
@@ -75,7 +74,7 @@ export function scaled_unit(unit: string, size: number): Scaled {
 export function show_with(value: number, unit: string, digits = 4): string {
   if (Number.isNaN(value)) return '–';
   const { factor, unit: name } = scaled_unit(unit, Math.abs(value));
-  return `${show(value / factor, digits)}${name ? THIN + name : ''}`.replace(THIN, '\u00a0');
+  return `${show(value / factor, digits)}${name ? `\u00a0${name}` : ''}`;
 }
 
 /** Decimals that tell places apart by one part in `parts` of the extent of a model. */

@@ -369,12 +369,6 @@ function paint_crosses(pen: Pen, figure: Figure, crosses: Crosses): void {
 function paint_still(pen: Pen, figure: Figure): void {
   const { paint, camera, size } = figure;
   for (const thing of figure.still) {
-    if (thing.from && thing.to) {
-      const [x0, y0] = to_screen(camera, size, ...thing.from);
-      const [x1, y1] = to_screen(camera, size, ...thing.to);
-      pen.segments([x0, y0, x1, y1], { colour: paint.mark, width: 2, dash: [6, 4] });
-    }
-    if (!thing.at) continue;
     const [x, y] = to_screen(camera, size, ...thing.at);
     if (thing.kind === 'load' && thing.force) {
       const length = Math.hypot(...thing.force) || 1;
@@ -489,11 +483,6 @@ export function paint_over(pen: Pen, figure: Figure, screen: Float32Array): void
       pen.text(x, y + 4, String(geometry.number[b]), style);
     }
   }
-}
-
-export interface Key {
-  title: string;
-  unit: string;
 }
 
 /** Letters of a name that fit into the legend. */

@@ -5,9 +5,7 @@ import { vertices_of } from './scene';
 
 /** Row of the body that contains a place, by even-odd; the last one drawn if several do. */
 export function pick_body(pose: Pose, x: number, y: number): number | null {
-  const { geometry, places } = pose;
-  for (let row = geometry.bodies - 1; row >= 0; row--) if (contains(pose, row, x, y)) return row;
-  void places;
+  for (let row = pose.geometry.bodies - 1; row >= 0; row--) if (contains(pose, row, x, y)) return row;
   return null;
 }
 

@@ -134,12 +134,12 @@ function SaveMenu() {
       document.removeEventListener('keydown', on_escape);
     };
   }, []);
-  const item = (label: string, note: string, run: () => void) => (
+  const item = (label: string, note: string, run: () => void | Promise<void>) => (
     <button
       type="button"
       onClick={() => {
         if (menu.current) menu.current.open = false;
-        run();
+        void state.attempt(run);
       }}
     >
       <b>{label}</b>
@@ -154,15 +154,13 @@ function SaveMenu() {
         <span>Save</span>
       </summary>
       <div class="menu-list">
-        {item('Picture, PNG', 'as drawn, twice the resolution', () => void save_png())}
+        {item('Picture, PNG', 'as drawn, twice the resolution', save_png)}
         {item('Drawing, SVG', 'as drawn, for papers', save_svg)}
         {item('Blocks, CSV', 'all values of this frame', save_blocks_csv)}
         {state.store.has('contacts') && item('Contacts, CSV', 'closed contacts of this frame', save_contacts_csv)}
         {kind &&
-          item(
-            `Video, ${kind.includes('mp4') ? 'MP4' : 'WebM'}`,
-            'all frames at the speed of the player',
-            () => void save_video(base_rate(state.head.frames.length) * state.speed.value),
+          item(`Video, ${kind.includes('mp4') ? 'MP4' : 'WebM'}`, 'all frames at the speed of the player', () =>
+            save_video(base_rate(state.head.frames.length) * state.speed.value),
           )}
         {item('Print', 'drawing and record of the run', () => window.print())}
       </div>

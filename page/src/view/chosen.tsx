@@ -7,7 +7,7 @@ import { body_name, type Geometry } from '../data/decode';
 import { value_at } from '../data/store';
 import type { Measure } from '../draw/measures';
 import { show, show_place, show_with } from '../draw/numbers';
-import { body_value, displacement_of, extent_of, part_at, unit_of_value, values_of, vertices_of } from '../draw/scene';
+import { body_value, displacement_of, extent_of, part_at, unit_of_value, values_of } from '../draw/scene';
 import { Chart, type Curve } from './chart';
 import { ident_of, nth_of, row_of } from './figure';
 import { capital } from './run';
@@ -344,7 +344,7 @@ export function column_label(name: string): string {
 
 function parts_of_column(column: ColumnHead): string[] {
   const n = column.parts ?? 1;
-  if (column.name === 'ends' || (n === 4 && column.name === 'displacement')) return ['x 1', 'y 1', 'x 2', 'y 2'];
+  if (n === 4 && column.name === 'displacement') return ['x 1', 'y 1', 'x 2', 'y 2'];
   return PART_NAMES[n] ?? Array.from({ length: n }, (_, i) => String(i + 1));
 }
 
@@ -355,9 +355,9 @@ function value_text(column: ColumnHead, value: number, part: number, geometry: G
   }
   if (column.names?.length) return column.names[value] ?? String(value);
   if (name === 'state') return STATES[value] ?? String(value);
-  if (name === 'joint') return value === NO_ROW ? '–' : (state.head.joints[value] ?? String(value));
+  if (name === 'joint') return state.head.joints[value] ?? String(value);
   if (column.type === 'u32') return value === NO_ROW ? '–' : String(value);
-  if (name === 'place' || name === 'ends' || name === 'from' || name === 'to') {
+  if (name === 'place' || name === 'from' || name === 'to') {
     return `${show_place(value + state.head.origin[part % 2], extent_of(geometry))}${column.unit ? ` ${column.unit}` : ''}`;
   }
   return show_with(value, column.unit ?? '', 4);
@@ -431,7 +431,7 @@ function PartPanel({
 }
 
 function PartHistory({ chosen, columns }: { chosen: Extract<state.Chosen, { kind: 'part' }>; columns: ColumnHead[] }) {
-  const real = columns.filter(c => c.type !== 'u32' && !['place', 'normal', 'ends', 'from', 'to'].includes(c.name));
+  const real = columns.filter(c => c.type !== 'u32' && !['place', 'normal', 'from', 'to'].includes(c.name));
   const options = real.flatMap(c =>
     parts_of_column(c).map((part, p) => ({
       id: `${c.name} ${p}`,
@@ -483,12 +483,4 @@ function PartHistory({ chosen, columns }: { chosen: Extract<state.Chosen, { kind
       {curves[0]?.values.every(v => v === null) && <p class="note">No frame holds it.</p>}
     </section>
   );
-}
-
-/** Extent of a body on the plane, for going to it. */
-export function centre_of(geometry: Geometry, row: number): [number, number] {
-  const [from, to] = vertices_of(geometry, row);
-  void from;
-  void to;
-  return [geometry.centroid[2 * row], geometry.centroid[2 * row + 1]];
 }

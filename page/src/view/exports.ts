@@ -10,8 +10,6 @@ import { material_name } from './chosen';
 import { figure_now } from './figure';
 import * as state from './state';
 
-export const message = state.failure;
-
 function save(blob: Blob, name: string): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(blob);
@@ -50,7 +48,8 @@ export async function save_png(): Promise<void> {
   const canvas = document.createElement('canvas');
   draw_on(canvas, figure, 2);
   const blob = await new Promise<Blob | null>(done => canvas.toBlob(done, 'image/png'));
-  if (blob) save(blob, file_name('png'));
+  if (!blob) throw new Error('the browser made no picture of this size.');
+  save(blob, file_name('png'));
 }
 
 /** The drawing as SVG text. */

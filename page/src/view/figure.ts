@@ -85,10 +85,6 @@ function joint_names(): string[] {
   return state.head.joints.map((name, i) => (name === String(i + 1) ? `Joint material ${name}` : name));
 }
 
-function joint_of(joint: ArrayLike<number>): Uint32Array {
-  return Uint32Array.from(joint, j => (j === NO_ROW ? 0 : j));
-}
-
 export function contacts_of(pose: Pose): { marks: ContactMarks; at: PartAt } | null {
   const at = part_at(state.store, 'contacts', pose.frame);
   if (!at) return null;
@@ -118,7 +114,10 @@ export function contacts_of(pose: Pose): { marks: ContactMarks; at: PartAt } | n
       at: places,
       force,
       state: states ? Uint32Array.from(states) : new Uint32Array(n).fill(1),
-      joint: state.contact_colour.value === 'joint' && at.rows.columns.joint ? joint_of(at.rows.columns.joint) : null,
+      joint:
+        state.contact_colour.value === 'joint' && at.rows.columns.joint
+          ? Uint32Array.from(at.rows.columns.joint)
+          : null,
       joint_names: joint_names(),
       near,
       largest,
@@ -128,10 +127,9 @@ export function contacts_of(pose: Pose): { marks: ContactMarks; at: PartAt } | n
   };
 }
 
-/** Ends of bolts or cracks: places x1, y1, x2, y2 in one column, or from and to in two. */
+/** Ends of bolts or cracks: x1, y1, x2, y2 in turn. */
 function ends_of(rows: PartRows): Float32Array | null {
-  const { ends, from, to } = rows.columns;
-  if (ends) return Float32Array.from(ends);
+  const { from, to } = rows.columns;
   if (!from || !to) return null;
   const out = new Float32Array(4 * rows.rows);
   for (let i = 0; i < rows.rows; i++) out.set([from[2 * i], from[2 * i + 1], to[2 * i], to[2 * i + 1]], 4 * i);
@@ -187,7 +185,7 @@ export function lines_of(pose: Pose): { marks: LineMarks; at: PartAt }[] {
     const at = part_at(state.store, what, pose.frame);
     const ends = at && ends_of(at.rows);
     if (!at || !ends) continue;
-    const { displacement, is_broken, broken } = at.rows.columns;
+    const { displacement, broken } = at.rows.columns;
     if (displacement && displacement.length === ends.length && pose.magnification !== 1) {
       for (let i = 0; i < ends.length; i++) ends[i] += (pose.magnification - 1) * displacement[i];
     } else if (pose.magnification !== 1 || at.frame !== pose.frame) {
@@ -196,7 +194,7 @@ export function lines_of(pose: Pose): { marks: LineMarks; at: PartAt }[] {
     const marks: LineMarks = {
       name: what,
       ends,
-      broken: (is_broken ?? broken) as Uint32Array | undefined,
+      broken: broken as Uint32Array | undefined,
       chosen: chosen_row(what, at, pose.geometry),
     };
     out.push({ marks, at });

@@ -20,11 +20,14 @@ export async function decode_all(): Promise<void> {
   const { store } = state;
   const field = state.measure.value?.field;
   let last = performance.now();
-  await store.need_all(['motion', 'vertex_motion', ...(field ? [field] : []), 'contacts'], () => {
-    if (performance.now() - last < 120) return;
-    last = performance.now();
-    state.decoded.value++;
-  });
+  const first = ['motion', 'vertex_motion', ...(field ? [field] : []), 'contacts'];
+  await state.attempt(() =>
+    store.need_all(first, () => {
+      if (performance.now() - last < 120) return;
+      last = performance.now();
+      state.decoded.value++;
+    }),
+  );
   if (store !== state.store) return;
   state.all_decoded.value = true;
   state.decoded.value++;
@@ -58,7 +61,7 @@ export async function append(update: Update): Promise<void> {
     if (has_new) state.begin_edition();
     else state.decoded.value++;
   });
-  void store.need_frame(last, store.kinds());
+  void state.attempt(() => store.need_frame(last, store.kinds()));
 }
 
 /** Takes the data of another page of the run in place of its own. All that the reader has chosen stays. */

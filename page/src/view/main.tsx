@@ -68,7 +68,8 @@ async function start(): Promise<void> {
     const { store } = state;
     const wanted = ['motion', 'vertex_motion', ...(own ? [own] : [])].filter(what => store.covers(what, f));
     if (!wanted.some(what => !store.field_now(what, f))) return;
-    void Promise.all(wanted.map(what => store.need(what, f))).then(() => {
+    void state.attempt(async () => {
+      await Promise.all(wanted.map(what => store.need(what, f)));
       state.decoded.value++;
     });
   });

@@ -74,7 +74,6 @@ const EXTREMES: Record<string, { label: string; unit: 'length' | 'stress' | '' }
   least_principal_stress: { label: 'Least principal stress', unit: 'stress' },
   greatest_principal_stress: { label: 'Greatest principal stress', unit: 'stress' },
   least_area_share: { label: 'Least share of area left', unit: '' },
-  greatest_speed: { label: 'Greatest speed', unit: '' },
 };
 
 export function RunTab() {

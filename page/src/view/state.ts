@@ -1,7 +1,7 @@
 // State of the page as signals, and what follows from it.
 
 import { batch, computed, signal } from '@preact/signals';
-import type { FrameHead, Head } from '../data/contract';
+import { type FrameHead, type Head, PageError } from '../data/contract';
 import type { Store } from '../data/store';
 import { add_places, type Camera, empty_box, fit, type Size } from '../draw/camera';
 import { type Measure, measures_of } from '../draw/measures';
@@ -16,7 +16,19 @@ export let measures: Measure[] = [];
 /** Counts decoded chunks, so that all that waits for data looks again. */
 export const decoded = signal(0);
 export const all_decoded = signal(false);
+/** Sentence on the last save or decoding that failed. */
 export const failure = signal('');
+
+/** Does what may fail; the page shows why it failed until something else succeeds. */
+export async function attempt(work: () => void | Promise<void>): Promise<void> {
+  try {
+    await work();
+    failure.value = '';
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    failure.value = error instanceof PageError ? reason : `This failed in the browser: ${reason}`;
+  }
+}
 
 export const frame = signal(0);
 /** Number of frames; it grows while a run goes on. */

@@ -135,6 +135,22 @@ describe.skipIf(!has_browser)('page', () => {
     await page.context().close();
   });
 
+  test('data that cannot be decoded and saves that fail are told', async () => {
+    const { writer, head } = make_wall({ columns: 4, rows: 3, frames: 60, contacts: true });
+    const [first] = head.chunks.filter(chunk => chunk.what === 'motion');
+    const script = new RegExp(`(<script[^>]*id="${first.id}"[^>]*>)[^<]*`);
+    const { page } = await open(browser, write_page('cut', writer.scripts(head).replace(script, '$1AAAA')));
+    await page.waitForSelector('.failure');
+    expect(await page.locator('.refused').count()).toBe(0);
+    await page.evaluate(() => {
+      HTMLCanvasElement.prototype.toBlob = done => done(null);
+    });
+    await page.getByText('Save', { exact: true }).click();
+    await page.getByRole('button', { name: 'Picture, PNG' }).click();
+    await expect.poll(() => page.locator('.failure').textContent()).toContain('made no picture');
+    await page.context().close();
+  });
+
   test('chart cursors follow the slider', async () => {
     const { page } = await open(browser, path);
     await decoded(page);
