@@ -105,7 +105,7 @@ export interface Head {
   program: string;
   title: string;
   verdict: Verdict;
-  /** What run.json holds; nothing for a run that was stopped before it was written. */
+  /** Content of run.json; nothing for a run that was stopped before it was written. */
   run: RunRecord | null;
   origin: [number, number];
   precision: string;
@@ -121,7 +121,7 @@ export interface Head {
   still?: StillThing[];
 }
 
-/** What a page adds to its head to go on: frames count from 0, new epochs too; -1 is the last epoch of the page. */
+/** Addition to the head of a page while its run goes on: frames count from 0, new epochs too; -1 is the last epoch of the page. */
 export interface Update {
   frames: FrameHead[];
   epochs: EpochHead[];

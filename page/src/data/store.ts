@@ -106,7 +106,7 @@ export class Store {
     return this.by_what.has(what);
   }
 
-  /** Whether a field or table has a chunk for this frame, decoded or not. */
+  /** True if a field or table has a chunk for this frame, decoded or not. */
   covers(what: string, frame: number): boolean {
     return this.chunk_of(what, frame) !== undefined;
   }
@@ -115,9 +115,8 @@ export class Store {
     return this.head.frames[frame].epoch;
   }
 
-  /** Whether a table in time has rows at this frame or leaves it out. */
+  /** Newest frame at or before this one, in the same epoch, for which a table in time has rows. */
   stored_frame(what: string, frame: number): number | null {
-    // The newest frame at or before this one, in the same epoch.
     const epoch = this.epoch_of(frame);
     let best: number | null = null;
     for (const chunk of this.by_what.get(what) ?? []) {

@@ -199,7 +199,7 @@ export function values_of(store: Store, measure: Measure, frame: number): Float3
   return out;
 }
 
-/** Least and greatest of values that are numbers; of free bodies alone if there are any. */
+/** Least and greatest of the values that are numbers. */
 export function range_of(values: ArrayLike<number>, into?: Range): Range {
   const range = into ?? { low: Infinity, high: -Infinity };
   for (let i = 0; i < values.length; i++) {

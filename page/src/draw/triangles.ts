@@ -80,7 +80,7 @@ function ears(p: Float32Array, ring: number[], out: number[]): void {
       tries++;
     }
   }
-  // What is left of a ring that crosses itself is filled as a fan.
+  // The rest of a ring that crosses itself is filled as a fan.
   for (let k = 2; k < left.length; k++) out.push(left[0], left[k - 1], left[k]);
 }
 

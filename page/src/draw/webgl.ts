@@ -97,7 +97,7 @@ function rgb(css: string): [number, number, number] {
   return [1, 3, 5].map(i => Number.parseInt(css.slice(i, i + 2), 16) / 255) as [number, number, number];
 }
 
-/** Whether WebGL2 runs on a card: software rasterising is slower than a plain canvas. */
+/** True if WebGL2 runs on a card: software rasterising is slower than a plain canvas. */
 export function has_card(gl: WebGL2RenderingContext): boolean {
   const info = gl.getExtension('WEBGL_debug_renderer_info');
   const name = String(info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : gl.getParameter(gl.RENDERER));

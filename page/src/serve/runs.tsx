@@ -1,4 +1,4 @@
-// What a case can start: runs, factors of safety; and the list of what was started.
+// Form that starts runs and searches for factors of safety, and the list of jobs.
 
 import { signal } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
@@ -10,7 +10,7 @@ import { ChoiceField, TextField, ValueBox } from './fields';
 import * as state from './state';
 import { ending_words, factor_words, is_failure, type StrengthResult } from './verdicts';
 
-/** What a run records beside its case, and where it stops. They stay while the window is open. */
+/** Histories that a run records beside its case, and the criterion at which it stops. They stay while the window is open. */
 const histories = signal('');
 const stop_when = signal('');
 

@@ -5,7 +5,7 @@ import { show } from '../draw/numbers';
 /** Record of a search for the factor of safety, as far as its result goes. */
 export interface StrengthResult {
   reduced?: string;
-  /** How the search ended: bracketed, falls, stands, undecided or stopped. */
+  /** End of the search: bracketed, falls, stands, undecided or stopped. */
   end?: string;
   factor_of_safety?: number | null;
   /** The factor of safety may be larger. */

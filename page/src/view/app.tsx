@@ -30,7 +30,7 @@ const TABS: [state.Tab, string][] = [
   ['blocks', 'Blocks'],
 ];
 
-/** Whether the page is one of two side by side: the window about it has the player and the options. */
+/** True if the page is one of two side by side: the window about it has the player and the options. */
 export const is_bare = location.hash === '#bare';
 
 export function App() {

@@ -42,7 +42,7 @@ export function ident_of(what: string, rows: PartRows, i: number, pose_geometry:
   });
 }
 
-/** Which of the rows with the same name a row is. */
+/** Position of a row among the rows of the same name. */
 export function nth_of(what: string, rows: PartRows, i: number, geometry: Pose['geometry']): number {
   const own = ident_of(what, rows, i, geometry).join();
   let nth = 0;

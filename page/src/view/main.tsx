@@ -91,7 +91,7 @@ function choose(what: string, i: number): boolean {
   return true;
 }
 
-// What the tests of the page read, and a window that shows two pages side by side.
+// For the tests of the page, and for a window that shows two pages side by side.
 Object.assign(window, {
   keyblock_page: {
     state,

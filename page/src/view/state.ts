@@ -33,7 +33,7 @@ export async function attempt(work: () => void | Promise<void>): Promise<void> {
 export const frame = signal(0);
 /** Number of frames; it grows while a run goes on. */
 export const count = signal(0);
-/** Whether the run of this page goes on. */
+/** True while the run of this page goes on. */
 export const is_running = signal(false);
 /** Counts heads and lists of measures: what reads them begins anew. */
 export const edition = signal(0);
@@ -44,7 +44,7 @@ export const recording = signal(false);
 
 export const size = signal<Size>({ width: 0, height: 0 });
 export const camera = signal<Camera>({ x: 0, y: 0, scale: 1 });
-/** Whether the camera is still the one that fits, so that a new size fits again. */
+/** True if the camera is still the one that fits, so that a new size fits again. */
 export const fitted = signal(true);
 
 export type Layer =
@@ -73,7 +73,7 @@ export const layers = signal<Record<Layer, boolean>>({
   still: true,
   legend: true,
 });
-/** What the colour of contact lines shows. */
+/** Meaning of the colour of contact lines. */
 export const contact_colour = signal<'state' | 'joint'>('state');
 export const arrows = signal<'none' | 'displacement' | 'velocity'>('none');
 export const trails = signal<'none' | 'chosen' | 'all'>('none');
@@ -101,7 +101,7 @@ export const paint = computed(() => (is_dark.value ? DARK : LIGHT));
 
 export type Tab = 'show' | 'chosen' | 'curves' | 'run' | 'blocks';
 export const tab = signal<Tab>('show');
-/** What draws the bodies, and why. */
+/** Name of the renderer of the bodies, and the reason for it. */
 export const renderer = signal({ name: '', reason: '' });
 
 export const help_open = signal(false);
@@ -133,14 +133,14 @@ export function begin_edition(): void {
   decoded.value++;
 }
 
-/** Whether load, not time, goes on from frame to frame. A run without record is static if its load factor changes. */
+/** True if load, not time, goes on from frame to frame. A run without record is static if its load factor changes. */
 export function is_static(): boolean {
   if (head.run) return head.run.is_static === true;
   const first = head.frames[0].load_factor ?? null;
   return head.frames.some(own => (own.load_factor ?? null) !== first);
 }
 
-/** What a frame's place in the run is called: its time, or its load factor. */
+/** Name of a frame's place in the run: its time, or its load factor. */
 export function place_in_run(own: FrameHead): string {
   if (!is_static()) return `time ${show_time(own.time, head.units?.time)}`;
   return own.load_factor === null || own.load_factor === undefined ? '' : `load factor ${show(own.load_factor, 4)}`;

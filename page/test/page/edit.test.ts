@@ -124,7 +124,7 @@ describe.skipIf(!has_browser)('editor', () => {
     await drag(page, [10, 6], [8, 4]);
     expect(await read(page, 'drawing', 'joints', 1)).toEqual([10, 0, 8, 4, 'bedding']);
     expect(await read(page, 'drawing', 'joints', 2)).toEqual([8, 4, 0, 6, 'bedding']);
-    await page.getByLabel('Item').selectOption('History point 1');
+    await page.getByLabel('Item').selectOption('Measured point 1');
     await page.getByLabel('x', { exact: true }).fill('2.5');
     await page.getByLabel('x', { exact: true }).press('Enter');
     await expect.poll(() => read(page, 'drawing', 'measured_points')).toEqual([[2.5, 5]]);

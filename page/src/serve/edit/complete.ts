@@ -10,7 +10,7 @@ export interface Place {
   /** Part of the text that a choice replaces. */
   from: number;
   to: number;
-  /** What is typed so far, without quotation marks. */
+  /** Letters typed so far, without quotation marks. */
   typed: string;
   /** Keys that the object has already. */
   taken: string[];

@@ -360,7 +360,7 @@ interface ToolOptions extends Choices {
   set: (change: Partial<Choices>) => void;
 }
 
-/** What new items get; values begin with units if the case declares them. */
+/** Values of new items; they begin with units if the case declares them. */
 function useOptions(scene: Scene): ToolOptions {
   const has_units = scene.length !== '';
   const [own, set_own] = useState<Choices>({
@@ -427,7 +427,7 @@ function draw(
         words: 'Traction added',
       };
     case 'point':
-      return { text: edits.add_point(text, scene, from), words: 'History point added' };
+      return { text: edits.add_point(text, scene, from), words: 'Measured point added' };
     case 'hole':
       return { text: edits.add_hole(text, scene, from), words: 'Hole point added' };
     case 'load':

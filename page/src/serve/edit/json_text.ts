@@ -9,11 +9,11 @@ export interface Node {
   kind: 'object' | 'array' | 'string' | 'number' | 'word';
   from: number;
   to: number;
-  /** Of a string, number or word. */
+  /** Value of a string, number or word. */
   value?: string | number | boolean | null;
-  /** Of an array or object, in the order of the text. */
+  /** Items of an array or object, in the order of the text. */
   items: Node[];
-  /** Of an object, one per item. */
+  /** Keys of an object, one per item. */
   keys: { name: string; from: number; to: number }[];
 }
 
@@ -198,7 +198,7 @@ function insert_text(text: string, node: Node, index: number, entries: string[])
       !entries[0].includes('\n')
     )
       return `${text.slice(0, node.from + 1)}${line}${text.slice(close)}`;
-    // What stands inside an empty list can only be comments: they stay.
+    // An empty list can only hold comments: they stay.
     const kept = inner.replace(/\s+$/, '');
     return `${text.slice(0, node.from + 1)}${kept}\n${entries.map(own => indent + unit + own).join(',\n')}\n${indent}${text.slice(close)}`;
   }

@@ -370,7 +370,7 @@ class Painter {
     }
   }
 
-  /** What does not change with the pointer. */
+  /** The part that does not change with the pointer. */
   ground(): void {
     const { c, own, p } = this;
     c.fillStyle = own.surface;

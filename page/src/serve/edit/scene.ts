@@ -321,7 +321,7 @@ export const WORDS: Record<Kind, string> = {
   fixed_point: 'Fixed point',
   load: 'Load',
   force: 'Force',
-  point: 'History point',
+  point: 'Measured point',
   hole: 'Hole point',
   excavation: 'Excavation',
   cut: 'Cut',

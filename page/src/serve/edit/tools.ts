@@ -166,6 +166,6 @@ export function points_of(tool: Tool, geometry: Geometry): 0 | 1 | 2 {
   return tool.name === 'fixed' && geometry !== 'drawing' ? 1 : tool.points;
 }
 
-/** What to click with a tool in a scene. */
+/** Words on the clicks that a tool takes in a scene. */
 export const hint_of = (tool: Tool, geometry: Geometry): string =>
   tool.name === 'fixed' && points_of(tool, geometry) === 1 ? 'Click a place of a body. It is fixed there.' : tool.hint;

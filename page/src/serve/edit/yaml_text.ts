@@ -255,7 +255,7 @@ function cut_text(text: string, node: YamlNode, index: number, count: number): s
   const from = starts(node, index);
   if (node.is_block) {
     if (count === node.items.length) {
-      // What is left is an empty list or section.
+      // An empty list or section is left.
       const empty = node.kind === 'array' ? '[]' : '{}';
       const own = text.slice(line_start(text, from), from);
       const before = text.slice(0, from).replace(/[ \t]*\n?[ \t]*$/, '');
