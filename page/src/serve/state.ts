@@ -46,17 +46,26 @@ export function go(hash: string): void {
 export async function attempt<T>(work: () => Promise<T>): Promise<T | null> {
   try {
     const value = await work();
-    if (work !== (api.list as unknown)) trouble.value = '';
+    trouble.value = '';
     return value;
   } catch (error) {
-    trouble.value = error instanceof Error ? error.message : String(error);
+    report(error);
     return null;
   }
 }
 
+/** Shows why a request failed. */
+function report(error: unknown): void {
+  trouble.value = error instanceof Error ? error.message : String(error);
+}
+
+/** Lists the folder. Its success leaves what another request has reported. */
 export async function refresh(): Promise<void> {
-  const value = await attempt(api.list);
-  if (value) listing.value = value;
+  try {
+    listing.value = await api.list();
+  } catch (error) {
+    report(error);
+  }
 }
 
 let busy = false;
@@ -76,7 +85,7 @@ export async function refresh_jobs(): Promise<void> {
     const is_new = now.some(job => job.state === 'runs' && (job.step ?? 0) > 0 && !listed.has(job.result));
     if (changed || is_new) await refresh();
   } catch (error) {
-    trouble.value = error instanceof Error ? error.message : String(error);
+    report(error);
   } finally {
     busy = false;
   }
