@@ -3,6 +3,7 @@
 
 import type { Geometry } from '../data/decode';
 import { type Figure, outline_width, split_loops } from './paint';
+import { HATCH } from './pen';
 import { fraction } from './scene';
 import { triangles_of } from './triangles';
 
@@ -39,7 +40,7 @@ void main() {
   }
   if (v_fixed > 0.5) {
     float at = mod(gl_FragCoord.x - gl_FragCoord.y, spacing);
-    float width = spacing / 7.0 * 1.3;
+    float width = spacing / ${HATCH}.0 * 1.3;
     float edge = min(at, spacing - at);
     float lit = mod(at + width, spacing);
     float light = min(lit, spacing - lit);
@@ -209,7 +210,7 @@ export class WebglBodies {
     gl.uniform3f(at('plain'), ...rgb(paint.plain));
     gl.uniform3f(at('plain_fixed'), ...rgb(paint.plain_fixed));
     gl.uniform1f(at('has_values'), shade ? 1 : 0);
-    gl.uniform1f(at('spacing'), 7 * ratio);
+    gl.uniform1f(at('spacing'), HATCH * ratio);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.places);
     gl.bufferData(gl.ARRAY_BUFFER, places, gl.DYNAMIC_DRAW);
     const values = this.value_of_vertex;

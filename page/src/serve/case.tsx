@@ -2,6 +2,8 @@
 
 import { signal } from '@preact/signals';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { capital, sentence } from '../draw/words';
+import { Fact } from '../view/fact';
 import * as api from './api';
 import { index_at, leaf_of, new_result, stem_of } from './cases';
 import { DiskNote, type Loaded, useDisk } from './disk';
@@ -480,7 +482,7 @@ function Problems({
     .sort((a, b) => ORDER.indexOf(level_of(a)) - ORDER.indexOf(level_of(b)));
   const item = (problem: api.Problem, kind: 'error' | 'warning' | 'note', i: number) => (
     <li class={kind} key={`${kind}${i}`}>
-      <b>{kind.charAt(0).toUpperCase() + kind.slice(1)}</b> {problem.name && <code>{problem.name}</code>}{' '}
+      <b>{capital(kind)}</b> {problem.name && <code>{problem.name}</code>}{' '}
       {problem.line ? (
         <button type="button" class="link" onClick={() => go_to(problem)}>
           line {problem.line}
@@ -518,11 +520,6 @@ function Problems({
   );
 }
 
-function sentence(text: string): string {
-  const own = text.charAt(0).toUpperCase() + text.slice(1);
-  return /[.!?]$/.test(own) ? own : `${own}.`;
-}
-
 /** Sentence on a problem behind its place in the text. */
 function placed({ line, column, sentence: own }: api.Problem): string {
   return line ? `Line ${line}${column ? `, column ${column}` : ''}: ${own}` : sentence(own);
@@ -557,15 +554,5 @@ function Plan({ report }: { report: api.Report | null }) {
         </table>
       </details>
     </div>
-  );
-}
-
-function Fact({ name, value }: { name: string; value: unknown }) {
-  if (value === undefined || value === null || value === '') return null;
-  return (
-    <tr>
-      <th scope="row">{name}</th>
-      <td>{String(value)}</td>
-    </tr>
   );
 }

@@ -2,6 +2,7 @@
 
 import { useEffect, useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
+import { sentence } from '../draw/words';
 import * as api from './api';
 import { Handouts } from './handouts';
 import * as state from './state';
@@ -55,7 +56,7 @@ export function StrengthView({ path }: { path: string }) {
       {bracket && <p>{bracket}</p>}
       {(record.notes ?? []).map(text => (
         <p class="note" key={text}>
-          {text.charAt(0).toUpperCase() + text.slice(1)}.
+          {sentence(text)}
         </p>
       ))}
       <img

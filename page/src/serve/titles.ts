@@ -1,6 +1,7 @@
 // Titles and units of entries that differ between two runs: from the schema, and from the record of a run.
 
 import { show } from '../draw/numbers';
+import { capital } from '../draw/words';
 import type { Difference } from './api';
 import type { Path } from './edit/case_text';
 import { dimension_of, type Schema, schema_at, title_of, type Units, unit_in } from './edit/schema';
@@ -59,8 +60,6 @@ const OF_RECORD: Record<string, string> = {
   is_static: 'Static analysis',
   recorded_every: 'Steps between frames',
 };
-
-const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 
 const in_words = (text: string) => text.replace(/_/g, ' ').trim();
 

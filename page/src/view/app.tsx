@@ -1,6 +1,7 @@
 // The page: header, drawing, player, tabs.
 
 import { useEffect, useRef } from 'preact/hooks';
+import { capital } from '../draw/words';
 import { BlocksTab } from './blocks';
 import { ChosenTab } from './chosen';
 import { CurvesTab } from './curves';
@@ -18,7 +19,7 @@ import { caption_of } from './figure';
 import { Icon } from './icons';
 import { KEYS } from './keys';
 import { base_rate, Player } from './player';
-import { capital, RunTab, sentence } from './run';
+import { RunTab, record_sentence } from './run';
 import { ShowTab } from './show';
 import * as state from './state';
 
@@ -88,7 +89,7 @@ function Header() {
         <Icon name={verdict.tone === 'good' ? 'good' : verdict.tone === 'plain' ? 'fit' : 'warn'} size={15} />
         <span>{capital(verdict.words)}</span>
       </button>
-      {verdict.reason && <p class="reason">{sentence(verdict.reason)}</p>}
+      {verdict.reason && <p class="reason">{record_sentence(verdict.reason)}</p>}
       <div class="actions">
         <SaveMenu />
         <button

@@ -8,9 +8,10 @@ import { value_at } from '../data/store';
 import type { Measure } from '../draw/measures';
 import { show, show_place, show_with } from '../draw/numbers';
 import { body_value, displacement_of, extent_of, part_at, unit_of_value, values_of } from '../draw/scene';
+import { capital } from '../draw/words';
 import { Chart, type Curve } from './chart';
+import { Fact } from './fact';
 import { ident_of, nth_of, row_of } from './figure';
-import { capital } from './run';
 import { MeasureOptions } from './show';
 import * as state from './state';
 
@@ -185,17 +186,6 @@ function BodyPanel({ body, geometry, live }: { body: number; geometry: Geometry;
       <History body={body} />
       <ContactsOf row={row} geometry={geometry} />
     </div>
-  );
-}
-
-function Fact({ name, value, indent }: { name: string; value: string; indent?: boolean }) {
-  return (
-    <tr>
-      <th scope="row" class={indent ? 'indent' : ''}>
-        {name}
-      </th>
-      <td>{value}</td>
-    </tr>
   );
 }
 

@@ -11,9 +11,9 @@ import { CanvasPen } from '../draw/pen';
 import { pick_body, pick_point, pick_segment } from '../draw/pick';
 import { body_value, extent_of, unit_of_value } from '../draw/scene';
 import { WebglBodies } from '../draw/webgl';
+import { capital } from '../draw/words';
 import { contacts_of, figure_now, ident_of, lines_of, nth_of, points_of } from './figure';
 import { Icon } from './icons';
-import { capital } from './run';
 import * as state from './state';
 
 /** The figure on the screen, for picks and exports. */

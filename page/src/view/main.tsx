@@ -5,6 +5,7 @@ import { render } from 'preact';
 import { PageError } from '../data/contract';
 import { pick_body } from '../draw/pick';
 import { part_at, shown_range } from '../draw/scene';
+import { capital } from '../draw/words';
 import { App } from './app';
 import { chart_times } from './chart';
 import { shown, timing } from './drawing';
@@ -14,7 +15,6 @@ import { on_key } from './keys';
 import * as live from './live';
 import { data_of, decode_all } from './live';
 import { start_clock } from './player';
-import { capital } from './run';
 import * as state from './state';
 import './style.css';
 

@@ -2,16 +2,13 @@
 
 import { body_name, type Geometry } from '../data/decode';
 import { show, show_time, show_with } from '../draw/numbers';
+import { capital, sentence } from '../draw/words';
+import { Fact } from './fact';
 import { Icon } from './icons';
 import * as state from './state';
 
 function words(name: string): string {
   return capital(name.replace(/[_.]/g, ' '));
-}
-
-/** Words with a capital letter. */
-export function capital(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
 /** Message of a warning without its file and its code; both are shown elsewhere. */
@@ -22,20 +19,9 @@ export function message_of(first: string): { kind: string; text: string } {
   return { kind: match[1], text: capital(text) };
 }
 
-export function sentence(text: unknown): string {
-  const start = capital(String(text).trim());
-  const numbers = start.replace(/(\d(?:\.\d+)?e[+-]\d+)/g, value => show(Number(value), 3));
-  return /[.!?]$/.test(numbers) ? numbers : `${numbers}.`;
-}
-
-function Row({ name, value }: { name: string; value: unknown }) {
-  if (value === undefined || value === null || value === '') return null;
-  return (
-    <tr>
-      <th scope="row">{name}</th>
-      <td>{String(value)}</td>
-    </tr>
-  );
+/** A sentence of the record, with powers of ten as people write them. */
+export function record_sentence(text: unknown): string {
+  return sentence(String(text).replace(/(\d(?:\.\d+)?e[+-]\d+)/g, value => show(Number(value), 3)));
 }
 
 /** The last frame whose model has a body of this number, the present one if it has. */
@@ -116,10 +102,10 @@ export function RunTab() {
           {capital(verdict.words)}
         </p>
         {sentences.map(text => (
-          <p key={text}>{sentence(text)}</p>
+          <p key={text}>{record_sentence(text)}</p>
         ))}
-        {run.outcome?.reason && <p class="doubt">{sentence(run.outcome.reason)}</p>}
-        {run.outcome?.ended_early && <p>{sentence(run.outcome.ended_early)}</p>}
+        {run.outcome?.reason && <p class="doubt">{record_sentence(run.outcome.reason)}</p>}
+        {run.outcome?.ended_early && <p>{record_sentence(run.outcome.ended_early)}</p>}
         {run.outcome?.try?.length > 0 && (
           <p>
             Settings to try:{' '}
@@ -133,7 +119,7 @@ export function RunTab() {
         )}
         {doubts.map(text => (
           <p class="doubt" key={String(text)}>
-            {sentence(text)}
+            {record_sentence(text)}
           </p>
         ))}
       </section>
@@ -169,22 +155,22 @@ export function RunTab() {
         <h2 id="run-facts">Facts</h2>
         <table class="facts">
           <tbody>
-            <Row
+            <Fact
               name="Analysis"
               value={run.is_static ? 'static' : run.is_of_motion ? 'dynamic' : words(run.settings?.motion ?? '')}
             />
-            <Row name="Profile" value={run.profile && `${run.profile} (${run.profile_because})`} />
-            <Row name="Steps" value={run.outcome?.steps} />
+            <Fact name="Profile" value={run.profile && `${run.profile} (${run.profile_because})`} />
+            <Fact name="Steps" value={run.outcome?.steps} />
             {!run.is_static && run.outcome?.time !== undefined && (
-              <Row name="Time" value={show_time(run.outcome.time, units?.time)} />
+              <Fact name="Time" value={show_time(run.outcome.time, units?.time)} />
             )}
-            <Row name="Frames on this page" value={head.frames.length} />
-            <Row name={`Blocks${at_start}`} value={counts.blocks} />
-            <Row name={`Elements${at_start}`} value={counts.elements} />
-            <Row name="Covers" value={counts.covers} />
-            <Row name="Unknowns" value={counts.unknowns} />
-            <Row name="Most contacts" value={counts.most_contacts} />
-            <Row
+            <Fact name="Frames on this page" value={head.frames.length} />
+            <Fact name={`Blocks${at_start}`} value={counts.blocks} />
+            <Fact name={`Elements${at_start}`} value={counts.elements} />
+            <Fact name="Covers" value={counts.covers} />
+            <Fact name="Unknowns" value={counts.unknowns} />
+            <Fact name="Most contacts" value={counts.most_contacts} />
+            <Fact
               name="Deepest overlap"
               value={
                 typeof counts.greatest_penetration === 'number'
@@ -193,11 +179,11 @@ export function RunTab() {
               }
             />
             {run.plastic?.yielded_fraction !== undefined && (
-              <Row name="Yielded share of area" value={`${show(100 * run.plastic.yielded_fraction, 3)} %`} />
+              <Fact name="Yielded share of area" value={`${show(100 * run.plastic.yielded_fraction, 3)} %`} />
             )}
-            {closure !== undefined && <Row name="Error of energy balance" value={show(closure, 2)} />}
-            {seconds !== null && <Row name="Computing time" value={`${show(seconds, 3)} s`} />}
-            <Row name="Program" value={head.program} />
+            {closure !== undefined && <Fact name="Error of energy balance" value={show(closure, 2)} />}
+            {seconds !== null && <Fact name="Computing time" value={`${show(seconds, 3)} s`} />}
+            <Fact name="Program" value={head.program} />
           </tbody>
         </table>
         <p class="note">{head.precision}</p>
@@ -251,7 +237,7 @@ export function RunTab() {
               <li key={own.name} class={kind}>
                 <b>{kind === 'note' ? 'Note' : kind === 'error' ? 'Error' : 'Warning'}</b> <code>{own.name}</code>
                 {own.count > 1 && <span class="note"> {own.count} times</span>}
-                <p>{sentence(text)}</p>
+                <p>{record_sentence(text)}</p>
               </li>
             );
           })}

@@ -5,7 +5,7 @@ import { type FrameHead, type Head, PageError } from '../data/contract';
 import type { Store } from '../data/store';
 import { add_places, type Camera, empty_box, fit, type Size } from '../draw/camera';
 import { type Measure, measures_of } from '../draw/measures';
-import { show, show_time } from '../draw/numbers';
+import { round_below, show, show_time } from '../draw/numbers';
 import { DARK, LIGHT } from '../draw/paint';
 import { pose_of, type Range, range_of, values_of } from '../draw/scene';
 
@@ -296,8 +296,5 @@ export function suited_magnification(): number {
   const wide = Math.max(box.right - box.left, box.top - box.bottom);
   if (!(largest > 0)) return 1;
   const raw = (0.05 * wide) / largest;
-  if (raw <= 1) return 1;
-  const power = 10 ** Math.floor(Math.log10(raw));
-  const lead = raw / power;
-  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
+  return raw <= 1 ? 1 : round_below(raw);
 }

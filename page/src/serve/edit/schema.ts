@@ -1,5 +1,6 @@
 // Reads the schema of a case file: what stands at a path, with title, unit, limits and meaning.
 
+import { capital, sentence } from '../../draw/words';
 import type { Path, Step } from './case_text';
 
 export interface Schema {
@@ -62,7 +63,7 @@ function below(own: Schema, step: Step): Schema | undefined {
 export function title_of(key: string, own: Schema | undefined): string {
   if (own?.title) return own.title;
   const words = key.replace(/_/g, ' ');
-  return words.charAt(0).toUpperCase() + words.slice(1);
+  return capital(words);
 }
 
 const titles = new WeakMap<Schema, Map<string, string>>();
@@ -116,8 +117,7 @@ export function unit_in(dimension: string, { length, time, mass, force, stress }
 export function meaning_of(own: Schema): string {
   const limits = own['x-permitted'];
   const text = (own.description ?? '').replace(limits ? `. Permitted: ${limits}` : '', '').trim();
-  const sentence = text.charAt(0).toUpperCase() + text.slice(1);
-  return sentence && !/[.!?]$/.test(sentence) ? `${sentence}.` : sentence;
+  return sentence(text);
 }
 
 /** Words on the permitted values, or the empty text. */
