@@ -97,7 +97,8 @@ describe('measures', () => {
     const value = (id: string) => values_of(store, measures.find(m => m.id === id)!, 29)![8];
     const [xx, yy, xy] = wall.stress[29][8];
     const radius = Math.hypot((xx - yy) / 2, xy);
-    expect(value('stress.greatest') / ((xx + yy) / 2 + radius) - 1).toBeLessThan(0.02);
+    // A difference of rounded parts has the precision of the largest.
+    expect(Math.abs(value('stress.greatest') - (xx + yy) / 2 - radius)).toBeLessThan(2e-3 * Math.abs(yy));
     expect(value('stress.least') / ((xx + yy) / 2 - radius)).toBeCloseTo(1, 2);
     expect(value('stress.shear') / radius).toBeCloseTo(1, 2);
     expect(value('material')).toBe(wall.bodies[8].material);
