@@ -136,6 +136,8 @@ export function ValueBox({
   put,
   clear,
   placeholder,
+  size,
+  is_off,
 }: {
   id?: string;
   /** Name for screen readers, if no label names the box. */
@@ -145,6 +147,9 @@ export function ValueBox({
   put: (value: Value) => void;
   clear: () => void;
   placeholder?: string;
+  /** Letters of a text box. */
+  size?: number;
+  is_off?: boolean;
 }) {
   const [fault, set_fault] = useState('');
   const types = Array.isArray(own.type) ? own.type : [own.type];
@@ -154,6 +159,7 @@ export function ValueBox({
         id={id}
         aria-label={label || undefined}
         title={hint_of(own)}
+        disabled={is_off}
         value={value === undefined ? '' : String(value)}
         onChange={event => {
           const found = own.enum!.find(one => String(one) === event.currentTarget.value);
@@ -176,6 +182,7 @@ export function ValueBox({
         id={id}
         aria-label={label || undefined}
         type="checkbox"
+        disabled={is_off}
         checked={value === true}
         onChange={event => put(event.currentTarget.checked)}
       />
@@ -188,6 +195,8 @@ export function ValueBox({
         value={value === undefined || typeof value === 'object' ? '' : String(value)}
         placeholder={placeholder ?? (own.default === undefined ? '' : String(own.default))}
         title={hint_of(own)}
+        size={size}
+        is_off={is_off}
         is_wrong={fault !== ''}
         take={typed => {
           if (!typed) {

@@ -1,36 +1,45 @@
 // Numbers of the items that are chosen on the canvas.
 
 import { useId } from 'preact/hooks';
-import { TypedInput } from '../fields';
+import { TypedInput, ValueBox } from '../fields';
 import * as state from '../state';
-import { find, type Path, set } from './case_text';
+import { find, type Path, type Step, set, type Value } from './case_text';
 import * as edits from './edits';
 import { coordinates_of, type Item, length_of, type Scene, title_of, value_of } from './scene';
-import { schema_at, title_of as title_of_key, words_of } from './schema';
+import { dimension_of, schema_at, title_of as title_of_key, unit_in, words_of } from './schema';
+import { units_of } from './tables';
 
 /** More corners stand in the text alone. */
 const MOST_CORNERS = 8;
 
-/** Cells of a row behind its coordinates: index and name. */
-const CELLS: Partial<Record<Item['kind'], [number, string][]>> = {
-  outline: [[4, 'Joint material']],
-  joint: [[4, 'Joint material']],
-  cut: [[4, 'Joint material']],
-  material_line: [[4, 'Block material']],
-  force: [
-    [2, 'Force x'],
-    [3, 'Force y'],
-  ],
+/** Kinds of lines with a material behind their coordinates. */
+const MATERIALS: Partial<Record<Item['kind'], string>> = {
+  outline: 'Joint material',
+  joint: 'Joint material',
+  cut: 'Joint material',
+  material_line: 'Block material',
 };
 
-function cells_of(item: Item): [number, string][] {
-  if (item.kind !== 'bolt') return CELLS[item.kind] ?? [];
-  const first = item.path[0] === 'blocks' ? 6 : 4;
-  return [
-    [first, 'Stiffness'],
-    [first + 1, 'Strength'],
-    [first + 2, 'Pretension'],
-  ];
+/** Value of an item besides its places: path in the text, key, and a word before its title. */
+interface Own {
+  path: Path;
+  key: string;
+  before?: string;
+  /** Value if the text has none. */
+  absent?: Value;
+}
+
+function values_of(item: Item): Own[] {
+  const at = (step: Step, key: string): Own => ({ path: [...item.path, step], key });
+  if (item.kind === 'force') return ['x', 'y'].map((key, i) => ({ ...at(2 + i, key), before: 'Force' }));
+  if (item.kind === 'bolt') {
+    const first = item.path[0] === 'blocks' ? 6 : 4;
+    return ['stiffness', 'strength', 'pretension'].map((key, i) => at(first + i, key));
+  }
+  if (item.kind !== 'traction') return [];
+  const path = item.path.slice(0, -1);
+  const own = (key: string, before?: string): Own => ({ path: [...path, key], key, before, absent: 0 });
+  return [own('x', 'Traction'), own('y', 'Traction'), own('pressure')];
 }
 
 export function Chosen({
@@ -102,28 +111,27 @@ export function Chosen({
           />
         )),
       )}
-      {cells_of(item).map(([index, label]) => {
-        const path: Path = [...item.path, index];
-        const value = find(scene.root, path)?.value;
+      {MATERIALS[item.kind] && (
+        <Material
+          key={`${item.key}material`}
+          label={MATERIALS[item.kind]!}
+          scene={scene}
+          value={(find(scene.root, [...item.path, 4])?.value ?? 1) as string | number}
+          is_off={is_old}
+          set={own => change(set(text, [...item.path, 4], own))}
+        />
+      )}
+      {values_of(item).map(own => {
+        const value = find(scene.root, own.path)?.value ?? own.absent;
         if (value === undefined) return null;
-        if (label.endsWith('material'))
-          return (
-            <Material
-              key={item.key + label}
-              label={label}
-              names={label.startsWith('Joint') ? scene.joint_materials : scene.block_materials}
-              noun={label.startsWith('Joint') ? 'joint' : 'material'}
-              value={value as string | number}
-              set={own => change(set(text, path, own))}
-            />
-          );
         return (
-          <Cell
-            key={item.key + label}
-            label={label}
-            value={String(value)}
+          <ValueCell
+            key={`${item.key}${own.path.join()}`}
+            own={own}
+            text={text}
+            value={value}
             is_off={is_old}
-            set={own => change(set(text, path, value_of(own)))}
+            set={next => change(set(text, own.path, next))}
           />
         );
       })}
@@ -134,32 +142,20 @@ export function Chosen({
           set={own => change(set(text, [...item.path.slice(0, -1), 'held'], own))}
         />
       )}
-      {item.kind === 'traction' &&
-        ['x', 'y', 'pressure'].map(name => {
-          const path: Path = [...item.path.slice(0, -1), name];
-          return (
-            <Cell
-              key={item.key + name}
-              label={name === 'pressure' ? 'Pressure' : `Traction ${name}`}
-              value={String(find(scene.root, path)?.value ?? 0)}
-              is_off={is_old}
-              set={own => change(set(text, path, value_of(own)))}
-            />
-          );
-        })}
       {force &&
         (force.rows > 1 ? (
           <span class="note">force in time: {force.rows} rows, see the text</span>
         ) : (
           ([0, 1] as const).map(axis => (
-            <Cell
+            <ValueCell
               key={`${item.key}force${axis}`}
-              label={`Force ${'xy'[axis]}`}
-              value={String(force.force[axis])}
+              own={{ path: ['analysis', 'point_loads', 0, 0, 1 + axis], key: 'xy'[axis], before: 'Force' }}
+              text={text}
+              value={force.force[axis]}
               is_off={is_old}
               set={own => {
                 const next = [...force.force] as typeof force.force;
-                next[axis] = value_of(own);
+                next[axis] = own;
                 change(edits.set_force(text, Number(item.path.at(-1)), next));
               }}
             />
@@ -189,6 +185,37 @@ export function Held({ value, is_off, set }: { value: string; is_off: boolean; s
   );
 }
 
+/** Box of a value with title, unit, limits and words of the schema. */
+function ValueCell({
+  own: { path, key, before },
+  text,
+  value,
+  is_off,
+  set,
+}: {
+  own: Own;
+  text: string;
+  value: Value;
+  is_off: boolean;
+  set: (value: Value) => void;
+}) {
+  const id = useId();
+  const own = state.schema.value ? schema_at(state.schema.value, path) : undefined;
+  const title = title_of_key(key, own);
+  const unit = own ? unit_in(dimension_of(own), units_of(text)) : '';
+  const size = Math.max(5, Math.min(11, String(value).length + 1));
+  return (
+    <span class="edit-part">
+      <label for={id}>
+        {before ? `${before} ${title.toLowerCase()}` : title}
+        {unit && ` [${unit}]`}
+      </label>
+      <ValueBox id={id} own={own ?? {}} value={value} put={set} clear={() => {}} size={size} is_off={is_off} />
+    </span>
+  );
+}
+
+/** Box of a coordinate. */
 function Cell({
   label,
   value,
@@ -220,23 +247,30 @@ function Cell({
 
 function Material({
   label,
-  names,
-  noun,
+  scene,
   value,
+  is_off,
   set,
 }: {
   label: string;
-  names: string[];
-  noun: string;
+  scene: Scene;
   value: string | number;
+  is_off: boolean;
   set: (value: string | number) => void;
 }) {
+  const is_joint = label.startsWith('Joint');
+  const names = is_joint ? scene.joint_materials : scene.block_materials;
+  const noun = is_joint ? 'joint' : 'material';
   const index = typeof value === 'number' ? value - 1 : names.indexOf(value);
   const words = names.length ? names : [`${noun} 1`];
   return (
     <label class="edit-part">
       {label}
-      <select value={index} onChange={event => set(edits.material_of(names, Number(event.currentTarget.value), noun))}>
+      <select
+        value={index}
+        disabled={is_off}
+        onChange={event => set(edits.material_of(names, Number(event.currentTarget.value), noun))}
+      >
         {index < 0 || index >= words.length ? <option value={index}>{String(value)}</option> : null}
         {words.map((own, i) => (
           <option value={i} key={own}>

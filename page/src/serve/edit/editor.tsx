@@ -2,11 +2,14 @@
 
 import { type Signal, useSignal } from '@preact/signals';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { hint_of as hint_of_value } from '../fields';
+import * as state from '../state';
 import { Canvas } from './canvas';
 import { find, type Value } from './case_text';
 import { Chosen, Held } from './chosen';
 import * as edits from './edits';
 import { type Item, loops_of, type Point, type Polygon, quantity_of, type Scene, title_of, value_of } from './scene';
+import { fault_in, schema_at } from './schema';
 import { type Snapped, typed_point } from './snap';
 import { hint_of, is_for, points_of, TOOLS, type Tool, type ToolName, tool_of } from './tools';
 
@@ -459,15 +462,33 @@ function draw(
   }
 }
 
+/** Places of the values of new items in the schema. */
+const PLACES = {
+  force: ['analysis', 'point_loads', 0, 0, 1],
+  pressure: ['covers', 'tractions', 0, 'pressure'],
+  stiffness: ['drawing', 'bolts', 0, 4],
+  strength: ['drawing', 'bolts', 0, 5],
+  pretension: ['drawing', 'bolts', 0, 6],
+};
+
 /** Choices for the items that a tool makes. */
 function Options({ tool, scene, options }: { tool: Tool; scene: Scene; options: ToolOptions }) {
   const { set } = options;
-  const field = (name: 'force' | 'pressure' | 'stiffness' | 'strength' | 'pretension', label: string) => (
-    <label class="edit-part">
-      {label}
-      <input type="text" size={9} value={options[name]} onInput={event => set({ [name]: event.currentTarget.value })} />
-    </label>
-  );
+  const field = (name: keyof typeof PLACES, label: string) => {
+    const own = state.schema.value ? schema_at(state.schema.value, PLACES[name]) : undefined;
+    return (
+      <label class="edit-part" title={own && hint_of_value(own)}>
+        {label}
+        <input
+          type="text"
+          size={9}
+          value={options[name]}
+          aria-invalid={(own && fault_in(own, value_of(options[name])) !== '') || undefined}
+          onInput={event => set({ [name]: event.currentTarget.value })}
+        />
+      </label>
+    );
+  };
   const pick = (name: 'joint' | 'block' | 'stage', label: string, words: string[], none?: string) => (
     <label class="edit-part">
       {label}
