@@ -175,10 +175,11 @@ export function CompareView({ first, second }: { first: string; second: string }
   useEffect(() => {
     for (const page of pages) page.state.measure_id.value = measure;
     if (!pages.length) return;
-    // One range for both, or each its own.
+    // One range for both, or each its own, as with values in two units.
     const ranges = pages.map(page => page.shown_range(measure)).filter(Boolean);
+    const [one, other] = pages.map(page => page.state.measures.find((own: Page) => own.id === measure)?.unit);
     for (const page of pages) {
-      if (same && ranges.length === 2) {
+      if (same && ranges.length === 2 && one === other) {
         page.state.own_range.value = {
           low: Math.min(...ranges.map(r => r.low)),
           high: Math.max(...ranges.map(r => r.high)),

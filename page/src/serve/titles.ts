@@ -129,9 +129,10 @@ export function words_of_value(value: unknown): string {
     .join(', ');
 }
 
-/** Relative difference in words; none for numbers of bodies, of which a share means nothing. */
-export function relative_of_entry({ path, relative }: Difference): string {
-  return relative === undefined || path.endsWith('.element') ? '' : `${show(100 * relative, 3)} %`;
+/** Relative difference in words; none for numbers of bodies and for values in two units, of which it means nothing. */
+export function relative_of_entry({ path, relative, units }: Difference): string {
+  const has_none = relative === undefined || path.endsWith('.element') || (units && units[0] !== units[1]);
+  return has_none ? '' : `${show(100 * relative, 3)} %`;
 }
 
 /** Units of both values: those of the record, else that of the schema in the units of the case. */

@@ -30,6 +30,7 @@ describe('titles', () => {
     expect(title_of_entry({ path }, null)).toBe('Block of the least share of area left');
     expect(relative_of_entry({ path, first: 1, second: 2, relative: 0.5 })).toBe('');
     expect(relative_of_entry({ path: 'outcome.steps', relative: 0.5 })).toBe('50 %');
+    expect(relative_of_entry({ path: 'counts.greatest_penetration', relative: 0.999, units: ['mm', 'm'] })).toBe('');
   });
 
   test('values of a record are words, not JSON', () => {
