@@ -8,7 +8,7 @@ import { last_messages, leaf_of, new_result, stem_of } from './cases';
 import { dimension_of, limits_of, meaning_of, type Schema, schema_at, type Units, unit_in } from './edit/schema';
 import { ChoiceField, TextField, ValueBox } from './fields';
 import * as state from './state';
-import { ending_words, factor_words, is_failure, type StrengthResult } from './verdicts';
+import { bracket_words, ending_words, factor_words, is_failure, type StrengthResult } from './verdicts';
 
 /** Histories that a run records beside its case, and the criterion at which it stops. They stay while the window is open. */
 const histories = signal('');
@@ -399,8 +399,9 @@ function useAnswer(job: api.Job): string {
 }
 
 function answer_in(record: Recorded, is_stopped: boolean): string {
-  const { factor_of_safety, outcome } = record;
+  const { factor_of_safety, bracket, outcome } = record;
   if (typeof factor_of_safety === 'number') return factor_words(record).join(' ');
+  if (bracket) return [factor_words(record)[0], bracket_words(record)].join(' ').trim();
   if (!outcome || !(is_stopped || outcome.ended_early)) return '';
   const steps = `${outcome.steps} ${outcome.steps === 1 ? 'step' : 'steps'}`;
   return is_stopped ? `paused after ${steps}` : `stopped after ${steps}: ${outcome.ended_early}`;
