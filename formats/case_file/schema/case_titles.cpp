@@ -63,6 +63,7 @@ constexpr auto kTitles = std::to_array<KeyTitle>({
     {"mode_1", "Toughness K_Ic"},
     {"mode_2", "Toughness K_IIc"},
     {"motion", "Ground motion"},
+    {"set.motion", "Kind of steps"},
     {"run.set", "Settings"},
     {"stages.set", "Settings"},
     {"layers", "Layers of the drawing"},

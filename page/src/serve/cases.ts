@@ -12,9 +12,15 @@ export interface Case {
 /** Endings of files that are no input of the program. */
 const OTHER = /\.(csv|md|txt|py|svg|html?|log|png|pdf|pvd|vt[upkm]|gif|zip|gz|toml|sh)$/i;
 
-/** Endings of geometry files of old programs, which stand first, and of their analysis files. */
-const GEOMETRY = /\.(geo|blk|dc|dcg|dl|mc|ml)$/i;
-const ANALYSIS = /\.(ana|df|mf)$/i;
+/** Geometry files of old programs, which stand first, and their analysis files: by an ending, or by a beginning (cv15). */
+const GEOMETRY = /\.(geo|blk|dc|dcg|dl|mc|ml|cv)$|(^|\/)(dc|cv)[^./]*$/i;
+const ANALYSIS = /\.(ana|df|mf)$|(^|\/)(df|mf)[^./]*$/i;
+
+/** What the two files of an old case have in common: the name without its ending, or without its beginning. */
+function shared_name(path: string): string {
+  const leaf = leaf_of(path);
+  return `${folder_of(path)}/${leaf.includes('.') ? stem_of(leaf) : leaf.replace(/^(dc|cv|df|mf)/i, '')}`;
+}
 
 export function stem_of(path: string): string {
   return path.replace(/\.[^./]*$/, '');
@@ -38,7 +44,8 @@ export function cases_of(files: FileEntry[]): Case[] {
   for (const file of inputs) {
     if (!GEOMETRY.test(file.path)) continue;
     const partner = inputs.find(
-      other => ANALYSIS.test(other.path) && stem_of(other.path) === stem_of(file.path) && !taken.has(other.path),
+      other =>
+        ANALYSIS.test(other.path) && shared_name(other.path) === shared_name(file.path) && !taken.has(other.path),
     );
     if (!partner) continue;
     taken.add(file.path);

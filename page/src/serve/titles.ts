@@ -6,9 +6,8 @@ import type { Difference } from './api';
 import type { Path } from './edit/case_text';
 import { dimension_of, type Schema, schema_at, title_of, type Units, unit_in } from './edit/schema';
 
-/** Titles of entries of run.json: those without a schema, and one whose schema has the title of another key. */
+/** Titles of entries of run.json without a schema. */
 const OF_RECORD: Record<string, string> = {
-  'settings.motion': 'Setting: Kind of steps',
   profile_because: 'Reason for the profile',
   'outcome.end': 'End of the run',
   'outcome.steps': 'Steps',

@@ -19,6 +19,16 @@ describe('cases', () => {
     );
     expect(cases.map(own => own.paths)).toEqual([['a/x.blk', 'a/x.ana'], ['a/y.ana'], ['b.json'], ['c.dxf']]);
   });
+  test('old files that differ in their beginning or ending are one case', () => {
+    const file = (path: string) => ({ path, bytes: 1, time: 1 });
+    const cases = cases_of(['mf15', 'cv15', 'cv16', 'a/c15.mf', 'a/c15.cv', 'a/df01', 'a/dc01'].map(file));
+    expect(cases.map(own => own.paths)).toEqual([
+      ['a/c15.cv', 'a/c15.mf'],
+      ['a/dc01', 'a/df01'],
+      ['cv15', 'mf15'],
+      ['cv16'],
+    ]);
+  });
   test('expected values of a verification case are no table to fit', () => {
     const files = ['expected.csv', 'a/expected.csv', 'a/tests.CSV', 'b.json'].map(path => ({
       path,

@@ -21,8 +21,7 @@ describe('titles', () => {
   test('entries of a record have titles in words', () => {
     expect(title_of_entry({ path: 'counts.steps_by_passes[2].steps' }, null)).toBe('Steps of 1 to 3 iterations');
     expect(title_of_entry({ path: 'ledger.end.friction' }, null)).toBe('Energy balance: friction');
-    // The schema of the setting has the title of another key.
-    const set = { properties: { motion: { title: 'Ground motion' } } };
+    const set = { properties: { motion: { title: 'Kind of steps' } } };
     expect(title_of_entry({ path: 'settings.motion' }, { properties: { run: { properties: { set } } } })).toBe(
       'Setting: Kind of steps',
     );

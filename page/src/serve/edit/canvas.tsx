@@ -25,7 +25,8 @@ export interface CanvasProps {
   has_grid: boolean;
   /** Counts requests to fit the drawing into the canvas. */
   fit: number;
-  pointed: (pointer: Snapped | null, grid: number) => void;
+  /** `pointer` undefined: as before. */
+  pointed: (pointer: Snapped | null | undefined, grid: number) => void;
   keys: (event: KeyboardEvent, grid: number) => void;
   label: string;
 }
@@ -65,6 +66,8 @@ export function Canvas(props: CanvasProps) {
   const [width, height] = size;
   const grid = view.scale > 0 ? grid_step(18 / view.scale) : 1;
   const count = points_of(tool, scene.geometry);
+
+  useEffect(() => props.pointed(undefined, grid), [grid]);
 
   useEffect(() => {
     const watch = new ResizeObserver(() => {

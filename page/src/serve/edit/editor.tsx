@@ -200,7 +200,7 @@ export function Editor(props: EditorProps) {
         has_numbers={has_numbers}
         fit={props.fit}
         pointed={(own, grid) => {
-          pointed.value = { own, grid };
+          pointed.value = { own: own === undefined ? pointed.peek().own : own, grid };
         }}
         keys={keys}
         label="Drawing of the case"
