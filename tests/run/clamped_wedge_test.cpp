@@ -167,9 +167,8 @@ TEST(ClampedWedge, bears_its_stress_at_both_ends_of_a_face) {
     }
 }
 
-// Crawford and Bray (1983): with the normal force N0 and the shear force S0 of a side after clamping, a wedge that
-// sinks by v has N = N0 - kn v sin a and S = S0 + ks v cos a. Here S0 = ks sin a u and N0 = kn cos a u for a way u, and
-// S cos a - N sin a = W / 2.
+// Crawford and Bray (1983). A way u clamps a side with N0 = kn cos a u and S0 = ks sin a u. If the wedge then
+// sinks by v, N = N0 - kn v sin a and S = S0 + ks v cos a. Balance: S cos a - N sin a = W / 2.
 TEST(ClampedWedge, sticks_under_a_load_in_one_step_as_in_ten) {
   const double a = radians(20), kn = 2 * kStiffness, ks = 0.4 * kn;
   const double width = kHeight * std::tan(a), weight = 10 * 2500 * kHeight * width;

@@ -49,15 +49,15 @@ std::string page_of(const fs::path& folder) {
 ExitCode view(const ViewOptions& options) {
   const std::string file = options.file.empty() ? (fs::path(options.folder) / kPageFile).string() : options.file;
   require_writable({file}, kept_files(options.folder), overwrite_if(options.force));
+  const std::string altered = is_of_strength(options.folder) ? "" : outputs_altered(options.folder);
   const std::string page = page_of(options.folder);
   write_output(file, page, overwrite_if(options.force));
   if (options.as_json)
     fmt::print("{}\n", nlohmann::ordered_json({{"file", file}, {"bytes", page.size()}})
                            .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   spdlog::info("{}: {:.3g} MB, opens in a browser without a network", file, static_cast<double>(page.size()) / 1e6);
-  const std::string gone = is_of_strength(options.folder) ? "" : outputs_altered(options.folder);
-  if (gone.empty()) return ExitCode::ok;
-  spdlog::error("{}: error: {}; the page shows what is there", options.folder, gone);
+  if (altered.empty()) return ExitCode::ok;
+  spdlog::error("{}: error: {}; the page shows what is there", options.folder, altered);
   return ExitCode::check_failed;
 }
 
