@@ -139,13 +139,13 @@ def compare(*cases: StrPath, profile: str | None = None, all: bool = False, thre
                            (0, 1)))
 
 
-def element(case: Case | StrPath, path: str, to: Iterable[float] = (), material: int | None = None,
+def element(case: Case | StrPath, path: str, to: float | Iterable[float] = (), material: int | None = None,
             confining: float | None = None, cycles: int | None = None, steps: int | None = None,
             size: float | None = None) -> tuple[Any, list[dict[str, Any]]]:
     """Drives one element of a material along a path with `keyblock element`. Returns (report, curve).
 
-    path: uniaxial, triaxial, biaxial, oedometer, shear, cyclic, or a table. to: strains, one after another. curve: a
-    list of dicts, one per increment. Raises InputError, ProgramError.
+    path: uniaxial, triaxial, biaxial, oedometer, shear, cyclic, or a table. to: a strain, or several, one after another.
+    curve: a list of dicts, one per increment. Raises InputError, ProgramError.
     """
     with tempfile.TemporaryDirectory(prefix="keyblock_") as folder:
         file = case
@@ -153,7 +153,7 @@ def element(case: Case | StrPath, path: str, to: Iterable[float] = (), material:
             file = os.path.join(folder, "case.json")
             (case if isinstance(case, Case) else read(case)).write(file)
         curve = os.path.join(folder, "curve.csv")
-        strains = ",".join(map(repr, map(float, to)))
+        strains = ",".join(repr(float(strain)) for strain in (to if isinstance(to, Iterable) else (to,)))
         targets = _options(to=strains) if strains else []
         report = _run(["element", file, "--path", path, "-o", curve, "--json", *targets,
                        *_options(material=material, confining=confining, cycles=cycles, steps=steps, size=size)], (0, 1))

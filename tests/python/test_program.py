@@ -309,6 +309,7 @@ class Program(Folder):
         drawing = kb.read(ROOT / "docs/quarry.dxf", ROOT / "docs/bench.json", layers=ROOT / "docs/quarry_layers.csv")
         for case in (folder, kb.read(folder), kb.read(*old), kb.read(*reversed(old)), drawing, ROOT / "docs/bench.json"):
             self.assertEqual(kb.element(case, "uniaxial", to=[-0.001])[0]["end"]["strain"][1], -0.001)
+            self.assertEqual(kb.element(case, "uniaxial", to=-0.001)[0]["end"]["strain"][1], -0.001)
         self.write("curve.csv", "strain,stress\n" + "".join(f"{-e / 1e4},{-e * 1e-4 * 20e9}\n" for e in range(1, 11)))
         self.assertTrue(kb.fit("curve.csv"))
         self.assertTrue(kb.convert("block.json", output="block.dxf"))

@@ -188,6 +188,16 @@ class Sweeps(Folder):
         table.write("table.csv")
         self.assertEqual((self.folder / "table.csv").read_text().count("\n"), 5)
 
+    def test_a_data_frame_is_its_rows(self):
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        rows = [{FRICTION: 20.0, "steps": 3}, {FRICTION: 40.0, "steps": 4}]
+        tables = [kb.sweep(slide(), over) for over in (rows, pandas.DataFrame(rows))]
+        self.assertEqual([list(row.values()) for row in tables[0]], [list(row.values()) for row in tables[1]])
+        self.assertEqual(list(tables[1]["steps"]), [3, 4])
+
     def test_trouble_of_one_row_stays_there(self):
         def out(run):
             return {"x": troubled("crash") if run.plan.case.get(FRICTION) == 15 else 1.0}
