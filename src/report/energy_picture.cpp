@@ -52,6 +52,7 @@ std::vector<Curve> curves_of(const Ledger& ledger) {
   add("gravity released", [first](const LedgerRow& row) { return first - row.stored.gravity; });
   add("work of loads", [](const LedgerRow& row) { return row.flow.external; });
   add("dissipated", [](const LedgerRow& row) { return row.flow.lost(); });
+  add("changes of the scene", [](const LedgerRow& row) { return row.flow.change; });
   return curves;
 }
 

@@ -47,6 +47,14 @@ TEST(EnergyPicture, shows_the_energies_that_are_there) {
   for (const char* label : {"strain", "contact springs", "work of loads"}) EXPECT_FALSE(contains(svg, label)) << label;
 }
 
+// Excavated rock takes its energy along: without that curve the picture would not balance.
+TEST(EnergyPicture, changes_of_the_scene_have_a_curve) {
+  Ledger ledger = falling();
+  EXPECT_FALSE(contains(energy_picture("slope", ledger), "changes of the scene"));
+  ledger.rows.back().flow.change = -30;
+  EXPECT_TRUE(contains(energy_picture("slope", ledger), "changes of the scene"));
+}
+
 // A strain energy of 4 beside 100 is a flat line; in a panel of its own it reaches the upper tick, in the same colour.
 TEST(EnergyPicture, energies_small_beside_the_others_have_a_panel_of_their_own) {
   Ledger ledger = falling();
