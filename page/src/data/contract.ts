@@ -74,8 +74,10 @@ export interface CurveTable {
 
 export interface StillThing {
   kind: string;
-  /** Place from the origin. */
+  /** Place in the drawing, from the origin. */
   at: [number, number];
+  /** Number of the body that it moves with. */
+  block?: number;
   force?: [number, number];
   [more: string]: unknown;
 }

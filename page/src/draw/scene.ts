@@ -2,7 +2,7 @@
 
 import { NO_ROW } from '../data/contract';
 import type { Geometry, PartRows } from '../data/decode';
-import { offset_of, type Store, value_at } from '../data/store';
+import { type FieldAt, offset_of, type Store, value_at } from '../data/store';
 import { add_places, empty_box } from './camera';
 import { class_table, table_of } from './colours';
 import type { Measure } from './measures';
@@ -123,10 +123,40 @@ export function vertices_of(geometry: Geometry, row: number): [number, number] {
   return [geometry.loop_start[geometry.body_loop[row]], geometry.loop_start[geometry.body_loop[row + 1]]];
 }
 
-/**
- * Moves a place that a table gives for frame `from`, on body `row`, to where the pose has it: with the body's motion,
- * magnified.
- */
+/** Moves a place of the drawing, on body `row`, to where the pose has it: with the body's motion, magnified. */
+export function place_in_pose(store: Store, pose: Pose, row: number, x: number, y: number): [number, number] {
+  const { geometry, magnification: s, frame } = pose;
+  const corners = store.field_now('vertex_motion', frame);
+  if (corners) {
+    const best = nearest_vertex(geometry, row, x, y);
+    return [x + s * value_at(corners, 0, best), y + s * value_at(corners, 1, best)];
+  }
+  const motion = store.field_now('motion', frame);
+  if (!motion) return [x, y];
+  const X = x - geometry.centroid[2 * row];
+  const Y = y - geometry.centroid[2 * row + 1];
+  const [ux, uy, g11, g12, g21, g22] = [0, 1, 2, 3, 4, 5].map(part => value_at(motion, part, row));
+  return [x + s * (ux + g11 * X + g12 * Y), y + s * (uy + g21 * X + g22 * Y)];
+}
+
+/** Vertex of a body nearest to a place; it stands for the place, as elements are small. `motion`: where vertices are. */
+function nearest_vertex(geometry: Geometry, row: number, x: number, y: number, motion?: FieldAt): number {
+  const [first, end] = vertices_of(geometry, row);
+  let best = first;
+  let least = Infinity;
+  for (let v = first; v < end; v++) {
+    const px = geometry.centroid[2 * row] + geometry.place[2 * v] + (motion ? value_at(motion, 0, v) : 0) - x;
+    const py = geometry.centroid[2 * row + 1] + geometry.place[2 * v + 1] + (motion ? value_at(motion, 1, v) : 0) - y;
+    const distance = px * px + py * py;
+    if (distance < least) {
+      least = distance;
+      best = v;
+    }
+  }
+  return best;
+}
+
+/** Moves a place that a table gives for frame `from`, on body `row`, to where the pose has it. */
 export function carry_place(
   store: Store,
   from: number,
@@ -135,33 +165,16 @@ export function carry_place(
   x: number,
   y: number,
 ): [number, number] {
-  if (row === NO_ROW || row >= pose.geometry.bodies) return [x, y];
+  const { geometry } = pose;
+  if (row === NO_ROW || row >= geometry.bodies) return [x, y];
   if (from === pose.frame && pose.magnification === 1) return [x, y];
-  const { geometry, magnification: s } = pose;
-  const old_own = store.field_now('vertex_motion', from);
-  const new_own = store.field_now('vertex_motion', pose.frame);
-  if (old_own && new_own) {
-    // The nearest vertex of the element stands for the place: elements are small.
-    const [first, end] = vertices_of(geometry, row);
-    let best = first;
-    let least = Infinity;
-    for (let v = first; v < end; v++) {
-      const px = geometry.centroid[2 * row] + geometry.place[2 * v] + value_at(old_own, 0, v) - x;
-      const py = geometry.centroid[2 * row + 1] + geometry.place[2 * v + 1] + value_at(old_own, 1, v) - y;
-      const distance = px * px + py * py;
-      if (distance < least) {
-        least = distance;
-        best = v;
-      }
-    }
-    return [
-      x + s * value_at(new_own, 0, best) - value_at(old_own, 0, best),
-      y + s * value_at(new_own, 1, best) - value_at(old_own, 1, best),
-    ];
+  const corners = store.field_now('vertex_motion', from);
+  if (corners && store.field_now('vertex_motion', pose.frame)) {
+    const best = nearest_vertex(geometry, row, x, y, corners);
+    return place_in_pose(store, pose, row, x - value_at(corners, 0, best), y - value_at(corners, 1, best));
   }
   const old = store.field_now('motion', from);
-  const now = store.field_now('motion', pose.frame);
-  if (!old || !now) return [x, y];
+  if (!old || !store.field_now('motion', pose.frame)) return [x, y];
   const cx = geometry.centroid[2 * row];
   const cy = geometry.centroid[2 * row + 1];
   const [ux, uy, g11, g12, g21, g22] = [0, 1, 2, 3, 4, 5].map(part => value_at(old, part, row));
@@ -170,8 +183,7 @@ export function carry_place(
   const determinant = (1 + g11) * (1 + g22) - g12 * g21 || 1;
   const X = ((1 + g22) * rx - g12 * ry) / determinant;
   const Y = ((1 + g11) * ry - g21 * rx) / determinant;
-  const [vx, vy, h11, h12, h21, h22] = [0, 1, 2, 3, 4, 5].map(part => value_at(now, part, row));
-  return [cx + X + s * (vx + h11 * X + h12 * Y), cy + Y + s * (vy + h21 * X + h22 * Y)];
+  return place_in_pose(store, pose, row, cx + X, cy + Y);
 }
 
 export interface Shade {

@@ -1,6 +1,6 @@
 // Makes the figure of the present state: what the renderers and the exports draw.
 
-import { NO_ROW, type PartHead } from '../data/contract';
+import { NO_ROW, type PartHead, type StillThing } from '../data/contract';
 import type { Geometry, PartRows } from '../data/decode';
 import { show } from '../draw/numbers';
 import type { Arrows, ContactMarks, Crosses, Figure, LineMarks, PointMarks } from '../draw/paint';
@@ -13,6 +13,7 @@ import {
   type PartAt,
   type Pose,
   part_at,
+  place_in_pose,
   pose_of,
   type Range,
   range_of,
@@ -337,6 +338,14 @@ export function caption_of(frame: number, s: number): string {
   return parts.join(' · ');
 }
 
+/** Supports and loads where their bodies have moved them. */
+function still_now(pose: Pose): StillThing[] {
+  return (state.head.still ?? []).map(thing => {
+    const row = thing.block === undefined ? undefined : pose.geometry.row_of_key.get(thing.block);
+    return row === undefined ? thing : { ...thing, at: place_in_pose(state.store, pose, row, ...thing.at) };
+  });
+}
+
 const typical = new WeakMap<Geometry, number>();
 
 /** The figure, or nothing while its frame is not decoded. */
@@ -369,7 +378,7 @@ export function figure_now(): Figure | null {
     arrows: arrows_of(pose),
     crosses: crosses_of(pose),
     trails: trails_of(pose),
-    still: state.layers.value.still ? (state.head.still ?? []) : [],
+    still: state.layers.value.still ? still_now(pose) : [],
     typical: width,
     length_unit: state.head.units?.length ?? '',
     legend: state.layers.value.legend,

@@ -83,3 +83,22 @@ test('a contact force has the direction of its normal and shear parts', () => {
     expect(Math.abs((x1 - x0) / (y0 - y1) + shear / normal)).toBeLessThan(1e-3);
   }
 });
+
+test('a load moves with its body', () => {
+  state.go_to(5);
+  const { pose } = figure_now()!;
+  const row = 2;
+  const { geometry } = pose;
+  const at: [number, number] = [geometry.centroid[2 * row], geometry.centroid[2 * row + 1]];
+  const before = state.head.still;
+  state.head.still = [
+    { kind: 'load', at, block: geometry.key[row] },
+    { kind: 'load', at },
+  ];
+  const [moved, still] = figure_now()!.still;
+  state.head.still = before;
+  expect(still.at).toEqual(at);
+  expect(Math.hypot(pose.centres[2 * row] - at[0], pose.centres[2 * row + 1] - at[1])).toBeGreaterThan(1e-9);
+  expect(moved.at[0]).toBeCloseTo(pose.centres[2 * row], 5);
+  expect(moved.at[1]).toBeCloseTo(pose.centres[2 * row + 1], 5);
+});

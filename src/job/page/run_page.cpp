@@ -83,6 +83,7 @@ Json supports_json(const Json& record, Point origin) {
       const double x = support["x"], y = support["y"];
       still.push_back({{"kind", support.value("kind", Json()) == "loading_point" ? "load" : "fixed_point"},
                        {"at", {x - origin.x, y - origin.y}}});
+      if (support.value("block", Json()).is_number_integer()) still.back()["block"] = support["block"];
     }
   return still;
 }
