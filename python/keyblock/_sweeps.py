@@ -324,9 +324,10 @@ def sweep(case: Case | StrPath | Callable[..., Case], over: Mapping[str, Iterabl
     """Runs a case under many values and returns a Table, one row per run in the order of `over`.
 
     case: a Case, a path, or a function that takes values by name and returns a Case, such as one that draws joints from a
-    seed. over: a dict of lists (all combinations), a list of dicts, such as `random` returns, or a DataFrame of pandas. A key
-    that begins with / is a pointer into the case file, as `Case.with_value` has it; another key is a setting, or an argument
-    of the function. The dicts of a list may have different keys; columns are those of all. verdict, doubt, seconds and job are no keys.
+    seed. over: a dict of lists (all combinations), a list of dicts, such as `random` returns, or a DataFrame of pandas. A
+    key that begins with / is a pointer into the case file, as `Case.with_value` has it; another key is a setting, or an
+    argument of the function. The dicts of a list may have different keys; columns are those of all. verdict, doubt, seconds
+    and job are no keys.
     out: names as those of `keyblock sweep --out` (displacement, fos, point1.dx, crest.vx, ledger.kinetic, …), or a function
     of the finished Run that returns a number or a dict. joints: statistics of joints, drawn anew for each row; a dict as
     docs/slope.json, or the path of one. A key that begins with joints:/ is a pointer into them: "joints:/seed".
