@@ -85,7 +85,7 @@ Held held(const Wedge& wedge, const std::string& motion = "static", int steps = 
   return found;
 }
 
-// Sides of a wedge without stress move towards it by `way` each; then a load grows in steps to its weight.
+// Fixed blocks move by kWay each towards a wedge without stress; then a load grows in steps to its weight.
 struct Driven {
   double sunk = 0;    ///< foot of the wedge
   double normal = 0;  ///< force of one side
