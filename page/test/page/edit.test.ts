@@ -137,6 +137,31 @@ describe.skipIf(!has_browser)('editor', () => {
     await page.context().close();
   });
 
+  test('an end or corner of what is not chosen moves alone; a press without a move changes nothing', async () => {
+    const page = await open('#/case/box.json');
+    await tool(page, 'Bolt');
+    await click(page, 2, 2);
+    await click(page, 4, 5);
+    await tool(page, 'Select');
+    await page.keyboard.press('Escape');
+    const before = await text(page);
+    const [x, y] = await at(page, 4, 5);
+    await page.mouse.move(x + 2, y);
+    await page.mouse.down();
+    await page.mouse.move(x, y + 2);
+    await page.mouse.up();
+    expect(await text(page)).toBe(before);
+    await page.keyboard.press('Escape');
+    expect(await page.getByLabel('Item').inputValue()).toBe('');
+    await drag(page, [4, 5], [7, 3]);
+    expect(((await read(page, 'drawing', 'bolts', 0)) as number[]).slice(0, 4)).toEqual([2, 2, 7, 3]);
+    await page.keyboard.press('Escape');
+    await drag(page, [10, 6], [8, 4]);
+    expect(await read(page, 'drawing', 'joints', 1)).toEqual([10, 0, 8, 4, 'bedding']);
+    expect(await read(page, 'drawing', 'joints', 2)).toEqual([8, 4, 0, 6, 'bedding']);
+    await page.context().close();
+  });
+
   test('an excavation makes its stage; loads and bolts have their numbers', async () => {
     const page = await open('#/case/box.json');
     await tool(page, 'Excavation');

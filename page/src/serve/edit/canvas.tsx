@@ -41,7 +41,7 @@ const corner_of = ({ x, y, scale }: View, width: number, height: number): string
 
 type Drag =
   | { kind: 'pan'; x: number; y: number; view: View }
-  | { kind: 'handle'; item: Item; index: number }
+  | { kind: 'handle'; item: Item; index: number; pressed: Point; is_moving: boolean }
   | { kind: 'items'; items: Item[]; from: Point; pressed: Point; is_moving: boolean }
   | { kind: 'box'; from: Point; adds: boolean };
 
@@ -178,15 +178,35 @@ export function Canvas(props: CanvasProps) {
     return best ?? scene.items.find(own => own.is_closed && is_inside([own.points], p)) ?? null;
   };
 
-  const handle = (p: Point): { item: Item; index: number } | null => {
-    if (chosen.size > 12) return null;
-    const reach = HIT / view.scale;
-    for (const item of scene.items) {
-      if (!chosen.has(item.key) || item.points.length === 1) continue;
-      const index = item.points.findIndex(own => Math.hypot(own[0] - p[0], own[1] - p[1]) <= reach);
-      if (index >= 0) return { item, index };
-    }
-    return null;
+  /** Nearest end, corner or point of items within reach. Of several at one place it is the last that is no joint. */
+  const end_at = (items: Item[], p: Point): { item: Item; index: number } | null => {
+    let best: { item: Item; index: number } | null = null;
+    let least = HIT / view.scale;
+    for (const item of items)
+      item.points.forEach((own, index) => {
+        const distance = Math.hypot(own[0] - p[0], own[1] - p[1]);
+        if (distance > least || (distance === least && item.kind === 'joint')) return;
+        least = distance;
+        best = { item, index };
+      });
+    return best;
+  };
+
+  /** Item that a press takes, and its end or corner there, or -1. A chosen item comes before others. */
+  const grip = (p: Point): { item: Item; index: number } | null => {
+    const mine = scene.items.filter(own => chosen.has(own.key) && own.points.length > 1);
+    const end = chosen.size > 12 ? null : end_at(mine, p);
+    const item = hit(p);
+    const found =
+      end ??
+      (item && chosen.has(item.key)
+        ? null
+        : end_at(
+            scene.items.filter(own => !chosen.has(own.key)),
+            p,
+          ));
+    if (found) return found.item.points.length > 1 ? found : { item: found.item, index: -1 };
+    return item && { item, index: -1 };
   };
 
   const zoom = (factor: number, about: Point = [view.x, view.y]) => {
@@ -229,13 +249,12 @@ export function Canvas(props: CanvasProps) {
       return;
     }
     if (tool.name !== 'select') return;
-    const grabbed = handle(p);
-    if (grabbed) {
-      set_drag({ kind: 'handle', ...grabbed });
-      return;
-    }
-    const item = hit(p);
-    if (item) {
+    const grabbed = grip(p);
+    if (grabbed && grabbed.index >= 0 && (chosen.has(grabbed.item.key) || !event.shiftKey)) {
+      if (!chosen.has(grabbed.item.key)) props.choose([grabbed.item.key]);
+      set_drag({ kind: 'handle', ...grabbed, pressed: p, is_moving: false });
+    } else if (grabbed) {
+      const { item } = grabbed;
       let keys = chosen;
       if (event.shiftKey) {
         const own = new Set(chosen);
@@ -275,7 +294,7 @@ export function Canvas(props: CanvasProps) {
       const found = snapped(p, new Set(), event.altKey);
       set_pointer(found);
       props.pointed(found, grid);
-      if (tool.name === 'select') set_hovered(hit(p)?.key ?? '');
+      if (tool.name === 'select') set_hovered(grip(p)?.item.key ?? '');
       return;
     }
     if (drag.kind === 'pan')
@@ -285,14 +304,14 @@ export function Canvas(props: CanvasProps) {
         y: drag.view.y + (event.clientY - drag.y) / view.scale,
       });
     else if (drag.kind === 'box') set_lasso([drag.from, p]);
+    else if (!drag.is_moving && Math.hypot(p[0] - drag.pressed[0], p[1] - drag.pressed[1]) * view.scale < 4) return;
     else if (drag.kind === 'handle') {
+      drag.is_moving = true;
       const found = snapped(p, new Set([drag.item.key]), event.altKey);
       set_pointer(found);
       props.pointed(found, grid);
       set_moved(new Map([[drag.item.key, drag.item.points.map((own, i) => (i === drag.index ? found.point : own))]]));
     } else {
-      const shift = Math.hypot(p[0] - drag.pressed[0], p[1] - drag.pressed[1]) * view.scale;
-      if (!drag.is_moving && shift < 4) return;
       drag.is_moving = true;
       const keys = new Set(drag.items.map(own => own.key));
       const to = snapped(p, keys, event.altKey);
