@@ -272,17 +272,21 @@ Json Service::convert(const Json& body) const {
   if (fs::exists(target, error)) throw UsageError(fmt::format("{} exists already", folder_.name(target)));
   std::vector<std::string> words{"convert"};
   for (const std::string& path : texts(body, "paths")) words.push_back(file_argument(folder_, path));
-  words.insert(words.end(), {"-o", as_argument(folder_.name(target))});
+  words.insert(words.end(), {"-o", as_argument(folder_.name(target)), "--json"});
   if (body.contains("to")) {
     if (!is_plain_word(text(body, "to"))) throw BadRequest("expected the name of a format in \"to\"");
     words.push_back("--to=" + text(body, "to"));
   }
   const Answer answer = program_(words);
   if (answer.ran_out_of_time) remove_drafts(target.parent_path(), answer.process);
-  return {{"path", folder_.name(target)},
-          {"exit_code", answer.exit_code},
-          {"output", valid_utf8(answer.output)},
-          {"messages", words_of(answer)}};
+  const Json said = sound_json(valid_utf8(answer.output));
+  Json files = Json::array(), changes = Json::array();
+  if (said.is_object()) {
+    for (const Json& file : said["outputs"]) files.push_back(folder_.name(folder_.root() / file.get<std::string>()));
+    changes = said["not_written"];
+    for (const Json& loss : said["losses"]) changes.push_back(loss["sentence"]);
+  }
+  return {{"files", files}, {"changes", changes}, {"exit_code", answer.exit_code}, {"messages", words_of(answer)}};
 }
 
 Json Service::stop(const Json& body) {

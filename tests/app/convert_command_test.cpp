@@ -113,6 +113,17 @@ TEST_F(ConvertCommand, json_names_outputs_losses_and_warnings) {
   EXPECT_TRUE(json["warnings"].empty());
 }
 
+TEST_F(ConvertCommand, a_file_of_the_target_that_is_not_written_is_named) {
+  const ProgramRun run = convert({"-o", folder_ + "m", "--to", "manifold"});
+  ASSERT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(contains(run.output, folder_ + "m.mf\nnot written: " + folder_ + "m.cv: a cover file needs a cover"))
+      << run.output;
+  const ProgramRun json = convert({"-o", folder_ + "n", "--to", "manifold", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(json.output)["not_written"].size(), 1U);
+  const ProgramRun both = convert({"-o", folder_ + "shi", "--to", "shi", "--json"});
+  EXPECT_TRUE(nlohmann::json::parse(both.output)["not_written"].empty());
+}
+
 TEST_F(ConvertCommand, a_profile_that_changes_is_told) {
   const ProgramRun own = convert({"-o", folder_ + "own.json"});
   EXPECT_EQ(own.exit_code, 0);

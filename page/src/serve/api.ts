@@ -201,8 +201,17 @@ export const materials = () => get<Library>('/api/materials');
 export const schema = () => get<Record<string, unknown>>('/api/schema');
 /** Schema of the specification that `joints` takes. */
 export const joint_schema = () => get<Record<string, unknown>>('/api/joint_schema');
+export interface Converted {
+  /** Files that were written. */
+  files: string[];
+  /** Sentences about files not written and values lost. */
+  changes: string[];
+  exit_code: number;
+  messages: string;
+}
+
 export const convert = (paths: string[], target: string, to: string) =>
-  post<{ path: string; exit_code: number; output: string; messages: string }>('/api/convert', { paths, target, to });
+  post<Converted>('/api/convert', { paths, target, to });
 /** Saves a new file, or replaces the one with this checksum. */
 export const save = (path: string, text: string, sha256?: string) =>
   post<{ path: string; sha256: string }>('/api/save', { path, text, ...(sha256 && { sha256 }) });

@@ -302,7 +302,7 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
       case '/api/convert': {
         own.files.set(String(body.target), '{"keyblock": 2}\n');
         const messages = 'old/tips.ana: warning: a run takes profile standard [profile_changes]\n';
-        return send({ path: body.target, exit_code: 0, output: '', messages });
+        return send({ files: [body.target], changes: [], exit_code: 0, messages });
       }
       case '/api/run': {
         const result = String(body.result);

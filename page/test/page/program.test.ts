@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { title_of_entry } from '../../src/serve/titles';
-import { figure, has_browser, launch, open, start_server } from './browser';
+import { figure, has_browser, launch, open, open_window, start_server } from './browser';
 
 const program = process.env.KEYBLOCK ?? '';
 
@@ -135,6 +135,36 @@ describe.skipIf(!has_browser || !program)('program', () => {
     await expect.poll(() => page.locator('.compare table').last().textContent()).toContain('Setting: Steps');
     expect(errors).toEqual([]);
     await context.close();
+  });
+
+  test('Save as names the files of a pair, opens them, and names what is not written', async () => {
+    const cases = join(folder, 'pairs');
+    mkdirSync(cases);
+    run('new', 'block', '-o', 'pairs/block.json');
+    const errors: string[] = [];
+    const page = await open_window(browser, await serve(cases), errors, {});
+    const write = async (format: string, name: string) => {
+      await page.getByRole('navigation').getByRole('link', { name: 'block.json' }).click();
+      await page.getByRole('button', { name: 'Save as…' }).click();
+      await page.getByRole('dialog').getByLabel('Format').selectOption(format);
+      await page.getByRole('dialog').getByRole('textbox', { name: 'File' }).fill(name);
+      await page.getByRole('dialog').getByRole('button', { name: 'Save', exact: true }).click();
+      const status = page.getByRole('dialog').getByRole('status');
+      await status.locator('p').waitFor();
+      return String(await status.textContent());
+    };
+    expect(await write('shi', 'own')).toContain('Written: own.blk, own.df.');
+    await page.getByRole('dialog').getByRole('link', { name: 'Open' }).click();
+    await expect.poll(() => new URL(page.url()).hash).toContain('own.blk');
+    await page.waitForFunction(() => document.body.textContent!.includes('Unknowns'));
+    run('convert', 'pairs/own.blk', 'pairs/own.df', '-o', 'again', '--to', 'shi');
+    for (const ending of ['blk', 'df'])
+      expect(readFileSync(join(folder, `again.${ending}`))).toEqual(readFileSync(join(cases, `own.${ending}`)));
+    expect(await write('manifold', 'other')).toMatch(
+      /Written: other\.mf\..*not written: other\.cv: a cover file needs a cover/s,
+    );
+    expect(errors).toEqual([]);
+    await page.context().close();
   });
 
   test('a slope with two joint sets is drawn from nothing, has its factor, and runs', async () => {

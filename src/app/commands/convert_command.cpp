@@ -75,11 +75,29 @@ void keep_backup(const std::filesystem::path& file) {
   spdlog::info("{} kept as {}", file.string(), backup.string());
 }
 
-Json json_of(const study::Conversion& conversion, const std::vector<std::string>& outputs) {
+std::string words_of(const study::Loss& loss) {
+  return fmt::format("{}: {}{}: {}", loss.is_added ? "added" : "lost", loss.item,
+                     loss.times > 1 ? fmt::format(" ({} times, the first)", loss.times) : "", loss.sentence);
+}
+
+/// Returns a sentence per file of the target that is not written.
+std::vector<std::string> not_written(const ConvertOptions& options, const study::Target& target,
+                                     const study::Conversion& conversion) {
+  std::vector<std::string> sentences;
+  for (const study::UnwrittenFile& file : conversion.unwritten)
+    sentences.push_back(
+        fmt::format("not written: {}: {}", path_of(options, target, file.ending).string(), file.reason));
+  return sentences;
+}
+
+Json json_of(const study::Conversion& conversion, const std::vector<std::string>& outputs,
+             const std::vector<std::string>& unwritten) {
   Json losses = Json::array();
   for (const study::Loss& loss : conversion.losses)
-    losses.push_back({{"item", loss.item}, {"times", loss.times}, {"change", loss.sentence}});
+    losses.push_back(
+        {{"item", loss.item}, {"times", loss.times}, {"change", loss.sentence}, {"sentence", words_of(loss)}});
   return {{"outputs", outputs},
+          {"not_written", unwritten},
           {"losses", losses},
           {"warnings", warning_list_json(conversion.warnings)},
           {"changed_rules", warning_list_json(conversion.changed_rules)}};
@@ -107,13 +125,13 @@ ExitCode convert_files(const ConvertOptions& options) {
     write_output(path, file.text, overwrite_if(options.may_overwrite));
     outputs.push_back(path.string());
   }
+  const std::vector<std::string> unwritten = not_written(options, target, conversion);
   if (options.as_json) {
-    fmt::print("{}\n", json_of(conversion, outputs).dump(1, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n", json_of(conversion, outputs, unwritten).dump(1, ' ', false, Json::error_handler_t::replace));
   } else {
     for (const std::string& output : outputs) fmt::print("{}\n", output);
-    for (const study::Loss& loss : conversion.losses)
-      fmt::print("{}: {}{}: {}\n", loss.is_added ? "added" : "lost", loss.item,
-                 loss.times > 1 ? fmt::format(" ({} times, the first)", loss.times) : "", loss.sentence);
+    for (const std::string& sentence : unwritten) fmt::print("{}\n", sentence);
+    for (const study::Loss& loss : conversion.losses) fmt::print("{}\n", words_of(loss));
   }
   if (is_refused) spdlog::error("keyblock: error: {} cannot hold all; nothing is written (--strict)", target.name);
   return is_refused ? ExitCode::check_failed : ExitCode::ok;

@@ -224,8 +224,13 @@ Conversion convert(const std::vector<formats::FileReading>& files, const Target&
   std::set<const std::string*> kept;
   for (const Target::Part& part : target.parts) {
     auto [text, reason] = written(*part.format, in_range);
-    why_not = std::move(reason);
-    if (text.empty()) continue;
+    why_not = reason;
+    if (text.empty()) {
+      if (reason.empty())
+        reason = fmt::format("the case has nothing that fits {}, {}", part.format->name, part.format->title);
+      conversion.unwritten.push_back({part.ending, std::move(reason)});
+      continue;
+    }
     if (part.format->read)
       formats::add_content(back, part.format->read({"converted", text}, conversion.hint).content, "converted");
     const std::string* same = unchanged(files, *part.format, text);

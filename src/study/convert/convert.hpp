@@ -41,8 +41,15 @@ struct ConvertedFile {
   std::string text;
 };
 
+/// File of a target that is not written, because the case has nothing that its format holds.
+struct UnwrittenFile {
+  std::string_view ending;
+  std::string reason;
+};
+
 struct Conversion {
   std::vector<ConvertedFile> files;
+  std::vector<UnwrittenFile> unwritten;
   formats::ReadHint hint;  ///< data that a reader of one of the files alone needs
   std::vector<Loss> losses;
   Warnings warnings;

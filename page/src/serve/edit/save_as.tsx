@@ -2,7 +2,7 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import * as api from '../api';
-import { leaf_of, stem_of } from '../cases';
+import { cases_of, leaf_of, stem_of } from '../cases';
 import { ChoiceField, TextField } from '../fields';
 import * as state from '../state';
 
@@ -34,7 +34,7 @@ export function SaveAs({
   const ending = current.slice(stem_of(current).length);
   const [format, set_format] = useState('');
   const [name, set_name] = useState(`${stem_of(current)}_new${ending}`);
-  const [losses, set_losses] = useState('');
+  const [done, set_done] = useState<api.Converted | null>(null);
   const dialog = useRef<HTMLDialogElement>(null);
   useEffect(() => dialog.current?.showModal(), []);
 
@@ -56,11 +56,10 @@ export function SaveAs({
       close();
       return state.go(state.link('case', ...paths.map(own => (own === current ? saved.path : own))));
     }
-    const done = await state.attempt(() => api.convert(paths, name, format));
+    const written = await state.attempt(() => api.convert(paths, name, format));
     await state.refresh();
-    if (!done) return close();
-    const words = [done.output, done.messages].filter(own => own.trim()).join('\n');
-    set_losses(words.trim() || `Written: ${done.path}`);
+    if (!written) return close();
+    set_done(written);
   };
 
   return (
@@ -75,15 +74,11 @@ export function SaveAs({
         />
         <TextField label="File" is_required value={name} set={set_name} />
         {format !== '' && <p class="note">Changes are saved first. The program lists what the format cannot hold.</p>}
-        {losses && (
-          <pre class="messages" role="status">
-            {losses}
-          </pre>
-        )}
+        {done && <Written done={done} close={() => dialog.current?.close()} />}
         <div class="row wide">
           <span class="space" />
           <button type="button" class="small" onClick={() => dialog.current?.close()}>
-            {losses ? 'Close' : 'Cancel'}
+            {done ? 'Close' : 'Cancel'}
           </button>
           <button type="submit" class="small strong">
             Save
@@ -91,5 +86,26 @@ export function SaveAs({
         </div>
       </form>
     </dialog>
+  );
+}
+
+/** Names the written files, with a link to the case that they are, and says what they do not hold. */
+function Written({ done, close }: { done: api.Converted; close: () => void }) {
+  const inputs = new Set(cases_of(state.listing.value?.files ?? []).flatMap(own => own.paths));
+  const words = [...done.changes, done.messages.trim()].filter(own => own).join('\n');
+  return (
+    <div role="status">
+      {done.files.length > 0 && (
+        <p>
+          Written: {done.files.join(', ')}.{' '}
+          {done.files.every(own => inputs.has(own)) && (
+            <a href={state.link('case', ...done.files)} onClick={close}>
+              Open
+            </a>
+          )}
+        </p>
+      )}
+      {words && <pre class="messages">{words}</pre>}
+    </div>
   );
 }
