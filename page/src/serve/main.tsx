@@ -307,14 +307,20 @@ function drop(event: DragEvent): void {
 
 window.addEventListener('dragover', event => event.preventDefault());
 window.addEventListener('drop', drop);
+/** Number of the entry of the history that is shown. New entries have none yet: they follow the one shown. */
+let entry: number = history.state?.entry ?? 0;
+history.replaceState({ entry }, '');
 window.addEventListener('hashchange', () => {
   if (location.hash === state.route.value) return;
+  const next: number = history.state?.entry ?? entry + 1;
   const is_unsaved = state.unsaved.value.length > 0;
   if (is_unsaved && !window.confirm('Changes of this case are not saved. Leave it all the same?')) {
-    // Going back would raise this event again, and the reader may have come here by going back.
-    history.replaceState(null, '', state.route.value || '#/');
+    // Returns whence the reader came, forward or back. This raises the event again, with the route shown.
+    history.go(entry - next);
     return;
   }
+  entry = next;
+  history.replaceState({ entry }, '');
   state.route.value = location.hash;
   state.trouble.value = '';
 });
