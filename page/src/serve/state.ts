@@ -3,7 +3,8 @@
 import { computed, signal } from '@preact/signals';
 import * as api from './api';
 import { cases_of } from './cases';
-import type { Schema } from './edit/schema';
+import type { Schema, Units } from './edit/schema';
+import { has_news } from './job_news';
 
 export { link, type Route, route_of } from './routes';
 
@@ -70,20 +71,16 @@ export async function refresh(): Promise<void> {
 
 let busy = false;
 
-/** Asks for jobs; a folder is listed anew where one has ended. */
+/** Asks for jobs; lists the folder anew if they may have changed it. */
 export async function refresh_jobs(): Promise<void> {
   if (busy) return;
   busy = true;
   try {
     const now = await api.jobs();
-    const ended = (list: api.Job[]) => list.filter(job => job.state === 'ended' || job.state === 'stopped').length;
-    const changed = ended(now) !== ended(jobs.value) || now.length !== jobs.value.length;
+    const has_changed = has_news(jobs.value, now);
     jobs.value = now;
     if (trouble.value.startsWith('The server does not answer')) trouble.value = '';
-    // The folder of a run is made a moment after the run has started.
-    const listed = new Set(listing.value?.results.map(own => own.path));
-    const is_new = now.some(job => job.state === 'runs' && (job.step ?? 0) > 0 && !listed.has(job.result));
-    if (changed || is_new) await refresh();
+    if (has_changed) await refresh();
   } catch (error) {
     report(error);
   } finally {
