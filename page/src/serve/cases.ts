@@ -16,7 +16,7 @@ const OTHER = /\.(csv|md|txt|py|svg|html?|log|png|pdf|pvd|vt[upkm]|gif|zip|gz|to
 const GEOMETRY = /\.(geo|blk|dc|dcg|dl|mc|ml|cv)$|(^|\/)(dc|cv)[^./]*$/i;
 const ANALYSIS = /\.(ana|df|mf)$|(^|\/)(df|mf)[^./]*$/i;
 
-/** What the two files of an old case have in common: the name without its ending, or without its beginning. */
+/** Name that both files of an old case share: that without its ending, or without its beginning. */
 function shared_name(path: string): string {
   const leaf = leaf_of(path);
   return `${folder_of(path)}/${leaf.includes('.') ? stem_of(leaf) : leaf.replace(/^(dc|cv|df|mf)/i, '')}`;

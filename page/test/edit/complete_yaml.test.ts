@@ -1,4 +1,4 @@
-// What can be typed at a place of a case in YAML.
+// Completion at a place of a case in YAML.
 
 import { describe, expect, test } from 'vitest';
 import { parse, plain } from '../../src/serve/edit/case_text';

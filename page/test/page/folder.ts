@@ -158,7 +158,7 @@ function joints_of(spec: { outline?: [number, number][] }) {
   return { boundary_count: sides.length, joints: [...sides, [1, 0, 1, 10, 1]], hole_points: [] };
 }
 
-/** What the server of the program sends with its pages. */
+/** Policy that the server of the program sends with its pages. */
 const POLICY =
   "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src 'self' data: blob:; " +
   "media-src blob:; connect-src 'self'; frame-src 'self'; frame-ancestors 'self'; base-uri 'none'; form-action 'none'";
