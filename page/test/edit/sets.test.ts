@@ -7,10 +7,12 @@ import type { Schema } from '../../src/serve/edit/schema';
 import {
   fault_of,
   first_form,
+  form_in_metres,
   new_set,
   note_of,
   rounded_rows,
   scene_text,
+  set_in_unit,
   sets_in,
   spec_of,
   with_note,
@@ -72,6 +74,15 @@ describe('joint sets', () => {
       seed: 1,
     });
     expect(spec_of({ ...form, kind: 'rectangle' })).toMatchObject({ rectangle: { width: 40, height: 20 } });
+  });
+
+  test('lengths may name their unit', () => {
+    const form = first_form();
+    form.height = '15000 mm';
+    form.sets[0].spacing = '250 cm';
+    expect(spec_of(form_in_metres(form))).toMatchObject({ slope: { height: 15 }, sets: [{ spacing: 2.5 }, {}] });
+    expect(set_in_unit({ ...form.sets[0], trace: '4' }, 'mm')).toMatchObject({ spacing: '2500', trace: '4' });
+    expect(fault_of(form_in_metres({ ...form, height: '3 kg' }), SCHEMA)).toBe('The height must be a number.');
   });
 
   test('wrong numbers are named', () => {

@@ -13,6 +13,7 @@ import {
   new_set,
   note_of,
   rounded_rows,
+  set_in_unit,
   set_spec,
   sets_in,
   with_note,
@@ -80,10 +81,11 @@ export function JointSets({
     }
     const loops = loops_of(own);
     if (!loops.length) return set_words('Draw an outline first.');
-    const specs = sets.map(set => set_spec(set, Math.max(0, names.indexOf(set.name)) + 1));
+    const in_case = sets.map(set => set_in_unit(set, own.length));
+    const specs = in_case.map(set => set_spec(set, Math.max(0, names.indexOf(set.name)) + 1));
     const box = box_of(loops[0])!;
     const size = Math.max(box[2] - box[0], box[3] - box[1]);
-    const fault = sets.map(set => fault_of_set(set, size, state.joint_schema.value)).find(Boolean);
+    const fault = in_case.map(set => fault_of_set(set, size, state.joint_schema.value)).find(Boolean);
     if (fault) return set_words(fault);
     let reply: api.JointRows;
     try {

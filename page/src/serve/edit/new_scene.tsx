@@ -11,7 +11,7 @@ import { PlaceBox } from './editor';
 import type { Point, Polygon } from './scene';
 import { scene_of } from './scene';
 import { meaning_of, schema_at, title_of, with_titles } from './schema';
-import { fault_of, first_form, OUTLINE_KEYS, type SceneForm, scene_text, spec_of } from './sets';
+import { fault_of, first_form, form_in_metres, OUTLINE_KEYS, type SceneForm, scene_text, spec_of } from './sets';
 import { SetsForm, words_at } from './sets_form';
 import { tool_of } from './tools';
 
@@ -70,7 +70,7 @@ export function NewScene() {
   const [draft, set_draft] = useState<Point[]>([]);
   const [name, set_name] = useState('');
   const [library, set_library] = useState<string[]>(['limestone']);
-  const { text, blocks, status, fault, is_ready, version } = useDrawn(form);
+  const { text, blocks, status, fault, is_ready, version } = useDrawn(form_in_metres(form));
   const is_drawn = form.kind === 'drawn';
   // An outline by hand begins on an empty sheet.
   const shown = is_drawn && form.corners.length < 3 ? '' : text;

@@ -3,7 +3,7 @@
 import type { JointRows } from '../api';
 import { support_lines } from './edits';
 import { type Path, type Value, write } from './json_text';
-import { box_of, type Point } from './scene';
+import { box_of, length_of, type Point, quantity_of } from './scene';
 import { fault_in, type Schema, schema_at, title_of } from './schema';
 
 export interface JointSet {
@@ -77,6 +77,26 @@ export const first_form = (): SceneForm => ({
 });
 
 const number = (text: string, absent = Number.NaN) => (text.trim() === '' ? absent : Number(text));
+
+/** Lengths of a joint set, and of an outline, in their forms. */
+const LENGTHS_OF_SET = ['spacing', 'trace', 'gap'] as const;
+const LENGTHS_OF_OUTLINE = ['height', 'width', 'toe', 'crest', 'base', 'bench'] as const;
+
+/** Writes lengths that name a unit in the unit of the case: "15000 mm" becomes "15" in metres. */
+function in_unit<T, K extends keyof T>(form: T, keys: readonly K[], unit: string): T {
+  const changed = keys.flatMap(key => {
+    const length = quantity_of(form[key])?.unit ? length_of(form[key], unit) : Number.NaN;
+    return Number.isNaN(length) ? [] : [[key, String(Number(length.toPrecision(12)))]];
+  });
+  return { ...form, ...Object.fromEntries(changed) };
+}
+
+export const set_in_unit = (set: JointSet, unit: string): JointSet => in_unit(set, LENGTHS_OF_SET, unit);
+
+export const form_in_metres = (form: SceneForm): SceneForm => ({
+  ...in_unit(form, LENGTHS_OF_OUTLINE, 'm'),
+  sets: form.sets.map(set => set_in_unit(set, 'm')),
+});
 
 export function set_spec(set: JointSet, material: number): Record<string, Value> {
   const trace = number(set.trace, 0);
