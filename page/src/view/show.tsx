@@ -265,7 +265,7 @@ function Magnification() {
           True scale
         </button>
         <button type="button" class="small" onClick={() => set(state.suited_magnification())}>
-          Largest 5 % of width
+          Suited to the view
         </button>
       </div>
     </div>
