@@ -140,7 +140,11 @@ function SaveMenu() {
       type="button"
       onClick={() => {
         if (menu.current) menu.current.open = false;
-        void state.attempt(run);
+        void state.attempt(async () => {
+          // A file must not lack what is not decoded yet.
+          await state.store.need_frame(state.frame.value, state.store.kinds());
+          await run();
+        });
       }}
     >
       <b>{label}</b>
