@@ -35,6 +35,12 @@ export function leaf_of(path: string): string {
   return path.slice(path.lastIndexOf('/') + 1);
 }
 
+/** Name of a result; one of both profiles has that of their folder before it. */
+export function name_of_result(path: string): string {
+  const leaf = leaf_of(path);
+  return /^(standard|legacy)$/.test(leaf) && folder_of(path) ? `${leaf_of(folder_of(path))}, ${leaf}` : leaf;
+}
+
 /** Cases in the order of their names. A geometry and an analysis file with one name are one case. */
 export function cases_of(files: FileEntry[]): Case[] {
   // A search for a factor of safety leaves its record beside cases.

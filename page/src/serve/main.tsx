@@ -6,7 +6,7 @@ import { useState } from 'preact/hooks';
 import { Icon } from '../view/icons';
 import * as api from './api';
 import { CaseView } from './case';
-import { type Case, folder_of, leaf_of, tables_of } from './cases';
+import { type Case, folder_of, leaf_of, name_of_result, tables_of } from './cases';
 import { NewScene } from './edit/new_scene';
 import { CompareView, ResultView } from './result';
 import { JobItem } from './runs';
@@ -140,7 +140,7 @@ function Side() {
           .map(own => (
             <li key={own.path}>
               <a href={state.link('result', own.path)} aria-current={current === own.path ? 'page' : undefined}>
-                {leaf_of(own.path)}
+                {name_of_result(own.path)}
                 <span>
                   {folder_of(own.path)} {state_of(own)}
                 </span>
@@ -219,7 +219,7 @@ function Home() {
                       ...(own.kind === 'sweep' && { name: 'sweep.svg' }),
                     })}
                   />
-                  <b>{leaf_of(own.path)}</b>
+                  <b>{name_of_result(own.path)}</b>
                   <span>{[state_of(own), state.when(own.time)].filter(Boolean).join(', ')}</span>
                 </a>
               </li>

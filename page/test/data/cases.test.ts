@@ -5,6 +5,7 @@ import {
   index_at,
   last_messages,
   leaf_of,
+  name_of_result,
   new_result,
   stem_of,
   tables_of,
@@ -64,4 +65,9 @@ describe('cases', () => {
     expect(route_of('')).toEqual({ kind: 'home' });
     expect(route_of('#/case/%E0%A4%A')).toEqual({ kind: 'home' });
   });
+});
+
+test('results of both profiles have the name of their folder', () => {
+  const names = ['slope/standard', 'a/slope/legacy', 'standard', 'a/slope'].map(name_of_result);
+  expect(names).toEqual(['slope, standard', 'slope, legacy', 'standard', 'slope']);
 });
