@@ -16,6 +16,7 @@
 
 #include "api/case_file.hpp"
 #include "base/bytes/sound_json.hpp"
+#include "base/printable.hpp"
 #include "study/sweep/sweep_table.hpp"
 
 namespace keyblock::serve {
@@ -106,7 +107,8 @@ fs::path ServedFolder::whole(const std::string& path) const {
   std::error_code error;
   const fs::path found = fs::weakly_canonical(root_ / asked, error);
   const auto [end, rest] = std::mismatch(root_.begin(), root_.end(), found.begin(), found.end());
-  if (error || end != root_.end()) throw NotServed(fmt::format("{} lies outside of the served folder", path));
+  if (error) throw NotServed(fmt::format("no file can have this path: {}", error.message()));
+  if (end != root_.end()) throw NotServed(fmt::format("{} lies outside of the served folder", path));
   if (!fs::is_directory(found.parent_path(), error))
     throw NotServed(fmt::format("there is no folder {}", asked.parent_path().generic_string()));
   return found;
@@ -118,13 +120,17 @@ std::string ServedFolder::name(const fs::path& whole) const {
 
 Json ServedFolder::list() const {
   Json files = Json::array(), results = Json::array();
+  int unreadable = 0;
   std::error_code error;
   fs::recursive_directory_iterator at(root_, fs::directory_options::skip_permission_denied, error), end;
   for (; !error && at != end; at.increment(error)) {
     const fs::directory_entry& entry = *at;
     std::error_code of_entry;
-    if (is_hidden(entry.path().filename()) || entry.is_symlink(of_entry)) {
+    const std::string leaf = entry.path().filename().string();
+    const bool is_readable = valid_utf8(leaf) == leaf;
+    if (is_hidden(leaf) || entry.is_symlink(of_entry) || !is_readable) {
       at.disable_recursion_pending();
+      if (!is_readable && (entry.is_directory(of_entry) || is_input(entry.path()))) ++unreadable;
       continue;
     }
     if (entry.is_directory(of_entry)) {
@@ -146,7 +152,7 @@ Json ServedFolder::list() const {
   const auto by_path = [](const Json& a, const Json& b) { return a.at("path") < b.at("path"); };
   std::sort(files.begin(), files.end(), by_path);
   std::sort(results.begin(), results.end(), by_path);
-  return {{"folder", root_.filename().string()}, {"files", files}, {"results", results}};
+  return {{"folder", root_.filename().string()}, {"files", files}, {"results", results}, {"unreadable", unreadable}};
 }
 
 }  // namespace keyblock::serve

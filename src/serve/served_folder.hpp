@@ -30,7 +30,7 @@ class ServedFolder {
   std::string name(const std::filesystem::path& whole) const;
 
   /// Returns the files of cases and drawings, and the result folders, that lie at most `kDeepest` folders below; at
-  /// most `kMostEntries` of each.
+  /// most `kMostEntries` of each. Counts those left out because their names are not UTF-8.
   nlohmann::ordered_json list() const;
 
  private:

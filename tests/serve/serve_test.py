@@ -490,6 +490,18 @@ class ServeTest(unittest.TestCase):
         (server.folder / "changed.json").write_text(json.dumps(CASE))
         server.wait_for(server.json("POST", "/api/run", {"paths": ["changed.json"], "result": "before"})[1]["id"])
         changed = json.loads(json.dumps(CASE))
+    def test_a_name_that_is_too_long_is_said_to_be_so(self):
+        status, reply = self.server.json("GET", "/api/read?path=" + 256 * "x")
+        self.assertEqual((status, reply["error"]), (404, "no file can have this path: File name too long"))
+
+    def test_names_that_are_not_utf8_are_counted(self):
+        odd = os.fsencode(self.server.folder) + b"/bad\xff\xfe.json"
+        Path(os.fsdecode(odd)).write_text("{}")
+        listing = self.server.json("GET", "/api/list")[1]
+        os.remove(odd)
+        self.assertEqual([f["path"] for f in listing["files"] if f["path"].startswith("bad")], ["bad.json"])
+        self.assertEqual(listing["unreadable"], 1)
+
         changed["analysis"]["joint_materials"][0]["friction_angle_deg"] = 35
         (server.folder / "changed.json").write_text("// a comment\n" + json.dumps(changed))
         server.wait_for(server.json("POST", "/api/run", {"paths": ["changed.json"], "result": "after"})[1]["id"])

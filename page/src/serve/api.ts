@@ -23,6 +23,8 @@ export interface Listing {
   folder: string;
   files: FileEntry[];
   results: ResultEntry[];
+  /** Number of files and folders left out because their names are not UTF-8. */
+  unreadable?: number;
 }
 
 export interface Problem {

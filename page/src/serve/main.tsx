@@ -190,6 +190,12 @@ function Home() {
             />
           </label>
         </div>
+        {!!listing.value.unreadable && (
+          <p class="note">
+            {listing.value.unreadable} {listing.value.unreadable === 1 ? 'name' : 'names'} of files or folders are not
+            UTF-8, and not listed: rename them.
+          </p>
+        )}
         {!state.cases.value.length && (
           <p class="note">This folder holds no cases. Draw a new scene, or drop files on this window.</p>
         )}
