@@ -20,7 +20,9 @@
 // Signs: tension positive in stress, pressure positive in contacts (formats/text/contact_csv.hpp).
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -32,12 +34,20 @@
 
 namespace keyblock::formats {
 
+/// Stage to which a frame belongs, and the kind of its steps.
+struct FrameStage {
+  std::string name = {};                   ///< empty for a run without stages
+  bool is_static = false;                  ///< load steps, not time steps
+  std::optional<double> load_factor = {};  ///< of load steps or crack growth
+};
+
 /// All parts of one instant; those without rows are present, without columns.
 struct FrameColumns {
   int step = 0;
   double time = 0;
   double load_factor = 1;  ///< factor of crack growth on the loads
   std::vector<FramePart> parts;
+  FrameStage stage = {};
 
   /// Throws std::invalid_argument if there is no such part.
   const FramePart& part(std::string_view name) const;

@@ -101,6 +101,15 @@ std::string attribute(std::string_view text) {
   return safe;
 }
 
+std::string fields_of(const FrameColumns& frame) {
+  const FrameStage& stage = frame.stage;
+  std::string fields = vtk_field("TimeValue", frame.time);
+  if (!stage.name.empty()) fields += vtk_field("Stage", stage.name);
+  if (stage.is_static) fields += vtk_field("IsStatic", 1);
+  if (stage.load_factor) fields += vtk_field("LoadFactor", *stage.load_factor);
+  return fields;
+}
+
 }  // namespace
 
 std::string vtu(const FrameColumns& frame, const Units& units, VtkCoding coding) {
@@ -108,7 +117,7 @@ std::string vtu(const FrameColumns& frame, const Units& units, VtkCoding coding)
   const FramePart& corners = frame.part("corners");
   const std::vector<Point> places = places_of(corners);
   const Polygons polygons = polygons_of(frame, places);
-  VtkFile file("UnstructuredGrid", frame.time,
+  VtkFile file("UnstructuredGrid", fields_of(frame),
                fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", polygons.corners.size(), blocks.rows),
                polygons.corners.size(), coding);
   std::vector<Point> walked;

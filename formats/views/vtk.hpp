@@ -8,7 +8,8 @@
 // principal_stress_greatest and _least in the plane, principal_axis (unit, of the greatest). Further cell data:
 // displacement (of the centroid since the start), velocity, rotation (rad), rotation_rate, area, fixed_points (number
 // of fixed points of the block). Point data, of every corner, each element its own: displacement.
-// The field TimeValue has the time. Units are those of the input.
+// The field TimeValue has the time. Frames of stages have their name in Stage; those of load steps have IsStatic 1 and,
+// if it is known, LoadFactor. Units are those of the input.
 // If stress varies within elements (NMM bodies), also point data stress_xx stress_yy stress_xy stress_zz,
 // principal_stress_greatest and _least, principal_axis; and body (from 1) among the cell data.
 // If rock is elastoplastic (frame.plastic), also cell data at the centroid; with stress at corners all but the last two

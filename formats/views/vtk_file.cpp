@@ -207,17 +207,27 @@ VtkCoding vtk_coding_of(std::string_view name) {
   return static_cast<VtkCoding>(found - kNames.begin());
 }
 
-VtkFile::VtkFile(std::string_view grid, double time, std::string_view counts, std::size_t points, VtkCoding coding)
+std::string vtk_field(std::string_view name, double number) {
+  return fmt::format("<DataArray type=\"Float64\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
+                     name, format_real(number));
+}
+
+std::string vtk_field(std::string_view name, std::string_view text) {
+  std::string codes;
+  for (const char c : text) codes += fmt::format("{} ", static_cast<unsigned char>(c));
+  return fmt::format("<DataArray type=\"String\" Name=\"{}\" NumberOfTuples=\"1\" format=\"ascii\">{}0</DataArray>\n",
+                     name, codes);
+}
+
+VtkFile::VtkFile(std::string_view grid, std::string_view fields, std::string_view counts, std::size_t points,
+                 VtkCoding coding)
     : grid_(grid),
       coding_(coding_of(coding, points)),
-      xml_(fmt::format(
-          "<?xml version=\"1.0\"?>\n"
-          "<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"{}>\n"
-          "<{}>\n<FieldData>\n"
-          "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n"
-          "</FieldData>\n<Piece {}>\n",
-          grid, is_packed(coding_) ? fmt::format(" compressor=\"{}\"", kPacker) : std::string(), grid,
-          format_real(time), counts)) {
+      xml_(fmt::format("<?xml version=\"1.0\"?>\n"
+                       "<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"{}>\n"
+                       "<{}>\n<FieldData>\n{}</FieldData>\n<Piece {}>\n",
+                       grid, is_packed(coding_) ? fmt::format(" compressor=\"{}\"", kPacker) : std::string(), grid,
+                       fields, counts)) {
   if (is_packed(coding_)) packer_ = std::make_unique<Packer>();
 }
 

@@ -33,11 +33,17 @@ struct VtkPacking {
   int strategy;
 };
 
+/// Returns a field of the whole file: a number, or a text as VTK keeps it, by the codes of its bytes.
+std::string vtk_field(std::string_view name, double number);
+std::string vtk_field(std::string_view name, std::string_view text);
+
 /// VTK file under construction; arrays are added in the order in which viewers list them.
 class VtkFile {
  public:
-  /// `grid`: "UnstructuredGrid" or "PolyData"; `counts`: the attributes of its piece, which has `points`.
-  VtkFile(std::string_view grid, double time, std::string_view counts, std::size_t points, VtkCoding coding);
+  /// `grid`: "UnstructuredGrid" or "PolyData"; `fields` as `vtk_field` gives them; `counts`: the attributes of its
+  /// piece, which has `points`.
+  VtkFile(std::string_view grid, std::string_view fields, std::string_view counts, std::size_t points,
+          VtkCoding coding);
 
   /// Begins an element that holds arrays: "PointData".
   void begin(std::string_view section);

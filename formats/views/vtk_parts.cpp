@@ -54,7 +54,7 @@ void add_cells(VtkFile& file, const Cells& cells, const FrameColumn* column) {
 std::string lines_vtp(const FrameColumns& frame, const FramePart& part, const RunTable& table, const Units& units,
                       VtkCoding coding) {
   const Cells cells{"Lines", 2, part.rows};
-  VtkFile file("PolyData", frame.time, counts_of(cells), points_of(cells), coding);
+  VtkFile file("PolyData", vtk_field("TimeValue", frame.time), counts_of(cells), points_of(cells), coding);
   if (part.find("displacement")) {
     file.begin("PointData");
     add_arrays(file, part, table, units, ArraysOf::ends);
@@ -72,7 +72,7 @@ std::string lines_vtp(const FrameColumns& frame, const FramePart& part, const Ru
 std::string contacts_vtp(const FrameColumns& frame, const Units& units, VtkCoding coding) {
   const FramePart& part = frame.part("contacts");
   const Cells cells{"Verts", 1, part.rows};
-  VtkFile file("PolyData", frame.time, counts_of(cells), points_of(cells), coding);
+  VtkFile file("PolyData", vtk_field("TimeValue", frame.time), counts_of(cells), points_of(cells), coding);
   file.begin("PointData");
   add_arrays(file, part, kContactArrays, units, ArraysOf::rows);
   file.end();

@@ -66,6 +66,19 @@ double VtkPiece::time() const {
   return array(inner(grid_, "FieldData"), "TimeValue").of(1)[0];
 }
 
+std::optional<double> VtkPiece::field_number(std::string_view name) const {
+  std::optional<VtkArray> found = array_in(inner(grid_, "FieldData"), name);
+  return found ? std::optional(std::move(*found).of(1)[0]) : std::nullopt;
+}
+
+std::string VtkPiece::field_text(std::string_view name) const {
+  const std::optional<VtkArray> codes = array_in(inner(grid_, "FieldData"), name);
+  std::string text;
+  for (std::size_t i = 0; codes && i < codes->size(); ++i)
+    if (const int code = codes->whole(i, 0, 255); code != 0) text += static_cast<char>(code);
+  return text;
+}
+
 std::optional<VtkArray> VtkPiece::find(std::string_view section, std::string_view name) const {
   const auto found = child_of(piece_, section);
   return found ? array_in(*found, name) : std::nullopt;

@@ -46,6 +46,9 @@ class VtkPiece {
   VtkPiece(Source&&, std::string_view) = delete;
 
   double time() const;
+  /// Returns a field of the file; nothing, or an empty text, if it has none of that name.
+  std::optional<double> field_number(std::string_view name) const;
+  std::string field_text(std::string_view name) const;
 
   /// Finds "stress_xx [Pa]" by "stress_xx". Returns nothing if there is no such section or array.
   std::optional<VtkArray> find(std::string_view section, std::string_view name) const;

@@ -75,6 +75,7 @@ class VtuReader {
   VtuFrame read() {
     VtuFrame frame;
     frame.field.time = piece_.time();
+    frame.stage = {piece_.field_text("Stage"), piece_.field_number("IsStatic") == 1, piece_.field_number("LoadFactor")};
     read_points();
     read_cells(frame);
     frame.units = units();

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/columns/frame_columns.hpp"
 #include "formats/format.hpp"
 #include "formats/views/vtk_file.hpp"
 #include "problem/run_choices.hpp"
@@ -25,8 +26,9 @@ struct VtuValues {
 };
 
 struct VtuFrame {
-  FieldFrame field;                ///< without its step, which is not in the file
-  std::vector<int> numbers;        ///< of the elements for the whole run, from 0
+  FieldFrame field;          ///< without its step, which is not in the file
+  std::vector<int> numbers;  ///< of the elements for the whole run, from 0
+  FrameStage stage = {};
   Units units = {};                ///< from the names of arrays: "stress_xx [Pa]"; empty if they have none
   bool has_corner_stress = false;  ///< stress varies within elements
   std::vector<VtuValues> values = {};

@@ -215,8 +215,9 @@ void RunFolder::describe(Archive& archive) {
   archive.group("histories", [&] { histories_.describe(archive); });
 }
 
-void RunFolder::add(const Frame& frame, FieldFrame field, const ContactFrames& contacts) {
-  const formats::FrameColumns columns = formats::columns_of(frame, frame_tables_.shown(contacts), field);
+void RunFolder::add(const Frame& frame, FieldFrame field, const ContactFrames& contacts, formats::FrameStage stage) {
+  formats::FrameColumns columns = formats::columns_of(frame, frame_tables_.shown(contacts), field);
+  columns.stage = std::move(stage);
   field = {};  // in the columns; large bodies need the room
   frame_files_.write(columns, units_);
   frame_tables_.append(frame, columns, contacts);

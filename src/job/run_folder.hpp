@@ -90,7 +90,8 @@ class RunFolder {
 
   /// Writes the files of a frame at once, with `field` if that has elements. Appends rows to contacts.csv, joints.csv,
   /// joint_lines.csv and bolts.csv. Writes fields.pvd at intervals.
-  void add(const Frame& frame, FieldFrame field = {}, const ContactFrames& contacts = {});
+  void add(const Frame& frame, FieldFrame field = {}, const ContactFrames& contacts = {},
+           formats::FrameStage stage = {});
 
   /// Selects the output of contacts, before the first frame.
   void choose_contacts(ContactOutput output) { frame_tables_.choose(std::move(output)); }

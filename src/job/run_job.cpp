@@ -168,11 +168,19 @@ void RunJob::write_tables(const LedgerScope& scope) {
   tables_due_ = ended + std::max<std::chrono::steady_clock::duration>(kTablesEvery, kLeastPause * (ended - begun));
 }
 
+formats::FrameStage RunJob::stage_of(const Frame& frame) const {
+  formats::FrameStage stage{{}, watch_.is_static(), stepper_->load_share()};
+  if (const std::vector<SceneReport> scenes = stepper_->scenes(); !scenes.empty()) stage.name = scenes.back().name;
+  if (const Model& model = stepper_->model(); model.continuum && !model.continuum->cracks.empty())
+    stage.load_factor = frame.load_factor;
+  return stage;
+}
+
 Observer RunJob::observer() {
   return {[&](const Frame& frame) {
             const Model& model = stepping_ != nullptr ? stepping_->model() : prepared_.scene.model;
             watch_.blocks().add(frame, contacts_, model, prepared_.scene.settings);
-            folder_.add(frame, std::exchange(field_, {}), std::exchange(contacts_, {}));
+            folder_.add(frame, std::exchange(field_, {}), std::exchange(contacts_, {}), stage_of(frame));
           },
           [&](const StepReport& report) {
             record_.totals.add(report);

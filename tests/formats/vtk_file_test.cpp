@@ -72,6 +72,20 @@ TEST(VtkFile, a_frame_reads_back_the_same_whichever_way_it_is_written) {
   }
 }
 
+TEST(VtkFile, the_stage_of_a_frame_reads_back) {
+  FieldFrame field;
+  const Frame frame = squares(1, field);
+  FrameColumns columns = with_derived(columns_of(frame, {}, field));
+  const auto stage_of = [&] { return read_vtu({"a.vtu", vtu(columns, {}, VtkCoding::raw)}).stage; };
+  EXPECT_EQ(stage_of().name, "");
+  EXPECT_FALSE(stage_of().is_static);
+  EXPECT_FALSE(stage_of().load_factor);
+  columns.stage = {"top <heading> \u00e4", true, 0.25};
+  EXPECT_EQ(stage_of().name, columns.stage.name);
+  EXPECT_TRUE(stage_of().is_static);
+  EXPECT_EQ(stage_of().load_factor, 0.25);
+}
+
 TEST(VtkFile, raw_bytes_are_fewer_than_text_and_packed_ones_fewer_still) {
   FieldFrame field;
   const Frame frame = squares(3000, field);

@@ -158,6 +158,21 @@ class LiveTest(unittest.TestCase):
         self.assertEqual(run.ask(4, run.ask(4)[1]["stamp"])[1], {"is_running": False})
         self.assertTrue(4 < time.monotonic() - begun < 9, "nothing new within five seconds")
 
+    def test_a_frame_names_its_stage_and_kind_of_steps(self):
+        server = self.server
+        case = CASE | {"stages": [{"name": "weight", "steps": 2}, {"name": "excavation", "steps": 2}]}
+        (server.folder / "staged.json").write_text(json.dumps(case))
+        for motion, is_static in (("dynamic", False), ("static", True)):
+            body = {"paths": ["staged.json"], "result": motion, "record_every": 1, "set": {"motion": motion}}
+            self.assertEqual(server.wait_for(server.json("POST", "/api/run", body)[1]["id"])["exit_code"] in (0, 1), True)
+            (server.folder / motion / "run.json").unlink()  # as it is while the run goes on
+            head = json.loads(server.ask("GET", f"/api/live?result={motion}&after=0&epoch=0")[1].split(b"\n")[0])
+            self.assertEqual([(f["stage"], f["is_static"]) for f in head["frames"]], [("excavation", is_static)])
+            page = server.ask("GET", f"/page?result={motion}")[1].decode()
+            frames = json.loads(re.search(r'id="keyblock-head">(.*?)</script>', page, re.S)[1])["frames"]
+            self.assertEqual([f["stage"] for f in frames], ["weight"] * 3 + ["excavation"] * (len(frames) - 3))
+            self.assertEqual({f["is_static"] for f in frames}, {is_static})
+
     def test_frames_that_were_replaced_are_told(self):
         run = Followed(self.server, "anew", 4)
         stamp = run.ask(4)[1]["stamp"]
@@ -475,6 +490,18 @@ class ServeTest(unittest.TestCase):
         body = {"paths": ["case.json"], "result": "none/here/run"}
         self.assertEqual(self.server.json("POST", "/api/run", body), (404, {"error": "there is no folder none/here"}))
 
+    def test_a_name_that_is_too_long_is_said_to_be_so(self):
+        status, reply = self.server.json("GET", "/api/read?path=" + 256 * "x")
+        self.assertEqual((status, reply["error"]), (404, "no file can have this path: File name too long"))
+
+    def test_names_that_are_not_utf8_are_counted(self):
+        odd = os.fsencode(self.server.folder) + b"/bad\xff\xfe.json"
+        Path(os.fsdecode(odd)).write_text("{}")
+        listing = self.server.json("GET", "/api/list")[1]
+        os.remove(odd)
+        self.assertEqual([f["path"] for f in listing["files"] if f["path"].startswith("bad")], ["bad.json"])
+        self.assertEqual(listing["unreadable"], 1)
+
     def test_notes_on_a_case_are_no_case(self):
         folder = self.server.folder / "verification"
         folder.mkdir()
@@ -490,18 +517,6 @@ class ServeTest(unittest.TestCase):
         (server.folder / "changed.json").write_text(json.dumps(CASE))
         server.wait_for(server.json("POST", "/api/run", {"paths": ["changed.json"], "result": "before"})[1]["id"])
         changed = json.loads(json.dumps(CASE))
-    def test_a_name_that_is_too_long_is_said_to_be_so(self):
-        status, reply = self.server.json("GET", "/api/read?path=" + 256 * "x")
-        self.assertEqual((status, reply["error"]), (404, "no file can have this path: File name too long"))
-
-    def test_names_that_are_not_utf8_are_counted(self):
-        odd = os.fsencode(self.server.folder) + b"/bad\xff\xfe.json"
-        Path(os.fsdecode(odd)).write_text("{}")
-        listing = self.server.json("GET", "/api/list")[1]
-        os.remove(odd)
-        self.assertEqual([f["path"] for f in listing["files"] if f["path"].startswith("bad")], ["bad.json"])
-        self.assertEqual(listing["unreadable"], 1)
-
         changed["analysis"]["joint_materials"][0]["friction_angle_deg"] = 35
         (server.folder / "changed.json").write_text("// a comment\n" + json.dumps(changed))
         server.wait_for(server.json("POST", "/api/run", {"paths": ["changed.json"], "result": "after"})[1]["id"])

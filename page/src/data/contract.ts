@@ -17,6 +17,7 @@ export interface FrameHead {
   load_factor?: number | null;
   epoch: number;
   stage?: string;
+  is_static?: boolean;
 }
 
 export interface EpochHead {

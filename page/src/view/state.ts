@@ -133,11 +133,10 @@ export function begin_edition(): void {
   decoded.value++;
 }
 
-/** True if load, not time, goes on from frame to frame. A run without record is static if its load factor changes. */
+/** True if load, not time, goes on from frame to frame. Frames of a run without record say so. */
 export function is_static(): boolean {
   if (head.run) return head.run.is_static === true;
-  const first = head.frames[0].load_factor ?? null;
-  return head.frames.some(own => (own.load_factor ?? null) !== first);
+  return head.frames.some(own => own.is_static);
 }
 
 /** Name of a frame's place in the run: its time, or its load factor. */

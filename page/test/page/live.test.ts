@@ -286,7 +286,13 @@ describe.skipIf(!has_browser || !program)('live frames', () => {
       const { timing, state } = (window as Open).keyblock_page;
       const seen: number[] = [];
       (window as Open).seen = seen;
-      timing.on_drawn = () => state.is_running.value && seen.push(state.head.epochs.length);
+      const stages = new Set<string>();
+      (window as Open).stages = stages;
+      timing.on_drawn = () => {
+        if (!state.is_running.value) return;
+        seen.push(state.head.epochs.length);
+        for (const frame of state.head.frames) stages.add(frame.stage);
+      };
     });
     own.kill('SIGCONT');
     await expect.poll(() => told(page).textContent(), { timeout: 60_000 }).toContain('The run has ended: ');
@@ -296,6 +302,11 @@ describe.skipIf(!has_browser || !program)('live frames', () => {
       `${seen.length}, ${Math.max(...seen)}`,
     );
     expect(Math.max(...seen)).toBeGreaterThan(1);
+    const record = JSON.parse(readFileSync(join(folder, 'tunnel/run.json'), 'utf8'));
+    const names = record.stages.map((stage: { name: string }) => stage.name);
+    const live: string[] = await inner.evaluate('[...window.stages]');
+    expect(live.length).toBeGreaterThan(0);
+    expect(names).toEqual(expect.arrayContaining(live));
     await expect_final_picture(inner, 'tunnel');
     expect(loads()).toBe(1);
     await page.context().close();

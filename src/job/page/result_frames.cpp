@@ -343,6 +343,9 @@ ReadFrame read_result_frame(const fs::path& folder, const ResultFrame& from) {
   result.units = read.units;
   frame.step = from.step;
   frame.time = read.field.time;
+  frame.stage = read.stage.name;
+  frame.is_static = read.stage.is_static;
+  frame.load_factor = read.stage.load_factor;
   frame.shape = shape_of(read, values);
   visit_corners_of(read.field, [&](const FieldCorner& corner) { frame.moves.push_back(corner.displacement); });
   frame.values = FieldsOf(read, values).all();

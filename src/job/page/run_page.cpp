@@ -132,7 +132,7 @@ std::string run_page(const fs::path& folder) {
       const bool has_units = heading.units != Units{};
       tables = {points_by_step(folder, has_units), tips_by_step(folder, has_units), load_factors(folder)};
     }
-    read.frame.stage = stage_at(stages, from.step);
+    if (!stages.empty()) read.frame.stage = stage_at(stages, from.step);
     tables.add_to(read.frame);
     counts.add(read.frame);
     page.add(std::move(read.frame));

@@ -71,6 +71,7 @@ struct PageFrame {
   double time = 0;
   std::optional<double> load_factor = {};  ///< of a static run that has one
   std::string stage = {};
+  bool is_static = false;
   PageShape shape = {};
   std::vector<Point> moves = {};  ///< displacement of each corner
   std::vector<PageValues> values = {};

@@ -122,7 +122,8 @@ void PageWriter::add(PageFrame frame) {
                      {"time", frame.time},
                      {"load_factor", frame.load_factor ? Json(*frame.load_factor) : Json()},
                      {"epoch", epoch()},
-                     {"stage", frame.stage}});
+                     {"stage", frame.stage},
+                     {"is_static", frame.is_static}});
   motions_.push_back(motions_of(*shape_, centroids_, frame.moves));
   frame.shape = {};
   waiting_.push_back(std::move(frame));

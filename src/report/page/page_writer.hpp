@@ -3,7 +3,7 @@
 //
 // Head: format "keyblock-page", version 1, program, title, precision, units, materials, joints, tables, still, verdict
 // (tone, words, reason), run (the record). `origin` is taken off all places. Frames have step, time, load_factor,
-// epoch, stage. Epochs have bodies, loops, vertices, and geometry, the id of its chunk. Fields have name, label, unit,
+// epoch, stage, is_static. Epochs have bodies, loops, vertices, and geometry, the id of its chunk. Fields have name, label, unit,
 // on, parts, components, bits, kind, names. Chunks have id, what, from, to, epoch, and frames if not all. `parts` has
 // the columns of the tables in time. All words have four bytes, the lowest first.
 // Geometry of an epoch: counts B, L, V of bodies, loops, corners; key[B], number[B], material[B], kind[B]; centroid[2B]
