@@ -97,6 +97,8 @@ export function make_wall(options: WallOptions): Wall {
     origin: [100, 50],
     precision: 'Displacements are rounded to 3·10⁻⁵ of their value, stresses to 5·10⁻⁴.',
     units: { length: 'm', mass: 'kg', time: 's', force: 'N', stress: 'Pa' },
+    unit_by_letters: { L: 'm', T: 's' },
+    titles: {},
     frames: Array.from({ length: frames }, (_, f) => ({
       step: 3 * f,
       time: 0.01 * f,

@@ -44,6 +44,20 @@ std::string title_at(const std::string& title, double time, const Units& units) 
   return fmt::format("{}, time {:g}{}{}", title, time, units.time.empty() ? "" : " ", units.time);
 }
 
+Json units_by_letters(const Units& units) {
+  namespace m = measures;
+  Json found = Json::object();
+  for (const Measure& measure :
+       {m::kRadians,        m::kLength,       m::kArea,          m::kTime,      m::kVelocity,
+        m::kAcceleration,   m::kRotationRate, m::kRate,          m::kStress,    m::kDensity,
+        m::kForcePerVolume, m::kToughness,    m::kEnergyPerArea, m::kMass,      m::kMomentOfInertia,
+        m::kForce,          m::kMoment,       m::kEnergy,        m::kStiffness, m::kMomentum,
+        m::kAngularMomentum})
+    if (is_declared(measure, units))
+      found[unit_of(measure, {}) + (measure.of_slice ? " of a slice" : "")] = unit_of(measure, units);
+  return found;
+}
+
 Json units_json(const Units& units) {
   Json json = {{"length", units.length}, {"mass", units.mass}, {"time", units.time}};
   if (is_declared(measures::kForce, units)) json["force"] = unit_of(Measure{{1, 1, -2}}, units);

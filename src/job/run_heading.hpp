@@ -20,6 +20,10 @@ std::string title_at(const std::string& title, double time, const Units& units);
 /// Returns the entry "units" of a record. Names force and stress too, if the declared units determine them.
 nlohmann::ordered_json units_json(const Units& units);
 
+/// Returns the unit of each quantity whose units are declared, by its letters as the schema has them: "F/L²", and "F/L
+/// of a slice" for one per unit thickness.
+nlohmann::ordered_json units_by_letters(const Units& units);
+
 struct RunHeading {
   std::string title;
   Units units = {};

@@ -213,8 +213,10 @@ class CaseSchema {
     if (takes_unit(parent_, name))
       schema["examples"] = Json::array({example_value(measure_of(parent_, name).value_or(measures::kNumber))});
     if (is_number(schema)) {
-      const std::string unit = unit_of(measure_of(parent_, name).value_or(measures::kNumber), Units{});
+      const Measure measure = measure_of(parent_, name).value_or(measures::kNumber);
+      const std::string unit = unit_of(measure, Units{});
       schema["x-unit"] = unit.empty() ? "none" : unit;
+      if (measure.of_slice) schema["x-of-slice"] = true;
     }
     for (const Json& word : schema.value("enum", Json::array()))
       if (const std::string_view said = meaning_of_word(name, word.get<std::string>()); !said.empty())

@@ -60,8 +60,10 @@ Json schema_of(const SettingText& setting) {
   if (setting.expected.starts_with(kOneOf)) schema["enum"] = words_of(setting.expected);
   // A number that may be absent counts.
   if (setting.expected.find("number") == std::string::npos) return schema;
-  const std::string unit = unit_of(measure_of_setting(setting.name).value_or(measures::kNumber), Units{});
+  const Measure measure = measure_of_setting(setting.name).value_or(measures::kNumber);
+  const std::string unit = unit_of(measure, Units{});
   schema["x-unit"] = unit.empty() ? "none" : unit;
+  if (measure.of_slice) schema["x-of-slice"] = true;
   put_limits(schema, setting.expected, [&](double value) { return takes(setting.name, value); });
   return schema;
 }

@@ -113,6 +113,10 @@ export interface Head {
   origin: [number, number];
   precision: string;
   units: Units | null;
+  /** Units by the letters of a dimension. */
+  unit_by_letters: Record<string, string>;
+  /** Titles of extremes of the record by their names. */
+  titles: Record<string, string>;
   frames: FrameHead[];
   epochs: EpochHead[];
   fields: FieldHead[];
@@ -156,6 +160,8 @@ export function accept_head(value: unknown): Head {
     origin: head.origin ?? [0, 0],
     precision: head.precision ?? '',
     units: head.units ?? null,
+    unit_by_letters: head.unit_by_letters ?? {},
+    titles: head.titles ?? {},
     fields: head.fields ?? [],
     parts: head.parts ?? {},
     chunks: head.chunks ?? [],

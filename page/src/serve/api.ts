@@ -49,6 +49,8 @@ export interface Report {
     /** Part that a run needs and the files do not have. */
     lacks?: 'analysis' | 'geometry';
     settings?: Record<string, unknown>;
+    /** Units by the letters of a dimension. */
+    unit_by_letters?: Record<string, string>;
     cost?: { seconds_in_all?: number; step_seconds?: number; failure?: string } | null;
   };
   exit_code: number;

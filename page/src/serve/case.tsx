@@ -14,7 +14,7 @@ import { History } from './edit/history';
 import { JointSets } from './edit/joint_sets';
 import { SaveAs } from './edit/save_as';
 import { type Polygon, type Scene, scene_of } from './edit/scene';
-import { Tables, units_of } from './edit/tables';
+import { Tables } from './edit/tables';
 import { TextArea } from './edit/text_area';
 import { RunForm } from './runs';
 import * as state from './state';
@@ -73,7 +73,10 @@ export function CaseView({ paths }: { paths: string[] }) {
     set_checking(true);
     const value = await state.attempt(() => api.check(paths, profile, chosen_settings(), trial, unsaved));
     if (own !== checks.current) return;
-    if (value) set_report(value);
+    if (value) {
+      set_report(value);
+      state.units.value = value.case?.unit_by_letters ?? {};
+    }
     set_checking(false);
   };
 
@@ -317,7 +320,6 @@ export function CaseView({ paths }: { paths: string[] }) {
         <RunForm
           paths={paths}
           report={report}
-          units={scene ? units_of(text) : {}}
           profile={profile}
           set_profile={set_profile}
           settings={settings}

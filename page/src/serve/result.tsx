@@ -211,7 +211,7 @@ export function CompareView({ first, second }: { first: string; second: string }
     : [];
   const unit = pages[0]?.state.head.units?.time ?? '';
   const words = by_step ? `step ${Math.round(shown)}` : show_time(shown, unit);
-  const [one, other] = pages.map(page => page.state.head.units as Units | null);
+  const [one, other] = pages.map(page => page.state.head.unit_by_letters as Units | undefined);
   const units = one && JSON.stringify(one) === JSON.stringify(other) ? one : null;
   return (
     <div class="compare">

@@ -5,7 +5,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { show } from '../draw/numbers';
 import * as api from './api';
 import { last_messages, leaf_of, new_result, stem_of } from './cases';
-import { dimension_of, limits_of, meaning_of, type Schema, schema_at, type Units, unit_in } from './edit/schema';
+import { limits_of, meaning_of, type Schema, schema_at, unit_in } from './edit/schema';
 import { ChoiceField, TextField, ValueBox } from './fields';
 import * as state from './state';
 import { bracket_words, ending_words, factor_words, is_failure, type StrengthResult } from './verdicts';
@@ -19,7 +19,6 @@ const reduce = signal('joints');
 export function RunForm({
   paths,
   report,
-  units,
   profile,
   set_profile,
   settings,
@@ -31,7 +30,6 @@ export function RunForm({
   paths: string[];
   report: api.Report | null;
   /** Units that the case declares. */
-  units: Units;
   profile: string;
   set_profile: (profile: string) => void;
   settings: [string, string][];
@@ -84,7 +82,6 @@ export function RunForm({
         <Setting
           key={i}
           schema={schema}
-          units={units}
           name={name}
           value={value}
           standard={name in known ? String(known[name]) : 'value'}
@@ -192,7 +189,6 @@ function names_of(schema: Schema | null, known: Record<string, unknown>): string
 /** One setting of a run: its name, its value, and what the table of settings says of it. */
 function Setting({
   schema,
-  units,
   name,
   value,
   standard,
@@ -200,7 +196,6 @@ function Setting({
   remove,
 }: {
   schema: Schema | null;
-  units: Units;
   name: string;
   value: string;
   /** Value if nothing is set. */
@@ -209,7 +204,7 @@ function Setting({
   remove: () => void;
 }) {
   const own = setting_in(schema, name);
-  const unit = own ? unit_in(dimension_of(own), units) : '';
+  const unit = own ? unit_in(own, state.units.value) : '';
   return (
     <div class="setting">
       <input

@@ -17,6 +17,9 @@ export const converted = signal({ path: '', messages: '' });
 /** Files with changes that are not saved; only the view of the case sets them. */
 export const unsaved = signal<string[]>([]);
 
+/** Units of the case that was checked last, by the letters of their dimensions. */
+export const units = signal<Units>({});
+
 /** Schema of a case file and of the settings. Without it there are no tables and no completion. */
 export const schema = signal<Schema | null>(null);
 

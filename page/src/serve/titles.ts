@@ -4,61 +4,7 @@ import { show } from '../draw/numbers';
 import { capital } from '../draw/words';
 import type { Difference } from './api';
 import type { Path } from './edit/case_text';
-import { dimension_of, type Schema, schema_at, title_of, type Units, unit_in } from './edit/schema';
-
-/** Titles of entries of run.json without a schema. */
-const OF_RECORD: Record<string, string> = {
-  profile_because: 'Reason for the profile',
-  'outcome.end': 'End of the run',
-  'outcome.steps': 'Steps',
-  'outcome.time': 'Time',
-  'outcome.doubts': 'Reasons for doubt',
-  'outcome.ended_early': 'Reason for the early end',
-  'outcome.motion.state': 'Motion at the end',
-  'outcome.motion.sentences[1]': 'Motion in words',
-  'outcome.motion.sentences[2]': 'Displacement in words',
-  'outcome.motion.kinetic_share': 'Kinetic energy over the largest stored energy',
-  'outcome.motion.fastest.speed': 'Greatest speed at the end',
-  'outcome.motion.fastest.element': 'Fastest block at the end',
-  'outcome.motion.fastest.x': 'Place of the fastest block, x',
-  'outcome.motion.fastest.y': 'Place of the fastest block, y',
-  'outcome.motion.farthest.element': 'Block moved farthest at the end',
-  'outcome.motion.farthest.displacement': 'Greatest displacement at the end',
-  'outcome.motion.farthest.x': 'Place of the block moved farthest, x',
-  'outcome.motion.farthest.y': 'Place of the block moved farthest, y',
-  'extremes.greatest_displacement.value': 'Greatest displacement',
-  'extremes.greatest_displacement.element': 'Block of the greatest displacement',
-  'extremes.least_principal_stress.value': 'Least principal stress',
-  'extremes.least_principal_stress.element': 'Block of the least principal stress',
-  'extremes.greatest_principal_stress.value': 'Greatest principal stress',
-  'extremes.greatest_principal_stress.element': 'Block of the greatest principal stress',
-  'extremes.least_area_share.value': 'Least share of area left',
-  'extremes.least_area_share.element': 'Block of the least share of area left',
-  'counts.greatest_penetration': 'Deepest overlap',
-  'counts.greatest_residual': 'Largest force out of balance, over the load',
-  'counts.least_dt': 'Shortest step',
-  'counts.greatest_dt': 'Longest step',
-  'counts.passes': 'Iterations',
-  'counts.most_passes': 'Most iterations of a step',
-  'counts.steps_by_passes[1].steps': 'Steps without iterations',
-  'counts.steps_by_passes[2].steps': 'Steps of 1 to 3 iterations',
-  'counts.steps_by_passes[3].steps': 'Steps of 4 to 10 iterations',
-  'counts.steps_by_passes[4].steps': 'Steps of 11 to 40 iterations',
-  'counts.steps_by_passes[5].steps': 'Steps of more than 40 iterations',
-  'counts.redone_attempts': 'Attempts made again',
-  'counts.fallback_solves': 'Solves by the fallback',
-  'counts.unresolved_parts': 'Parts of steps short of their target',
-  'counts.locked_overlaps': 'Overlaps left by impacts',
-  'counts.greatest_displacement_ratio': 'Greatest displacement ratio of a step',
-  'ledger.closure.energy': 'Error of the energy balance',
-  'ledger.largest_energy': 'Largest energy',
-  'requirements.unknowns': 'Unknowns',
-  'requirements.basis': 'Basis of the unknowns',
-  'start.misfit': 'Force out of balance at the start',
-  'start.unsolved_steps': 'Settling steps without a solution',
-  is_static: 'Static analysis',
-  recorded_every: 'Steps between frames',
-};
+import { type Schema, schema_at, title_of, type Units, unit_in } from './edit/schema';
 
 const in_words = (text: string) => text.replace(/_/g, ' ').trim();
 
@@ -138,6 +84,6 @@ export function relative_of_entry({ path, relative, units }: Difference): string
 export function units_of_entry(own: Difference, schema: Schema | null, units: Units | null): [string, string] {
   if (own.units) return own.units;
   const found = schema && !own.path.includes(' ') ? schema_at(schema, steps_of(own.path)) : undefined;
-  const unit = found ? unit_in(dimension_of(found), units ?? {}) : '';
+  const unit = found ? unit_in(found, units ?? {}) : '';
   return [unit, unit];
 }

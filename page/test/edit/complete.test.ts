@@ -5,7 +5,6 @@ import { describe, expect, test } from 'vitest';
 import { choices_at, place_at } from '../../src/serve/edit/complete';
 import {
   by_group,
-  dimension_of,
   fault_in,
   limits_of,
   meaning_of,
@@ -123,15 +122,10 @@ describe('schema', () => {
       'x-permitted': 'greater than 0',
       'x-unit': 'M/L³',
     };
-    expect([dimension_of(own), meaning_of(own), limits_of(own)]).toEqual([
+    expect([own['x-unit'], meaning_of(own), limits_of(own)]).toEqual([
       'M/L³',
       'Mass per volume, M/L³.',
       'greater than 0',
-    ]);
-    expect([dimension_of({ 'x-unit': 'deg' }), dimension_of({ 'x-unit': 'none' }), dimension_of({})]).toEqual([
-      '°',
-      '',
-      '',
     ]);
     const words: Schema = { enum: ['hoop_stress', 'b'], 'x-words': { hoop_stress: 'largest hoop stress' } };
     expect([words_of(words, 'hoop_stress'), words_of(words, 'b')]).toEqual(['hoop stress: largest hoop stress', 'b']);
@@ -142,31 +136,21 @@ describe('schema', () => {
     ]);
   });
 
-  test('a dimension is written in the units of the case', () => {
-    const si = { length: 'm', mass: 'kg', time: 's' };
-    expect(['F/L²', 'F/L', 'M/L³', 'L', 'T', '°', ''].map(own => unit_in(own, si))).toEqual([
-      'Pa',
-      'N/m',
-      'kg/m³',
-      'm',
-      's',
-      '°',
-      '',
-    ]);
-    expect(unit_in('F/L²', { length: 'ft', force: 'lbf', time: 's' })).toBe('lbf/ft²');
-    expect(unit_in('M/L³', { length: 'ft', force: 'lbf', time: 's' })).toBe('');
-    expect(unit_in('F/L²', { length: 'mm', mass: 'g', time: 's' })).toBe('');
-    expect(unit_in('F/L²', { length: 'm', stress: 'MPa', time: 's' })).toBe('MPa');
-    expect([unit_in('L', {}), unit_in('°', {})]).toEqual(['', '°']);
+  test('a unit is looked up by the letters of its dimension, apart for a slice', () => {
+    const units = { L: 'm', 'F/L': 'N/m', 'F/L of a slice': 'N/m/m' };
+    const of = (letters: string, is_of_slice?: boolean) =>
+      unit_in({ 'x-unit': letters, 'x-of-slice': is_of_slice }, units);
+    expect([of('L'), of('F/L'), of('F/L', true), of('deg')]).toEqual(['m', 'N/m', 'N/m/m', '°']);
+    expect([of('F/L²'), of('none'), unit_in({}, units)]).toEqual(['', '', '']);
   });
 
   const program = process.env.KEYBLOCK ?? '';
   test.skipIf(!program)('the schema of the program is understood', () => {
     const schema: Schema = JSON.parse(execFileSync(program, ['formats', '--schema']).toString());
     const young = schema_at(schema, ['analysis', 'block_materials', 0, 'youngs_modulus'])!;
-    expect([dimension_of(young), fault_in(young, 0), fault_in(young, 5e9)]).toEqual(['F/L²', 'greater than 0', '']);
+    expect([young['x-unit'], fault_in(young, 0), fault_in(young, 5e9)]).toEqual(['F/L²', 'greater than 0', '']);
     const stage = schema_at(schema, ['stages', 3, 'bolts', 0, 4])!;
-    expect([stage['x-key'], stage.title, dimension_of(stage)]).toEqual(['stiffness', 'Stiffness', 'F/L']);
+    expect([stage['x-key'], stage.title, stage['x-unit']]).toEqual(['stiffness', 'Stiffness', 'F/L']);
     expect(schema['x-sections']?.every(one => schema_at(schema, one.path))).toBe(true);
     // No default of the schema breaks its own limits.
     const broken: string[] = [];

@@ -273,6 +273,7 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
             requires: { unknowns: 252, basis: 'affine', terms: [] },
             settings: { steps: 300 },
             ...(body.trial ? { cost: { seconds_in_all: 3.2 } } : {}),
+            unit_by_letters: { L: 'm', T: 's' },
           },
           exit_code: errors.length ? 3 : 0,
           errors,

@@ -24,6 +24,7 @@
 #include "base/printable.hpp"
 #include "cut/covers/from_cover.hpp"
 #include "formats/case.hpp"
+#include "job/run_heading.hpp"
 #include "job/run_report.hpp"
 #include "problem/checks/check.hpp"
 #include "run/ahead/plausible_units.hpp"
@@ -60,8 +61,9 @@ struct CaseReport {
   std::string smallest_block = {};
   std::string size = {};  ///< of the scene
   std::optional<TrialSteps> trial = {};
-  int steps = 0;           ///< requested
-  Json settings = {};      ///< of the plan
+  int steps = 0;       ///< requested
+  Json settings = {};  ///< of the plan
+  Units units = {};
   std::string lacks = {};  ///< "geometry" or "analysis" if the files have only the other; empty otherwise
 };
 
@@ -265,6 +267,7 @@ CaseReport report_of(const std::vector<formats::FileReading>& files, const Asked
   try {
     Checked checked = check(formats::pair(contents));
     CaseReport report{checked.warnings, {}, std::nullopt};
+    report.units = checked.problem.units;
     for (const InputError& error : checked.errors) report.errors.emplace_back(error.what());
     if (const auto* cover = std::get_if<Cover>(&checked.problem.geometry); cover && report.errors.empty())
       manifold_of(*cover);  // throws if elements and loops do not fit together
@@ -301,6 +304,7 @@ void print_json(const std::vector<formats::FileReading>& files, const CaseReport
     json["case"]["requires"] = requirements_json(*report.plan);
     json["case"]["settings"] = report.settings;
   }
+  if (report.units != Units{}) json["case"]["unit_by_letters"] = units_by_letters(report.units);
   if (!report.lacks.empty()) json["case"]["lacks"] = report.lacks;
   if (!report.stages.empty()) json["case"]["stages"] = report.stages;
   for (const formats::FileReading& file : files) json["files"].push_back(json_of(file));

@@ -153,3 +153,5 @@ std::string run_page(const fs::path& folder) {
 }
 
 }  // namespace keyblock
+            {"unit_by_letters", units_by_letters(heading.units)},
+            {"titles", titles_of_extremes(record)},

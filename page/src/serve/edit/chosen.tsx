@@ -6,8 +6,7 @@ import * as state from '../state';
 import { find, type Path, type Step, set, type Value } from './case_text';
 import * as edits from './edits';
 import { coordinates_of, type Item, length_of, type Scene, title_of, value_of } from './scene';
-import { dimension_of, schema_at, title_of as title_of_key, unit_in, words_of } from './schema';
-import { units_of } from './tables';
+import { schema_at, title_of as title_of_key, unit_in, words_of } from './schema';
 
 /** More corners stand in the text alone. */
 const MOST_CORNERS = 8;
@@ -128,7 +127,6 @@ export function Chosen({
           <ValueCell
             key={`${item.key}${own.path.join()}`}
             own={own}
-            text={text}
             value={value}
             is_off={is_old}
             set={next => change(set(text, own.path, next))}
@@ -150,7 +148,6 @@ export function Chosen({
             <ValueCell
               key={`${item.key}force${axis}`}
               own={{ path: ['analysis', 'point_loads', 0, 0, 1 + axis], key: 'xy'[axis], before: 'Force' }}
-              text={text}
               value={force.force[axis]}
               is_off={is_old}
               set={own => {
@@ -188,13 +185,11 @@ export function Held({ value, is_off, set }: { value: string; is_off: boolean; s
 /** Box of a value with title, unit, limits and words of the schema. */
 function ValueCell({
   own: { path, key, before },
-  text,
   value,
   is_off,
   set,
 }: {
   own: Own;
-  text: string;
   value: Value;
   is_off: boolean;
   set: (value: Value) => void;
@@ -202,7 +197,7 @@ function ValueCell({
   const id = useId();
   const own = state.schema.value ? schema_at(state.schema.value, path) : undefined;
   const title = title_of_key(key, own);
-  const unit = own ? unit_in(dimension_of(own), units_of(text)) : '';
+  const unit = own ? unit_in(own, state.units.value) : '';
   const size = Math.max(5, Math.min(11, String(value).length + 1));
   return (
     <span class="edit-part">

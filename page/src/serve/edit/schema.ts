@@ -24,6 +24,8 @@ export interface Schema {
   'x-key'?: string;
   /** Letters of the dimension, an angle, or "none". */
   'x-unit'?: string;
+  /** True if the number is per unit of thickness. */
+  'x-of-slice'?: boolean;
   /** Permitted values in words. */
   'x-permitted'?: string;
   /** Group among the keys of an object. */
@@ -95,22 +97,14 @@ export function with_titles(sentence: string, schemas: (Schema | null)[]): strin
   });
 }
 
-/** Dimension or unit of a number: "F/L²", "°"; empty if it has none. */
-export function dimension_of(own: Schema): string {
-  const unit = own['x-unit'] ?? 'none';
-  return unit === 'none' ? '' : unit === 'deg' ? '°' : unit;
-}
-
-/** Units of a case file by their keys. */
+/** Units that a case declares, by the letters of a dimension; the program makes this table. */
 export type Units = Record<string, string>;
 
-/** Writes a dimension in the units of the file: F/L² becomes N/m². Empty if the file does not name a unit of it. */
-export function unit_in(dimension: string, { length, time, mass, force, stress }: Units): string {
-  const is_si = length === 'm' && mass === 'kg' && time === 's';
-  if (dimension === 'F/L²' && (stress || is_si)) return stress || 'Pa';
-  const own: Partial<Units> = { L: length, T: time, M: mass, F: force ?? (is_si ? 'N' : undefined) };
-  if (dimension.match(/[LTMF]/g)?.some(letter => !own[letter])) return '';
-  return dimension.replace(/[LTMF]/g, letter => own[letter]!);
+/** Unit of a number in a case; empty without one, and for a dimension whose units the case does not declare. */
+export function unit_in(own: Schema, units: Units): string {
+  const letters = own['x-unit'] ?? 'none';
+  if (letters === 'none') return '';
+  return letters === 'deg' ? '°' : (units[own['x-of-slice'] ? `${letters} of a slice` : letters] ?? '');
 }
 
 /** Words of a description without its limits. */

@@ -3,7 +3,7 @@
 import { ChoiceField, TextField } from '../fields';
 import * as state from '../state';
 import type { Path } from './case_text';
-import { dimension_of, type Schema, schema_at, title_of, words_on } from './schema';
+import { type Schema, schema_at, title_of, unit_in, words_on } from './schema';
 import { type JointSet, new_set, SET_KEYS } from './sets';
 
 /** Fields of a joint set with the path of each in a schema. */
@@ -21,7 +21,7 @@ export function words_at(schema: Schema | null, path: Path, length: string): { l
   const own = schema ? schema_at(schema, path) : undefined;
   const title = title_of(String(path.at(-1)), own);
   if (!own) return { label: title, title: '' };
-  const unit = { L: length, '°': '°' }[dimension_of(own)];
+  const unit = unit_in(own, { L: length });
   return { label: unit ? `${title} [${unit}]` : title, title: words_on(own) };
 }
 

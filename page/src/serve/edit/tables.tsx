@@ -1,12 +1,12 @@
 // Forms of a case beside its text: every section as tables and fields, with titles, units and limits of the schema.
 
 import { ValueBox } from '../fields';
+import * as state from '../state';
 import { find, type Node, type Path, parse, plain, remove, set, type Value } from './case_text';
 import { append } from './edits';
 import type { Scene } from './scene';
 import {
   by_group,
-  dimension_of,
   limits_of,
   meaning_of,
   type Schema,
@@ -14,7 +14,6 @@ import {
   schema_at,
   takes_unit,
   title_of,
-  type Units,
   unit_in,
 } from './schema';
 
@@ -225,7 +224,7 @@ function AddKey({ path, node, schema, edit, sections }: Part) {
 
 /** One value with its title, unit and meaning. */
 function Field({ name, path, node, schema, text, edit, sections }: Part & { name: string }) {
-  const unit = unit_in(dimension_of(schema), units_of(text));
+  const unit = unit_in(schema, state.units.value);
   const limits = limits_of(schema);
   const id = path.join('-');
   return (
@@ -269,24 +268,8 @@ function Box({ id, label, path, node, schema, edit }: Part & { id?: string; labe
   );
 }
 
-let units_read = { text: '', units: {} as Units };
-
-/** Units that the case declares; read once per text. */
-export function units_of(text: string): Units {
-  if (units_read.text !== text) {
-    let units: Units = {};
-    try {
-      units = (plain(find(parse(text), ['units'])) ?? {}) as Units;
-    } catch {
-      // A text with a fault has no units for now.
-    }
-    units_read = { text, units };
-  }
-  return units_read.units;
-}
-
-function Unit({ own, units }: { own: Schema; units: Units }) {
-  const unit = unit_in(dimension_of(own), units);
+function Unit({ own }: { own: Schema }) {
+  const unit = unit_in(own, state.units.value);
   return unit ? <span class="note">[{unit}]</span> : null;
 }
 
@@ -318,7 +301,6 @@ function Rows({
   const columns: [string, Schema, (i: number) => Path][] = is_rows
     ? item.prefixItems!.map((own, c) => [own['x-key'] ?? String(c + 1), own, i => [...path, i, c]])
     : keys.map(key => [key, item.properties![key], i => [...path, i, key]]);
-  const units = units_of(text);
   return (
     <>
       {rows.length > 0 && columns.length > 0 && (
@@ -329,7 +311,7 @@ function Rows({
                 <th scope="col">#</th>
                 {columns.map(([key, own]) => (
                   <th scope="col" key={key} title={meaning_of(own)}>
-                    {title_of(key, own)} <Unit own={own} units={units} />
+                    {title_of(key, own)} <Unit own={own} />
                   </th>
                 ))}
                 <th scope="col">
