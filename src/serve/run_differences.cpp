@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "job/run_measures.hpp"
 #include "problem/units/unit_conversion.hpp"
 
 namespace keyblock::serve {
@@ -95,6 +96,8 @@ class Differences {
       if (scale > 0) difference["relative"] = relative;
     }
     if (units.are_named()) difference["units"] = {units.first, units.second};
+    if (std::string title = is_of_records_ ? title_in_record(path) : std::string(); !title.empty())
+      difference["title"] = std::move(title);
     found_.push_back(std::move(difference));
   }
 

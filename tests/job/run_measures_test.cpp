@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/run_measures.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <string>
+
+#include "result/step_record.hpp"
 
 namespace keyblock::run_measures_test {
 namespace {
@@ -42,6 +47,21 @@ TEST(RunMeasures, places_that_are_not_known_have_none) {
   for (const char* path : {"", "outcome", "outcome.steps", "counts.blocks", "settings.no_such_setting", "time",
                            "outcome.time.value", "stages[].steps[]"})
     EXPECT_FALSE(measure_in_record(path)) << path;
+}
+
+TEST(RunMeasures, entries_have_titles) {
+  EXPECT_EQ(title_in_record("extremes.greatest_displacement.value"), "Greatest displacement");
+  EXPECT_EQ(title_in_record("is_static"), "Static analysis");
+  EXPECT_FALSE(measure_in_record("is_static"));
+  for (const char* path : {"", "plastic.area", "no.such.entry"}) EXPECT_EQ(title_in_record(path), "") << path;
+  const auto title = [](std::size_t i) {
+    return title_in_record("counts.steps_by_passes[" + std::to_string(i + 1) + "].steps");
+  };
+  constexpr auto& kLimits = StepTotals::pass_limits;
+  for (std::size_t i = 1; i < kLimits.size(); ++i)
+    EXPECT_EQ(title(i), fmt::format("Steps of {} to {} iterations", kLimits[i - 1] + 1, kLimits[i]));
+  EXPECT_EQ(title(0), "Steps without iterations");
+  EXPECT_EQ(title(kLimits.size()), fmt::format("Steps of more than {} iterations", kLimits.back()));
 }
 
 TEST(RunMeasures, the_unit_of_each_number_stands_under_its_path) {

@@ -91,6 +91,8 @@ export interface Difference {
   relative?: number;
   /** Units of both values, if they are numbers of a record with declared units. */
   units?: [string, string];
+  /** Title of an entry of a record that has one. */
+  title?: string;
 }
 
 export class RequestError extends Error {

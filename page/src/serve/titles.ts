@@ -35,10 +35,9 @@ function setting_of(path: string, schema: Schema | null): { own?: Schema; name: 
 }
 
 /** Title of an entry of the records or of the input files of two runs. */
-export function title_of_entry({ path }: Difference, schema: Schema | null): string {
+export function title_of_entry({ path, title }: Difference, schema: Schema | null): string {
   if (/ line \d+$/.test(path)) return path;
-  const known = OF_RECORD[path];
-  if (known) return known;
+  if (title) return title;
   if (path.startsWith('settings.')) {
     const { own, name, material } = setting_of(path, schema);
     return `Setting: ${title_of(name, own)}${material}`;

@@ -55,13 +55,6 @@ function go_to_body(number: number): void {
   state.tab.value = 'chosen';
 }
 
-const EXTREMES: Record<string, { label: string; unit: 'length' | 'stress' | '' }> = {
-  greatest_displacement: { label: 'Greatest displacement', unit: 'length' },
-  least_principal_stress: { label: 'Least principal stress', unit: 'stress' },
-  greatest_principal_stress: { label: 'Greatest principal stress', unit: 'stress' },
-  least_area_share: { label: 'Least share of area left', unit: '' },
-};
-
 export function RunTab() {
   const { head } = state;
   const run = head.run;
@@ -130,11 +123,10 @@ export function RunTab() {
           <table class="facts">
             <tbody>
               {extremes.map(([name, own]) => {
-                const known = EXTREMES[name];
-                const unit = known?.unit ? (units?.[known.unit] ?? '') : '';
+                const unit = run.unit_of?.[`extremes.${name}.value`] ?? '';
                 return (
                   <tr key={name}>
-                    <th scope="row">{known?.label ?? words(name)}</th>
+                    <th scope="row">{head.titles[name] || words(name)}</th>
                     <td>
                       {show_with(own.value, unit, name === 'least_area_share' ? 6 : 4)}
                       {own.element !== undefined && (

@@ -19,14 +19,15 @@ describe('titles', () => {
   });
 
   test('entries of a record have titles in words', () => {
-    expect(title_of_entry({ path: 'counts.steps_by_passes[2].steps' }, null)).toBe('Steps of 1 to 3 iterations');
     expect(title_of_entry({ path: 'ledger.end.friction' }, null)).toBe('Energy balance: friction');
     const set = { properties: { motion: { title: 'Kind of steps' } } };
     expect(title_of_entry({ path: 'settings.motion' }, { properties: { run: { properties: { set } } } })).toBe(
       'Setting: Kind of steps',
     );
     const path = 'extremes.least_area_share.element';
-    expect(title_of_entry({ path }, null)).toBe('Block of the least share of area left');
+    expect(title_of_entry({ path }, null)).toBe('Least area share element');
+    const title = 'Block of the least share of area left';
+    expect(title_of_entry({ path, title }, null)).toBe(title);
     expect(relative_of_entry({ path, first: 1, second: 2, relative: 0.5 })).toBe('');
     expect(relative_of_entry({ path: 'outcome.steps', relative: 0.5 })).toBe('50 %');
     expect(relative_of_entry({ path: 'counts.greatest_penetration', relative: 0.999, units: ['mm', 'm'] })).toBe('');

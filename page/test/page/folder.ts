@@ -254,6 +254,7 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
               second: 0.001,
               relative: 0.5,
               units: ['m', 'm'],
+              title: 'Greatest displacement',
             },
           ],
         });
@@ -272,8 +273,8 @@ export async function serve_folder(files: Record<string, string>, scripts: strin
             size: '30 m by 14 m',
             requires: { unknowns: 252, basis: 'affine', terms: [] },
             settings: { steps: 300 },
-            ...(body.trial ? { cost: { seconds_in_all: 3.2 } } : {}),
             unit_by_letters: { L: 'm', T: 's' },
+            ...(body.trial ? { cost: { seconds_in_all: 3.2 } } : {}),
           },
           exit_code: errors.length ? 3 : 0,
           errors,

@@ -6,7 +6,6 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { title_of_entry } from '../../src/serve/titles';
 import { figure, has_browser, launch, open, open_window, start_server } from './browser';
 
 const program = process.env.KEYBLOCK ?? '';
@@ -82,15 +81,6 @@ describe.skipIf(!has_browser || !program)('program', () => {
     expect(requests).toEqual([]);
     expect(errors).toEqual([]);
     await page.context().close();
-  });
-
-  test('steps by iterations have titles with the limits of the record', () => {
-    const record: Open = JSON.parse(readFileSync(join(folder, 'slope/run.json'), 'utf8'));
-    record.counts.steps_by_passes.forEach(({ from, to }: { from: number; to: number | null }, i: number) => {
-      const title = title_of_entry({ path: `counts.steps_by_passes[${i + 1}].steps` }, null);
-      const limits = to === 0 ? [] : to === null ? [from - 1] : [from, to];
-      expect((title.match(/\d+/g) ?? []).map(Number)).toEqual(limits);
-    });
   });
 
   test('a case is opened, changed, run, watched and compared in the window', async () => {

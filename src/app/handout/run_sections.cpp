@@ -10,6 +10,7 @@
 
 #include "app/handout/sentences.hpp"
 #include "base/words/diagnostics.hpp"
+#include "job/run_measures.hpp"
 #include "problem/units/readable.hpp"
 
 namespace keyblock {
@@ -56,18 +57,19 @@ DocumentSection result_section(const RunRecordFile& record) {
   Rows rows;
   const auto with_block = [&](const std::string& path, const Measure& measure) {
     const std::string value = record.quantity(path + ".value", measure);
-    const bool has_elements = record.at("counts.elements").is_number();
-    return value.empty() ? value
-                         : fmt::format("{} ({} {})", value, has_elements ? "element" : "block",
-                                       plain_text(record.at(path + ".element")));
+    const char* noun = record.at("counts.elements").is_number() ? "element" : "block";
+    const std::string element = plain_text(record.at(path + ".element"));
+    put(rows, title_in_record(path + ".value"),
+        value.empty() ? value : fmt::format("{} ({} {})", value, noun, element));
   };
-  put(rows, "largest displacement", with_block("extremes.greatest_displacement", measures::kLength));
-  put(rows, "least principal stress", with_block("extremes.least_principal_stress", measures::kStress));
-  put(rows, "greatest principal stress", with_block("extremes.greatest_principal_stress", measures::kStress));
-  put(rows, "largest speed at the end", record.quantity("outcome.motion.fastest.speed", measures::kVelocity));
-  put(rows, "deepest overlap of blocks", record.quantity("counts.greatest_penetration", measures::kLength));
-  put(rows, "largest force out of balance, over the load", plain_text(record.at("counts.greatest_residual")));
-  put(rows, "error of the energy balance, over the largest energy", plain_text(record.at("ledger.closure.energy")));
+  with_block("extremes.greatest_displacement", measures::kLength);
+  with_block("extremes.least_principal_stress", measures::kStress);
+  with_block("extremes.greatest_principal_stress", measures::kStress);
+  const auto add = [&](const char* path, const std::string& value) { put(rows, title_in_record(path), value); };
+  add("outcome.motion.fastest.speed", record.quantity("outcome.motion.fastest.speed", measures::kVelocity));
+  add("counts.greatest_penetration", record.quantity("counts.greatest_penetration", measures::kLength));
+  add("counts.greatest_residual", plain_text(record.at("counts.greatest_residual")));
+  add("ledger.closure.energy", plain_text(record.at("ledger.closure.energy")));
   section.tables.push_back({{"quantity", "value"}, rows});
   return section;
 }

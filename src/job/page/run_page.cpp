@@ -14,6 +14,7 @@
 #include "job/page/result_frames.hpp"
 #include "job/page/result_tables.hpp"
 #include "job/run_heading.hpp"
+#include "job/run_measures.hpp"
 #include "job/verdict/run_verdict.hpp"
 #include "report/page/page_writer.hpp"
 
@@ -72,6 +73,15 @@ Json names_of(const Json& record, const char* key, std::size_t count) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (!names[i].is_string() || names[i].empty() || names[i] == "") names[i] = fmt::format("{}", i + 1);
   return names;
+}
+
+/// Titles of the extremes by their names.
+Json titles_of_extremes(const Json& record) {
+  Json titles = Json::object();
+  const Json extremes = record.is_object() ? record.value("extremes", Json()) : Json();
+  if (extremes.is_object())
+    for (const auto& [name, value] : extremes.items()) titles[name] = title_in_record("extremes." + name + ".value");
+  return titles;
 }
 
 /// Supports and loads before the first step, from the origin of the page.
@@ -143,6 +153,8 @@ std::string run_page(const fs::path& folder) {
             {"title", heading.title},
             {"precision", kPrecision},
             {"units", heading.units == Units{} ? Json() : units_json(heading.units)},
+            {"unit_by_letters", units_by_letters(heading.units)},
+            {"titles", titles_of_extremes(record)},
             {"materials", names_of(record, "materials", counts.materials)},
             {"joints", names_of(record, "joints", counts.joints)},
             {"tables", result_tables(folder, heading.units != Units{})},
@@ -153,5 +165,3 @@ std::string run_page(const fs::path& folder) {
 }
 
 }  // namespace keyblock
-            {"unit_by_letters", units_by_letters(heading.units)},
-            {"titles", titles_of_extremes(record)},
