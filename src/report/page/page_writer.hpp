@@ -1,11 +1,11 @@
 // Writes the frames of a run as the data of its page: a head (JSON) and chunks of numbers (base64 of zlib).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Head: format "keyblock-page", version 1, program, title, precision, units, materials, joints, tables, still, verdict
-// (tone, words, reason), run (the record). `origin` is taken off all places. Frames have step, time, load_factor,
-// epoch, stage, is_static. Epochs have bodies, loops, vertices, and geometry, the id of its chunk. Fields have name, label, unit,
-// on, parts, components, bits, kind, names. Chunks have id, what, from, to, epoch, and frames if not all. `parts` has
-// the columns of the tables in time. All words have four bytes, the lowest first.
+// Head: format "keyblock-page", version 1, program, title, precision, units, materials, joints, tables, still,
+// verdict (tone, words, reason), run (the record). `origin` is taken off all places. Frames have step, time,
+// load_factor, epoch, stage, is_static. Epochs have bodies, loops, vertices, and geometry, the id of its chunk.
+// Fields have name, label, unit, on, parts, components, bits, kind, names. Chunks have id, what, from, to, epoch,
+// and frames if not all. `parts` has the columns of the tables in time. All words have four bytes, the lowest first.
 // Geometry of an epoch: counts B, L, V of bodies, loops, corners; key[B], number[B], material[B], kind[B]; centroid[2B]
 // from the origin; loop_body[L] (row), loop_size[L]; place[2V] from the centroid of the body. Holes by the even-odd
 // rule.
