@@ -23,8 +23,8 @@ constexpr std::array<Replacement, 9> kReplacements{{
     {"--reduce\\b", "strength to reduce"},
     {"--(profile|history|contacts|field|over)\\b", "$1"},
     {"--(quiet|verbose|json)\\b", "$1"},
-    // Neither names of files, such as --force.json, nor the end of a quoted command.
-    {"(^|[ (\n])--([a-z][a-z-]*[a-z])(?![a-z-]|[/`]|\\.[a-z])", "$1option $2 of the command line"},
+    // Names of files stay, such as --force.json.
+    {"(^|[ (\n])--([a-z][a-z-]*[a-z])(?![a-z-]|/|\\.[a-z])", "$1option $2 of the command line"},
 }};
 
 }  // namespace

@@ -166,8 +166,7 @@ TEST(WindowWords, options_of_the_command_line_become_words) {
             "x exists; give another name");
   EXPECT_EQ(serve::window_words("Give the unit by --unit."), "Give the unit by option unit of the command line.");
   EXPECT_EQ(serve::window_words("a - b, -3 -- 4"), "a - b, -3 -- 4");
-  for (const char* kept :
-       {"./--force/run.json: error", "--force/run.json", "--rf.json", "(`keyblock run --settings` lists them)"})
+  for (const char* kept : {"./--force/run.json: error", "--force/run.json", "--rf.json"})
     EXPECT_EQ(serve::window_words(kept), kept);
 }
 
