@@ -117,10 +117,12 @@ First asked_motion(const StandardScene& scene) {
   const bool as_drawn = is_in_time && choices.start == StartRule::sudden;
   const bool slides_in_balance =
       std::ranges::all_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_compatible_start(); });
-  // Blocks that may yield have stress that forces alone do not give.
-  if (!as_drawn && is_in_time && !slides_in_balance) return resting_first(scene, std::move(motion));
-  if (!as_drawn && slides_in_balance && has_initial_stress(scene)) motion.closed = stressed_contacts(scene, motion);
-  if (as_drawn || !slides_in_balance || has_initial_stress(scene)) return {std::move(motion), {}, {}};
+  if (as_drawn) return {std::move(motion), {}, {}};
+  // Initial stress, and that of blocks that may yield, is more than forces alone give: statics finds what fits it.
+  const bool is_stressed = has_initial_stress(scene);
+  if (is_stressed && slides_in_balance) motion.closed = stressed_contacts(scene, motion);
+  if (is_stressed || !slides_in_balance)
+    return is_in_time ? resting_first(scene, std::move(motion)) : First{std::move(motion), {}, {}};
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);
   // In a jointed mass, friction can carry the load in several ways. Statics therefore begins from the same forces as

@@ -151,6 +151,36 @@ TEST(CompatibleStart, the_start_is_reported) {
             "as the file has it");
 }
 
+// A block of initial stress s between fixed walls presses its springs together by d each: (s - p) L / E = 2 d. It began
+// without forces, bounced between the walls, and gained energy at 10 ms.
+TEST(CompatibleStart, a_stressed_block_on_springs_is_at_rest_between_walls) {
+  constexpr double kStress = 1e6, kModulus = 1e8;
+  for (const double dt : {1e-3, 1e-2}) {
+    Analysis analysis = plain_analysis(dt, 1);
+    analysis.gravity = 0;
+    analysis.block_materials[0].youngs_modulus = kModulus;
+    analysis.block_materials[0].poissons_ratio = 0;
+    analysis.block_materials[0].initial_stress = {-kStress, 0, 0};
+    Blocks blocks;
+    blocks.blocks = {support::rectangle({0, 0}, {1, 1}), support::rectangle({-2, -1}, {0, 2}),
+                     support::rectangle({1, -1}, {3, 2})};
+    blocks.fixed_points = {{{-1.5, 0}, 1, {}}, {{-1.5, 1}, 1, {}}, {{2.5, 0}, 2, {}}, {{2.5, 1}, 2, {}}};
+    Settings settings = standard_settings(analysis);
+    settings.standard.enforcement = Enforcement::penalty;
+    StandardStepper stepper(standard_scene_of(blocks, analysis, settings));
+    const State start = stepper.state();
+    support::run_to(stepper, 0.1);
+    EXPECT_LT(length(support::travel(stepper, start, 0)), 1e-9) << dt;
+    double force = 0, overlap = 0;
+    for (const ContactFrame& contact : stepper.contacts()) {
+      force += contact.normal_force / 2;
+      overlap -= contact.gap / 2;
+    }
+    EXPECT_GT(force, 0.1 * kStress) << dt;
+    EXPECT_NEAR((kStress - force) / kModulus, overlap, 1e-6 * overlap) << dt;
+  }
+}
+
 // Each bolt carries half the weight, and has the length of that; the block, stretched by its own weight, by 1.2 µm. A
 // bolt whose pretension is half the weight gets this alone.
 TEST(CompatibleStart, a_hung_block_is_in_balance_with_its_bolts) {
