@@ -181,6 +181,46 @@ TEST(CompatibleStart, a_stressed_block_on_springs_is_at_rest_between_walls) {
   }
 }
 
+// Frictionless blocks between walls, on a floor, with the stress -s both ways. Their top is free, so they end at
+// vertical stress 0 and horizontal stress -(1 - nu) s (Hooke, plane stress). Few blocks begin at the equilibrium of
+// statics, many where the forces of the stress lead them.
+TEST(CompatibleStart, a_stressed_mass_begins_where_its_free_face_lets_it) {
+  constexpr double kStress = 1e5;
+  for (const int n : {2, 6}) {
+    Analysis analysis = plain_analysis(1e-3, 1);
+    analysis.gravity = 0;
+    analysis.plane_strain = false;
+    analysis.block_materials[0].youngs_modulus = 1e9;
+    analysis.block_materials[0].poissons_ratio = 0.25;
+    analysis.penalty_factor = 1e4;  // springs take no length
+    analysis.block_materials[0].initial_stress = {-kStress, -kStress, 0};
+    analysis.joint_materials[0].friction_angle_deg = 0;
+    const auto size = static_cast<double>(n);
+    Blocks blocks;
+    blocks.blocks = {support::rectangle({-2, -1}, {0, size + 1}), support::rectangle({size, -1}, {size + 2, size + 1}),
+                     support::rectangle({0, -1}, {size, 0})};
+    for (const int fixed : {0, 1, 2})
+      for (const double part : {0.2, 0.8}) {
+        const auto& corners = blocks.blocks[static_cast<std::size_t>(fixed)].outer;
+        blocks.fixed_points.push_back(
+            {corners[0].position + part * (corners[2].position - corners[0].position), fixed, {}});
+      }
+    for (int i = 0; i < n * n; ++i) {
+      const Point low{static_cast<double>(i % n), static_cast<double>(i / n)};
+      blocks.blocks.push_back(support::rectangle(low, low + Point{1, 1}));
+    }
+    StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
+    const State start = stepper.state();
+    support::run_to(stepper, 0.02);
+    for (int i = 3; i < 3 + n * n; ++i) {
+      EXPECT_LT(length(support::travel(stepper, start, i)), 1e-8) << n << ", block " << i;
+      const Stress stress = stepper.state().elements[ElementIndex(i)].stress;
+      EXPECT_NEAR(stress.xx, -0.75 * kStress, 1e-3 * kStress) << n << ", block " << i;
+      EXPECT_NEAR(stress.yy, 0, 1e-3 * kStress) << n << ", block " << i;
+    }
+  }
+}
+
 // Each bolt carries half the weight, and has the length of that; the block, stretched by its own weight, by 1.2 µm. A
 // bolt whose pretension is half the weight gets this alone.
 TEST(CompatibleStart, a_hung_block_is_in_balance_with_its_bolts) {

@@ -36,7 +36,7 @@ class Settling {
     found_ = resting_touches(scene_, motion_, scales_);
     const UnknownsTable drawn = motion_.q;
     leave_unsupported(found_);
-    load_glued(found_);
+    if (motion_.closed.size() == 0) load_glued(found_);
     Motion before = motion_;  // keeps the compression of the glue's springs
     before.q = drawn;
     add_overlapping(before);
