@@ -74,7 +74,7 @@ std::string balanced_by(const StandardScene& scene, const std::string& what) {
 }
 
 First settled_first(const StandardScene& scene, Motion motion, const std::string& why) {
-  const bool is_stressed = motion.closed.size() > 0;
+  const bool is_stressed = has_initial_stress(scene);
   Settled made = settled(scene, std::move(motion));
   return {
       std::move(made.motion),

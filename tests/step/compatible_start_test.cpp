@@ -186,7 +186,7 @@ TEST(CompatibleStart, a_stressed_block_on_springs_is_at_rest_between_walls) {
 // statics, many where the forces of the stress lead them.
 TEST(CompatibleStart, a_stressed_mass_begins_where_its_free_face_lets_it) {
   constexpr double kStress = 1e5;
-  for (const int n : {2, 6}) {
+  for (const auto& [n, far] : {std::pair(2, 0.0), {6, 0.0}, {6, 1e4}}) {
     Analysis analysis = plain_analysis(1e-3, 1);
     analysis.gravity = 0;
     analysis.plane_strain = false;
@@ -209,6 +209,10 @@ TEST(CompatibleStart, a_stressed_mass_begins_where_its_free_face_lets_it) {
       const Point low{static_cast<double>(i % n), static_cast<double>(i / n)};
       blocks.blocks.push_back(support::rectangle(low, low + Point{1, 1}));
     }
+    const Point offset{far, far};
+    for (BlockPolygon& block : blocks.blocks)
+      for (BlockVertex& corner : block.outer) corner.position = corner.position + offset;
+    for (BlockPoint& point : blocks.fixed_points) point.position = point.position + offset;
     StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
     const State start = stepper.state();
     support::run_to(stepper, 0.02);
