@@ -76,11 +76,6 @@ void draw_panel(SvgPage& page, Point corner, const ValuesColumn& key, const Valu
   draw_chart(page, corner, {kWidth - 2 * kMargin, kPanel - 20}, {line, points}, {axis_name(key), output.name});
 }
 
-std::string hex(const Channels& colour) {
-  const auto part = [&](std::size_t channel) { return static_cast<int>(std::lround(colour[channel])); };
-  return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
-}
-
 /// Map of one output over two keys.
 struct Map {
   std::vector<double> x;
@@ -107,7 +102,7 @@ void draw_bar(SvgPage& page, Point corner, double height, const Map& map) {
   page.text({kWidth - kMargin, corner.y - 20}, map.output.name, {.size = 12, .anchor = Anchor::end, .bold = true});
   for (int i = 0; i < kSteps; ++i)
     page.rectangle({corner.x, corner.y + height * i / kSteps}, 14, height / kSteps + 0.4,
-                   {.fill = hex(heat_colour(1 - (i + 0.5) / kSteps))});
+                   {.fill = hex(colour_at(palette::kViridis, 1 - (i + 0.5) / kSteps))});
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
     page.text({corner.x + 20, corner.y + share * height + 4},
               fmt::format("{:.3g}", std::lerp(map.high, map.low, share)), {.size = 11});
@@ -129,8 +124,9 @@ void draw_map(SvgPage& page, Point corner, const ValuesPicture& picture, const M
                                  picture.keys[1].name, picture.keys[1].words[i], map.output.name, value,
                                  picture.verdicts[i]));
     if (std::isfinite(value)) {
-      page.rectangle(at - Point{half, half}, 2 * half, 2 * half,
-                     {.fill = hex(heat_colour(map.share(value))), .stroke = "#ffffff", .stroke_width = 0.8});
+      page.rectangle(
+          at - Point{half, half}, 2 * half, 2 * half,
+          {.fill = hex(colour_at(palette::kViridis, map.share(value))), .stroke = "#ffffff", .stroke_width = 0.8});
     } else {
       page.line(at - Point{half, half}, at + Point{half, half}, {.stroke = "#9c1c1c", .stroke_width = 1.2});
       page.line(at + Point{-half, half}, at + Point{half, -half}, {.stroke = "#9c1c1c", .stroke_width = 1.2});

@@ -4,6 +4,7 @@ import { batch, computed, signal } from '@preact/signals';
 import { type FrameHead, type Head, PageError } from '../data/contract';
 import type { Store } from '../data/store';
 import { add_places, type Camera, empty_box, fit, type Size } from '../draw/camera';
+import type { MapName } from '../draw/colours';
 import { type Measure, measures_of } from '../draw/measures';
 import { round_below, show, show_time } from '../draw/numbers';
 import { DARK, LIGHT } from '../draw/paint';
@@ -81,7 +82,7 @@ export const trails = signal<'none' | 'chosen' | 'all'>('none');
 export const measure_id = signal('displacement.size');
 export const range_mode = signal<'run' | 'frame' | 'own'>('run');
 export const own_range = signal<Range>({ low: 0, high: 1 });
-export const map_name = signal('viridis');
+export const map_name = signal<MapName>('rising');
 export const magnification = signal(1);
 
 export type Chosen = { kind: 'body'; key: number } | { kind: 'part'; what: string; ident: number[]; nth: number };

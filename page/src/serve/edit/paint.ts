@@ -1,5 +1,6 @@
 // Paints the drawing of a case on a canvas.
 
+import { areas_of, lines_of } from '../../draw/colours';
 import { multiples } from '../../draw/numbers';
 import type { Item, Point, Polygon, Scene } from './scene';
 import type { Snapped } from './snap';
@@ -41,29 +42,8 @@ export function colours_of(element: Element): Colours {
   };
 }
 
-/** Fill of block materials, then lines of joint materials; each pair for light and dark. */
-const ROCKS = [
-  ['#e8dcc6', '#3a352b'],
-  ['#cfdcc4', '#2c382c'],
-  ['#d3dbe8', '#2b3443'],
-  ['#ead0cd', '#402f30'],
-  ['#e3d3e6', '#3a2f40'],
-  ['#cde3e3', '#273b3c'],
-];
-const JOINTS = [
-  ['#8a5a00', '#e0b060'],
-  ['#00689d', '#74c0f0'],
-  ['#9c3f86', '#e39ad3'],
-  ['#00745a', '#5fd6b4'],
-  ['#a8420f', '#f09a70'],
-  ['#50545c', '#b8bfc9'],
-];
-
-const of = (pairs: string[][], number: number, is_dark: boolean) =>
-  pairs[(((Math.max(1, number) - 1) % pairs.length) + pairs.length) % pairs.length][is_dark ? 1 : 0];
-
-export const rock_colour = (number: number, is_dark: boolean) => of(ROCKS, number, is_dark);
-export const joint_colour = (number: number, is_dark: boolean) => of(JOINTS, number, is_dark);
+/** Colour of the material of a number from 1 on. */
+const of = (colours: string[], number: number) => colours[(Math.max(1, number) - 1) % colours.length];
 
 export interface Picture {
   scene: Scene;
@@ -170,7 +150,7 @@ class Painter {
     for (const { material, loops } of polygons) {
       c.beginPath();
       for (const loop of loops) this.trace(loop, true);
-      c.fillStyle = rock_colour(material, own.is_dark);
+      c.fillStyle = of(areas_of(own.is_dark), material);
       c.fill('evenodd');
       c.stroke();
     }
@@ -262,10 +242,10 @@ class Painter {
         if (more || p.moved.has(item.key)) this.line(points, colour(own.ink), 0.6 + more, [], true);
         return;
       case 'joint':
-        this.line(points, colour(joint_colour(p.material(item), own.is_dark)), 1.3 + more);
+        this.line(points, colour(of(lines_of(own.is_dark), p.material(item))), 1.3 + more);
         return;
       case 'cut':
-        this.line(points, colour(joint_colour(p.material(item), own.is_dark)), 1.5 + more, [2, 4]);
+        this.line(points, colour(of(lines_of(own.is_dark), p.material(item))), 1.5 + more, [2, 4]);
         return;
       case 'material_line':
         this.line(points, colour(own.good), 1.5 + more, [8, 3, 2, 3]);
