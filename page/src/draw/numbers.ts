@@ -108,6 +108,13 @@ export function round_below(size: number): number {
   return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
 }
 
+/** A round number at or above a size. */
+export function round_above(size: number): number {
+  const power = 10 ** Math.floor(Math.log10(size));
+  const lead = (size / power) * (1 - 1e-9);
+  return Number(((lead > 5 ? 10 : lead > 2 ? 5 : lead > 1 ? 2 : 1) * power).toPrecision(6));
+}
+
 /** Whole numbers i with i * step in a range; none where they are over a thousand, or too large to tell apart. */
 export function multiples(step: number, low: number, high: number): number[] {
   const [first, last] = [Math.ceil(low / step), Math.floor(high / step)];
@@ -118,9 +125,6 @@ export function multiples(step: number, low: number, high: number): number[] {
 /** Round ticks within a range, about `count` of them. */
 export function ticks_of(low: number, high: number, count = 5): number[] {
   if (!(high > low)) return [low];
-  const raw = (high - low) / Math.max(1, count);
-  const power = 10 ** Math.floor(Math.log10(raw));
-  const lead = raw / power;
-  const step = (lead > 5 ? 10 : lead > 2 ? 5 : lead > 1 ? 2 : 1) * power;
+  const step = round_above((high - low) / Math.max(1, count));
   return multiples(step, low - step * 1e-9, high + step * 1e-9).map(i => (i === 0 ? 0 : i * step));
 }

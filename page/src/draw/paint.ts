@@ -243,12 +243,13 @@ export function paint_bodies(pen: Pen, figure: Figure, screen: Float32Array): vo
   }
 }
 
-function arrow(pen: Pen, x0: number, y0: number, x1: number, y1: number, line: Line): void {
+/** Line with a head at its second end, from a length on at which one is seen. */
+export function arrow(pen: Pen, x0: number, y0: number, x1: number, y1: number, line: Line): void {
   const dx = x1 - x0;
   const dy = y1 - y0;
   const length = Math.hypot(dx, dy);
   if (length < 1.5) return;
-  const head = Math.min(7, length * 0.5);
+  const head = Math.min(Math.max(7, 4 * line.width), length * 0.5);
   const ex = dx / length;
   const ey = dy / length;
   pen.segments([x0, y0, x1 - ex * head * 0.7, y1 - ey * head * 0.7], line);

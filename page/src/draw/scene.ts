@@ -7,6 +7,7 @@ import { add_places, empty_box } from './camera';
 import { areas_of, class_table, type MapName, table_about_zero, table_of } from './colours';
 import type { Measure } from './measures';
 import { show_with } from './numbers';
+import { area_of } from './rings';
 
 export interface Pose {
   frame: number;
@@ -116,6 +117,17 @@ export function displacement_of(store: Store, frame: number, row: number): [numb
     y += value_at(own, 1, v);
   }
   return [x / (to - from), y / (to - from)];
+}
+
+/** Area of a body at places of its vertices, without its holes. */
+export function body_area(geometry: Geometry, places: ArrayLike<number>, row: number): number {
+  const { body_loop, loop_start } = geometry;
+  let area = 0;
+  for (let l = body_loop[row]; l < body_loop[row + 1]; l++) {
+    const own = Math.abs(area_of(places, loop_start[l], loop_start[l + 1]));
+    area += l === body_loop[row] ? own : -own;
+  }
+  return area;
 }
 
 /** First vertex of a body and the one after its last. */

@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import { decode_geometry } from '../../src/data/decode';
 import { Store, value_at } from '../../src/data/store';
-import { fit, to_screen, to_world, zoom } from '../../src/draw/camera';
+import { fit, pan, to_screen, to_world, zoom } from '../../src/draw/camera';
 import { draw_chart } from '../../src/draw/chart';
 import { areas_of, class_table, css_of, index_of, lines_of, table_about_zero, table_of } from '../../src/draw/colours';
 import { measures_of } from '../../src/draw/measures';
@@ -149,6 +149,13 @@ describe('pick', () => {
 });
 
 describe('camera', () => {
+  test('pan moves the drawing by pixels, right and down', () => {
+    const size = { width: 800, height: 600 };
+    const before = { x: 3, y: 2, scale: 50 };
+    const [x, y] = to_world(before, size, 100, 200);
+    expect(to_screen(pan(before, 30, -20), size, x, y)).toEqual([130, 180]);
+  });
+
   test('zoom keeps the place under the pointer', () => {
     const size = { width: 800, height: 600 };
     const first = fit({ left: 0, bottom: 0, right: 10, top: 5 }, size, { top: 10, right: 10, bottom: 50, left: 10 });

@@ -5,7 +5,7 @@ import * as api from '../api';
 import * as state from '../state';
 import { find, plain, type Value } from './case_text';
 import { material_of, put_joints } from './edits';
-import { box_of, loops_of, type Scene, scene_of } from './scene';
+import { loops_of, type Scene, scene_of } from './scene';
 import {
   fault_of_set,
   type JointSet,
@@ -15,6 +15,7 @@ import {
   rounded_rows,
   set_spec,
   sets_in,
+  size_of,
   with_note,
   without_note,
 } from './sets';
@@ -81,9 +82,7 @@ export function JointSets({
     const loops = loops_of(own);
     if (!loops.length) return set_words('Draw an outline first.');
     const specs = sets.map(set => set_spec(set, Math.max(0, names.indexOf(set.name)) + 1));
-    const box = box_of(loops[0])!;
-    const size = Math.max(box[2] - box[0], box[3] - box[1]);
-    const fault = sets.map(set => fault_of_set(set, size, state.joint_schema.value)).find(Boolean);
+    const fault = sets.map(set => fault_of_set(set, size_of(loops[0]), state.joint_schema.value)).find(Boolean);
     if (fault) return set_words(fault);
     let reply: api.JointRows;
     try {
