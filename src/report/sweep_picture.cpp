@@ -10,13 +10,13 @@
 
 #include "report/drawing/colours.hpp"
 #include "report/drawing/svg.hpp"
+#include "report/page.hpp"
 
 namespace keyblock::report {
 namespace {
 
 constexpr double kCellWidth = 104;
 constexpr double kCellHeight = 58;
-constexpr double kMargin = 30;
 constexpr double kTop = 88;
 constexpr double kRowHeading = 150;
 constexpr double kBottom = 74;
