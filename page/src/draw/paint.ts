@@ -4,7 +4,7 @@ import type { StillThing } from '../data/contract';
 import type { Geometry } from '../data/decode';
 import { type Camera, type Size, to_screen } from './camera';
 import { COMPRESSION, css_of, index_of, lines_of, TENSION } from './colours';
-import { round_below, scaled_unit, show, ticks_of } from './numbers';
+import { round_below, scaled_unit, show, show_with, ticks_of } from './numbers';
 import type { Line, Pen } from './pen';
 import { fraction, type Pose, type Shade, vertices_of } from './scene';
 
@@ -501,18 +501,15 @@ export function paint_legend(pen: Pen, figure: Figure): void {
   const rows: string[] = [];
   const swatches: { name: string; colour: string }[] = [];
   if (figure.arrows) {
-    const { factor, unit } = scaled_unit(figure.arrows.unit, figure.arrows.largest);
-    const largest = `${show(figure.arrows.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
+    const largest = show_with(figure.arrows.largest, figure.arrows.unit, 3);
     rows.push(`Longest arrow: ${figure.arrows.label.toLowerCase()} ${largest}`);
   }
   if (figure.crosses) {
-    const { factor, unit } = scaled_unit(figure.crosses.unit, figure.crosses.largest);
-    const largest = `${show(figure.crosses.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
+    const largest = show_with(figure.crosses.largest, figure.crosses.unit, 3);
     rows.push(`Longest cross: ${largest} or more; blue compression, red tension`);
   }
   if (figure.contacts) {
-    const { factor, unit } = scaled_unit(figure.contacts.unit, figure.contacts.largest);
-    const largest = `${show(figure.contacts.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
+    const largest = show_with(figure.contacts.largest, figure.contacts.unit, 3);
     const { joint, joint_names } = figure.contacts;
     rows.push(`Widest contact line: ${largest}${joint ? '' : '; blue sticks, orange slides'}`);
     if (joint)
@@ -610,8 +607,7 @@ function paint_scale_bar(pen: Pen, figure: Figure): void {
   const is_narrow = size.width < 640;
   const right = is_narrow ? 16 + width : size.width - 16;
   const y = is_narrow ? 28 : size.height - 14;
-  const { factor, unit } = scaled_unit(figure.length_unit, length);
-  const label = `${show(length / factor, 3)}${unit ? ` ${unit}` : ''}`;
+  const label = show_with(length, figure.length_unit, 3);
   pen.box(right - width - 8, y - 20, width + 16, 28, paint.surface, 6, 0.88);
   const line = { colour: paint.ink, width: 1.5 };
   pen.segments([right - width, y, right, y], line);

@@ -8,7 +8,7 @@ import type { MapName } from '../draw/colours';
 import { type Measure, measures_of } from '../draw/measures';
 import { round_below, show, show_time } from '../draw/numbers';
 import { DARK, LIGHT } from '../draw/paint';
-import { pose_of, type Range, range_of, values_of } from '../draw/scene';
+import { extent_of, pose_of, type Range, range_of, values_of } from '../draw/scene';
 
 export let head: Head;
 export let store: Store;
@@ -289,13 +289,10 @@ export function margins_of(room: Size) {
 /** Magnification at which the largest displacement of the run is 5 % of the model's width. */
 export function suited_magnification(): number {
   const own = measures.find(m => m.id === 'displacement.size');
-  const box = empty_box();
-  const rest = pose_of(store, frame.value, 0);
-  if (!own || !rest) return 1;
-  add_places(box, rest.places);
+  const geometry = store.geometry_now(store.epoch_of(frame.value));
+  if (!own || !geometry) return 1;
   const largest = run_range(own).high;
-  const wide = Math.max(box.right - box.left, box.top - box.bottom);
   if (!(largest > 0)) return 1;
-  const raw = (0.05 * wide) / largest;
+  const raw = (0.05 * extent_of(geometry)) / largest;
   return raw <= 1 ? 1 : round_below(raw);
 }

@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { decode_geometry } from '../../src/data/decode';
 import { Store, value_at } from '../../src/data/store';
@@ -14,6 +15,7 @@ import {
   show_range,
   show_with,
   ticks_of,
+  UNITS,
 } from '../../src/draw/numbers';
 import { type Figure, LIGHT, paint_all } from '../../src/draw/paint';
 import { type Pen, SvgPen } from '../../src/draw/pen';
@@ -315,7 +317,10 @@ describe('numbers', () => {
     expect([show_place(-0.00001, 10), show_place(-12.5, 900), show_place(120, 9e6)]).toEqual(['0', '−12.5', '120']);
     expect([place_decimals(10, 2 ** 18), place_decimals(0, 1e5)]).toEqual([5, 4]);
     expect(show_with(3, 'kJ')).toBe('3\u00a0kJ');
-    expect(show_range(0, 0.4565, 'm')).toBe('0 to 456.5\u00a0mm');
+    expect(show_with(0.5, 'm')).toBe('0.5\u00a0m');
+    expect(show_with(12500, 'N·m/m')).toBe('12.5\u00a0kJ/m');
+    expect(show_with(2500, 'mm')).toBe('2.5\u00a0m');
+    expect(show_range(0, 0.0565, 'm')).toBe('0 to 56.5\u00a0mm');
     expect(scaled_unit('', 1e-6)).toEqual({ factor: 1, unit: '' });
   });
   test('ticks and round numbers', () => {
@@ -326,6 +331,12 @@ describe('numbers', () => {
     expect(round_below(37)).toBe(20);
     expect(round_below(0.0051)).toBeCloseTo(0.005);
   });
+});
+
+test('the program has the same table of units', () => {
+  const text = readFileSync(new URL('../../../src/problem/units/readable.cpp', import.meta.url), 'utf8');
+  const rows = [...text.matchAll(/\{"([^"]+)", ([\de.-]+), ([\d.]+)\}/g)];
+  expect(rows.map(([, name, size, least]) => [name, Number(size), Number(least)])).toEqual(UNITS);
 });
 
 describe('colours', () => {

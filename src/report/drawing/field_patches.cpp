@@ -215,7 +215,7 @@ void draw_patches(SvgPage& page, const PageMap& map, const std::vector<Patch>& p
 
 void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourScale& scale, const Described& quantity) {
   constexpr int kSteps = 48;
-  const Readable shown = readable(quantity, std::max(std::abs(scale.low), std::abs(scale.high)));
+  const Scaled shown = readable(quantity, std::max(std::abs(scale.low), std::abs(scale.high)));
   for (int i = 0; i < kSteps; ++i) {
     const double share = (i + 0.5) / kSteps;
     const std::string colour = scale.colour(std::lerp(scale.high, scale.low, share));

@@ -107,7 +107,7 @@ CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& fie
 }
 
 void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, const Units& units) {
-  const Readable shown = readable({"", measures::kStress, units}, scale.sample);
+  const Scaled shown = readable({"", measures::kStress, units}, scale.sample);
   double y = corner.y;
   for (const auto& [colour, words] : {std::pair{kCompressionColour, "compression"}, {kTensionColour, "tension"}}) {
     page.line({corner.x, y}, {corner.x + kLeastLength, y}, {.stroke = colour, .stroke_width = 2});
