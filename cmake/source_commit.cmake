@@ -8,6 +8,7 @@ if(GIT AND EXISTS ${ROOT}/.git)
   execute_process(
     COMMAND ${GIT} --no-optional-locks status --porcelain --untracked-files=all -- CMakeLists.txt
       src/*.?pp src/*CMakeLists.txt formats/*.?pp formats/CMakeLists.txt include/*.hpp page/built/*.html
+      page/src/draw/palette.json
     WORKING_DIRECTORY ${ROOT} OUTPUT_VARIABLE differences ERROR_QUIET RESULT_VARIABLE fault)
   if(commit AND (differences OR fault))
     string(APPEND commit "+")

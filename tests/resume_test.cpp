@@ -41,7 +41,8 @@ struct StoppedRun {
 
 TEST(Resume, a_killed_run_goes_on_and_ends_with_the_same_bytes) {
   for (const char* profile : {"legacy", "standard"}) {
-    const auto runs = support::killed_runs({kStack + ".geo", kStack + ".ana", "--profile", profile, "--trace"}, 2, 1);
+    const auto runs = support::killed_runs(
+        {kStack + ".geo", kStack + ".ana", "--profile", profile, "--trace", "--set", "steps=500"}, 2, 1);
     EXPECT_EQ(runs.differs, "") << profile;
     EXPECT_GT(runs.resumed, 0) << profile;
   }

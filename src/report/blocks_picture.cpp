@@ -11,13 +11,11 @@
 #include "report/drawing/colours.hpp"
 #include "report/drawing/scene.hpp"
 #include "report/drawing/svg.hpp"
+#include "report/page.hpp"
 
 namespace keyblock::report {
 namespace {
 
-constexpr double kPageWidth = 900;
-constexpr double kMargin = 30;
-constexpr double kTitleHeight = 40;
 constexpr double kDrawingHeight = 640;
 constexpr double kFootHeight = 40;  // scale bar
 
@@ -121,15 +119,14 @@ std::size_t number_blocks(SvgPage& page, const PageMap& map, const Blocks& block
 
 std::string blocks_picture(const Blocks& blocks, const Units& units, Numbers numbers,
                            const std::vector<std::string>& rock_names, const std::vector<std::string>& joint_names) {
-  const double room = kPageWidth - 2 * kMargin;
   const Box box = bounds(blocks);
   Point corner{kMargin, kTitleHeight};
-  const Point size = PageMap(box, corner, {room, kDrawingHeight}).size();
-  corner.x += (room - size.x) / 2;
-  const PageMap map(box, corner, {room, kDrawingHeight});
+  const Point size = PageMap(box, corner, {kRoom, kDrawingHeight}).size();
+  corner.x += (kRoom - size.x) / 2;
+  const PageMap map(box, corner, {kRoom, kDrawingHeight});
   const std::vector<LegendEntry> legend = make_legend(blocks, rock_names, joint_names);
   const double foot = kTitleHeight + size.y + 30;  // room for marks at the lower edge
-  SvgPage page(kPageWidth, foot + kFootHeight + legend_height(legend, room));
+  SvgPage page(kPageWidth, foot + kFootHeight + legend_height(legend, kRoom));
   std::size_t without = 0;
   if (!box.empty()) {
     draw_scene(page, map, blocks);
@@ -138,8 +135,8 @@ std::string blocks_picture(const Blocks& blocks, const Units& units, Numbers num
   page.text({kMargin, 26}, counted(blocks.blocks.size(), "block") + without_number_in_words(without),
             {.size = 16, .bold = true});
   if (box.empty()) return page.str();
-  draw_scale_bar(page, {kMargin, foot}, room, map, units);
-  draw_legend(page, {kMargin, foot + 14}, room, legend);
+  draw_scale_bar(page, {kMargin, foot}, kRoom, map, units);
+  draw_legend(page, {kMargin, foot + 14}, kRoom, legend);
   return page.str();
 }
 

@@ -11,13 +11,12 @@
 
 #include "problem/units/measure.hpp"
 #include "report/drawing/chart.hpp"
+#include "report/page.hpp"
 
 namespace keyblock::report {
 namespace {
 
-constexpr double kPageWidth = 900;
 constexpr double kPageHeight = 430;
-constexpr double kMargin = 30;
 constexpr double kChartTop = 50;
 constexpr double kSmallChartHeight = 320;
 constexpr double kSmallChartTitle = 26;
@@ -99,14 +98,13 @@ std::string energy_picture(const std::string& title, const Ledger& ledger, const
   SvgPage page(kPageWidth, kPageHeight + more);
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});
   const AxisLabels labels{{"time", measures::kTime, units}, {"energy", measures::kEnergy, units}};
-  const double width = kPageWidth - 2 * kMargin;
   if (has_points(panels.front()))
-    draw_chart(page, {kMargin, kChartTop}, {width, kPageHeight - kChartTop - 14}, panels.front(), labels);
+    draw_chart(page, {kMargin, kChartTop}, {kRoom, kPageHeight - kChartTop - 14}, panels.front(), labels);
   double top = kPageHeight;
   for (std::size_t i = 1; i < panels.size(); ++i, top += kSmallChartTitle + kSmallChartHeight) {
     page.text({kMargin, top + 10},
               fmt::format("of these, those below {:g} % of the greatest, to a scale of their own", 100 * kSmall));
-    draw_chart(page, {kMargin, top + kSmallChartTitle}, {width, kSmallChartHeight - 14}, panels[i], labels);
+    draw_chart(page, {kMargin, top + kSmallChartTitle}, {kRoom, kSmallChartHeight - 14}, panels[i], labels);
   }
   return page.str();
 }

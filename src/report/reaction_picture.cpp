@@ -8,13 +8,12 @@
 
 #include "problem/units/measure.hpp"
 #include "report/drawing/chart.hpp"
+#include "report/page.hpp"
 
 namespace keyblock::report {
 namespace {
 
-constexpr double kPageWidth = 900;
 constexpr double kChartHeight = 366;
-constexpr double kMargin = 30;
 constexpr double kChartTop = 50;
 constexpr double kLine = 20;
 
@@ -39,7 +38,7 @@ std::string reaction_picture(const std::string& title, const std::vector<Reactio
   SvgPage page(kPageWidth, kChartTop + kChartHeight + 18 + kLine * static_cast<double>(sentences.size()));
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});
   if (has_points(drawn))
-    draw_chart(page, {kMargin, kChartTop}, {kPageWidth - 2 * kMargin, kChartHeight}, drawn,
+    draw_chart(page, {kMargin, kChartTop}, {kRoom, kChartHeight}, drawn,
                {{"displacement", measures::kLength, units}, {"reaction", measures::kForce, units}});
   for (std::size_t i = 0; i < sentences.size(); ++i)
     page.text({kMargin, kChartTop + kChartHeight + 16 + kLine * static_cast<double>(i)}, sentences[i], {.size = 13});

@@ -10,36 +10,29 @@
 
 #include "report/drawing/colours.hpp"
 #include "report/drawing/svg.hpp"
+#include "report/page.hpp"
 
 namespace keyblock::report {
 namespace {
 
 constexpr double kCellWidth = 104;
 constexpr double kCellHeight = 58;
-constexpr double kMargin = 30;
 constexpr double kTop = 88;
 constexpr double kRowHeading = 150;
 constexpr double kBottom = 74;
 constexpr double kBarWidth = 110;
 constexpr double kLeastSpan = 1;  // decades: nearly equal errors do not span all colours
 
-using Colour = Channels;
-
-/// Colours from dark blue, the least error, to pale yellow; lightness alone shows the order.
+/// Colours from dark violet, the least error, to yellow; lightness alone shows the order.
 struct LogColours {
   double low = 0;  ///< logarithms
   double high = 1;
 
   /// The least error is dark.
-  Colour at(double logarithm) const { return heat_colour((logarithm - low) / (high - low)); }
+  Channels at(double logarithm) const { return colour_at(palette::kViridis, (logarithm - low) / (high - low)); }
 };
 
-std::string hex(const Colour& colour) {
-  const auto part = [&](std::size_t channel) { return static_cast<int>(std::lround(colour[channel])); };
-  return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
-}
-
-std::string_view ink_on(const Colour& colour) {
+std::string_view ink_on(const Channels& colour) {
   return 0.3 * colour[0] + 0.6 * colour[1] + 0.1 * colour[2] < 130 ? "#ffffff" : "#222222";
 }
 
@@ -60,7 +53,7 @@ void draw_cell(SvgPage& page, Point corner, const SweptCell& cell, const LogColo
   const Point middle = corner + Point{kCellWidth / 2, kCellHeight / 2 + 5};
   page.begin_group(cell.details);
   if (std::isfinite(cell.error)) {
-    const Colour colour = colours.at(std::log10(cell.error));
+    const Channels colour = colours.at(std::log10(cell.error));
     page.rectangle(corner, kCellWidth, kCellHeight, {.fill = hex(colour), .stroke = "#ffffff", .stroke_width = 1});
     page.text(middle, fmt::format("{:.2g}", cell.error),
               {.size = 14, .anchor = Anchor::middle, .fill = ink_on(colour)});

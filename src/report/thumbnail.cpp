@@ -14,7 +14,8 @@ namespace keyblock::report {
 namespace {
 
 constexpr Point kSize{132, 84};
-constexpr double kMargin = 2;
+constexpr double kEdge = 2;
+constexpr std::size_t kMostEdged = 600;  // shapes of a card with edges that are seen
 
 using Chains = std::vector<std::vector<Point>>;
 
@@ -25,8 +26,8 @@ struct Shape {
   double size = 0;  ///< by which the shapes worth drawing are chosen
 };
 
-PageMap map_of(const Box& box) {
-  return {box, {kMargin, kMargin}, {kSize.x - 2 * kMargin, kSize.y - 2 * kMargin}};
+PageMap map_of(const Box& box, double scale = 1) {
+  return {box, scale * Point{kEdge, kEdge}, scale * (kSize - 2 * Point{kEdge, kEdge})};
 }
 
 // Writes the element without the head of a document.
@@ -39,16 +40,16 @@ void draw_cracks(SvgPage& page, const PageMap& map, const Chains& cracks) {
   for (const std::vector<Point>& own : map(cracks)) page.polyline(own, {.stroke = "#000000", .stroke_width = 1.2});
 }
 
-std::string drawn(std::vector<Shape> shapes, const Chains& cracks) {
+std::string drawn(std::vector<Shape> shapes, std::size_t most, double scale, double edge, const Chains& cracks = {}) {
+  std::ranges::stable_sort(shapes, std::greater<>{}, &Shape::size);
+  if (shapes.size() > most) shapes.resize(most);
   Box box;
   for (const Shape& shape : shapes)
     for (Point p : shape.loops.front()) box.include(p);
-  std::ranges::stable_sort(shapes, std::greater<>{}, &Shape::size);
-  if (shapes.size() > kThumbnailShapes) shapes.resize(kThumbnailShapes);
-  const PageMap map = map_of(box);
-  SvgPage page(kSize.x, kSize.y);
+  const PageMap map = map_of(box, scale);
+  SvgPage page(scale * kSize.x, scale * kSize.y);
   for (const Shape& shape : shapes)
-    page.polygon(map(shape.loops), {.fill = area_colour(shape.material), .stroke = "#444444", .stroke_width = 0.4});
+    page.polygon(map(shape.loops), {.fill = area_colour(shape.material), .stroke = "#444444", .stroke_width = edge});
   draw_cracks(page, map, cracks);
   return element_of(page);
 }
@@ -62,7 +63,24 @@ std::string thumbnail(const Blocks& blocks, const Chains& cracks) {
     for (const BlockLoop& hole : block.holes) shape.loops.push_back(points_of(hole));
     shapes.push_back(std::move(shape));
   }
-  return drawn(std::move(shapes), cracks);
+  return drawn(std::move(shapes), kThumbnailShapes, 1, 0.4, cracks);
+}
+
+std::string thumbnail(const FieldFrame& frame) {
+  std::vector<Shape> shapes;
+  for (const FieldElement& element : frame.elements) {
+    if (element.loops.empty() || element.loops.front().size() < 3) continue;
+    Shape& shape = shapes.emplace_back();
+    for (const std::vector<FieldCorner>& loop : element.loops) {
+      std::vector<Point>& points = shape.loops.emplace_back();
+      for (const FieldCorner& corner : loop) points.push_back(corner.position + corner.displacement);
+    }
+    shape.material = element.material;
+    shape.size = std::abs(area(shape.loops.front()));
+  }
+  if (shapes.empty()) return {};
+  const double edge = std::min(shapes.size(), kCardShapes) > kMostEdged ? 0.1 : 0.5;
+  return drawn(std::move(shapes), kCardShapes, 2, edge);
 }
 
 std::string thumbnail(const Cover& cover, const Chains& cracks) {

@@ -9,13 +9,12 @@
 #include "report/drawing/colours.hpp"
 #include "report/drawing/plot.hpp"
 #include "report/drawing/scene.hpp"
+#include "report/page.hpp"
 
 namespace keyblock::report {
 namespace {
 
-constexpr double kWidth = 900;
 constexpr double kHeight = 520;
-constexpr double kMargin = 30;
 constexpr double kTop = 66;  // titles
 constexpr double kRadius = 4;
 constexpr double kNameSize = 12;
@@ -118,7 +117,7 @@ void draw_least_error(SvgPage& page, const Plot& plot, double least) {
 }  // namespace
 
 std::string tradeoff_picture(const TradeoffPicture& picture) {
-  SvgPage page(kWidth, kHeight);
+  SvgPage page(kPageWidth, kHeight);
   page.text({kMargin, 28}, picture.title, {.size = 17, .bold = true});
   page.text({kMargin, 48}, picture.subtitle, {.size = 12});
   if (picture.runs.empty()) return page.str();
@@ -132,7 +131,7 @@ std::string tradeoff_picture(const TradeoffPicture& picture) {
   const Axis errors = make_log_axis(best.error / 2, worst.error);
   if (picture.least_error > 0 && std::log10(picture.least_error) > errors.low())
     legend.push_back({.sign = Sign::dashed_line, .colour = kOtherColour, .words = "below: not distinguished"});
-  const double width = kWidth - 2 * kMargin - kPlotLeft - kPlotRight;
+  const double width = kRoom - kPlotLeft - kPlotRight;
   const double top = kTop + legend_height(legend, width) + 6;
   const Plot plot{.corner = {kMargin + kPlotLeft, top},
                   .size = {width, kHeight - top - kPlotBottom - 10},

@@ -13,13 +13,12 @@
 #include "report/drawing/chart.hpp"
 #include "report/drawing/colours.hpp"
 #include "report/drawing/plot.hpp"
+#include "report/page.hpp"
 
 namespace keyblock::report {
 namespace {
 
-constexpr double kWidth = 900;
 constexpr double kPanel = 360;
-constexpr double kMargin = 30;
 constexpr double kTop = 66;
 constexpr double kBar = 110;
 constexpr std::size_t kMostPanels = 6;
@@ -73,12 +72,7 @@ void draw_panel(SvgPage& page, Point corner, const ValuesColumn& key, const Valu
   Curve points = line;
   points.style = Curve::Style::points;
   points.colour = line.colour = 2;
-  draw_chart(page, corner, {kWidth - 2 * kMargin, kPanel - 20}, {line, points}, {axis_name(key), output.name});
-}
-
-std::string hex(const Channels& colour) {
-  const auto part = [&](std::size_t channel) { return static_cast<int>(std::lround(colour[channel])); };
-  return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
+  draw_chart(page, corner, {kRoom, kPanel - 20}, {line, points}, {axis_name(key), output.name});
 }
 
 /// Map of one output over two keys.
@@ -104,10 +98,10 @@ Map map_of(const ValuesPicture& picture, const ValuesColumn& output) {
 
 void draw_bar(SvgPage& page, Point corner, double height, const Map& map) {
   constexpr int kSteps = 48;
-  page.text({kWidth - kMargin, corner.y - 20}, map.output.name, {.size = 12, .anchor = Anchor::end, .bold = true});
+  page.text({kPageWidth - kMargin, corner.y - 20}, map.output.name, {.size = 12, .anchor = Anchor::end, .bold = true});
   for (int i = 0; i < kSteps; ++i)
     page.rectangle({corner.x, corner.y + height * i / kSteps}, 14, height / kSteps + 0.4,
-                   {.fill = hex(heat_colour(1 - (i + 0.5) / kSteps))});
+                   {.fill = hex(colour_at(palette::kViridis, 1 - (i + 0.5) / kSteps))});
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
     page.text({corner.x + 20, corner.y + share * height + 4},
               fmt::format("{:.3g}", std::lerp(map.high, map.low, share)), {.size = 11});
@@ -117,7 +111,7 @@ void draw_map(SvgPage& page, Point corner, const ValuesPicture& picture, const M
   const auto [left, right] = std::ranges::minmax(map.x);
   const auto [bottom, top] = std::ranges::minmax(map.y);
   const Plot plot{.corner = corner + Point{kPlotLeft, 10},
-                  .size = {kWidth - 2 * kMargin - kPlotLeft - kBar, kPanel - 30 - kPlotBottom},
+                  .size = {kRoom - kPlotLeft - kBar, kPanel - 30 - kPlotBottom},
                   .x = make_axis(left - kAround * (right - left), right + kAround * (right - left), 7),
                   .y = make_axis(bottom - kAround * (top - bottom), top + kAround * (top - bottom), 5)};
   draw_axes(page, plot, axis_name(picture.keys[0]), axis_name(picture.keys[1]));
@@ -129,8 +123,9 @@ void draw_map(SvgPage& page, Point corner, const ValuesPicture& picture, const M
                                  picture.keys[1].name, picture.keys[1].words[i], map.output.name, value,
                                  picture.verdicts[i]));
     if (std::isfinite(value)) {
-      page.rectangle(at - Point{half, half}, 2 * half, 2 * half,
-                     {.fill = hex(heat_colour(map.share(value))), .stroke = "#ffffff", .stroke_width = 0.8});
+      page.rectangle(
+          at - Point{half, half}, 2 * half, 2 * half,
+          {.fill = hex(colour_at(palette::kViridis, map.share(value))), .stroke = "#ffffff", .stroke_width = 0.8});
     } else {
       page.line(at - Point{half, half}, at + Point{half, half}, {.stroke = "#9c1c1c", .stroke_width = 1.2});
       page.line(at + Point{-half, half}, at + Point{half, -half}, {.stroke = "#9c1c1c", .stroke_width = 1.2});
@@ -153,7 +148,7 @@ std::string values_picture(const ValuesPicture& picture) {
   for (const ValuesColumn& output : picture.outputs)
     if (is_numeric(output) && shown.size() < kMostPanels) shown.push_back(&output);
   if (shown.empty()) return {};
-  SvgPage page(kWidth, kTop + kPanel * static_cast<double>(shown.size()));
+  SvgPage page(kPageWidth, kTop + kPanel * static_cast<double>(shown.size()));
   page.text({kMargin, 28}, picture.title, {.size = 17, .bold = true});
   page.text({kMargin, 48}, subtitle_of(picture), {.size = 12});
   for (std::size_t i = 0; i < shown.size(); ++i) {

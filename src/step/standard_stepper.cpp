@@ -74,13 +74,15 @@ std::string balanced_by(const StandardScene& scene, const std::string& what) {
 }
 
 First settled_first(const StandardScene& scene, Motion motion, const std::string& why) {
+  const bool is_stressed = has_initial_stress(scene);
   Settled made = settled(scene, std::move(motion));
-  return {std::move(made.motion),
-          {},
-          {"that of joints glued under the loads and then released",
-           balanced_by(scene,
-                       scene.model.bolts.empty() ? "contact forces and strains" : "contact forces, strains and bolts"),
-           why, 0, made.unsolved_steps}};
+  return {
+      std::move(made.motion),
+      {},
+      {is_stressed ? "that of the initial stress, released" : "that of joints glued under the loads and then released",
+       balanced_by(scene,
+                   scene.model.bolts.empty() ? "contact forces and strains" : "contact forces, strains and bolts"),
+       why, 0, made.unsolved_steps}};
 }
 
 std::string bodies(int count) {
@@ -117,10 +119,12 @@ First asked_motion(const StandardScene& scene) {
   const bool as_drawn = is_in_time && choices.start == StartRule::sudden;
   const bool slides_in_balance =
       std::ranges::all_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_compatible_start(); });
+  if (as_drawn) return {std::move(motion), {}, {}};
   // Blocks that may yield have stress that forces alone do not give.
-  if (!as_drawn && is_in_time && !slides_in_balance) return resting_first(scene, std::move(motion));
-  if (!as_drawn && slides_in_balance && has_initial_stress(scene)) motion.closed = stressed_contacts(scene, motion);
-  if (as_drawn || !slides_in_balance || has_initial_stress(scene)) return {std::move(motion), {}, {}};
+  if (!slides_in_balance)
+    return is_in_time ? resting_first(scene, std::move(motion)) : First{std::move(motion), {}, {}};
+  const bool is_stressed = has_initial_stress(scene);
+  if (is_stressed) motion.closed = stressed_contacts(scene, motion);
   const std::vector<ElementPair> touching = touching_pairs(scene.model);
   const bool is_jointed = has_ring(scene.model, touching);
   // In a jointed mass, friction can carry the load in several ways. Statics therefore begins from the same forces as
@@ -129,8 +133,9 @@ First asked_motion(const StandardScene& scene) {
   if (is_jointed && touching.size() > kMostExact)
     return settled_first(scene, std::move(motion),
                          fmt::format("more than {} pairs of blocks are in contact, some in rings", kMostExact));
-  // Forces of bonds with springs depend on the strain of all blocks: statics finds them, and `fos` judges them so.
-  if (!motion.bonds.empty() && scene.has_springs()) return resting_first(scene, std::move(motion));
+  // Forces of stressed blocks, and of bonds with springs, depend on the strain of all blocks: statics finds them, and
+  // `fos` judges them so.
+  if (is_stressed || (!motion.bonds.empty() && scene.has_springs())) return resting_first(scene, std::move(motion));
   CompatibleStart start = compatible(scene, motion);
   if (is_jointed && !start.failure.empty()) return settled_first(scene, std::move(motion), start.failure);
   if (is_jointed && start.misfit > kMisfit)

@@ -295,7 +295,7 @@ TEST(HistoriesCommand, blocks_that_a_stage_makes_are_followed_and_those_that_non
 
 TEST(HistoriesCommand, a_run_that_was_killed_ends_with_the_same_histories) {
   const std::string folder = case_in("histories_killed");
-  const auto runs = support::killed_runs({folder + "/case.json", "--set", "steps=1200", "--history", "block:3",
+  const auto runs = support::killed_runs({folder + "/case.json", "--set", "steps=300", "--history", "block:3",
                                           "--history", "line:-1,1,2,1", "--contacts", "3"},
                                          2, 1);
   EXPECT_EQ(runs.differs, "");

@@ -224,7 +224,7 @@ TEST(Api, every_column_that_a_frame_names_is_there_with_its_rows) {
 // A wall has so many contacts that its loops use threads; both runs share the plan, and one sets up threads as the
 // other steps.
 TEST(Api, two_runs_in_two_threads_give_the_bytes_of_one_alone) {
-  const kb::Plan plan(wall(30, 25), {"standard", {{"start", "sudden"}}});
+  const kb::Plan plan(wall(30, 25), {"standard", {{"start", "sudden"}, {"steps", "2"}}});
   ASSERT_GT(plan.blocks(), 700);
   const std::vector<double> alone = state_after(plan, kb::Context(1));
   std::vector<double> beside;

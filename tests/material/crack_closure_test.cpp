@@ -201,7 +201,7 @@ TEST(CrackReturn, random_trials_end_on_the_surface_with_the_cracks_of_their_stre
       const SurfaceOfKappa surface{law.strength, strain_of_change(law.strength, 1)};
       const bool is_normal = strength.values.dilation_deg == strength.values.friction_deg && !strength.change;
       int yielded = 0;
-      for (int i = 0; i < 8000; ++i) {
+      for (int i = 0; i < 2000; ++i) {
         const Eigen::Vector4d strain = random_strain(dice);
         YieldState before;
         before.elastic = 0.7 * strain;
@@ -231,7 +231,7 @@ TEST(CrackReturn, random_trials_end_on_the_surface_with_the_cracks_of_their_stre
           ASSERT_GT(r.stress.dot(r.plastic), -1e-12 * trial * strain.norm());
         }
       }
-      EXPECT_GT(yielded, 1000);
+      EXPECT_GT(yielded, 250);
     }
 }
 

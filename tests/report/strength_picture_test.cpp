@@ -70,7 +70,7 @@ TEST(StrengthPicture, the_chart_shows_what_falls_without_a_height_and_never_gree
   const std::string svg = strength_chart(chart);
   EXPECT_NE(svg.find("stable up to 1.25, unstable from 1.3"), std::string::npos);
   EXPECT_NE(svg.find("unstable (displacement not drawn)"), std::string::npos);
-  for (const char* green : {"#009e73", "#b8ddc4", "green"}) EXPECT_EQ(svg.find(green), std::string::npos);
+  for (const char* green : {"#009e73", "#809b8f", "green"}) EXPECT_EQ(svg.find(green), std::string::npos);
   StrengthChart higher = chart;
   higher.points[2].displacement = 0.001;
   EXPECT_EQ(strength_chart(higher), svg);

@@ -230,7 +230,7 @@ TEST(PlasticOutputs, resumed_runs_leave_the_same_bytes) {
   const std::string folder = fresh_folder("plastic_resumed");
   write_text(folder + "/in.json", square(kPressed, kMises));
   const auto runs =
-      support::killed_runs({folder + "/in.json", "--trace", "--set", "steps=60", "--set", "mesh.side=0.2"}, 2, 3);
+      support::killed_runs({folder + "/in.json", "--trace", "--set", "steps=15", "--set", "mesh.side=0.2"}, 2, 3);
   EXPECT_EQ(runs.differs, "");
   EXPECT_GT(runs.resumed, 0);
 }

@@ -1,4 +1,4 @@
-// The energy balance closes through every change of a scene: excavations under contact, a tunnel, a thousand changes in
+// The energy balance closes through every change of a scene: excavations under contact, a tunnel, random changes in
 // flight.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
@@ -47,11 +47,12 @@ TEST(StagesLedger, closes_for_the_tunnel) {
   EXPECT_LT(sums_of(told.ledger).energy_closure(), 1e-10);
 }
 
-// Angular momentum closes to 5e-6 here without any change too: impacts of blocks that deform.
-TEST(StagesLedger, closes_through_a_thousand_random_changes_in_flight) {
-  const ChangesTold told = told_of_changes(random_changes(ChangingBodies::blocks, 12, 1000, 20, {}));
+// Angular momentum closes to 5e-6 here without any change too: impacts of blocks that deform. A thousand changes in
+// `make validate`.
+TEST(StagesLedger, closes_through_random_changes_in_flight) {
+  const ChangesTold told = told_of_changes(random_changes(ChangingBodies::blocks, 12, 200, 20, {}));
   EXPECT_EQ(told.why, "");
-  EXPECT_EQ(told.scenes, 1001U);
+  EXPECT_EQ(told.scenes, 201U);
   EXPECT_LT(told.momentum, 1e-12);
   EXPECT_LT(told.at_change, 1e-12);
   EXPECT_LT(told.energy, 1e-7);

@@ -151,6 +151,80 @@ TEST(CompatibleStart, the_start_is_reported) {
             "as the file has it");
 }
 
+// A block of initial stress s between fixed walls presses its springs together by d each: (s - p) L / E = 2 d. It began
+// without forces, bounced between the walls, and gained energy at 10 ms.
+TEST(CompatibleStart, a_stressed_block_on_springs_is_at_rest_between_walls) {
+  constexpr double kStress = 1e6, kModulus = 1e8;
+  for (const double dt : {1e-3, 1e-2}) {
+    Analysis analysis = plain_analysis(dt, 1);
+    analysis.gravity = 0;
+    analysis.block_materials[0].youngs_modulus = kModulus;
+    analysis.block_materials[0].poissons_ratio = 0;
+    analysis.block_materials[0].initial_stress = {-kStress, 0, 0};
+    Blocks blocks;
+    blocks.blocks = {support::rectangle({0, 0}, {1, 1}), support::rectangle({-2, -1}, {0, 2}),
+                     support::rectangle({1, -1}, {3, 2})};
+    blocks.fixed_points = {{{-1.5, 0}, 1, {}}, {{-1.5, 1}, 1, {}}, {{2.5, 0}, 2, {}}, {{2.5, 1}, 2, {}}};
+    Settings settings = standard_settings(analysis);
+    settings.standard.enforcement = Enforcement::penalty;
+    StandardStepper stepper(standard_scene_of(blocks, analysis, settings));
+    const State start = stepper.state();
+    support::run_to(stepper, 0.1);
+    EXPECT_LT(length(support::travel(stepper, start, 0)), 1e-9) << dt;
+    double force = 0, overlap = 0;
+    for (const ContactFrame& contact : stepper.contacts()) {
+      force += contact.normal_force / 2;
+      overlap -= contact.gap / 2;
+    }
+    EXPECT_GT(force, 0.1 * kStress) << dt;
+    EXPECT_NEAR((kStress - force) / kModulus, overlap, 1e-6 * overlap) << dt;
+  }
+}
+
+// Frictionless blocks between walls, on a floor, with the stress -s both ways. Their top is free, so they end at
+// vertical stress 0 and horizontal stress -(1 - nu) s (Hooke, plane stress). Few blocks begin at the equilibrium of
+// statics, many where the forces of the stress lead them.
+TEST(CompatibleStart, a_stressed_mass_begins_where_its_free_face_lets_it) {
+  constexpr double kStress = 1e5;
+  for (const auto& [n, far] : {std::pair(2, 0.0), {6, 0.0}, {6, 1e4}}) {
+    Analysis analysis = plain_analysis(1e-3, 1);
+    analysis.gravity = 0;
+    analysis.plane_strain = false;
+    analysis.block_materials[0].youngs_modulus = 1e9;
+    analysis.block_materials[0].poissons_ratio = 0.25;
+    analysis.penalty_factor = 1e4;  // springs take no length
+    analysis.block_materials[0].initial_stress = {-kStress, -kStress, 0};
+    analysis.joint_materials[0].friction_angle_deg = 0;
+    const auto size = static_cast<double>(n);
+    Blocks blocks;
+    blocks.blocks = {support::rectangle({-2, -1}, {0, size + 1}), support::rectangle({size, -1}, {size + 2, size + 1}),
+                     support::rectangle({0, -1}, {size, 0})};
+    for (const int fixed : {0, 1, 2})
+      for (const double part : {0.2, 0.8}) {
+        const auto& corners = blocks.blocks[static_cast<std::size_t>(fixed)].outer;
+        blocks.fixed_points.push_back(
+            {corners[0].position + part * (corners[2].position - corners[0].position), fixed, {}});
+      }
+    for (int i = 0; i < n * n; ++i) {
+      const Point low{static_cast<double>(i % n), static_cast<double>(i / n)};
+      blocks.blocks.push_back(support::rectangle(low, low + Point{1, 1}));
+    }
+    const Point offset{far, far};
+    for (BlockPolygon& block : blocks.blocks)
+      for (BlockVertex& corner : block.outer) corner.position = corner.position + offset;
+    for (BlockPoint& point : blocks.fixed_points) point.position = point.position + offset;
+    StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
+    const State start = stepper.state();
+    support::run_to(stepper, 0.02);
+    for (int i = 3; i < 3 + n * n; ++i) {
+      EXPECT_LT(length(support::travel(stepper, start, i)), 1e-8) << n << ", block " << i;
+      const Stress stress = stepper.state().elements[ElementIndex(i)].stress;
+      EXPECT_NEAR(stress.xx, -0.75 * kStress, 1e-3 * kStress) << n << ", block " << i;
+      EXPECT_NEAR(stress.yy, 0, 1e-3 * kStress) << n << ", block " << i;
+    }
+  }
+}
+
 // Each bolt carries half the weight, and has the length of that; the block, stretched by its own weight, by 1.2 µm. A
 // bolt whose pretension is half the weight gets this alone.
 TEST(CompatibleStart, a_hung_block_is_in_balance_with_its_bolts) {

@@ -159,9 +159,11 @@ TEST(TradeoffTruth, an_error_asked_for_is_met_and_told_within_a_factor_of_three)
     }
 }
 
-// The runs of the design cost about a millisecond: a budget buys digits, and none of them is printed too many.
+// The runs of the design cost about a millisecond: a budget buys digits, and none of them is printed too many. Each
+// use of the budget is tried once: one oscillator, a load over time, friction, a mesh.
 TEST(TradeoffTruth, a_budget_is_used_and_the_error_told_within_a_factor_of_three) {
   for (const Truth& truth : truths()) {
+    if (truth.name == "pair" || truth.name == "damped" || truth.name == "pushed") continue;
     const Told answer = told(truth, {0.5, std::nullopt});
 #if !defined(__SANITIZE_ADDRESS__)               // under which the same seconds buy less
     EXPECT_LT(answer.said, 2e-4) << truth.name;  // 1e-3 by a quarter of the step, the finest planned

@@ -22,6 +22,7 @@ export function empty_box(): Box {
   return { left: Infinity, bottom: Infinity, right: -Infinity, top: -Infinity };
 }
 
+/** Adds places, x, y in turn. */
 export function add_places(box: Box, places: ArrayLike<number>): void {
   for (let i = 0; i < places.length; i += 2) {
     const x = places[i];
@@ -60,9 +61,14 @@ export function to_world(camera: Camera, size: Size, sx: number, sy: number): [n
   return [camera.x + (sx - size.width / 2) / camera.scale, camera.y - (sy - size.height / 2) / camera.scale];
 }
 
-/** Zooms by a factor and keeps the place under a pixel where it is. */
+/** Moves the drawing by pixels, right and down. */
+export function pan(camera: Camera, dx: number, dy: number): Camera {
+  return { ...camera, x: camera.x - dx / camera.scale, y: camera.y + dy / camera.scale };
+}
+
+/** Zooms by a factor, within limits, and keeps the place under a pixel where it is. */
 export function zoom(camera: Camera, size: Size, factor: number, sx: number, sy: number): Camera {
   const [x, y] = to_world(camera, size, sx, sy);
-  const scale = camera.scale * factor;
+  const scale = Math.min(1e12, Math.max(1e-9, camera.scale * factor));
   return { scale, x: x - (sx - size.width / 2) / scale, y: y + (sy - size.height / 2) / scale };
 }

@@ -1,51 +1,59 @@
-// Colour maps that people with any colour vision can read, as tables of 256 colours.
+// Colours of materials, lines and values, from the palette that the program draws with, too.
 
-/** Stops of a map from low to high, as hexadecimal RGB. */
-const STOPS: Record<string, string> = {
-  // Viridis (van der Walt and Smith, dedicated to the public domain).
-  viridis: '440154 482475 414487 355f8d 2a788e 21918c 22a884 44bf70 7ad151 bddf26 fde725',
-  // Cividis (Nunez, Anderton and Renslow), made for colour-vision deficiency; dedicated to the public domain.
-  cividis: '00224e 123570 3b496c 575d6d 707173 8a8678 a59c74 c3b369 e1cc55 fee838',
-  grey: 'f2f2f2 d0d0d0 a8a8a8 808080 585858 303030',
-  // Blue through near white to orange: its ends differ in hue that all see and in side alone.
-  signed: '08396b 1f66a8 5b9bce a5c8e4 f4f4f2 f6c08a e88a3a bd5a12 7a3503',
-};
+import palette from './palette.json';
 
-export const SEQUENTIAL = ['viridis', 'cividis', 'grey'] as const;
-export type MapName = keyof typeof STOPS;
+/**
+ * Maps of amounts. Viridis: van der Walt and Smith; cividis: Nunez, Anderton and Renslow; both are dedicated to the
+ * public domain. The rising map is OrRd, the one about zero RdBu, of ColorBrewer (Brewer 2003).
+ */
+export const SEQUENTIAL = ['rising', 'viridis', 'cividis', 'grey'] as const;
+export type MapName = (typeof SEQUENTIAL)[number];
+
+const channels = (hex: string): number[] => [1, 3, 5].map(i => Number.parseInt(hex.slice(i, i + 2), 16));
 
 const made = new Map<string, Uint8Array>();
 
-/** RGB of 256 steps of a map. */
-export function table_of(name: string): Uint8Array {
-  let table = made.get(name);
+/** RGB of 256 steps of the part of a map between two shares of it. */
+export function table_of(name: MapName | 'about_zero', from = 0, to = 1): Uint8Array {
+  const key = `${name} ${from} ${to}`;
+  let table = made.get(key);
   if (!table) {
-    const stops = (STOPS[name] ?? STOPS.viridis)
-      .split(' ')
-      .map(hex => [0, 2, 4].map(i => Number.parseInt(hex.slice(i, i + 2), 16)));
+    const stops = palette[name].map(channels);
     table = new Uint8Array(768);
     for (let i = 0; i < 256; i++) {
-      const at = (i / 255) * (stops.length - 1);
+      const at = (from + (i / 255) * (to - from)) * (stops.length - 1);
       const low = Math.min(Math.floor(at), stops.length - 2);
       for (let c = 0; c < 3; c++) {
         table[3 * i + c] = Math.round(stops[low][c] + (at - low) * (stops[low + 1][c] - stops[low][c]));
       }
     }
-    made.set(name, table);
+    made.set(key, table);
   }
   return table;
 }
 
-/** Colours of states and materials: Okabe and Ito's set, lightened for areas, then repeats of it in other shades. */
-export const CLASSES = ['#8fb8de', '#e9b872', '#7fc4a8', '#d998bb', '#e8dc7a', '#c98f6b', '#a3a8e0', '#b5b5b5'];
+/** Share of the map about zero from white to the palest colour of values that are all far from 0. */
+const PALEST = 0.08;
+
+/** Table of values from `low` to `high`: white at 0, as strong on either side; from pale to strong where 0 is beyond. */
+export function table_about_zero(low: number, high: number): Uint8Array {
+  if (high < 0) return table_of('about_zero', 0, 0.5 - PALEST);
+  if (low > 0) return table_of('about_zero', 0.5 + PALEST, 1);
+  const most = Math.max(-low, high) || 1;
+  return table_of('about_zero', 0.5 + low / most / 2, 0.5 + high / most / 2);
+}
+
+/** Colours of areas by material or state, and of lines by joint material or curve, of which there are any number. */
+export const areas_of = (is_dark: boolean): string[] => (is_dark ? palette.areas_on_dark : palette.areas);
+export const lines_of = (is_dark: boolean): string[] => (is_dark ? palette.lines_on_dark : palette.lines);
+
+/** Colour of pressure and of tension on a light ground: the ends of the map about zero. */
+export const [COMPRESSION, TENSION] = [palette.about_zero[0], palette.about_zero[4]];
 
 /** Table of 256 in which entry i is the colour of class i, with repeats. */
-export function class_table(colours: string[] = CLASSES): Uint8Array {
+export function class_table(colours: string[]): Uint8Array {
   const table = new Uint8Array(768);
-  for (let i = 0; i < 256; i++) {
-    const hex = colours[i % colours.length];
-    for (let c = 0; c < 3; c++) table[3 * i + c] = Number.parseInt(hex.slice(1 + 2 * c, 3 + 2 * c), 16);
-  }
+  for (let i = 0; i < 256; i++) table.set(channels(colours[i % colours.length]), 3 * i);
   return table;
 }
 

@@ -66,7 +66,7 @@ function measures_of_field(field: FieldHead): Measure[] {
   const is_vector = field.parts === 2;
   const is_tensor = field.parts >= 3 && field.components?.[0] === 'xx' && field.components?.[1] === 'yy';
   if (field.parts === 1) {
-    return [{ ...base, id: field.name, label: field.label, is_signed: base.kind === 'real', fill: one(0) }];
+    return [{ ...base, id: field.name, label: field.label, is_signed: false, fill: one(0) }];
   }
   const names = field.components ?? (is_vector ? ['x', 'y'] : []);
   const components = Array.from({ length: field.parts }, (_, part): Measure => {

@@ -31,43 +31,44 @@ export interface Scaled {
   unit: string;
 }
 
-/** Names of units with their factors and, where not 0.9 of it, the least size that they are used for. */
-const LADDERS: Record<string, [string, number, number?][]> = {
-  m: [
-    ['m', 1],
-    ['mm', 1e-3, 9e-6],
-    ['µm', 1e-6],
-  ],
-  Pa: [
-    ['GPa', 1e9],
-    ['MPa', 1e6],
-    ['kPa', 1e3],
-    ['Pa', 1],
-  ],
-  N: [
-    ['MN', 1e6],
-    ['kN', 1e3],
-    ['N', 1],
-  ],
-  'm/s': [
-    ['m/s', 1],
-    ['mm/s', 1e-3, 9e-6],
-    ['µm/s', 1e-6],
-  ],
-  'N/m': [
-    ['MN/m', 1e6],
-    ['kN/m', 1e3],
-    ['N/m', 1],
-  ],
-};
+/**
+ * Units that differ by a prefix alone: name, size, and the least number that is written in it; 0 for the smallest of its
+ * kind, which comes last. src/problem/units/readable.cpp has the same table, so that pictures agree with the page.
+ */
+export const UNITS: [string, number, number][] = [
+  ['m', 1, 0.1],
+  ['mm', 1e-3, 0.01],
+  ['µm', 1e-6, 0],
+  ['m/s', 1, 0.1],
+  ['mm/s', 1e-3, 0.01],
+  ['µm/s', 1e-6, 0],
+  ['s', 1, 0.1],
+  ['ms', 1e-3, 0],
+  ['GPa', 1e9, 1],
+  ['MPa', 1e6, 1],
+  ['kPa', 1e3, 1],
+  ['Pa', 1, 0],
+  ['MN', 1e6, 1],
+  ['kN', 1e3, 1],
+  ['N', 1, 0],
+  ['MN/m', 1e6, 1],
+  ['kN/m', 1e3, 1],
+  ['N/m', 1, 0],
+  ['MJ/m', 1e6, 1],
+  ['kJ/m', 1e3, 1],
+  ['J/m', 1, 0],
+];
 
-/** Unit with a prefix that suits values up to `size`; factor times the new unit's value is the old one's. */
+/** Unit in which values up to `size` are short; factor times the new unit's value is the old one's. */
 export function scaled_unit(unit: string, size: number): Scaled {
-  const ladder = LADDERS[unit];
-  if (!ladder || !(size > 0)) return { factor: 1, unit };
-  for (const [name, factor, least] of ladder) if (size >= (least ?? factor * 0.9)) return { factor, unit: name };
-  const [name, factor] = ladder[ladder.length - 1];
-  return { factor, unit: name };
+  // An energy is spelt as force times length, and its prefixes are those of J.
+  const own_name = unit.replace('N·m/', 'J/');
+  let best = UNITS.findIndex(([name]) => name === own_name);
+  if (best < 0 || !(size > 0)) return { factor: 1, unit };
+  const own = UNITS[best][1];
+  while (best > 0 && UNITS[best - 1][2] > 0) best--;
+  while (size * own < UNITS[best][2] * UNITS[best][1]) best++;
+  return { factor: UNITS[best][1] / own, unit: UNITS[best][0] };
 }
 
 /** A value with a unit of its own. */
@@ -108,6 +109,13 @@ export function round_below(size: number): number {
   return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
 }
 
+/** A round number at or above a size. */
+export function round_above(size: number): number {
+  const power = 10 ** Math.floor(Math.log10(size));
+  const lead = (size / power) * (1 - 1e-9);
+  return Number(((lead > 5 ? 10 : lead > 2 ? 5 : lead > 1 ? 2 : 1) * power).toPrecision(6));
+}
+
 /** Whole numbers i with i * step in a range; none where they are over a thousand, or too large to tell apart. */
 export function multiples(step: number, low: number, high: number): number[] {
   const [first, last] = [Math.ceil(low / step), Math.floor(high / step)];
@@ -118,9 +126,6 @@ export function multiples(step: number, low: number, high: number): number[] {
 /** Round ticks within a range, about `count` of them. */
 export function ticks_of(low: number, high: number, count = 5): number[] {
   if (!(high > low)) return [low];
-  const raw = (high - low) / Math.max(1, count);
-  const power = 10 ** Math.floor(Math.log10(raw));
-  const lead = raw / power;
-  const step = (lead > 5 ? 10 : lead > 2 ? 5 : lead > 1 ? 2 : 1) * power;
+  const step = round_above((high - low) / Math.max(1, count));
   return multiples(step, low - step * 1e-9, high + step * 1e-9).map(i => (i === 0 ? 0 : i * step));
 }

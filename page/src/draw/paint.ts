@@ -3,8 +3,8 @@
 import type { StillThing } from '../data/contract';
 import type { Geometry } from '../data/decode';
 import { type Camera, type Size, to_screen } from './camera';
-import { CLASSES, css_of, index_of } from './colours';
-import { round_below, scaled_unit, show, ticks_of } from './numbers';
+import { COMPRESSION, css_of, index_of, lines_of, TENSION } from './colours';
+import { round_below, scaled_unit, show, show_with, ticks_of } from './numbers';
 import type { Line, Pen } from './pen';
 import { fraction, type Pose, type Shade, vertices_of } from './scene';
 
@@ -48,12 +48,12 @@ export const LIGHT: Paint = {
   stick: '#0b5fa5',
   slide: '#d24a00',
   open: '#7a8594',
-  classes: ['#0b5fa5', '#c04a00', '#0a7a55', '#a03a78', '#7a6a00', '#3a7fa8', '#5b3fa0', '#555555'],
+  classes: lines_of(false),
   bolt: '#7b2fbf',
   crack: '#c00000',
   mark: '#0a7a55',
-  tension: '#d24a00',
-  compression: '#0b5fa5',
+  tension: TENSION,
+  compression: COMPRESSION,
   missing: '#c9ced6',
 };
 
@@ -71,12 +71,12 @@ export const DARK: Paint = {
   stick: '#63b3ff',
   slide: '#ff9146',
   open: '#8b97a6',
-  classes: ['#63b3ff', '#ff9146', '#4fd1a0', '#ee8fc4', '#e6d24a', '#8fd3ff', '#b79cff', '#c0c0c0'],
+  classes: lines_of(true),
   bolt: '#c792ff',
   crack: '#ff6b6b',
   mark: '#4fd1a0',
-  tension: '#ff9146',
-  compression: '#63b3ff',
+  tension: '#ff8a7a',
+  compression: '#6fb1e8',
   missing: '#56606d',
 };
 
@@ -243,12 +243,13 @@ export function paint_bodies(pen: Pen, figure: Figure, screen: Float32Array): vo
   }
 }
 
-function arrow(pen: Pen, x0: number, y0: number, x1: number, y1: number, line: Line): void {
+/** Line with a head at its second end, from a length on at which one is seen. */
+export function arrow(pen: Pen, x0: number, y0: number, x1: number, y1: number, line: Line): void {
   const dx = x1 - x0;
   const dy = y1 - y0;
   const length = Math.hypot(dx, dy);
   if (length < 1.5) return;
-  const head = Math.min(7, length * 0.5);
+  const head = Math.min(Math.max(7, 4 * line.width), length * 0.5);
   const ex = dx / length;
   const ey = dy / length;
   pen.segments([x0, y0, x1 - ex * head * 0.7, y1 - ey * head * 0.7], line);
@@ -292,7 +293,7 @@ function paint_contacts(pen: Pen, figure: Figure, marks: ContactMarks): void {
     if (Math.max(x0, x1) < -20 || Math.min(x0, x1) > figure.size.width + 20) continue;
     if (Math.max(y0, y1) < -20 || Math.min(y0, y1) > figure.size.height + 20) continue;
     const state = marks.state[i];
-    const joint = marks.joint ? marks.joint[i] % CLASSES.length : 0;
+    const joint = marks.joint ? marks.joint[i] % paint.classes.length : 0;
     const colour = marks.joint
       ? paint.classes[joint]
       : state === 2
@@ -500,23 +501,20 @@ export function paint_legend(pen: Pen, figure: Figure): void {
   const rows: string[] = [];
   const swatches: { name: string; colour: string }[] = [];
   if (figure.arrows) {
-    const { factor, unit } = scaled_unit(figure.arrows.unit, figure.arrows.largest);
-    const largest = `${show(figure.arrows.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
+    const largest = show_with(figure.arrows.largest, figure.arrows.unit, 3);
     rows.push(`Longest arrow: ${figure.arrows.label.toLowerCase()} ${largest}`);
   }
   if (figure.crosses) {
-    const { factor, unit } = scaled_unit(figure.crosses.unit, figure.crosses.largest);
-    const largest = `${show(figure.crosses.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
-    rows.push(`Longest cross: ${largest} or more; blue compression, orange tension`);
+    const largest = show_with(figure.crosses.largest, figure.crosses.unit, 3);
+    rows.push(`Longest cross: ${largest} or more; blue compression, red tension`);
   }
   if (figure.contacts) {
-    const { factor, unit } = scaled_unit(figure.contacts.unit, figure.contacts.largest);
-    const largest = `${show(figure.contacts.largest / factor, 3)}${unit ? ` ${unit}` : ''}`;
+    const largest = show_with(figure.contacts.largest, figure.contacts.unit, 3);
     const { joint, joint_names } = figure.contacts;
     rows.push(`Widest contact line: ${largest}${joint ? '' : '; blue sticks, orange slides'}`);
     if (joint)
       swatches.push(
-        ...joint_names.map((name, i) => ({ name: short(name), colour: paint.classes[i % CLASSES.length] })),
+        ...joint_names.map((name, i) => ({ name: short(name), colour: paint.classes[i % paint.classes.length] })),
       );
   }
   const width = Math.min(320, size.width - 24);
@@ -609,8 +607,7 @@ function paint_scale_bar(pen: Pen, figure: Figure): void {
   const is_narrow = size.width < 640;
   const right = is_narrow ? 16 + width : size.width - 16;
   const y = is_narrow ? 28 : size.height - 14;
-  const { factor, unit } = scaled_unit(figure.length_unit, length);
-  const label = `${show(length / factor, 3)}${unit ? ` ${unit}` : ''}`;
+  const label = show_with(length, figure.length_unit, 3);
   pen.box(right - width - 8, y - 20, width + 16, 28, paint.surface, 6, 0.88);
   const line = { colour: paint.ink, width: 1.5 };
   pen.segments([right - width, y, right, y], line);

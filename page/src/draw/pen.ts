@@ -32,7 +32,7 @@ export interface Pen {
   /** Separate segments x1, y1, x2, y2 in turn. */
   segments(ends: ArrayLike<number>, line: Line): void;
   polyline(places: ArrayLike<number>, line: Line): void;
-  polygon(places: ArrayLike<number>, fill: string): void;
+  polygon(places: ArrayLike<number>, fill: string, opacity?: number): void;
   circle(x: number, y: number, radius: number, fill: string | null, line: Line | null): void;
   box(x: number, y: number, width: number, height: number, fill: string, radius?: number, opacity?: number): void;
   text(x: number, y: number, text: string, style: TextStyle): void;
@@ -174,7 +174,7 @@ export class CanvasPen implements Pen {
     this.stroke(line);
   }
 
-  polygon(places: ArrayLike<number>, fill: string): void {
+  polygon(places: ArrayLike<number>, fill: string, opacity = 1): void {
     const c = this.c;
     c.beginPath();
     for (let i = 0; i < places.length; i += 2) {
@@ -183,7 +183,9 @@ export class CanvasPen implements Pen {
     }
     c.closePath();
     c.fillStyle = fill;
+    c.globalAlpha = opacity;
     c.fill();
+    c.globalAlpha = 1;
   }
 
   circle(x: number, y: number, radius: number, fill: string | null, line: Line | null): void {
@@ -305,10 +307,10 @@ export class SvgPen implements Pen {
     this.out.push(`<polyline points="${points.trim()}" ${this.look(line)}/>`);
   }
 
-  polygon(places: ArrayLike<number>, fill: string): void {
+  polygon(places: ArrayLike<number>, fill: string, opacity = 1): void {
     let points = '';
     for (let i = 0; i < places.length; i += 2) points += `${short(places[i])},${short(places[i + 1])} `;
-    this.out.push(`<polygon points="${points.trim()}" fill="${fill}"/>`);
+    this.out.push(`<polygon points="${points.trim()}" fill="${fill}" fill-opacity="${opacity}"/>`);
   }
 
   circle(x: number, y: number, radius: number, fill: string | null, line: Line | null): void {

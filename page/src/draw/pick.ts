@@ -1,7 +1,7 @@
 // Finds the body, contact or mark under the pointer.
 
-import type { Pose } from './scene';
-import { vertices_of } from './scene';
+import { is_inside } from './rings';
+import { body_area, type Pose } from './scene';
 
 /** Row of the body that contains a place, by even-odd; the last one drawn if several do. */
 export function pick_body(pose: Pose, x: number, y: number): number | null {
@@ -9,22 +9,8 @@ export function pick_body(pose: Pose, x: number, y: number): number | null {
   return null;
 }
 
-export function contains(pose: Pose, row: number, x: number, y: number): boolean {
-  const { geometry, places } = pose;
-  let inside = false;
-  for (let l = geometry.body_loop[row]; l < geometry.body_loop[row + 1]; l++) {
-    const from = geometry.loop_start[l];
-    const to = geometry.loop_start[l + 1];
-    let before = to - 1;
-    for (let v = from; v < to; before = v++) {
-      const y0 = places[2 * before + 1];
-      const y1 = places[2 * v + 1];
-      if (y0 > y === y1 > y) continue;
-      const x0 = places[2 * before];
-      if (x < x0 + ((y - y0) / (y1 - y0)) * (places[2 * v] - x0)) inside = !inside;
-    }
-  }
-  return inside;
+function contains({ geometry, places }: Pose, row: number, x: number, y: number): boolean {
+  return is_inside(places, geometry.loop_start, geometry.body_loop[row], geometry.body_loop[row + 1], x, y);
 }
 
 /** Index of the point nearest to a place within a distance. */
@@ -67,14 +53,6 @@ export function pick_segment(ends: ArrayLike<number>, x: number, y: number, reac
 export function typical_size(pose: Pose): number {
   const { geometry, places } = pose;
   let area = 0;
-  for (let row = 0; row < geometry.bodies; row++) {
-    const [from, to] = vertices_of(geometry, row);
-    let before = to - 1;
-    let own = 0;
-    for (let v = from; v < to; before = v++) {
-      own += places[2 * before] * places[2 * v + 1] - places[2 * v] * places[2 * before + 1];
-    }
-    area += Math.abs(own) / 2;
-  }
+  for (let row = 0; row < geometry.bodies; row++) area += body_area(geometry, places, row);
   return Math.sqrt(area / Math.max(1, geometry.bodies)) || 1;
 }

@@ -4,9 +4,10 @@ import { NO_ROW } from '../data/contract';
 import type { Geometry, PartRows } from '../data/decode';
 import { type FieldAt, offset_of, type Store, value_at } from '../data/store';
 import { add_places, empty_box } from './camera';
-import { class_table, table_of } from './colours';
+import { areas_of, class_table, type MapName, table_about_zero, table_of } from './colours';
 import type { Measure } from './measures';
 import { show_with } from './numbers';
+import { area_of } from './rings';
 
 export interface Pose {
   frame: number;
@@ -118,6 +119,17 @@ export function displacement_of(store: Store, frame: number, row: number): [numb
   return [x / (to - from), y / (to - from)];
 }
 
+/** Area of a body at places of its vertices, without its holes. */
+export function body_area(geometry: Geometry, places: ArrayLike<number>, row: number): number {
+  const { body_loop, loop_start } = geometry;
+  let area = 0;
+  for (let l = body_loop[row]; l < body_loop[row + 1]; l++) {
+    const own = Math.abs(area_of(places, loop_start[l], loop_start[l + 1]));
+    area += l === body_loop[row] ? own : -own;
+  }
+  return area;
+}
+
 /** First vertex of a body and the one after its last. */
 export function vertices_of(geometry: Geometry, row: number): [number, number] {
   return [geometry.loop_start[geometry.body_loop[row]], geometry.loop_start[geometry.body_loop[row + 1]]];
@@ -222,15 +234,12 @@ export function range_of(values: ArrayLike<number>, into?: Range): Range {
   return range;
 }
 
-/** Range that a legend shows: round about zero if values have two signs, never empty. */
-export function shown_range(range: Range, measure: Measure): Range {
+/** Range that a legend shows: it begins or ends at zero unless all values are far from it, and is never empty. */
+export function shown_range(range: Range): Range {
   let { low, high } = range;
   if (!(high >= low)) return { low: 0, high: 1 };
-  if (measure.is_signed && low < 0 && high > 0) {
-    const size = Math.max(-low, high);
-    return { low: -size, high: size };
-  }
-  if (!measure.is_signed && low > 0 && low < 0.5 * high) low = 0;
+  if (low > 0 && low <= 0.5 * high) low = 0;
+  if (high < 0 && high >= 0.5 * low) high = 0;
   if (high === low) {
     if (high === 0) high = 1;
     else if (high > 0) low = 0;
@@ -239,11 +248,10 @@ export function shown_range(range: Range, measure: Measure): Range {
   return { low, high };
 }
 
-/** Name of the map that suits a measure and its range. */
-export function table_for(measure: Measure, range: Range, chosen: string): Uint8Array {
-  if (measure.kind === 'state') return class_table();
-  if (measure.is_signed && range.low < 0 && range.high > 0) return table_of('signed');
-  return table_of(chosen);
+/** Colours that suit a measure and its range. */
+export function table_for(measure: Measure, range: Range, chosen: MapName, is_dark: boolean): Uint8Array {
+  if (measure.kind === 'state') return class_table(areas_of(is_dark));
+  return measure.is_signed ? table_about_zero(range.low, range.high) : table_of(chosen);
 }
 
 /** Fraction of the legend at which a value stands; NaN for missing values. */

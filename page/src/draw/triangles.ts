@@ -1,20 +1,11 @@
 // Cuts bodies into triangles: a fan for convex ones, ears for others, holes joined to their outline by bridges.
 
 import type { Geometry } from '../data/decode';
+import { area_of } from './rings';
 
 /** Twice the area of a triangle, positive if anticlockwise. */
 function turn(p: Float32Array, a: number, b: number, c: number): number {
   return (p[2 * b] - p[2 * a]) * (p[2 * c + 1] - p[2 * a + 1]) - (p[2 * c] - p[2 * a]) * (p[2 * b + 1] - p[2 * a + 1]);
-}
-
-function area_of(p: Float32Array, ring: number[]): number {
-  let sum = 0;
-  for (let i = 0; i < ring.length; i++) {
-    const a = ring[i];
-    const b = ring[(i + 1) % ring.length];
-    sum += p[2 * a] * p[2 * b + 1] - p[2 * b] * p[2 * a + 1];
-  }
-  return sum / 2;
 }
 
 function crosses(p: Float32Array, a: number, b: number, c: number, d: number): boolean {
@@ -89,15 +80,18 @@ export function triangles_of(geometry: Geometry): Uint32Array {
   const { place, body_loop, loop_start } = geometry;
   const out: number[] = [];
   for (let b = 0; b < geometry.bodies; b++) {
+    // The outline goes anticlockwise, holes clockwise.
     const rings: number[][] = [];
     for (let l = body_loop[b]; l < body_loop[b + 1]; l++) {
-      const ring: number[] = [];
-      for (let v = loop_start[l]; v < loop_start[l + 1]; v++) ring.push(v);
-      if (ring.length >= 3) rings.push(ring);
+      const [from, to] = [loop_start[l], loop_start[l + 1]];
+      if (to - from < 3) continue;
+      const ring = Array.from({ length: to - from }, (_, i) => from + i);
+      const area = area_of(place, from, to);
+      if (rings.length ? area > 0 : area < 0) ring.reverse();
+      rings.push(ring);
     }
     if (!rings.length) continue;
     const [outline, ...holes] = rings;
-    if (area_of(place, outline) < 0) outline.reverse();
     if (!holes.length) {
       let is_convex = true;
       const n = outline.length;
@@ -113,7 +107,6 @@ export function triangles_of(geometry: Geometry): Uint32Array {
     }
     let ring = outline;
     holes.forEach((hole, i) => {
-      if (area_of(place, hole) > 0) hole.reverse();
       ring = bridge(place, ring, hole, holes.slice(i + 1));
     });
     ears(place, ring, out);

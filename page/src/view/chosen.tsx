@@ -7,7 +7,7 @@ import { body_name, type Geometry } from '../data/decode';
 import { value_at } from '../data/store';
 import type { Measure } from '../draw/measures';
 import { show, show_place, show_with } from '../draw/numbers';
-import { body_value, displacement_of, extent_of, part_at, unit_of_value, values_of } from '../draw/scene';
+import { body_area, body_value, displacement_of, extent_of, part_at, unit_of_value, values_of } from '../draw/scene';
 import { capital } from '../draw/words';
 import { Chart, type Curve } from './chart';
 import { Fact } from './fact';
@@ -87,20 +87,6 @@ function rotation_of(row: number): number | null {
   return (Math.atan2(g21 - g12, 2 + g11 + g22) * 180) / Math.PI;
 }
 
-function area_of(geometry: Geometry, row: number): number {
-  let area = 0;
-  for (let l = geometry.body_loop[row]; l < geometry.body_loop[row + 1]; l++) {
-    const [from, to] = [geometry.loop_start[l], geometry.loop_start[l + 1]];
-    let own = 0;
-    for (let v = from, before = to - 1; v < to; before = v++) {
-      const p = geometry.place;
-      own += (p[2 * before] * p[2 * v + 1] - p[2 * v] * p[2 * before + 1]) / 2;
-    }
-    area += l === geometry.body_loop[row] ? Math.abs(own) : -Math.abs(own);
-  }
-  return area;
-}
-
 export function ChosenTab() {
   const chosen = state.chosen.value;
   const geometry = geometry_now();
@@ -164,7 +150,10 @@ function BodyPanel({ body, geometry, live }: { body: number; geometry: Geometry;
               name="Centroid"
               value={`${show_place(cx, extent)}, ${show_place(cy, extent)}${length ? ` ${length}` : ''}`}
             />
-            <Fact name="Area" value={`${show(area_of(geometry, row), 4)}${length ? ` ${length}²` : ''}`} />
+            <Fact
+              name="Area"
+              value={`${show(body_area(geometry, geometry.place, row), 4)}${length ? ` ${length}²` : ''}`}
+            />
             {angle !== null && <Fact name="Rotation" value={`${show(angle, 3)}°`} />}
           </tbody>
           {[...groups].map(([group, list]) => (

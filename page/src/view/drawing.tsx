@@ -3,7 +3,7 @@
 import { effect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { body_name } from '../data/decode';
-import { to_world, zoom } from '../draw/camera';
+import { pan, to_world, zoom } from '../draw/camera';
 import { type Cost, is_webgl_faster, is_worth_measuring, measure } from '../draw/choose';
 import { show_place } from '../draw/numbers';
 import { contact_line, type Figure, paint_bodies, paint_legend, paint_over, screen_of } from '../draw/paint';
@@ -162,15 +162,12 @@ export function Drawing() {
       hover(now.x, now.y);
       return;
     }
-    const { camera } = state;
     if (held.current.size === 1) {
       const dx = now.x - before.x;
       const dy = now.y - before.y;
       moved.current += Math.abs(dx) + Math.abs(dy);
       if (moved.current > 4) {
-        const own = camera.value;
-        state.fitted.value = false;
-        camera.value = { ...own, x: own.x - dx / own.scale, y: own.y + dy / own.scale };
+        pan_by(dx, dy);
       } else {
         return;
       }
@@ -234,16 +231,13 @@ function description(): string {
 }
 
 export function zoom_at(factor: number, x = state.size.value.width / 2, y = state.size.value.height / 2): void {
-  const own = zoom(state.camera.value, state.size.value, factor, x, y);
-  if (!(own.scale > 1e-9 && own.scale < 1e12)) return;
   state.fitted.value = false;
-  state.camera.value = own;
+  state.camera.value = zoom(state.camera.value, state.size.value, factor, x, y);
 }
 
 export function pan_by(dx: number, dy: number): void {
-  const own = state.camera.value;
   state.fitted.value = false;
-  state.camera.value = { ...own, x: own.x - dx / own.scale, y: own.y + dy / own.scale };
+  state.camera.value = pan(state.camera.value, dx, dy);
 }
 
 function hover(x: number, y: number): void {

@@ -232,9 +232,9 @@ export function shade_at(pose: Pose): Shade | null {
   let range: Range;
   if (own.kind === 'state') range = { low: 0, high: 255 };
   else if (state.range_mode.value === 'own') range = state.own_range.value;
-  else if (state.range_mode.value === 'frame') range = shown_range(range_of(values), own);
-  else range = shown_range(state.run_range(own), own);
-  return { measure: own, values, ...range, table: table_for(own, range, state.map_name.value) };
+  else if (state.range_mode.value === 'frame') range = shown_range(range_of(values));
+  else range = shown_range(state.run_range(own));
+  return { measure: own, values, ...range, table: table_for(own, range, state.map_name.value, state.is_dark.value) };
 }
 
 function arrows_of(pose: Pose): Arrows | null {

@@ -108,7 +108,7 @@ Object.assign(window, {
     verdict: () => capital(state.head.verdict.words),
     shown_range: (id: string) => {
       const own = state.measures.find(m => m.id === id);
-      return own && own.kind === 'real' ? shown_range(state.run_range(own), own) : null;
+      return own && own.kind === 'real' ? shown_range(state.run_range(own)) : null;
     },
     video_kind,
   },

@@ -1,12 +1,17 @@
 // Tab Show: colours, range, magnification, layers.
 
-import { SEQUENTIAL } from '../draw/colours';
+import { type MapName, SEQUENTIAL } from '../draw/colours';
 import { show, show_range } from '../draw/numbers';
 import { pose_of } from '../draw/scene';
 import { shade_at } from './figure';
 import * as state from './state';
 
-const MAP_NAMES: Record<string, string> = { viridis: 'Viridis', cividis: 'Cividis', grey: 'Grey' };
+const MAP_NAMES: Record<MapName, string> = {
+  rising: 'White to red',
+  viridis: 'Viridis',
+  cividis: 'Cividis',
+  grey: 'Grey',
+};
 
 export function Check({
   label,
@@ -127,23 +132,24 @@ export function ShowTab() {
             ) : (
               shade && <p class="note">{show_range(shade.low, shade.high, own.unit, own.digits)}</p>
             )}
-            <label class="field">
-              <span>Map</span>
-              <select
-                value={state.map_name.value}
-                onChange={event => {
-                  state.map_name.value = event.currentTarget.value;
-                }}
-              >
-                {SEQUENTIAL.map(name => (
-                  <option value={name} key={name}>
-                    {MAP_NAMES[name]}
-                  </option>
-                ))}
-              </select>
-            </label>
-            {shade && own.is_signed && shade.low < 0 && shade.high > 0 && (
-              <p class="note">Values of both signs use blue for negative and orange for positive.</p>
+            {own.is_signed ? (
+              <p class="note">Negative values are blue, positive ones red.</p>
+            ) : (
+              <label class="field">
+                <span>Map</span>
+                <select
+                  value={state.map_name.value}
+                  onChange={event => {
+                    state.map_name.value = event.currentTarget.value as MapName;
+                  }}
+                >
+                  {SEQUENTIAL.map(name => (
+                    <option value={name} key={name}>
+                      {MAP_NAMES[name]}
+                    </option>
+                  ))}
+                </select>
+              </label>
             )}
           </>
         )}

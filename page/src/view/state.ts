@@ -4,10 +4,11 @@ import { batch, computed, signal } from '@preact/signals';
 import { type FrameHead, type Head, PageError } from '../data/contract';
 import type { Store } from '../data/store';
 import { add_places, type Camera, empty_box, fit, type Size } from '../draw/camera';
+import type { MapName } from '../draw/colours';
 import { type Measure, measures_of } from '../draw/measures';
 import { round_below, show, show_time } from '../draw/numbers';
 import { DARK, LIGHT } from '../draw/paint';
-import { pose_of, type Range, range_of, values_of } from '../draw/scene';
+import { extent_of, pose_of, type Range, range_of, values_of } from '../draw/scene';
 
 export let head: Head;
 export let store: Store;
@@ -81,7 +82,7 @@ export const trails = signal<'none' | 'chosen' | 'all'>('none');
 export const measure_id = signal('displacement.size');
 export const range_mode = signal<'run' | 'frame' | 'own'>('run');
 export const own_range = signal<Range>({ low: 0, high: 1 });
-export const map_name = signal('viridis');
+export const map_name = signal<MapName>('rising');
 export const magnification = signal(1);
 
 export type Chosen = { kind: 'body'; key: number } | { kind: 'part'; what: string; ident: number[]; nth: number };
@@ -287,13 +288,10 @@ export function margins_of(room: Size) {
 /** Magnification at which the largest displacement of the run is 5 % of the model's width. */
 export function suited_magnification(): number {
   const own = measures.find(m => m.id === 'displacement.size');
-  const box = empty_box();
-  const rest = pose_of(store, frame.value, 0);
-  if (!own || !rest) return 1;
-  add_places(box, rest.places);
+  const geometry = store.geometry_now(store.epoch_of(frame.value));
+  if (!own || !geometry) return 1;
   const largest = run_range(own).high;
-  const wide = Math.max(box.right - box.left, box.top - box.bottom);
   if (!(largest > 0)) return 1;
-  const raw = (0.05 * wide) / largest;
+  const raw = (0.05 * extent_of(geometry)) / largest;
   return raw <= 1 ? 1 : round_below(raw);
 }

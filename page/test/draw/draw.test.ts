@@ -1,9 +1,10 @@
+import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { decode_geometry } from '../../src/data/decode';
 import { Store, value_at } from '../../src/data/store';
-import { fit, to_screen, to_world, zoom } from '../../src/draw/camera';
+import { fit, pan, to_screen, to_world, zoom } from '../../src/draw/camera';
 import { draw_chart } from '../../src/draw/chart';
-import { class_table, css_of, index_of, table_of } from '../../src/draw/colours';
+import { areas_of, class_table, css_of, index_of, lines_of, table_about_zero, table_of } from '../../src/draw/colours';
 import { measures_of } from '../../src/draw/measures';
 import {
   place_decimals,
@@ -14,6 +15,7 @@ import {
   show_range,
   show_with,
   ticks_of,
+  UNITS,
 } from '../../src/draw/numbers';
 import { type Figure, LIGHT, paint_all } from '../../src/draw/paint';
 import { type Pen, SvgPen } from '../../src/draw/pen';
@@ -31,6 +33,25 @@ import {
 import { triangles_of } from '../../src/draw/triangles';
 import { type Body, encode_geometry } from '../encode';
 import { make_wall, type Wall } from '../scenes';
+
+/** Linear RGB as eyes without one kind of cones see it (Machado, Oliveira and Fernandes 2009). */
+const EYES = {
+  normal: [1, 0, 0, 0, 1, 0, 0, 0, 1],
+  'no red cones': [0.1523, 1.0526, -0.2049, 0.1145, 0.7863, 0.0992, -0.0039, -0.0481, 1.052],
+  'no green cones': [0.3673, 0.8606, -0.228, 0.2801, 0.6725, 0.0474, -0.0118, 0.0429, 0.9689],
+  'no blue cones': [1.2555, -0.0767, -0.1788, -0.0784, 0.9308, 0.1476, 0.0047, 0.6914, 0.3039],
+};
+const TO_XYZ = [0.4339, 0.3762, 0.1899, 0.2127, 0.7152, 0.0722, 0.0178, 0.1095, 0.8727];
+
+const times = (m: number[], v: number[]) => [0, 3, 6].map(i => m[i] * v[0] + m[i + 1] * v[1] + m[i + 2] * v[2]);
+
+/** CIE L*a*b* of a colour as eyes of a kind see it. */
+function lab_seen(hex: string, eye: number[]): number[] {
+  const linear = [1, 3, 5].map(i => (Number.parseInt(hex.slice(i, i + 2), 16) / 255) ** 2.2);
+  const seen = times(eye, linear).map(v => Math.min(1, Math.max(0, v)));
+  const [x, y, z] = times(TO_XYZ, seen).map(v => (v > 0.008856 ? Math.cbrt(v) : 7.787 * v + 16 / 116));
+  return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
+}
 
 let wall: Wall;
 let store: Store;
@@ -105,12 +126,13 @@ describe('measures', () => {
     expect(new Set(measures.map(m => m.id)).size).toBe(measures.length);
   });
 
-  test('ranges are round about zero where signs differ', () => {
-    const own = measures_of(wall.head, store).find(m => m.id === 'stress.xx')!;
-    expect(shown_range({ low: -3, high: 1 }, own)).toEqual({ low: -3, high: 3 });
-    expect(shown_range({ low: -3, high: -1 }, own)).toEqual({ low: -3, high: -1 });
-    expect(shown_range({ low: 0, high: 0 }, own)).toEqual({ low: 0, high: 1 });
-    expect(shown_range({ low: Infinity, high: -Infinity }, own)).toEqual({ low: 0, high: 1 });
+  test('ranges reach to zero unless all values are far from it', () => {
+    expect(shown_range({ low: -3, high: 1 })).toEqual({ low: -3, high: 1 });
+    expect(shown_range({ low: -3, high: -1 })).toEqual({ low: -3, high: 0 });
+    expect(shown_range({ low: -3, high: -2 })).toEqual({ low: -3, high: -2 });
+    expect(shown_range({ low: 1, high: 3 })).toEqual({ low: 0, high: 3 });
+    expect(shown_range({ low: 0, high: 0 })).toEqual({ low: 0, high: 1 });
+    expect(shown_range({ low: Infinity, high: -Infinity })).toEqual({ low: 0, high: 1 });
     expect(range_of([1, Number.NaN, -2])).toEqual({ low: -2, high: 1 });
   });
 });
@@ -129,6 +151,13 @@ describe('pick', () => {
 });
 
 describe('camera', () => {
+  test('pan moves the drawing by pixels, right and down', () => {
+    const size = { width: 800, height: 600 };
+    const before = { x: 3, y: 2, scale: 50 };
+    const [x, y] = to_world(before, size, 100, 200);
+    expect(to_screen(pan(before, 30, -20), size, x, y)).toEqual([130, 180]);
+  });
+
   test('zoom keeps the place under the pointer', () => {
     const size = { width: 800, height: 600 };
     const first = fit({ left: 0, bottom: 0, right: 10, top: 5 }, size, { top: 10, right: 10, bottom: 50, left: 10 });
@@ -288,7 +317,10 @@ describe('numbers', () => {
     expect([show_place(-0.00001, 10), show_place(-12.5, 900), show_place(120, 9e6)]).toEqual(['0', '−12.5', '120']);
     expect([place_decimals(10, 2 ** 18), place_decimals(0, 1e5)]).toEqual([5, 4]);
     expect(show_with(3, 'kJ')).toBe('3\u00a0kJ');
-    expect(show_range(0, 0.4565, 'm')).toBe('0 to 456.5\u00a0mm');
+    expect(show_with(0.5, 'm')).toBe('0.5\u00a0m');
+    expect(show_with(12500, 'N·m/m')).toBe('12.5\u00a0kJ/m');
+    expect(show_with(2500, 'mm')).toBe('2.5\u00a0m');
+    expect(show_range(0, 0.0565, 'm')).toBe('0 to 56.5\u00a0mm');
     expect(scaled_unit('', 1e-6)).toEqual({ factor: 1, unit: '' });
   });
   test('ticks and round numbers', () => {
@@ -301,7 +333,44 @@ describe('numbers', () => {
   });
 });
 
+test('the program has the same table of units', () => {
+  const text = readFileSync(new URL('../../../src/problem/units/readable.cpp', import.meta.url), 'utf8');
+  const rows = [...text.matchAll(/\{"([^"]+)", ([\de.-]+), ([\d.]+)\}/g)];
+  expect(rows.map(([, name, size, least]) => [name, Number(size), Number(least)])).toEqual(UNITS);
+});
+
 describe('colours', () => {
+  test('zero is white, and of one sign only the own side of the map is used', () => {
+    const at = (low: number, high: number, value: number) =>
+      css_of(table_about_zero(low, high), index_of((value - low) / (high - low)));
+    for (const [low, high] of [
+      [-1, 1],
+      [-4, 1],
+      [0, 3],
+      [-3, 0],
+    ])
+      expect(Math.min(...at(low, high, 0).match(/\d+/g)!.map(Number)), `${low} to ${high}`).toBeGreaterThan(240);
+    expect(at(-1, 1, -1)).toBe('rgb(33,102,172)');
+    expect(at(-1, 3, 3)).toBe('rgb(178,24,43)');
+    expect(at(-10, -9, -10)).toBe('rgb(33,102,172)');
+    expect(at(-10, -9, -9)).not.toBe('rgb(247,247,247)');
+  });
+
+  test.each([
+    ['areas', areas_of(false)],
+    ['areas on dark', areas_of(true)],
+    ['lines', lines_of(false)],
+    ['lines on dark', lines_of(true)],
+  ])('%s differ for eyes of all kinds', (_, colours) => {
+    for (const [kind, matrix] of Object.entries(EYES)) {
+      const seen = colours.map(colour => lab_seen(colour, matrix));
+      seen.forEach((a, i) => {
+        for (let j = 0; j < i; j++)
+          expect(Math.hypot(...a.map((v, c) => v - seen[j][c])), `${kind}: ${j + 1}, ${i + 1}`).toBeGreaterThan(12);
+      });
+    }
+  });
+
   test('viridis runs from dark to light', () => {
     const table = table_of('viridis');
     expect(css_of(table, 0)).toBe('rgb(68,1,84)');
@@ -313,7 +382,8 @@ describe('colours', () => {
       before = light;
     }
     expect([index_of(-1), index_of(0.5), index_of(7)]).toEqual([0, 128, 255]);
-    expect(css_of(class_table(), 8)).toBe(css_of(class_table(), 0));
+    const classes = class_table(areas_of(false));
+    expect(css_of(classes, 8)).toBe(css_of(classes, 0));
   });
 });
 
@@ -322,7 +392,13 @@ describe('svg', () => {
     const measures = measures_of(wall.head, store);
     const measure = measures.find(m => m.id === 'material')!;
     const values = values_of(store, measure, 29)!;
-    const shade = { measure, values, low: 0, high: 255, table: table_for(measure, { low: 0, high: 255 }, 'viridis') };
+    const shade = {
+      measure,
+      values,
+      low: 0,
+      high: 255,
+      table: table_for(measure, { low: 0, high: 255 }, 'viridis', false),
+    };
     const figure: Figure = {
       size: { width: 800, height: 600 },
       camera: { x: 3, y: 1, scale: 60 },

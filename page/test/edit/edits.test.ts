@@ -1,9 +1,10 @@
 // Changes from the canvas: the text of a case changes where it must and nowhere else.
 
 import { describe, expect, test } from 'vitest';
+import { area_of } from '../../src/draw/rings';
 import * as edits from '../../src/serve/edit/edits';
 import { find, type Path, parse, plain } from '../../src/serve/edit/json_text';
-import { area_of, extent_of, loops_of, type Point, scene_of, title_of } from '../../src/serve/edit/scene';
+import { extent_of, loops_of, type Point, scene_of, title_of } from '../../src/serve/edit/scene';
 
 const CASE = `{
  "keyblock": 2,
@@ -53,8 +54,8 @@ describe('edits', () => {
     expect(title_of(item(CASE, 'stages/0/bolts/0'))).toBe('Bolt 1 of stage 1');
     expect(scene.joint_materials).toEqual(['bedding', 'joint 2']);
     expect(loops_of(scene)).toHaveLength(1);
-    expect(area_of(loops_of(scene)[0])).toBe(60);
-    expect(extent_of(scene, [])).toEqual([0, 0, 10, 6]);
+    expect(area_of(loops_of(scene)[0].flat(), 0, 4)).toBe(60);
+    expect(extent_of(scene, [])).toEqual({ left: 0, bottom: 0, right: 10, top: 6 });
   });
 
   test('a corner of the outline moves with both of its sides', () => {

@@ -1,7 +1,8 @@
 // Places that a pointer means, and places that are typed.
 
 import { describe, expect, test } from 'vitest';
-import { crossing_of, grid_step, rounded, type Segment, snap, typed_point } from '../../src/serve/edit/snap';
+import { round_above } from '../../src/draw/numbers';
+import { crossing_of, rounded, type Segment, snap, typed_point } from '../../src/serve/edit/snap';
 
 const CROSS: Segment[] = [
   { from: [0, 0], to: [10, 0] },
@@ -36,7 +37,7 @@ describe('snapping', () => {
   });
 
   test('steps of the grid are 1, 2 and 5 times powers of ten', () => {
-    expect([0.03, 0.1, 0.3, 1.2, 6, 20, 51].map(grid_step)).toEqual([0.05, 0.1, 0.5, 2, 10, 20, 100]);
+    expect([0.03, 0.1, 0.3, 1.2, 6, 20, 51].map(round_above)).toEqual([0.05, 0.1, 0.5, 2, 10, 20, 100]);
   });
 
   test('typed places are absolute, relative, or length and angle', () => {

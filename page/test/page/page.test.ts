@@ -182,7 +182,7 @@ describe.skipIf(!has_browser)('page', () => {
     const svg = await save('Drawing, SVG');
     expect(svg.name).toBe('Wall_of_blocks_step177.svg');
     const text = readFileSync(svg.path, 'utf8');
-    expect(text).toContain('Displacement, magnitude [mm]');
+    expect(text).toContain('Displacement, magnitude [m]');
     expect(text).not.toContain('NaN');
     const csv = readFileSync((await save('Blocks, CSV')).path, 'utf8')
       .trim()

@@ -15,7 +15,7 @@
 #include "base/error.hpp"
 #include "job/folder/frame_files.hpp"
 #include "job/folder/output_files.hpp"
-#include "report/document/frame_thumbnail.hpp"
+#include "report/thumbnail.hpp"
 #include "study/sweep/sweep_table.hpp"
 
 namespace keyblock {
@@ -75,7 +75,7 @@ Result run_result(const fs::path& folder, const std::string& name) {
   for (std::size_t i = 1; i < motion.size(); ++i)  // the verdict has the first
     result.paragraphs.push_back(sentence(plain_text(motion[i])));
   result.warnings = warning_section(record).tables;
-  if (frames.last) result.thumbnail = report::frame_thumbnail(*frames.last);
+  if (frames.last) result.thumbnail = report::thumbnail(*frames.last);
   result.program = program_of(record);
   if (!frames.fault.empty()) result.fault = fmt::format("{}: error: {}", folder.string(), frames.fault);
   return result;

@@ -112,8 +112,9 @@ constexpr auto kRuns = std::to_array<Diagnostic>({
      "speeds fell below it.",
      "Give the stage more steps, or damping (mass_damping)."},
     {"start_settled", note, "The initial contact forces are one of several sets",
-     "In a jointed mass friction can share loads in many ways. The start held the joints together under the loads, "
-     "then released them. It may also have left more than 1e-6 of the gaps, or found no forces in some steps.",
+     "In a jointed mass friction can share loads in many ways. The start held the joints together under the loads, or "
+     "took the forces of the initial stress, then released them. It may also have left more than 1e-6 of the gaps, or "
+     "found no forces in some steps.",
      "Nothing, if any such set will do; --set start=sudden starts without equilibrium."},
     {"start_without_rest", warning, "Some bodies start without equilibrium",
      "No equilibrium was found near the drawing for these bodies. They begin with the strains of their first "

@@ -111,8 +111,8 @@ void draw_chart(SvgPage& page, Point corner, Point size, const std::vector<Curve
   Box box = bounds_of(given);
   if (box.empty()) return;
   if (box.high.y - box.low.y < kFlat * greatest(box.low.y, box.high.y)) box.include({box.low.x, 0});
-  const Readable x = readable(labels.x, greatest(box.low.x, box.high.x));
-  const Readable y = readable(labels.y, greatest(box.low.y, box.high.y));
+  const Scaled x = readable(labels.x, greatest(box.low.x, box.high.x));
+  const Scaled y = readable(labels.y, greatest(box.low.y, box.high.y));
   const std::vector<Curve> curves = scaled(given, x.factor, y.factor);
   box = {{x.factor * box.low.x, y.factor * box.low.y}, {x.factor * box.high.x, y.factor * box.high.y}};
   const std::vector<LegendEntry> legend = make_legend(curves);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "geometry/polygon.hpp"
+#include "report/drawing/colours.hpp"
 #include "report/drawing/ticks.hpp"
 
 namespace keyblock::report {
@@ -23,13 +24,7 @@ constexpr double kExtreme = 0.005;  // share of patches, or of their area, beyon
 // Share of the value farthest from 0: if the nearest value exceeds it, 0 is not on the scale.
 constexpr double kNearShare = 0.5;
 constexpr double kBarRoom = 104;  // page units from a colour bar to the edge of the page
-constexpr double kColours = 200;  // steps of a scale: an image of few other colours has them all in its palette
 constexpr double kPalest = 0.08;  // of all colours: from white to the palest of a scale without 0
-
-using Stops = std::array<std::array<double, 3>, 5>;
-constexpr Stops kDiverging{{{33, 102, 172}, {146, 197, 222}, {247, 247, 247}, {244, 165, 130}, {178, 24, 43}}};
-// OrRd of ColorBrewer (Brewer 2003): told apart by eyes that miss red or green, and in grey.
-constexpr Stops kRising{{{247, 247, 247}, {253, 212, 158}, {252, 141, 89}, {215, 48, 31}, {127, 0, 0}}};
 
 bool is_uniform(const FieldElement& element) {
   return std::ranges::all_of(element.loops.front(), [&](const FieldCorner& corner) {
@@ -161,15 +156,8 @@ double share_about_zero(const ColourScale& scale, double value) {
 }  // namespace
 
 std::string ColourScale::colour(double value) const {
-  const Stops& stops = map == Map::rising ? kRising : kDiverging;
-  const double share = map == Map::rising ? share_of(value, low, high, 0) : share_about_zero(*this, value);
-  const double at = std::round(share * kColours) / kColours * (stops.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(at), stops.size() - 2);
-  const double part = at - static_cast<double>(below);
-  const auto mix = [&](std::size_t channel) {
-    return static_cast<int>(std::lround(std::lerp(stops[below][channel], stops[below + 1][channel], part)));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2));
+  return map == Map::rising ? hex(colour_at(palette::kRising, share_of(value, low, high, 0)))
+                            : hex(colour_at(palette::kAboutZero, share_about_zero(*this, value)));
 }
 
 namespace {
@@ -227,7 +215,7 @@ void draw_patches(SvgPage& page, const PageMap& map, const std::vector<Patch>& p
 
 void draw_colour_bar(SvgPage& page, Point corner, double height, const ColourScale& scale, const Described& quantity) {
   constexpr int kSteps = 48;
-  const Readable shown = readable(quantity, std::max(std::abs(scale.low), std::abs(scale.high)));
+  const Scaled shown = readable(quantity, std::max(std::abs(scale.low), std::abs(scale.high)));
   for (int i = 0; i < kSteps; ++i) {
     const double share = (i + 0.5) / kSteps;
     const std::string colour = scale.colour(std::lerp(scale.high, scale.low, share));

@@ -1,4 +1,4 @@
-// Units in which numbers of pictures are short: 159 kPa instead of 1.59e+05 Pa.
+// Quantities of axes and colour bars, with the unit in which their numbers are short: 159 kPa, not 1.59e+05 Pa.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "problem/units/measure.hpp"
+#include "problem/units/readable.hpp"
 
 namespace keyblock::report {
 
@@ -23,16 +24,9 @@ struct Described {
   Units units = {};
 };
 
-/// Form of values: times `factor`, in `unit`; the exponent of ten that is left is the axis's.
-struct Readable {
-  double factor = 1;
-  std::string unit = {};
-
-  std::string label(std::string_view name) const;  ///< "stress [kPa]"
-};
-
-/// Returns the unit of the case if it makes `largest` a number from 0.1 to 1000, or if the case declares too little.
-/// Else it is the next below `largest` of mm, m; ms, s; Pa, kPa, MPa, GPa; N/m, kN/m, MN/m; J/m, kJ/m, MJ/m.
-Readable readable(const Described& quantity, double largest);
+/// Returns the unit in which values of a quantity up to `largest` are short.
+inline Scaled readable(const Described& quantity, double largest) {
+  return scaled_unit(largest, quantity.measure, quantity.units);
+}
 
 }  // namespace keyblock::report

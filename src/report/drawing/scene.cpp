@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problem/units/readable.hpp"
 #include "report/drawing/colours.hpp"
 #include "report/drawing/ticks.hpp"
 
@@ -214,7 +215,8 @@ void draw_scale_bar(SvgPage& page, Point left, double width, const PageMap& map,
   page.line(left, right, bar);
   for (Point end : {left, right}) page.line(end - Point{0, 4}, end + Point{0, 4}, bar);
   page.text(right + Point{8, 4},
-            fmt::format("{:g} {}", length, units.length.empty() ? "(unit of length of the input)" : units.length),
+            units.length.empty() ? fmt::format("{:g} (unit of length of the input)", length)
+                                 : readable(length, measures::kLength, units),
             {.size = kTextSize});
 }
 

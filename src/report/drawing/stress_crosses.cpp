@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "report/drawing/colours.hpp"
 #include "report/drawing/ticks.hpp"
 #include "result/extremes.hpp"
 
@@ -23,8 +24,6 @@ constexpr double kMostLength = 44;
 constexpr double kOfRoom = 0.8;
 constexpr double kShown = 0.98;  // share of the crosses that are drawn as long as they should be
 constexpr double kLineWidth = 1.1;
-constexpr std::string_view kCompressionColour = "#2166ac";
-constexpr std::string_view kTensionColour = "#b2182b";
 
 struct Cross {
   Point middle;  ///< on the page
@@ -108,7 +107,7 @@ CrossScale draw_crosses(SvgPage& page, const PageMap& map, const FieldFrame& fie
 }
 
 void draw_cross_legend(SvgPage& page, Point corner, const CrossScale& scale, const Units& units) {
-  const Readable shown = readable({"", measures::kStress, units}, scale.sample);
+  const Scaled shown = readable({"", measures::kStress, units}, scale.sample);
   double y = corner.y;
   for (const auto& [colour, words] : {std::pair{kCompressionColour, "compression"}, {kTensionColour, "tension"}}) {
     page.line({corner.x, y}, {corner.x + kLeastLength, y}, {.stroke = colour, .stroke_width = 2});

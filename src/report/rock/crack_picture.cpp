@@ -12,12 +12,11 @@
 #include "problem/units/measure.hpp"
 #include "report/drawing/chart.hpp"
 #include "report/drawing/scene.hpp"
+#include "report/page.hpp"
 
 namespace keyblock::report {
 namespace {
 
-constexpr double kPageWidth = 900;
-constexpr double kMargin = 30;
 constexpr double kTop = 40;
 constexpr double kCaption = 24;
 constexpr double kSceneHeight = 420;
@@ -139,10 +138,10 @@ std::string crack_picture(const CrackPicture& picture) {
       page.polygon(end_map(loops), {.fill = kRock, .stroke = kEdge, .stroke_width = 0.3});
   });
   if (!factors_k.empty())
-    draw_chart(page, {kMargin, chart_top}, {kPageWidth - 2 * kMargin, kChartHeight}, factors_k,
+    draw_chart(page, {kMargin, chart_top}, {kRoom, kChartHeight}, factors_k,
                {crack_length, with_unit("stress intensity", measures::kToughness, picture.units)});
   if (!factors.empty())
-    draw_chart(page, {kMargin, chart_top + kChartHeight + kGap}, {kPageWidth - 2 * kMargin, kChartHeight}, factors,
+    draw_chart(page, {kMargin, chart_top + kChartHeight + kGap}, {kRoom, kChartHeight}, factors,
                {crack_length, "factor of all loads"});
   return page.str();
 }

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/rock/element_picture.hpp"
 
+#include "report/page.hpp"
+
 namespace keyblock::report {
 namespace {
 
-constexpr double kPageWidth = 700;
-constexpr double kPageHeight = 460;
-constexpr double kMargin = 30;
+constexpr double kWidth = 700;
+constexpr double kHeight = 460;
 constexpr double kChartTop = 50;
 
 }  // namespace
@@ -18,10 +19,10 @@ std::string element_picture(const std::string& title, const std::string& x_label
 }
 
 std::string curves_picture(const std::string& title, const AxisLabels& labels, const std::vector<Curve>& curves) {
-  SvgPage page(kPageWidth, kPageHeight);
+  SvgPage page(kWidth, kHeight);
   page.text({kMargin, 28}, title, {.size = 17, .bold = true});
   if (has_points(curves))
-    draw_chart(page, {kMargin, kChartTop}, {kPageWidth - 2 * kMargin, kPageHeight - kChartTop - 14}, curves, labels);
+    draw_chart(page, {kMargin, kChartTop}, {kWidth - 2 * kMargin, kHeight - kChartTop - 14}, curves, labels);
   return page.str();
 }
 

@@ -50,18 +50,8 @@ Box box_of(const FieldFrame& field) {
   return box;
 }
 
-// Colours from pale to dark red; lightness alone shows the order.
 std::string heat(double share) {
-  constexpr std::array<std::array<double, 3>, 4> kStops{
-      {{247, 244, 238}, {253, 212, 158}, {239, 101, 72}, {127, 0, 0}}};
-  constexpr double kColours = 200;  // as those of fields
-  const double at = std::round(std::clamp(share, 0.0, 1.0) * kColours) / kColours * (kStops.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
-  const auto mix = [&](std::size_t channel) {
-    return std::lround(
-        std::lerp(kStops[below].at(channel), kStops[below + 1].at(channel), at - static_cast<double>(below)));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2));
+  return hex(colour_at(palette::kRising, share));
 }
 
 // Draws the least value, the bar, the greatest value and their name in one line.
@@ -214,8 +204,7 @@ void draw_standing(SvgPage& page, const Panel& panel, const StrengthPicture& pic
   });
   page.layer([&] { draw_bolts(page, map, picture, true); });
   page.text(panel.caption, picture.standing_words + bolts_in_words(picture), {.size = kCaption, .bold = true});
-  if (has_flow)
-    draw_heat_bar(page, panel.bar, fmt::format("{:.2g}", most), "plastic strain");
+  if (has_flow) draw_heat_bar(page, panel.bar, fmt::format("{:.2g}", most), "plastic strain");
 }
 
 void draw_falling(SvgPage& page, const Panel& panel, const StrengthPicture& picture) {

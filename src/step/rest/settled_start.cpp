@@ -30,13 +30,14 @@ class Settling {
     motion_.v.set_zero();
     loads_ = loads_at(scene, motion_.q, 0);
     scales_ = scales_of(scene, loads_, motion_.q, velocities_);
+    scales_.force = std::max(scales_.force, of_settled_start::kOfStress * force_of_stress());
   }
 
   Settled run() {
     found_ = resting_touches(scene_, motion_, scales_);
     const UnknownsTable drawn = motion_.q;
     leave_unsupported(found_);
-    load_glued(found_);
+    if (motion_.closed.size() == 0) load_glued(found_);
     Motion before = motion_;  // keeps the compression of the glue's springs
     before.q = drawn;
     add_overlapping(before);
@@ -163,7 +164,10 @@ class Settling {
     const double inertia = scene_.normal_stiffness() / (of_settled_start::kHeldByNothing * heaviest());
     Table<ElementIndex, UnknownBlock> stiffness;
     for (const Body& body : scene_.bodies()) stiffness.push_back(body.sum_of(inertia, 1));
-    const auto made = displacements_of_joined(stiffness, rows, compliance, gaps, loads_);
+    UnknownsTable all = loads_;
+    for (const ElementIndex e : indices(all))
+      if (scene_.bodies()[e].initial_stress.size() == all[e].size()) all[e] += scene_.bodies()[e].initial_stress;
+    const auto made = displacements_of_joined(stiffness, rows, compliance, gaps, all);
     if (!made) return;
     const Eigen::VectorXd forces = -(rates(rows, *made) + gaps).cwiseQuotient(compliance);
     motion_.q = plus(motion_.q, 1, *made);
@@ -224,6 +228,15 @@ class Settling {
   void add_overlapping(const Motion& before) {
     const Touches fresh = overlapping_at(motion_.q, before);
     found_.insert(found_.end(), fresh.begin(), fresh.end());
+  }
+
+  // Returns the largest force of the initial stress of a block.
+  double force_of_stress() const {
+    double largest = 0;
+    for (const Body& body : scene_.bodies())
+      if (body.mass.rows() > 0 && body.initial_stress.size() > 0)
+        largest = std::max(largest, body.initial_stress.cwiseAbs().maxCoeff() / body.size);
+    return largest;
   }
 
   double heaviest() const {

@@ -8,9 +8,9 @@
 namespace keyblock {
 
 /// Initial equilibrium of blocks that hold each other in rings. All touching faces are glued and loaded in one static
-/// step. Iterations of statics then dissolve the glue. Where no equilibrium lies near by, the blocks begin where they
-/// were drawn, or where they began to move, under forces that have settled as far as they do. Blocks not connected to a
-/// support stay unloaded. Velocities are those of `motion`.
+/// step, unless contacts have the forces of the initial stress. Iterations of statics then release the faces. Where no
+/// equilibrium lies near by, the blocks begin where they were drawn, or where they began to move, under forces that
+/// have settled as far as they do. Blocks not connected to a support stay unloaded. Velocities are those of `motion`.
 struct Settled {
   Motion motion;
   int unsolved_steps = 0;  ///< steps without forces, which changed nothing

@@ -1,9 +1,11 @@
 // Canvas of a case: shows its drawing, and takes points, selections and moves from pointer and keys.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { colours_of, Ground, type Picture, type View } from './paint';
-import { box_of, extent_of, type Item, is_inside, type Point, type Polygon, type Scene } from './scene';
-import { foot_of, grid_step, type Snapped, segments_of, snap } from './snap';
+import { type Camera, fit as fit_box, pan, type Size, to_world, zoom as zoom_at } from '../../draw/camera';
+import { round_above } from '../../draw/numbers';
+import { colours_of, Ground, type Picture } from './paint';
+import { box_of, extent_of, type Item, is_within, type Point, type Polygon, type Scene } from './scene';
+import { foot_of, type Snapped, segments_of, snap } from './snap';
 import { points_of, type Tool } from './tools';
 
 export interface CanvasProps {
@@ -35,12 +37,12 @@ export interface CanvasProps {
 const REACH = 10;
 const HIT = 7;
 
-/** Place of the upper left corner and pixels per length. A change of the size of the canvas does not change them. */
-const corner_of = ({ x, y, scale }: View, width: number, height: number): string =>
-  `${x - width / 2 / scale} ${y + height / 2 / scale} ${scale}`;
+/** Room about a drawing that fits, and the box of an empty one. */
+const MARGINS = { top: 35, right: 45, bottom: 35, left: 45 };
+const EMPTY = { left: 0, bottom: 0, right: 20, top: 10 };
 
 type Drag =
-  | { kind: 'pan'; x: number; y: number; view: View }
+  | { kind: 'pan'; x: number; y: number; view: Camera }
   | { kind: 'handle'; item: Item; index: number; pressed: Point; is_moving: boolean }
   | { kind: 'items'; items: Item[]; from: Point; pressed: Point; is_moving: boolean }
   | { kind: 'box'; from: Point; adds: boolean };
@@ -49,22 +51,22 @@ export function Canvas(props: CanvasProps) {
   const { scene, blocks, tool, chosen, draft } = props;
   const box = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
-  const [size, set_size] = useState<[number, number]>([0, 0]);
-  const [view, set_view] = useState<View>({ x: 0, y: 0, scale: 0 });
+  const [size, set_size] = useState<Size>({ width: 0, height: 0 });
+  const [view, set_view] = useState<Camera>({ x: 0, y: 0, scale: 0 });
   const [pointer, set_pointer] = useState<Snapped | null>(null);
   const [hovered, set_hovered] = useState('');
   const [drag, set_drag] = useState<Drag | null>(null);
   const [lasso, set_lasso] = useState<[Point, Point] | null>(null);
   const [moved, set_moved] = useState<Map<string, Point[]>>(new Map());
   const [theme, set_theme] = useState('');
-  const before = useRef<[number, number]>([0, 0]);
+  const before = useRef<Size>(size);
   const ground = useRef<Ground | null>(null);
   const space = useRef(false);
   const touches = useRef(new Map<number, Point>());
-  const pinch = useRef<{ distance: number; middle: Point; view: View } | null>(null);
+  const pinch = useRef<{ distance: number; middle: Point; view: Camera } | null>(null);
 
-  const [width, height] = size;
-  const grid = view.scale > 0 ? grid_step(18 / view.scale) : 1;
+  const { width, height } = size;
+  const grid = view.scale > 0 ? round_above(18 / view.scale) : 1;
   const count = points_of(tool, scene.geometry);
 
   useEffect(() => props.pointed(undefined, grid), [grid]);
@@ -73,17 +75,13 @@ export function Canvas(props: CanvasProps) {
     const watch = new ResizeObserver(() => {
       const own = box.current;
       if (!own) return;
-      const [w, h] = [own.clientWidth, own.clientHeight];
-      const [w_before, h_before] = before.current;
-      before.current = [w, h];
-      set_size([w, h]);
+      const old = before.current;
+      const now = { width: own.clientWidth, height: own.clientHeight };
+      before.current = now;
+      set_size(now);
       // The drawing stays where it is, seen from the upper left corner.
-      if (w_before && h_before)
-        set_view(one =>
-          one.scale > 0
-            ? { ...one, x: one.x + (w - w_before) / 2 / one.scale, y: one.y + (h_before - h) / 2 / one.scale }
-            : one,
-        );
+      if (old.width && old.height)
+        set_view(one => (one.scale > 0 ? pan(one, (old.width - now.width) / 2, (old.height - now.height) / 2) : one));
     });
     watch.observe(box.current!);
     const themes = new MutationObserver(() => set_theme(document.documentElement.dataset.theme ?? ''));
@@ -95,11 +93,7 @@ export function Canvas(props: CanvasProps) {
   }, []);
 
   const fit = () => {
-    const own = extent_of(scene, blocks) ?? [0, 0, 20, 10];
-    const [w, h] = [Math.max(own[2] - own[0], 1e-9), Math.max(own[3] - own[1], 1e-9)];
-    if (!width || !height) return;
-    const scale = Math.min((width - 90) / w, (height - 70) / h);
-    set_view({ x: (own[0] + own[2]) / 2, y: (own[1] + own[3]) / 2, scale: Math.max(scale, 1e-9) });
+    if (width && height) set_view(fit_box(extent_of(scene, blocks) ?? EMPTY, size, MARGINS));
   };
   const is_empty = extent_of(scene, blocks) === null;
   useEffect(fit, [props.fit, width > 0 && height > 0, is_empty]);
@@ -117,8 +111,7 @@ export function Canvas(props: CanvasProps) {
       scene,
       blocks,
       view,
-      width,
-      height,
+      size,
       grid: props.has_grid ? grid : 0,
       chosen,
       hovered,
@@ -135,13 +128,12 @@ export function Canvas(props: CanvasProps) {
     ground.current.paint(c, picture, colours_of(own));
   });
 
-  const place = (event: { clientX: number; clientY: number }): Point => {
+  const pixel = (x: number, y: number): Point => {
     const own = canvas.current!.getBoundingClientRect();
-    return [
-      view.x + (event.clientX - own.left - width / 2) / view.scale,
-      view.y - (event.clientY - own.top - height / 2) / view.scale,
-    ];
+    return [x - own.left, y - own.top];
   };
+  const place = (event: { clientX: number; clientY: number }): Point =>
+    to_world(view, size, ...pixel(event.clientX, event.clientY));
 
   const snapped = (p: Point, left_out: ReadonlySet<string>, is_free: boolean): Snapped =>
     snap(
@@ -175,7 +167,7 @@ export function Canvas(props: CanvasProps) {
         best = item;
       }
     }
-    return best ?? scene.items.find(own => own.is_closed && is_inside([own.points], p)) ?? null;
+    return best ?? scene.items.find(own => own.is_closed && is_within([own.points], p)) ?? null;
   };
 
   /** Nearest end, corner or point of items within reach. Of several at one place it is the last that is no joint. */
@@ -209,11 +201,8 @@ export function Canvas(props: CanvasProps) {
     return item && { item, index: -1 };
   };
 
-  const zoom = (factor: number, about: Point = [view.x, view.y]) => {
-    const scale = Math.min(1e9, Math.max(1e-9, view.scale * factor));
-    const own = view.scale / scale;
-    set_view({ scale, x: about[0] + (view.x - about[0]) * own, y: about[1] + (view.y - about[1]) * own });
-  };
+  const zoom = (factor: number, about: Point = [width / 2, height / 2]) =>
+    set_view(zoom_at(view, size, factor, ...about));
 
   /** Adds a point to the draft; the tool ends once it has all of them. */
   const add = (point: Point) => {
@@ -285,9 +274,9 @@ export function Canvas(props: CanvasProps) {
     if (pinch.current && touches.current.size === 2) {
       const [a, b] = [...touches.current.values()];
       const { distance, middle, view: before } = pinch.current;
-      const scale = before.scale * (Math.hypot(a[0] - b[0], a[1] - b[1]) / Math.max(1, distance));
-      const now: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
-      set_view({ scale, x: before.x - (now[0] - middle[0]) / scale, y: before.y + (now[1] - middle[1]) / scale });
+      const factor = Math.hypot(a[0] - b[0], a[1] - b[1]) / Math.max(1, distance);
+      const [dx, dy] = [(a[0] + b[0]) / 2 - middle[0], (a[1] + b[1]) / 2 - middle[1]];
+      set_view(pan(zoom_at(before, size, factor, ...pixel(...middle)), dx, dy));
       return;
     }
     if (!drag) {
@@ -297,12 +286,7 @@ export function Canvas(props: CanvasProps) {
       if (tool.name === 'select') set_hovered(grip(p)?.item.key ?? '');
       return;
     }
-    if (drag.kind === 'pan')
-      set_view({
-        ...drag.view,
-        x: drag.view.x - (event.clientX - drag.x) / view.scale,
-        y: drag.view.y + (event.clientY - drag.y) / view.scale,
-      });
+    if (drag.kind === 'pan') set_view(pan(drag.view, event.clientX - drag.x, event.clientY - drag.y));
     else if (drag.kind === 'box') set_lasso([drag.from, p]);
     else if (!drag.is_moving && Math.hypot(p[0] - drag.pressed[0], p[1] - drag.pressed[1]) * view.scale < 4) return;
     else if (drag.kind === 'handle') {
@@ -346,7 +330,7 @@ export function Canvas(props: CanvasProps) {
     } else if (own.kind === 'box') {
       const around = box_of([own.from, p])!;
       const inside = scene.items.filter(item =>
-        item.points.every(([x, y]) => x >= around[0] && y >= around[1] && x <= around[2] && y <= around[3]),
+        item.points.every(([x, y]) => x >= around.left && y >= around.bottom && x <= around.right && y <= around.top),
       );
       props.choose([...(own.adds ? chosen : []), ...inside.map(item => item.key)]);
     }
@@ -368,9 +352,9 @@ export function Canvas(props: CanvasProps) {
     }
     const plain = !event.ctrlKey && !event.metaKey && !event.altKey;
     const step = event.shiftKey ? 200 : 40;
-    const pan: Record<string, Point> = {
-      ArrowLeft: [-step, 0],
-      ArrowRight: [step, 0],
+    const shifts: Record<string, Point> = {
+      ArrowLeft: [step, 0],
+      ArrowRight: [-step, 0],
       ArrowUp: [0, step],
       ArrowDown: [0, -step],
     };
@@ -379,8 +363,7 @@ export function Canvas(props: CanvasProps) {
     else if (plain && event.key === '0') fit();
     else if (plain && event.key === 'Enter' && count === 0 && draft.length > 2) props.finish(draft);
     else if (plain && event.key === 'Backspace' && draft.length) props.set_draft(draft.slice(0, -1));
-    else if (plain && event.key in pan && !chosen.size)
-      set_view({ ...view, x: view.x + pan[event.key][0] / view.scale, y: view.y + pan[event.key][1] / view.scale });
+    else if (plain && event.key in shifts && !chosen.size) set_view(pan(view, ...shifts[event.key]));
     else return props.keys(event, grid);
     event.preventDefault();
     event.stopPropagation();
@@ -390,7 +373,7 @@ export function Canvas(props: CanvasProps) {
   const wheel = useRef<(event: WheelEvent) => void>(() => {});
   wheel.current = event => {
     event.preventDefault();
-    zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0015)), place(event));
+    zoom(Math.exp(-event.deltaY * (event.deltaMode ? 0.05 : 0.0015)), pixel(event.clientX, event.clientY));
   };
   useEffect(() => {
     const own = canvas.current!;
@@ -408,7 +391,7 @@ export function Canvas(props: CanvasProps) {
         role="application"
         aria-label={props.label}
         aria-describedby="canvas-hint"
-        data-view={view.scale > 0 ? corner_of(view, width, height) : ''}
+        data-view={view.scale > 0 ? [...to_world(view, size, 0, 0), view.scale].join(' ') : ''}
         class={tool.name === 'select' ? (drag?.kind === 'pan' ? 'grabs' : hovered ? 'points' : '') : 'draws'}
         onPointerDown={down}
         onPointerMove={move}

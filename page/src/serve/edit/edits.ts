@@ -1,7 +1,7 @@
 // Changes of a case's text as they come from the canvas.
 
 import { find, type Path, parse, plain, remove, set, splice, type Value } from './case_text';
-import { coordinates_of, type Item, is_inside, length_as, loops_of, type Point, type Scene, scene_of } from './scene';
+import { coordinates_of, type Item, is_within, length_as, loops_of, type Point, type Scene, scene_of } from './scene';
 
 const tidy = (x: number) => Number(x.toPrecision(12));
 const row = (...points: Point[]) => points.flat().map(tidy);
@@ -10,7 +10,7 @@ const same = (a: Point, b: Point) =>
 
 /** Number of the block or element that carries a point, counted from 1; 0 if none does. */
 function block_at(scene: Scene, point: Point): number {
-  return scene.polygons.findIndex(own => is_inside(own.loops, point)) + 1;
+  return scene.polygons.findIndex(own => is_within(own.loops, point)) + 1;
 }
 
 /** Part of the file that holds marks: drawing, blocks or cover. */

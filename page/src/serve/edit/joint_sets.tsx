@@ -5,7 +5,7 @@ import * as api from '../api';
 import * as state from '../state';
 import { find, plain, type Value } from './case_text';
 import { material_of, put_joints } from './edits';
-import { box_of, loops_of, type Scene, scene_of } from './scene';
+import { loops_of, type Scene, scene_of } from './scene';
 import {
   fault_of_set,
   type JointSet,
@@ -16,6 +16,7 @@ import {
   set_in_unit,
   set_spec,
   sets_in,
+  size_of,
   with_note,
   without_note,
 } from './sets';
@@ -83,9 +84,7 @@ export function JointSets({
     if (!loops.length) return set_words('Draw an outline first.');
     const in_case = sets.map(set => set_in_unit(set, own.length));
     const specs = in_case.map(set => set_spec(set, Math.max(0, names.indexOf(set.name)) + 1));
-    const box = box_of(loops[0])!;
-    const size = Math.max(box[2] - box[0], box[3] - box[1]);
-    const fault = in_case.map(set => fault_of_set(set, size, state.joint_schema.value)).find(Boolean);
+    const fault = in_case.map(set => fault_of_set(set, size_of(loops[0]), state.joint_schema.value)).find(Boolean);
     if (fault) return set_words(fault);
     let reply: api.JointRows;
     try {

@@ -1,15 +1,12 @@
 // Paints the drawing of a case on a canvas.
 
+import { type Camera, type Size, to_screen, to_world } from '../../draw/camera';
+import { areas_of, lines_of } from '../../draw/colours';
 import { multiples } from '../../draw/numbers';
-import type { Item, Point, Polygon, Scene } from './scene';
+import { arrow } from '../../draw/paint';
+import { CanvasPen, type Line } from '../../draw/pen';
+import { flat_loops, type Item, type Kind, type Point, type Polygon, type Scene } from './scene';
 import type { Snapped } from './snap';
-
-/** Place at the middle of the canvas and pixels per unit of length. */
-export interface View {
-  x: number;
-  y: number;
-  scale: number;
-}
 
 export interface Colours {
   ink: string;
@@ -20,13 +17,14 @@ export interface Colours {
   good: string;
   warn: string;
   surface: string;
-  back: string;
+  fixed: string;
   is_dark: boolean;
 }
 
 export function colours_of(element: Element): Colours {
   const style = getComputedStyle(element);
   const own = (name: string) => style.getPropertyValue(`--${name}`).trim();
+  const is_dark = document.documentElement.dataset.theme === 'dark';
   return {
     ink: own('ink'),
     muted: own('muted'),
@@ -36,41 +34,19 @@ export function colours_of(element: Element): Colours {
     good: own('good'),
     warn: own('warn'),
     surface: own('surface'),
-    back: own('back'),
-    is_dark: document.documentElement.dataset.theme === 'dark',
+    fixed: is_dark ? '#8fb0ff' : '#2a4fb5',
+    is_dark,
   };
 }
 
-/** Fill of block materials, then lines of joint materials; each pair for light and dark. */
-const ROCKS = [
-  ['#e8dcc6', '#3a352b'],
-  ['#cfdcc4', '#2c382c'],
-  ['#d3dbe8', '#2b3443'],
-  ['#ead0cd', '#402f30'],
-  ['#e3d3e6', '#3a2f40'],
-  ['#cde3e3', '#273b3c'],
-];
-const JOINTS = [
-  ['#8a5a00', '#e0b060'],
-  ['#00689d', '#74c0f0'],
-  ['#9c3f86', '#e39ad3'],
-  ['#00745a', '#5fd6b4'],
-  ['#a8420f', '#f09a70'],
-  ['#50545c', '#b8bfc9'],
-];
-
-const of = (pairs: string[][], number: number, is_dark: boolean) =>
-  pairs[(((Math.max(1, number) - 1) % pairs.length) + pairs.length) % pairs.length][is_dark ? 1 : 0];
-
-export const rock_colour = (number: number, is_dark: boolean) => of(ROCKS, number, is_dark);
-export const joint_colour = (number: number, is_dark: boolean) => of(JOINTS, number, is_dark);
+/** Colour of the material of a number from 1 on. */
+const of = (colours: string[], number: number) => colours[(Math.max(1, number) - 1) % colours.length];
 
 export interface Picture {
   scene: Scene;
   blocks: Polygon[];
-  view: View;
-  width: number;
-  height: number;
+  view: Camera;
+  size: Size;
   grid: number;
   chosen: ReadonlySet<string>;
   hovered: string;
@@ -87,299 +63,208 @@ export interface Picture {
   has_numbers: boolean;
 }
 
+/** Look of items that are lines of one colour: that colour, width in pixels, dashes. */
+const LINES: Partial<Record<Kind, { colour: 'ink' | 'good' | 'bad'; width: number; dash?: number[] }>> = {
+  outline: { colour: 'ink', width: 2 },
+  material_line: { colour: 'good', width: 1.5, dash: [8, 3, 2, 3] },
+  traction: { colour: 'bad', width: 3, dash: [4, 3] },
+  crack: { colour: 'ink', width: 2.5 },
+};
+
 class Painter {
+  private readonly pen: CanvasPen;
+
   constructor(
-    readonly c: CanvasRenderingContext2D,
+    c: CanvasRenderingContext2D,
     readonly p: Picture,
     readonly own: Colours,
-  ) {}
-
-  at([x, y]: Point): Point {
-    const { view, width, height } = this.p;
-    return [width / 2 + (x - view.x) * view.scale, height / 2 - (y - view.y) * view.scale];
+  ) {
+    this.pen = new CanvasPen(c);
+    c.lineJoin = 'round';
   }
 
-  trace(points: Point[], is_closed: boolean): void {
-    points.forEach((own, i) => {
-      const [x, y] = this.at(own);
-      if (i) this.c.lineTo(x, y);
-      else this.c.moveTo(x, y);
-    });
-    if (is_closed) this.c.closePath();
+  at([x, y]: Point): Point {
+    return to_screen(this.p.view, this.p.size, x, y);
+  }
+
+  flat(points: Point[]): number[] {
+    return points.flatMap(point => this.at(point));
   }
 
   line(points: Point[], colour: string, width: number, dash: number[] = [], is_closed = false): void {
-    const { c } = this;
-    c.beginPath();
-    this.trace(points, is_closed);
-    c.strokeStyle = colour;
-    c.lineWidth = width;
-    c.setLineDash(dash);
-    c.stroke();
-    c.setLineDash([]);
+    const own = is_closed ? [...points, ...points.slice(0, 1)] : points;
+    this.pen.polyline(this.flat(own), { colour, width, dash });
   }
 
   grid(): void {
-    const { c, own } = this;
-    const { view, width, height, grid } = this.p;
+    const { own, pen } = this;
+    const { view, size, grid } = this.p;
     if (!(grid > 0)) return;
-    const [left, right] = [view.x - width / 2 / view.scale, view.x + width / 2 / view.scale];
-    const [bottom, top] = [view.y - height / 2 / view.scale, view.y + height / 2 / view.scale];
+    const [left, top] = to_world(view, size, 0, 0);
+    const [right, bottom] = to_world(view, size, size.width, size.height);
     if ((right - left) / grid > 400) return;
-    c.font = '10px system-ui, sans-serif';
-    c.fillStyle = own.muted;
-    const label = (value: number) => String(Number(value.toPrecision(8)));
     const every = grid * view.scale < 34 ? (grid * view.scale < 15 ? 5 : 2) : 1;
+    const texts: { x: number; y: number; i: number; anchor: 'start' | 'middle' }[] = [];
+    const lines = { thin: [] as number[], thick: [] as number[] };
     for (const i of multiples(grid, left, right)) {
       const [x] = this.at([i * grid, 0]);
-      this.line(
-        [
-          [i * grid, bottom],
-          [i * grid, top],
-        ],
-        own.rim,
-        i % 5 ? 0.5 : 1,
-      );
-      if (i % every === 0 && x > 40 && x < width - 16) {
-        c.textAlign = 'center';
-        c.fillText(label(i * grid), x, height - 4);
-      }
+      lines[i % 5 ? 'thin' : 'thick'].push(x, 0, x, size.height);
+      if (i % every === 0 && x > 40 && x < size.width - 16) texts.push({ x, y: size.height - 4, i, anchor: 'middle' });
     }
     for (const i of multiples(grid, bottom, top)) {
       const [, y] = this.at([0, i * grid]);
-      this.line(
-        [
-          [left, i * grid],
-          [right, i * grid],
-        ],
-        own.rim,
-        i % 5 ? 0.5 : 1,
-      );
-      if (i % every === 0 && y > 12 && y < height - 16) {
-        c.textAlign = 'left';
-        c.fillText(label(i * grid), 3, y - 2);
-      }
+      lines[i % 5 ? 'thin' : 'thick'].push(0, y, size.width, y);
+      if (i % every === 0 && y > 12 && y < size.height - 16) texts.push({ x: 3, y: y - 2, i, anchor: 'start' });
     }
+    pen.segments(lines.thin, { colour: own.rim, width: 0.5, opacity: 0.7 });
+    pen.segments(lines.thick, { colour: own.rim, width: 1, opacity: 0.7 });
+    for (const { x, y, i, anchor } of texts)
+      pen.text(x, y, String(Number((i * grid).toPrecision(8))), { size: 10, colour: own.muted, anchor });
   }
 
   blocks(): void {
-    const { c, own, p } = this;
+    const { own, p, pen } = this;
     const polygons = p.blocks.length ? p.blocks : p.scene.polygons;
-    c.lineWidth = 0.6;
-    c.strokeStyle = own.is_dark ? '#6a7584' : '#8b8371';
+    const rim = { colour: own.is_dark ? '#6a7584' : '#8b8371', width: 0.6 };
     for (const { material, loops } of polygons) {
-      c.beginPath();
-      for (const loop of loops) this.trace(loop, true);
-      c.fillStyle = rock_colour(material, own.is_dark);
-      c.fill('evenodd');
-      c.stroke();
+      const { places, starts } = flat_loops(loops.map(loop => loop.map(point => this.at(point))));
+      pen.area(places, starts, 0, loops.length, of(areas_of(own.is_dark), material));
+      pen.loops(places, starts, 0, loops.length, rim);
     }
     if (!p.has_numbers) return;
-    c.font = '11px system-ui, sans-serif';
-    c.textAlign = 'center';
-    c.fillStyle = own.ink;
-    polygons.forEach(({ loops }, i) => {
-      const [loop] = loops;
-      const middle: Point = [
-        loop.reduce((sum, q) => sum + q[0], 0) / loop.length,
-        loop.reduce((sum, q) => sum + q[1], 0) / loop.length,
-      ];
-      const [x, y] = this.at(middle);
-      c.fillText(String(i + 1), x, y + 4);
+    polygons.forEach(({ loops: [loop] }, i) => {
+      const [x, y] = [0, 1].map(axis => loop.reduce((sum, point) => sum + point[axis], 0) / loop.length);
+      const [sx, sy] = this.at([x, y]);
+      pen.text(sx, sy + 4, String(i + 1), { size: 11, colour: own.ink, anchor: 'middle' });
     });
   }
 
   disc(point: Point, radius: number, fill: string, rim?: string): void {
-    const { c } = this;
     const [x, y] = this.at(point);
-    c.beginPath();
-    c.arc(x, y, radius, 0, 2 * Math.PI);
-    c.fillStyle = fill;
-    c.fill();
-    if (!rim) return;
-    c.strokeStyle = rim;
-    c.lineWidth = 1.5;
-    c.stroke();
+    this.pen.circle(x, y, radius, fill, rim ? { colour: rim, width: 1.5 } : null);
   }
 
-  arrow(point: Point, direction: Point | null, colour: string): void {
-    const { c } = this;
-    const length = direction ? Math.hypot(direction[0], direction[1]) : 0;
+  cross([x, y]: Point, half: number, colour: string, width: number): void {
+    const ends = [x - half, y - half, x + half, y + half, x + half, y - half, x - half, y + half];
+    this.pen.segments(ends, { colour, width });
+  }
+
+  force(point: Point, direction: Point | null, colour: string): void {
+    const length = direction ? Math.hypot(...direction) : 0;
     if (!direction || !(length > 0)) {
       this.disc(point, 5, colour, this.own.surface);
       return;
     }
     const [x, y] = this.at(point);
-    const [ux, uy] = [direction[0] / length, -direction[1] / length];
-    const [ex, ey] = [x + 38 * ux, y + 38 * uy];
     this.disc(point, 3.5, colour);
-    c.strokeStyle = colour;
-    c.lineWidth = 2.5;
-    c.beginPath();
-    c.moveTo(x, y);
-    c.lineTo(ex - 6 * ux, ey - 6 * uy);
-    c.stroke();
-    c.beginPath();
-    c.moveTo(ex, ey);
-    c.lineTo(ex - 10 * ux - 4.5 * uy, ey - 10 * uy + 4.5 * ux);
-    c.lineTo(ex - 10 * ux + 4.5 * uy, ey - 10 * uy - 4.5 * ux);
-    c.fillStyle = colour;
-    c.fill();
+    const [dx, dy] = [(38 * direction[0]) / length, (-38 * direction[1]) / length];
+    arrow(this.pen, x, y, x + dx, y + dy, { colour, width: 2.5 });
   }
 
+  /** Line with hatches on its right. */
   hatched(points: Point[], colour: string, width: number): void {
-    const { c } = this;
-    if (points.length > 2) {
-      for (let i = 0; i + 1 < points.length; i++) this.hatched(points.slice(i, i + 2), colour, width);
-      return;
-    }
     this.line(points, colour, width);
-    if (points.length < 2) return;
-    const [a, b] = [this.at(points[0]), this.at(points[1])];
-    const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
-    if (length < 1) return;
-    const [ux, uy] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
-    c.beginPath();
-    for (let s = 5; s < length; s += 9) {
-      c.moveTo(a[0] + s * ux, a[1] + s * uy);
-      c.lineTo(a[0] + (s - 5) * ux - 6 * uy, a[1] + (s - 5) * uy + 6 * ux);
+    const ends: number[] = [];
+    for (let i = 0; i + 1 < points.length; i++) {
+      const [a, b] = [this.at(points[i]), this.at(points[i + 1])];
+      const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+      if (length < 1) continue;
+      const [ux, uy] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+      for (let s = 5; s < length; s += 9) {
+        const [x, y] = [a[0] + s * ux, a[1] + s * uy];
+        ends.push(x, y, x - 5 * ux - 6 * uy, y - 5 * uy + 6 * ux);
+      }
     }
-    c.lineWidth = 1;
-    c.stroke();
+    this.pen.segments(ends, { colour, width: 1 });
   }
 
   item(item: Item, is_chosen: boolean, is_hovered = false): void {
-    const { c, own, p } = this;
+    const { own, p } = this;
     const points = p.moved.get(item.key) ?? item.points;
     const more = is_chosen ? 1.8 : is_hovered ? 1 : 0;
     const colour = (usual: string) => (is_chosen ? own.accent : usual);
+    const line = LINES[item.kind];
+    if (line) {
+      this.line(points, colour(own[line.colour]), line.width + more, line.dash);
+      return;
+    }
     switch (item.kind) {
-      case 'outline':
-        this.line(points, colour(own.ink), 2 + more);
-        return;
       case 'block':
         // The block itself is drawn below.
         if (more || p.moved.has(item.key)) this.line(points, colour(own.ink), 0.6 + more, [], true);
         return;
       case 'joint':
-        this.line(points, colour(joint_colour(p.material(item), own.is_dark)), 1.3 + more);
+      case 'cut': {
+        const dash = item.kind === 'cut' ? [2, 4] : [];
+        this.line(points, colour(of(lines_of(own.is_dark), p.material(item))), 1.4 + more, dash);
         return;
-      case 'cut':
-        this.line(points, colour(joint_colour(p.material(item), own.is_dark)), 1.5 + more, [2, 4]);
-        return;
-      case 'material_line':
-        this.line(points, colour(own.good), 1.5 + more, [8, 3, 2, 3]);
-        return;
+      }
       case 'fixed_line':
-        this.hatched(points, colour(own.is_dark ? '#8fb0ff' : '#2a4fb5'), 1.5 + more);
-        return;
       case 'support':
-        this.hatched(points, colour(own.is_dark ? '#8fb0ff' : '#2a4fb5'), 2 + more);
-        return;
-      case 'traction':
-        this.line(points, colour(own.bad), 3 + more, [4, 3]);
-        return;
-      case 'crack':
-        this.line(points, colour(own.ink), 2.5 + more);
+        this.hatched(points, colour(own.fixed), 1.7 + more);
         return;
       case 'bolt':
         this.line(points, colour(own.good), 3 + more);
         for (const end of points) this.disc(end, 3.5 + more / 2, colour(own.good));
         return;
       case 'fixed_point':
-        this.disc(points[0], 5 + more / 2, colour(own.is_dark ? '#8fb0ff' : '#2a4fb5'), own.surface);
+        this.disc(points[0], 5 + more / 2, colour(own.fixed), own.surface);
         return;
       case 'load':
       case 'force':
-        this.arrow(points[0], p.force(item), colour(own.bad));
+        this.force(points[0], p.force(item), colour(own.bad));
         return;
       case 'point':
         this.disc(points[0], 4.5 + more / 2, own.surface, colour(own.ink));
         this.disc(points[0], 1.5, colour(own.ink));
         return;
-      case 'hole': {
-        const [x, y] = this.at(points[0]);
-        c.beginPath();
-        c.moveTo(x - 5, y - 5);
-        c.lineTo(x + 5, y + 5);
-        c.moveTo(x + 5, y - 5);
-        c.lineTo(x - 5, y + 5);
-        c.lineWidth = 2 + more;
-        c.strokeStyle = colour(own.bad);
-        c.stroke();
+      case 'hole':
+        this.cross(this.at(points[0]), 5, colour(own.bad), 2 + more);
         return;
-      }
       case 'excavation':
       case 'region': {
-        c.beginPath();
-        this.trace(points, true);
-        c.globalAlpha = is_chosen ? 0.25 : 0.14;
-        c.fillStyle = colour(item.kind === 'excavation' ? own.warn : own.good);
-        c.fill();
-        c.globalAlpha = 1;
-        this.line(points, colour(item.kind === 'excavation' ? own.warn : own.good), 1.8 + more, [6, 4], true);
+        const usual = colour(item.kind === 'excavation' ? own.warn : own.good);
+        this.pen.polygon(this.flat(points), usual, is_chosen ? 0.25 : 0.14);
+        this.line(points, usual, 1.8 + more, [6, 4], true);
         return;
       }
     }
   }
 
   draft(): void {
-    const { c, own, p } = this;
+    const { own, p, pen } = this;
     const { draft, pointer } = p;
     const points = pointer && draft.length ? [...draft, pointer.point] : draft;
-    if (p.is_draft_closed && points.length > 2) {
-      c.beginPath();
-      this.trace(points, true);
-      c.globalAlpha = 0.12;
-      c.fillStyle = own.accent;
-      c.fill();
-      c.globalAlpha = 1;
-    }
+    if (p.is_draft_closed && points.length > 2) pen.polygon(this.flat(points), own.accent, 0.12);
     if (points.length > 1) this.line(points, own.accent, 2);
     for (const point of draft) this.disc(point, 4, own.surface, own.accent);
     if (!pointer) return;
     const [x, y] = this.at(pointer.point);
-    c.strokeStyle = own.accent;
-    c.lineWidth = 1.5;
-    c.beginPath();
-    if (pointer.kind === 'end') c.rect(x - 6, y - 6, 12, 12);
-    else if (pointer.kind === 'crossing') {
-      c.moveTo(x - 6, y - 6);
-      c.lineTo(x + 6, y + 6);
-      c.moveTo(x + 6, y - 6);
-      c.lineTo(x - 6, y + 6);
-    } else if (pointer.kind === 'line') c.arc(x, y, 6, 0, 2 * Math.PI);
-    else {
-      c.moveTo(x - 6, y);
-      c.lineTo(x + 6, y);
-      c.moveTo(x, y - 6);
-      c.lineTo(x, y + 6);
-    }
-    c.stroke();
+    const line = { colour: own.accent, width: 1.5 };
+    if (pointer.kind === 'end') this.frame(x - 6, y - 6, x + 6, y + 6, line);
+    else if (pointer.kind === 'crossing') this.cross([x, y], 6, own.accent, 1.5);
+    else if (pointer.kind === 'line') pen.circle(x, y, 6, null, line);
+    else pen.segments([x - 6, y, x + 6, y, x, y - 6, x, y + 6], line);
+  }
+
+  frame(left: number, top: number, right: number, bottom: number, line: Line): void {
+    this.pen.loops([left, top, right, top, right, bottom, left, bottom], [0, 4], 0, 1, line);
   }
 
   handles(item: Item): void {
-    const { c, own, p } = this;
-    for (const point of p.moved.get(item.key) ?? item.points) {
+    for (const point of this.p.moved.get(item.key) ?? item.points) {
       const [x, y] = this.at(point);
-      c.fillStyle = own.surface;
-      c.strokeStyle = own.accent;
-      c.lineWidth = 1.5;
-      c.fillRect(x - 4, y - 4, 8, 8);
-      c.strokeRect(x - 4, y - 4, 8, 8);
+      this.pen.box(x - 4, y - 4, 8, 8, this.own.surface);
+      this.frame(x - 4, y - 4, x + 4, y + 4, { colour: this.own.accent, width: 1.5 });
     }
   }
 
   /** The part that does not change with the pointer. */
   ground(): void {
-    const { c, own, p } = this;
-    c.fillStyle = own.surface;
-    c.fillRect(0, 0, p.width, p.height);
-    c.lineJoin = 'round';
+    const { own, p } = this;
+    this.pen.box(0, 0, p.size.width, p.size.height, own.surface);
     this.blocks();
-    c.globalAlpha = 0.7;
     this.grid();
-    c.globalAlpha = 1;
     const under = (item: Item) => (item.is_closed ? 0 : item.kind === 'outline' ? 2 : item.points.length > 1 ? 1 : 3);
     const items = [...p.scene.items].sort((a, b) => under(a) - under(b));
     for (const item of items) if (!p.chosen.has(item.key)) this.item(item, false);
@@ -391,16 +276,12 @@ class Painter {
   }
 
   above(): void {
-    const { c, own, p } = this;
+    const { own, p } = this;
     const hovered = p.hovered && !p.chosen.has(p.hovered) && p.scene.items.find(one => one.key === p.hovered);
     if (hovered) this.item(hovered, false, true);
     if (p.box) {
       const [a, b] = p.box.map(corner => this.at(corner));
-      c.setLineDash([4, 3]);
-      c.strokeStyle = own.accent;
-      c.lineWidth = 1;
-      c.strokeRect(Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.abs(a[0] - b[0]), Math.abs(a[1] - b[1]));
-      c.setLineDash([]);
+      this.frame(a[0], a[1], b[0], b[1], { colour: own.accent, width: 1, dash: [4, 3] });
     }
     this.draft();
   }
@@ -412,9 +293,10 @@ export class Ground {
   private made_of: unknown[] = [];
 
   paint(c: CanvasRenderingContext2D, picture: Picture, colours: Colours): void {
-    const { scene, blocks, view, width, height, grid, chosen, moved, has_numbers } = picture;
+    const { scene, blocks, view, size, grid, chosen, moved, has_numbers } = picture;
+    const { width, height } = size;
     const ratio = window.devicePixelRatio || 1;
-    const now = [scene, blocks, view, width, height, grid, chosen, moved, has_numbers, colours.ink, ratio];
+    const now = [scene, blocks, view, size, grid, chosen, moved, has_numbers, colours.ink, ratio];
     if (now.some((own, i) => own !== this.made_of[i])) {
       this.made_of = now;
       this.canvas.width = Math.round(width * ratio);

@@ -1,5 +1,7 @@
 // Drawing of a case file as items that a canvas shows and moves. The text stays the truth: each item knows its path.
 
+import { add_places, type Box, empty_box } from '../../draw/camera';
+import { is_inside } from '../../draw/rings';
 import { find, type Node, type Path, parse, plain, type Value } from './case_text';
 
 export type Point = [number, number];
@@ -273,37 +275,27 @@ export function loops_of(scene: Scene): Point[][] {
   return loops;
 }
 
-export function area_of(loop: Point[]): number {
-  let sum = 0;
-  for (let i = 0; i < loop.length; i++) {
-    const [a, b] = [loop[i], loop[(i + 1) % loop.length]];
-    sum += a[0] * b[1] - b[0] * a[1];
-  }
-  return sum / 2;
+/** Vertices of loops, x, y in turn; loop l has those from starts[l] on. */
+export function flat_loops(loops: Point[][]): { places: number[]; starts: number[] } {
+  const starts = [0];
+  for (const loop of loops) starts.push(starts.at(-1)! + loop.length);
+  return { places: loops.flat(2), starts };
 }
 
-/** True if the point lies inside, by even and odd crossings. */
-export function is_inside(loops: Point[][], [x, y]: Point): boolean {
-  let inside = false;
-  for (const loop of loops)
-    for (let i = 0, j = loop.length - 1; i < loop.length; j = i++) {
-      const [xi, yi] = loop[i];
-      const [xj, yj] = loop[j];
-      if (yi > y !== yj > y && x < ((xj - xi) * (y - yi)) / (yj - yi) + xi) inside = !inside;
-    }
-  return inside;
+export function is_within(loops: Point[][], [x, y]: Point): boolean {
+  const { places, starts } = flat_loops(loops);
+  return is_inside(places, starts, 0, loops.length, x, y);
 }
 
-/** Box around points: left, bottom, right, top. */
-export function box_of(points: Iterable<Point>): [number, number, number, number] | null {
-  let box: [number, number, number, number] | null = null;
-  for (const [x, y] of points)
-    box = box ? [Math.min(box[0], x), Math.min(box[1], y), Math.max(box[2], x), Math.max(box[3], y)] : [x, y, x, y];
-  return box;
+/** Box around points, if there are any. */
+export function box_of(points: Point[]): Box | null {
+  const box = empty_box();
+  add_places(box, points.flat());
+  return points.length ? box : null;
 }
 
 /** Box around what matters of a scene: outline and blocks, otherwise all items. */
-export function extent_of(scene: Scene, polygons: Polygon[]): [number, number, number, number] | null {
+export function extent_of(scene: Scene, polygons: Polygon[]): Box | null {
   const solid = [
     ...scene.items.filter(own => own.kind === 'outline').flatMap(own => own.points),
     ...[...scene.polygons, ...polygons].flatMap(own => own.loops.flat()),

@@ -1,5 +1,6 @@
 // Joint sets and outline of a scene: forms become the specification of `keyblock joints` and the text of a case.
 
+import type { Box } from '../../draw/camera';
 import type { JointRows } from '../api';
 import { support_lines } from './edits';
 import { type Path, type Value, write } from './json_text';
@@ -112,9 +113,10 @@ export function set_spec(set: JointSet, material: number): Record<string, Value>
   };
 }
 
-const size_of = (corners: Point[]) => {
+/** Larger one of width and height of an outline. */
+export const size_of = (corners: Point[]) => {
   const box = box_of(corners);
-  return box ? Math.max(box[2] - box[0], box[3] - box[1]) : 0;
+  return box ? Math.max(box.right - box.left, box.top - box.bottom) : 0;
 };
 
 /** Joints of one set beyond which a drawing serves nobody. */
@@ -270,7 +272,7 @@ export function scene_text(form: SceneForm, drawn: JointRows): string {
   const named = named_rows(short, names);
   const cells = (list: Value[]) => list.map(row => `   ${write(row)},`).join('\n');
   const fixed = form.is_fixed && corners.length ? support_lines(corners) : [];
-  const top = box && form.kind === 'slope' ? [crest_of(corners, box[3])] : [];
+  const top = box && form.kind === 'slope' ? [crest_of(corners, box)] : [];
   const quantity = (text: string): Value =>
     text.trim() !== '' && Number.isFinite(Number(text)) ? Number(text) : text.trim();
   const rock: Value = {
@@ -312,9 +314,8 @@ ${joints.map(own => `   ${write(own)},`).join('\n')}
 }
 
 /** A point just inside the left end of the highest ground. */
-function crest_of(corners: Point[], top: number): Point {
+function crest_of(corners: Point[], { top, bottom }: Box): Point {
   const [left] = corners.filter(own => own[1] > top - 1e-9).sort((a, b) => a[0] - b[0]);
-  const box = box_of(corners)!;
-  const step = (box[3] - box[1]) / 25;
+  const step = (top - bottom) / 25;
   return [Number((left[0] + step).toPrecision(5)), Number((left[1] - step).toPrecision(5))];
 }

@@ -48,13 +48,6 @@ export function crossing_of(a: Segment, b: Segment): Point | null {
   return t >= 0 && t <= 1 && u >= 0 && u <= 1 ? [a.from[0] + t * dx, a.from[1] + t * dy] : null;
 }
 
-/** Step of a grid: 1, 2 or 5 times a power of ten, at least as large as given. */
-export function grid_step(least: number): number {
-  const power = 10 ** Math.floor(Math.log10(least));
-  const factor = [1, 2, 5, 10].find(own => own * power >= least * (1 - 1e-9)) ?? 10;
-  return Number((factor * power).toPrecision(6));
-}
-
 /** Rounds a place to what a pointer can tell apart. */
 export function rounded(p: Point, pixel: number): Point {
   const power = 10 ** Math.floor(Math.log10(pixel));
