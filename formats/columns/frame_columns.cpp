@@ -215,12 +215,13 @@ const FramePart& FrameColumns::part(std::string_view name) const {
       fmt::format("expected a part of a frame ({}), found \"{}\"", fmt::join(names, ", "), name));
 }
 
-FrameColumns columns_of(const Frame& frame, const ContactFrames& contacts, const FieldFrame& field) {
+FrameColumns columns_of(const Frame& frame, const ContactFrames& contacts, const FieldFrame& field, FrameStage stage) {
   return {frame.step,
           frame.time,
           frame.load_factor,
           {blocks_of(frame, field), loops_of(frame), corners_of(frame, field), contacts_of(contacts), bolts_of(frame),
-           cracks_of(field), points_of(frame), tips_of(frame)}};
+           cracks_of(field), points_of(frame), tips_of(frame)},
+          std::move(stage)};
 }
 
 }  // namespace keyblock::formats

@@ -54,7 +54,9 @@ struct FrameColumns {
 };
 
 /// Returns the columns of a frame. `field`: the same instant within the elements; without elements it adds no columns.
-FrameColumns columns_of(const Frame& frame, const ContactFrames& contacts, const FieldFrame& field = {});
+/// `stage`: empty if only the columns are wanted.
+FrameColumns columns_of(const Frame& frame, const ContactFrames& contacts, const FieldFrame& field = {},
+                        FrameStage stage = {});
 
 /// Adds derived columns of blocks, and of corners with stress: principal_stress_greatest and _least in the plane,
 /// principal_axis (unit, of the greatest). Elastoplastic rock adds mean_stress, von_mises_stress, lode_angle (degree;

@@ -216,8 +216,7 @@ void RunFolder::describe(Archive& archive) {
 }
 
 void RunFolder::add(const Frame& frame, FieldFrame field, const ContactFrames& contacts, formats::FrameStage stage) {
-  formats::FrameColumns columns = formats::columns_of(frame, frame_tables_.shown(contacts), field);
-  columns.stage = std::move(stage);
+  const auto columns = formats::columns_of(frame, frame_tables_.shown(contacts), field, std::move(stage));
   field = {};  // in the columns; large bodies need the room
   frame_files_.write(columns, units_);
   frame_tables_.append(frame, columns, contacts);

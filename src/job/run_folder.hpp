@@ -88,8 +88,7 @@ class RunFolder {
   /// results are flushed to the disk first.
   void remove_checkpoint();
 
-  /// Writes the files of a frame at once, with `field` if that has elements. Appends rows to contacts.csv, joints.csv,
-  /// joint_lines.csv and bolts.csv. Writes fields.pvd at intervals.
+  /// Writes the files of a frame at once, and appends its rows to the tables. Writes fields.pvd at intervals.
   void add(const Frame& frame, FieldFrame field = {}, const ContactFrames& contacts = {},
            formats::FrameStage stage = {});
 

@@ -47,6 +47,14 @@ std::string what_failed_does(const RunOutcome& outcome, const Scene& scene) {
   return fmt::format("{}: {}", blocks, does);
 }
 
+formats::FrameStage stage_of(const Stepper& stepper, bool is_static, const Frame& frame) {
+  formats::FrameStage stage{{}, is_static, stepper.load_share()};
+  if (const std::vector<SceneReport> scenes = stepper.scenes(); !scenes.empty()) stage.name = scenes.back().name;
+  if (const Model& model = stepper.model(); model.continuum && !model.continuum->cracks.empty())
+    stage.load_factor = frame.load_factor;
+  return stage;
+}
+
 // The list is by number of element, loop after loop. Edges inside a body belong to no joint.
 std::vector<std::vector<int>> joints_of_edges(const Model& model) {
   std::vector<std::vector<int>> joints;
@@ -168,19 +176,12 @@ void RunJob::write_tables(const LedgerScope& scope) {
   tables_due_ = ended + std::max<std::chrono::steady_clock::duration>(kTablesEvery, kLeastPause * (ended - begun));
 }
 
-formats::FrameStage RunJob::stage_of(const Frame& frame) const {
-  formats::FrameStage stage{{}, watch_.is_static(), stepper_->load_share()};
-  if (const std::vector<SceneReport> scenes = stepper_->scenes(); !scenes.empty()) stage.name = scenes.back().name;
-  if (const Model& model = stepper_->model(); model.continuum && !model.continuum->cracks.empty())
-    stage.load_factor = frame.load_factor;
-  return stage;
-}
-
 Observer RunJob::observer() {
   return {[&](const Frame& frame) {
             const Model& model = stepping_ != nullptr ? stepping_->model() : prepared_.scene.model;
             watch_.blocks().add(frame, contacts_, model, prepared_.scene.settings);
-            folder_.add(frame, std::exchange(field_, {}), std::exchange(contacts_, {}), stage_of(frame));
+            folder_.add(frame, std::exchange(field_, {}), std::exchange(contacts_, {}),
+                        stage_of(*stepper_, watch_.is_static(), frame));
           },
           [&](const StepReport& report) {
             record_.totals.add(report);

@@ -70,7 +70,6 @@ class RunJob {
 
  private:
   Observer observer();
-  formats::FrameStage stage_of(const Frame& frame) const;
   template <class Work>
   void taking_back(const Work& work);
   void write_checkpoint(Stepper& stepper);

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "job/run_measures.hpp"
+#include "job/record/run_measures.hpp"
 #include "problem/units/unit_conversion.hpp"
 
 namespace keyblock::serve {

@@ -10,7 +10,7 @@
 
 #include "app/handout/sentences.hpp"
 #include "base/words/diagnostics.hpp"
-#include "job/run_measures.hpp"
+#include "job/record/run_measures.hpp"
 #include "problem/units/readable.hpp"
 
 namespace keyblock {

@@ -13,8 +13,8 @@
 #include "job/folder/output_files.hpp"
 #include "job/page/result_frames.hpp"
 #include "job/page/result_tables.hpp"
+#include "job/record/run_measures.hpp"
 #include "job/run_heading.hpp"
-#include "job/run_measures.hpp"
 #include "job/verdict/run_verdict.hpp"
 #include "report/page/page_writer.hpp"
 

@@ -1,6 +1,6 @@
 // Looks up paths of the record in a table; settings and the energy balance have tables of their own.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "job/run_measures.hpp"
+#include "job/record/run_measures.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // The units of the numbers of a record, by their place.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "job/run_measures.hpp"
+#include "job/record/run_measures.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
