@@ -1,9 +1,12 @@
-// Declares the meanings of the keys of a case file, for the schema.
+// Declares the meanings of the keys of a case file, and the quantities of its numbers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
+
+#include "problem/units/measure.hpp"
 
 namespace keyblock::formats {
 
@@ -12,6 +15,7 @@ namespace keyblock::formats {
 struct CaseMeaning {
   std::string_view key;
   std::string_view meaning;
+  std::optional<Measure> measure = {};  ///< of a number; a number of the schema without one fails a test
 };
 
 std::span<const CaseMeaning> case_meanings();
