@@ -114,7 +114,10 @@ describe.skipIf(!has_browser || !program)('program', () => {
         .poll(() => page.locator('.job', { hasText: 'finished' }).count(), { timeout: 60_000 })
         .toBe(steps === '30' ? 1 : 2);
     }
-    await page.getByRole('link', { name: 'Open' }).first().click();
+    // The link of a result comes with the next list of the folder.
+    const links = page.locator('.job').getByRole('link', { name: 'Open' });
+    await expect.poll(() => links.count(), { timeout: 20_000 }).toBe(2);
+    await links.first().click();
     await page.frameLocator('iframe').getByRole('slider', { name: 'Frame' }).waitFor();
     await page.getByLabel('Compare with').selectOption('slope_run');
     await page.waitForFunction(
