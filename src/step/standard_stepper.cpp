@@ -34,9 +34,12 @@
 namespace keyblock {
 namespace {
 
-// An initial stress is the file's own statement of equilibrium, so that it is not replaced.
+// Rigid blocks have no strain, but their contacts bear the stress too.
 bool has_initial_stress(const StandardScene& scene) {
-  return std::ranges::any_of(scene.bodies(), [](const Body& body) { return (body.initial_stress.array() != 0).any(); });
+  return std::ranges::any_of(scene.model.elements, [&](const Element& element) {
+    const BlockMaterial& material = scene.model.material_of(element);
+    return element.can_move() && (material.initial_stress != Stress{} || material.stress_gradient != Stress{});
+  });
 }
 
 // Largest misfit of a compatible start. Forces whose gaps no shift can produce are not those of elastic blocks; a
