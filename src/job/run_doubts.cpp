@@ -132,13 +132,13 @@ void add_strain(Warnings& remarks, const Prepared& prepared, const Frame& last, 
   add(remarks, place, {"strained_beyond_linear", about(prepared.scene.model, number, {{"strain", strain(*most)}})});
 }
 
-// Returns the created energy over the largest stored energy. The divisor is at least the work of weight along a small
-// displacement. The limit of 0.01 is then a lift of the scene by 1e-6 of a block. Blocks that slid farther than this,
-// even slowly, are judged by their own energy.
+// Returns the created energy over the largest stored energy. The divisor is at least the energy of the initial stress,
+// or the work of weight along a small displacement. The limit of 0.01 is then a lift of the scene by 1e-6 of a block.
+// Blocks that slid farther than this, even slowly, are judged by their own energy.
 double energy_created(const Prepared& prepared, const RunRecord& record, const Frame& first) {
   const double made = record.ledger_sums.energy_made(record.outcome.ledger_scope);
   if (made <= 0) return 0;
-  const double least = work_of_weight(prepared, first);
+  const double least = least_energy(prepared, first);
   const double largest = record.ledger_sums.largest_stored;
   return largest < least ? made * largest / least : made;
 }
@@ -149,9 +149,9 @@ void add_energy(Warnings& found, const Prepared& prepared, const RunRecord& reco
   const double limit = prepared.scene.settings.trust.energy;
   const double share = energy_created(prepared, record, first);
   if (share <= limit) return;
-  const double least = work_of_weight(prepared, first);
+  const double least = least_energy(prepared, first);
   const double largest = record.ledger_sums.largest_stored;
-  const bool is_of_weight = largest < least;
+  const bool is_of_weight = largest < least && least == work_of_weight(prepared, first);
   Facts facts{{{"share", share}, {"limit", limit}}};
   if (is_of_weight) facts.numbers.emplace_back("way", kWayOfWeight);
   if (has_undamped_covers(prepared))

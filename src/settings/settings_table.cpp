@@ -218,7 +218,7 @@ std::vector<SettingRow> rows_of_trust() {
           at(&TrustLimits::crushing), real(kShare)),
       row("energy_limit",
           "largest energy created over the largest stored energy; beyond it the results are unreliable. The reference "
-          "is at least the work of all weights over 1e-4 of the block size",
+          "is at least the work of all weights over 1e-4 of the block size, and the energy of the initial stress",
           at(&TrustLimits::energy), real(kAboveZero)),
   };
 }

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/sentences/sentences.hpp"
+#include "material/material_stress.hpp"
 #include "model/body_load.hpp"
 #include "model/scene/scene.hpp"
 
@@ -86,8 +87,11 @@ void BlockWatch::look_at_sources(const Stepper& stepper, ElementIndex e, Point w
   fallen_ = std::max(fallen_, dot(weight, way));
   const auto number = static_cast<std::size_t>(model.identities.of_element(e.value).number);
   if (number >= strained_.size()) strained_.resize(number + 1, 0);
-  const double strain = strain_over_mass(now.stress, model.material_of(model.elements[e]));
-  strained_[number] = std::max(strained_[number], strain);
+  const BlockMaterial& material = model.material_of(model.elements[e]);
+  const double strain = strain_over_mass(now.stress, material);
+  const Stress first = start_stress(material, material.stress_gradient, stepper.unloaded().elements[e].centroid.y,
+                                    stepper.settings().plane);
+  strained_[number] = std::max({strained_[number], strain, strain_over_mass(first, material)});
   released_ = std::max(released_, strained_[number] - strain);
 }
 

@@ -39,7 +39,7 @@ std::optional<double> kinetic_share(const Prepared& prepared, const RunRecord& r
   double kinetic = 0;
   for (const LedgerRow& row : rows)
     if (is_late(row.step, rows.back().step)) kinetic = std::max(kinetic, row.stored.kinetic);
-  const double stored = std::max(record.ledger_sums.largest_stored, work_of_weight(prepared, first));
+  const double stored = std::max(record.ledger_sums.largest_stored, least_energy(prepared, first));
   return stored > 0 ? kinetic / stored : 0;
 }
 

@@ -27,7 +27,7 @@ std::string_view words_for(MotionState state);
 
 /// Judges the end of the run; `last` is its last frame. At rest, the kinetic energy was below 1e-6 of the largest
 /// stored energy in the last tenth of the steps. In addition, no block would move by a thousandth of its size in the
-/// same time again. The largest stored energy counts as at least `work_of_weight` of `first`.
+/// same time again. The largest stored energy counts as at least `least_energy` of `first`.
 EndOfMotion end_of_motion(const Prepared& prepared, const RunRecord& record, const Frame& first, const Frame& last);
 
 /// Returns the state with the greatest speed, without a full stop: "still moving: block 2 near …".

@@ -16,4 +16,8 @@ inline constexpr double kWayOfWeight = 1e-4;
 /// per unit thickness [energy].
 double work_of_weight(const Prepared& prepared, const Frame& first);
 
+/// Returns the greater of that work and the energy of the initial stress of all free elements (σ·D⁻¹σ/2 in the plane,
+/// over their areas): stress that relaxes at the start is stored no longer.
+double least_energy(const Prepared& prepared, const Frame& first);
+
 }  // namespace keyblock
