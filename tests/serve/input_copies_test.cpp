@@ -48,7 +48,7 @@ TEST(InputCopies, the_oldest_are_dropped_beyond_the_limit) {
   EXPECT_EQ(kept[0].at("second"), 4);
   const Json dropped = copies.differences(record_of("case.json", text(1)), record_of("case.json", text(4)));
   ASSERT_EQ(dropped.size(), 1U);
-  EXPECT_EQ(dropped[0].at("first"), "case.json (changed since)");
+  EXPECT_EQ(dropped[0].at("first"), "case.json (moved or changed since)");
 }
 
 // A single file above the limit is kept, for the comparison that follows.

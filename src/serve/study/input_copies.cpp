@@ -125,8 +125,8 @@ Json InputCopies::differences(const Json& first, const Json& second) const {
       add_differences(found, member_text(x, "file"), *text, *other);
     else
       found.push_back({{"path", fmt::format("file {}", i + 1)},
-                       {"first", member_text(x, "file") + (text ? "" : " (changed since)")},
-                       {"second", member_text(y, "file") + (other ? "" : " (changed since)")}});
+                       {"first", member_text(x, "file") + (text ? "" : " (moved or changed since)")},
+                       {"second", member_text(y, "file") + (other ? "" : " (moved or changed since)")}});
   }
   return found;
 }

@@ -28,8 +28,8 @@ class InputCopies {
   void keep(const std::filesystem::path& path) const;
 
   /// Returns the differences of the input files of two runs, from their records: path, first, second. Files are
-  /// compared by their values (JSON) or by their lines. If a file has changed since its run and no copy was kept, one
-  /// difference says so.
+  /// compared by their values (JSON) or by their lines. If a file was moved or changed since its run and no copy was
+  /// kept, one difference says so.
   nlohmann::ordered_json differences(const nlohmann::ordered_json& first, const nlohmann::ordered_json& second) const;
 
  private:
