@@ -89,9 +89,12 @@ void BlockWatch::look_at_sources(const Stepper& stepper, ElementIndex e, Point w
   if (number >= strained_.size()) strained_.resize(number + 1, 0);
   const BlockMaterial& material = model.material_of(model.elements[e]);
   const double strain = strain_over_mass(now.stress, material);
-  const Stress first = start_stress(material, material.stress_gradient, stepper.unloaded().elements[e].centroid.y,
-                                    stepper.settings().plane);
-  strained_[number] = std::max({strained_[number], strain, strain_over_mass(first, material)});
+  strained_[number] = std::max(strained_[number], strain);
+  if (stepper.state().step == 0) {  // the start may have relaxed the initial stress
+    const double height = stepper.unloaded().elements[e].centroid.y;
+    const Stress drawn = start_stress(material, material.stress_gradient, height, stepper.settings().plane);
+    strained_[number] = std::max(strained_[number], strain_over_mass(drawn, material));
+  }
   released_ = std::max(released_, strained_[number] - strain);
 }
 
