@@ -1,7 +1,9 @@
 # The menu of the project: installs what is missing (Debian), lets CMake and Ninja do the work. `make help` lists it: a target's
 # group, its time on two cores and what it does stand after its ##, in this order, parted by |.
 SHELL := /bin/sh
-JOBS ?= $(shell nproc)
+# A compiler takes up to 1.5 GB: no more of them than there is memory for.
+JOBS ?= $(shell awk -v cores=$$(nproc) '/^MemAvailable/ { fit = int($$2 / 1500000) } \
+  END { print fit < 1 ? 1 : fit < cores ? fit : cores }' /proc/meminfo 2>/dev/null || nproc)
 SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 
 # What a bare Debian 12 needs beside make. OpenBLAS takes the place of the plain BLAS under CHOLMOD: scenes in which

@@ -194,9 +194,7 @@ class TipSums {
   }
 
   bool has_initial_stress(int e) const {
-    const BlockMaterial& material = solution_.continuum.material(e);
-    return solution_.continuum.initial_stress || material.initial_stress != Stress{} ||
-           material.stress_gradient != Stress{};
+    return solution_.continuum.initial_stress || solution_.continuum.material(e).is_stressed();
   }
 
   double side_of(int e) const {

@@ -53,6 +53,9 @@ struct BlockMaterial {
   Rare<CrackClosure> crack_closure = {};          ///< empty: no cracks; case files only
   Rare<Toughness> toughness = {};                 ///< empty: cracks in it do not grow; case files only
 
+  /// Returns true if it has stress before any displacement, anywhere.
+  bool is_stressed() const { return initial_stress != Stress{} || stress_gradient != Stress{}; }
+
   /// Returns true if its stress is not a linear function of strain alone: it may yield, or has cracks that close.
   bool is_nonlinear() const { return strength || crack_closure; }
 };

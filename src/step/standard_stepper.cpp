@@ -37,8 +37,7 @@ namespace {
 // Rigid blocks have no strain, but their contacts bear the stress too.
 bool has_initial_stress(const StandardScene& scene) {
   return std::ranges::any_of(scene.model.elements, [&](const Element& element) {
-    const BlockMaterial& material = scene.model.material_of(element);
-    return element.can_move() && (material.initial_stress != Stress{} || material.stress_gradient != Stress{});
+    return element.can_move() && scene.model.material_of(element).is_stressed();
   });
 }
 

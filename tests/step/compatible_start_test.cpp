@@ -225,6 +225,35 @@ TEST(CompatibleStart, a_stressed_mass_begins_where_its_free_face_lets_it) {
   }
 }
 
+// Frictionless blocks in a row on a floor, from a wall to a free end, with the stress -s along it: each grows by s/E of
+// its length, so that the last one begins at n s/E (Hooke), 4 % of a block for the longest row.
+TEST(CompatibleStart, a_stressed_row_begins_where_its_free_end_lets_it) {
+  constexpr double kStress = 1e6, kModulus = 1e9;
+  for (const auto& [n, far] : {std::pair(15, 0.0), {25, 0.0}, {40, 0.0}, {40, 1e4}}) {
+    Analysis analysis = plain_analysis(1e-2, 1);
+    analysis.block_materials[0].density = 2500;
+    analysis.block_materials[0].youngs_modulus = kModulus;
+    analysis.block_materials[0].poissons_ratio = 0;
+    analysis.block_materials[0].initial_stress = {-kStress, 0, 0};
+    analysis.joint_materials[0].friction_angle_deg = 0;
+    Blocks blocks;
+    blocks.blocks = {support::rectangle({-2, -1}, {n + 4.0, 0}), support::rectangle({-2, 0}, {0, 1})};
+    blocks.fixed_points = {{{-1.5, -0.5}, 0, {}}, {{n + 3.5, -0.5}, 0, {}}, {{-1.5, 0.2}, 1, {}}, {{-0.5, 0.8}, 1, {}}};
+    for (int i = 0; i < n; ++i) blocks.blocks.push_back(support::rectangle({i + 0.0, 0}, {i + 1.0, 1}));
+    const Point offset{far, far};
+    for (BlockPolygon& block : blocks.blocks)
+      for (BlockVertex& corner : block.outer) corner.position = corner.position + offset;
+    for (BlockPoint& point : blocks.fixed_points) point.position = point.position + offset;
+    StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
+    const State start = stepper.state();
+    const double way = start.elements[ElementIndex(n + 1)].centroid.x - far - (n - 0.5);
+    EXPECT_NEAR(way, (n - 0.5) * kStress / kModulus, 1e-3 * n * kStress / kModulus) << n << ", " << far;
+    support::run_to(stepper, 0.2);
+    EXPECT_LT(length(support::travel(stepper, start, n + 1)), 1e-5) << n << ", " << far;
+    EXPECT_NEAR(stepper.state().elements[ElementIndex(n + 1)].stress.xx, 0, 1e-3 * kStress) << n << ", " << far;
+  }
+}
+
 // Each bolt carries half the weight, and has the length of that; the block, stretched by its own weight, by 1.2 µm. A
 // bolt whose pretension is half the weight gets this alone.
 TEST(CompatibleStart, a_hung_block_is_in_balance_with_its_bolts) {

@@ -142,8 +142,7 @@ Reason initial_stress(const Model& model, const Settings& settings) {
   if (!deforms(model)) return std::nullopt;
   if (!is_standard(settings)) return "blocks carry stress from step to step";
   const bool is_stressed = std::ranges::any_of(moving_materials(model), [&](int material) {
-    const BlockMaterial& rock = model.block_materials[static_cast<std::size_t>(material)];
-    return rock.initial_stress != Stress{} || rock.stress_gradient != Stress{};
+    return model.block_materials[static_cast<std::size_t>(material)].is_stressed();
   });
   return is_stressed ? Reason("blocks are stressed at the start") : std::nullopt;
 }

@@ -30,9 +30,7 @@ std::string why_not_scaled(const Problem& problem, const Scene& scene) {
   if (!problem.covers->mesh.materials.empty())
     return "expected only NMM bodies for crack growth under scaled loads (no materials of the mesh), found blocks";
   if (scene.model.continuum->initial_stress ||
-      std::ranges::any_of(problem.analysis->block_materials, [](const BlockMaterial& m) {
-        return m.initial_stress != Stress{} || m.stress_gradient != Stress{};
-      }))
+      std::ranges::any_of(problem.analysis->block_materials, &BlockMaterial::is_stressed))
     return "expected no initial stress for crack growth under scaled loads, found one: all loads have one factor";
   if (!scene.model.loading_points.empty())
     return "expected loads of covers (forces, tractions) for crack growth under scaled loads, found loading points";

@@ -71,6 +71,22 @@ class Hanging {
   std::vector<bool> is_held_;  ///< by the number of a set
 };
 
+/// Returns the sum of the changes of length of the bodies of each connected set: so far may its ends move by strain.
+std::vector<double> stretches(const StandardScene& scene, Hanging& sets, const Motion& from, const Motion& to) {
+  const auto before = vertices_at(scene.model, scene.reference, from.q);
+  const auto after = vertices_at(scene.model, scene.reference, to.q);
+  std::vector<double> sums(scene.model.elements.size());
+  for (const ElementIndex e : indices(scene.model.elements)) {
+    const auto all = scene.model.elements[e].vertices();
+    const VertexIndex first = *all.begin();
+    double stretch = 0;
+    for (const VertexIndex v : all)
+      stretch = std::max(stretch, std::abs(distance(after[v], after[first]) - distance(before[v], before[first])));
+    sums[sets.of(e)] += stretch;
+  }
+  return sums;
+}
+
 class RestSearch {
  public:
   RestSearch(StandardScene& scene, const Motion& start)
@@ -186,11 +202,16 @@ class RestSearch {
       scene_.load_share = 1;
       if (made.converged && made.failure.empty()) small = ways_to(made.motion);
     }
+    const std::vector<double> explained = stretches(scene_, hanging_, still_, motion);
+    const auto is_away = [&](const Way& way) {
+      const std::size_t set = hanging_.of(way.element);
+      if (!small.empty()) return small[set].share > of_resting_start::kSameWay * way.share;
+      const double size = scene_.bodies()[way.element].size;
+      return way.share * size > std::max(of_resting_start::kInPlaceStressed * size, 2 * explained[set]);
+    };
     std::vector<ElementIndex> away;
     for (const Way& way : ways)
-      if (small.empty() ? way.share > of_resting_start::kInPlaceStressed
-                        : small[hanging_.of(way.element)].share > of_resting_start::kSameWay * way.share)
-        away.push_back(way.element);
+      if (is_away(way)) away.push_back(way.element);
     return away;
   }
 

@@ -23,6 +23,46 @@ namespace {
 
 using namespace tolerances;
 
+double farthest(const UnknownsTable& ways) {
+  double most = 0;
+  for (const Unknowns& of : ways)
+    if (of.size() > 0) most = std::max(most, of.head<2>().norm());
+  return most;
+}
+
+double largest_strain(const UnknownsTable& ways) {
+  double most = 0;
+  for (const Unknowns& of : ways)
+    if (of.size() > kRigidUnknowns) most = std::max(most, of.tail(of.size() - kRigidUnknowns).cwiseAbs().maxCoeff());
+  return most;
+}
+
+// Returns the diameter of the circle around the mean of all centroids that holds them: turning does not change it.
+double extent(const StandardScene& scene) {
+  const auto& all = scene.reference.centroids;
+  Point mean;
+  for (const Point& at : all) mean = mean + 1 / static_cast<double>(all.size()) * at;
+  double radius = 0;
+  for (const Point& at : all) radius = std::max(radius, distance(at, mean));
+  return 2 * radius;
+}
+
+double heaviest(const Table<ElementIndex, Body>& bodies) {
+  double mass = 0;
+  for (const Body& body : bodies)
+    if (body.mass.rows() > 0) mass = std::max(mass, body.mass(0, 0));
+  return mass;
+}
+
+// Returns the largest force of the initial stress of a block.
+double force_of_stress(const Table<ElementIndex, Body>& bodies) {
+  double largest = 0;
+  for (const Body& body : bodies)
+    if (body.mass.rows() > 0 && body.initial_stress.size() > 0)
+      largest = std::max(largest, body.initial_stress.cwiseAbs().maxCoeff() / body.size);
+  return largest;
+}
+
 class Settling {
  public:
   Settling(const StandardScene& scene, Motion motion) : scene_(scene), motion_(std::move(motion)) {
@@ -30,7 +70,9 @@ class Settling {
     motion_.v.set_zero();
     loads_ = loads_at(scene, motion_.q, 0);
     scales_ = scales_of(scene, loads_, motion_.q, velocities_);
-    scales_.force = std::max(scales_.force, of_settled_start::kOfStress * force_of_stress());
+    const double of_stress = force_of_stress(scene.bodies());
+    scales_.force = std::max(scales_.force, of_settled_start::kOfStress * of_stress);
+    if (of_stress > 0) extent_ = extent(scene);
   }
 
   Settled run() {
@@ -78,7 +120,9 @@ class Settling {
       const double moved = farthest(moved_);
       const double share = 2 * moved * scene_.normal_stiffness() / (stiffness * scales_.force);
       const bool rises = slid > 0 && share > of_settled_start::kRises * last_share;
-      const bool is_far = moved > of_settled_start::kFarthestOfSettling * scales_.size;
+      // The end of a row of stressed blocks moves by the sum of their strains, and so do gaps that open.
+      const double stretched = 2 * extent_ * largest_strain(moved_);
+      const bool is_far = moved > std::max(of_settled_start::kFarthestOfSettling * scales_.size, stretched);
       if ((rises || is_far) && stiffness > of_settled_start::kShortest) {
         motion_ = before;
         found_ = found;
@@ -110,7 +154,7 @@ class Settling {
         motion_ = std::move(before_stalls);
         break;
       }
-      const bool is_near = moved <= of_settled_start::kFarthest * scales_.size;
+      const bool is_near = moved <= std::max(of_settled_start::kFarthest * scales_.size, stretched);
       const bool is_settling = share <= of_settled_start::kSettles * std::min(1.0, before_share);
       const bool is_held = first_share <= of_settled_start::kHeld;
       if (is_near || is_settling) stiffness *= is_held ? of_settled_start::kGrowthOfHeld : of_settled_start::kGrowth;
@@ -131,13 +175,6 @@ class Settling {
   bool goes_on_evenly(const UnknownsTable& last) const {
     return farthest(last) > 0 && farthest(plus(moved_, -1, last)) <= of_settled_start::kEvenly * farthest(moved_);
   }
-  static double farthest(const UnknownsTable& ways) {
-    double most = 0;
-    for (const Unknowns& of : ways)
-      if (of.size() > 0) most = std::max(most, of.head<2>().norm());
-    return most;
-  }
-
   // Glues all faces and loads them together with bolts and fixed points. The search for friction begins at the glue
   // forces.
   void load_glued(const Touches& touches) {
@@ -161,7 +198,7 @@ class Settling {
     }
     Eigen::VectorXd gaps = Eigen::VectorXd::Zero(count);
     gaps.tail(count - of_faces) = constraints.gaps(motion_.q);
-    const double inertia = scene_.normal_stiffness() / (of_settled_start::kHeldByNothing * heaviest());
+    const double inertia = scene_.normal_stiffness() / (of_settled_start::kHeldByNothing * heaviest(scene_.bodies()));
     Table<ElementIndex, UnknownBlock> stiffness;
     for (const Body& body : scene_.bodies()) stiffness.push_back(body.sum_of(inertia, 1));
     UnknownsTable all = loads_;
@@ -183,7 +220,7 @@ class Settling {
   // Makes an iteration of statics (7.9 in docs/theory/07-initial-state-and-statics.md). Returns false if it finds no
   // forces. It then moves nothing, but contacts that it found stay.
   bool step(double stiffness_over_inertia) {
-    const double tau = std::sqrt(stiffness_over_inertia * heaviest() / scene_.normal_stiffness());
+    const double tau = std::sqrt(stiffness_over_inertia * heaviest(scene_.bodies()) / scene_.normal_stiffness());
     StepRule rule = resting_rule(tau / std::numbers::sqrt2);
     rule.breaks_bonds = true;  // the release of the glue is a load path of its own
     if (searches_anew_) {
@@ -230,22 +267,6 @@ class Settling {
     found_.insert(found_.end(), fresh.begin(), fresh.end());
   }
 
-  // Returns the largest force of the initial stress of a block.
-  double force_of_stress() const {
-    double largest = 0;
-    for (const Body& body : scene_.bodies())
-      if (body.mass.rows() > 0 && body.initial_stress.size() > 0)
-        largest = std::max(largest, body.initial_stress.cwiseAbs().maxCoeff() / body.size);
-    return largest;
-  }
-
-  double heaviest() const {
-    double mass = 0;
-    for (const Body& body : scene_.bodies())
-      if (body.mass.rows() > 0) mass = std::max(mass, body.mass(0, 0));
-    return mass;
-  }
-
   // Removes the loads from connected sets without a fixed block or fixed point: their forces cannot settle here.
   void leave_unsupported(const Touches& touches) {
     UnionFind groups(scene_.bodies().size());
@@ -270,6 +291,7 @@ class Settling {
   bool searches_anew_ = false;  ///< as the run will, once the contacts of the drawing are at rest
   UnknownsTable moved_;         ///< in the last step that was solved
   double share_of_wall_ = 0;    ///< of free motion, in the last step of a large wall
+  double extent_ = 0;           ///< of the scene; 0 without initial stress
   int unsolved_ = 0;
 };
 
