@@ -78,13 +78,17 @@ std::string balanced_by(const StandardScene& scene, const std::string& what) {
 First settled_first(const StandardScene& scene, Motion motion, const std::string& why) {
   const bool is_stressed = has_initial_stress(scene);
   Settled made = settled(scene, std::move(motion));
+  std::string unbalanced;
+  if (made.left > 0)
+    unbalanced = fmt::format("the search for the initial state used up its steps: bodies move by {:.2g} of free motion",
+                             made.left);
   return {
       std::move(made.motion),
       {},
       {is_stressed ? "that of the initial stress, released" : "that of joints glued under the loads and then released",
        balanced_by(scene,
                    scene.model.bolts.empty() ? "contact forces and strains" : "contact forces, strains and bolts"),
-       why, 0, made.unsolved_steps}};
+       why, 0, made.unsolved_steps, unbalanced}};
 }
 
 std::string bodies(int count) {

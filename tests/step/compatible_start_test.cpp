@@ -225,8 +225,8 @@ TEST(CompatibleStart, a_stressed_mass_begins_where_its_free_face_lets_it) {
   }
 }
 
-// Frictionless blocks in a row on a floor, from a wall to a free end, with the stress -s along it: each grows by s/E of
-// its length, so that the last one begins at n s/E (Hooke), 4 % of a block for the longest row.
+// Frictionless blocks in a row on a floor, from a wall to a free end, with the stress -s along it. Each grows by s/E of
+// its length (Hooke), so that the last one begins at n s/E: 4 % of a block for the longest row.
 TEST(CompatibleStart, a_stressed_row_begins_where_its_free_end_lets_it) {
   constexpr double kStress = 1e6, kModulus = 1e9;
   for (const auto& [n, far] : {std::pair(15, 0.0), {25, 0.0}, {40, 0.0}, {40, 1e4}}) {

@@ -294,11 +294,11 @@ namespace of_resting_start {
 inline constexpr int kMostIterations = 300;
 inline constexpr int kMostSearches = 5;  // each leaves out the bodies named by the one before
 // Displacement of a vertex over block size up to which a body counts as where it was drawn. The second value applies
-// under initial stress, which no load fraction reduces; a row of blocks may also move twice as far as they stretch.
+// where the next test finds no equilibrium.
 inline constexpr double kInPlace = 1e-3;
-inline constexpr double kInPlaceStressed = 1e-2;
-// Farther bodies are tested at kSmallShare of the loads. A body that deforms then moves a fraction of the way; one that
-// swings or slides to another place moves all of it.
+inline constexpr double kInPlaceUntried = 1e-2;
+// Farther bodies are tested at kSmallShare of loads and initial stress. A body that deforms then moves a fraction of
+// the way; one that swings or slides to another place moves all of it.
 inline constexpr double kSmallShare = 0.1;
 inline constexpr double kSameWay = 0.5;
 

@@ -12,11 +12,13 @@
 
 #include "base/sentences/sentences.hpp"
 #include "base/union_find.hpp"
+#include "model/continuum.hpp"
 #include "model/shared_covers.hpp"
 #include "step/newton/tolerances.hpp"
 #include "step/rest/moving_start.hpp"
 #include "step/rest/static_shares.hpp"
 #include "step/rest/static_step.hpp"
+#include "step/rest/stressed_start.hpp"
 #include "step/scene/equilibrium.hpp"
 #include "step/scene/touch_search.hpp"
 
@@ -71,20 +73,36 @@ class Hanging {
   std::vector<bool> is_held_;  ///< by the number of a set
 };
 
-/// Returns the sum of the changes of length of the bodies of each connected set: so far may its ends move by strain.
-std::vector<double> stretches(const StandardScene& scene, Hanging& sets, const Motion& from, const Motion& to) {
-  const auto before = vertices_at(scene.model, scene.reference, from.q);
-  const auto after = vertices_at(scene.model, scene.reference, to.q);
-  std::vector<double> sums(scene.model.elements.size());
-  for (const ElementIndex e : indices(scene.model.elements)) {
-    const auto all = scene.model.elements[e].vertices();
-    const VertexIndex first = *all.begin();
-    double stretch = 0;
-    for (const VertexIndex v : all)
-      stretch = std::max(stretch, std::abs(distance(after[v], after[first]) - distance(before[v], before[first])));
-    sums[sets.of(e)] += stretch;
+Stress times(double share, const Stress& s) {
+  return {share * s.xx, share * s.yy, share * s.xy, share * s.zz};
+}
+
+void scale_stress(std::vector<BlockMaterial>& materials, double share) {
+  for (BlockMaterial& material : materials) {
+    material.initial_stress = times(share, material.initial_stress);
+    material.stress_gradient = times(share, material.stress_gradient);
   }
-  return sums;
+}
+
+/// Returns the scene with a share of its loads and of its initial stress.
+StandardScene with_share(const StandardScene& scene, double share, bool is_stressed) {
+  StandardScene small = scene;
+  if (is_stressed) {
+    Model model = scene.model;
+    scale_stress(model.block_materials, share);
+    if (model.continuum) {
+      const auto continuum = std::make_shared<Continuum>(*model.continuum);
+      scale_stress(continuum->materials, share);
+      if (const auto whole = continuum->initial_stress)
+        continuum->initial_stress = [whole, share](Point x) { return times(share, whole(x)); };
+      model.continuum = continuum;
+    }
+    small = standard_scene(std::move(model), scene.settings);
+    small.unloaded = scene.unloaded;
+    small.pulls = scene.pulls;
+  }
+  small.load_share = share;
+  return small;
 }
 
 class RestSearch {
@@ -195,23 +213,21 @@ class RestSearch {
     std::vector<Way> ways = ways_to(motion);
     std::erase_if(ways, [](const Way& way) { return !(way.share > of_resting_start::kInPlace); });
     if (ways.empty()) return {};
-    std::vector<Way> small;
-    if (!is_stressed(scene_, still_.q)) {
-      scene_.load_share = of_resting_start::kSmallShare;
-      const StandardStep made = static_step(scene_, still_, 0, of_resting_start::kMostIterations);
-      scene_.load_share = 1;
-      if (made.converged && made.failure.empty()) small = ways_to(made.motion);
+    const bool is_stressed = keyblock::is_stressed(scene_, still_.q);
+    const StandardScene small = with_share(scene_, of_resting_start::kSmallShare, is_stressed);
+    Motion from = still_;
+    if (is_stressed) {
+      from.points = start_motion(small).points;
+      if (from.closed.size() > 0) from.closed = stressed_contacts(small, from);
     }
-    const std::vector<double> explained = stretches(scene_, hanging_, still_, motion);
-    const auto is_away = [&](const Way& way) {
-      const std::size_t set = hanging_.of(way.element);
-      if (!small.empty()) return small[set].share > of_resting_start::kSameWay * way.share;
-      const double size = scene_.bodies()[way.element].size;
-      return way.share * size > std::max(of_resting_start::kInPlaceStressed * size, 2 * explained[set]);
-    };
+    std::vector<Way> small_ways;
+    const StandardStep made = static_step(small, from, 0, of_resting_start::kMostIterations);
+    if (made.converged && made.failure.empty()) small_ways = ways_to(made.motion);
     std::vector<ElementIndex> away;
     for (const Way& way : ways)
-      if (is_away(way)) away.push_back(way.element);
+      if (small_ways.empty() ? way.share > of_resting_start::kInPlaceUntried
+                             : small_ways[hanging_.of(way.element)].share > of_resting_start::kSameWay * way.share)
+        away.push_back(way.element);
     return away;
   }
 

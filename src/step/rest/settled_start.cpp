@@ -23,6 +23,10 @@ namespace {
 
 using namespace tolerances;
 
+// Displacement by the glue, over body size, above which a body swings on its bolts, and stays as drawn: glue does not
+// hold it across them.
+constexpr double kSwings = 0.1;
+
 double farthest(const UnknownsTable& ways) {
   double most = 0;
   for (const Unknowns& of : ways)
@@ -77,11 +81,11 @@ class Settling {
 
   Settled run() {
     found_ = resting_touches(scene_, motion_, scales_);
-    const UnknownsTable drawn = motion_.q;
+    drawn_ = motion_.q;
     leave_unsupported(found_);
     if (motion_.closed.size() == 0) load_glued(found_);
     Motion before = motion_;  // keeps the compression of the glue's springs
-    before.q = drawn;
+    before.q = drawn_;
     add_overlapping(before);
     const Motion glued = motion_;
     const Touches faces = found_;
@@ -94,7 +98,7 @@ class Settling {
       dissolve(longest);
     }
     motion_.v = velocities_;
-    return {std::move(motion_), unsolved_};
+    return {std::move(motion_), unsolved_, left_};
   }
 
  private:
@@ -136,14 +140,14 @@ class Settling {
       tell_headway("start, glued blocks let go",
                    std::max(double(i + 1) / of_settled_start::kMostSteps,
                             share_of_fall(first_share, share, of_settled_start::kAtRest)));
-      if (share <= of_settled_start::kAtRest && std::exchange(searches_anew_, true)) break;
+      if (share <= of_settled_start::kAtRest && std::exchange(searches_anew_, true)) return 0;
       if (goes_on_evenly(last)) {
         const double way = slid / stiffness * moved;
         const double most = of_settled_start::kFarthestSlide * scales_.size;
         if (way > most && longest == of_settled_start::kLongest)
           return std::max(stiffness * most / way, of_settled_start::kShortest);
-        motion_.q = plus(motion_.q, -slid / stiffness, moved_);
-        break;
+        take_back(slid / stiffness);
+        return 0;
       }
       if (share <= of_settled_start::kStalls * least_share) {
         least_share = share;
@@ -152,7 +156,7 @@ class Settling {
         before_stalls = before;
       } else if (stalls == of_settled_start::kMostStalls) {
         motion_ = std::move(before_stalls);
-        break;
+        return 0;
       }
       const bool is_near = moved <= std::max(of_settled_start::kFarthest * scales_.size, stretched);
       const bool is_settling = share <= of_settled_start::kSettles * std::min(1.0, before_share);
@@ -161,6 +165,7 @@ class Settling {
       share_of_wall_ = is_held && found_.size() > FrictionalProblem::kVeryManyPairs ? share : 0;
       stiffness = std::min({stiffness, longest, longest_of_wall()});
     }
+    left_ = last_share;
     return 0;
   }
 
@@ -175,6 +180,17 @@ class Settling {
   bool goes_on_evenly(const UnknownsTable& last) const {
     return farthest(last) > 0 && farthest(plus(moved_, -1, last)) <= of_settled_start::kEvenly * farthest(moved_);
   }
+  // Takes back `share` of the last step's motion, but no body farther than to where it was drawn.
+  void take_back(double share) {
+    const UnknownsTable made = plus(motion_.q, -1, drawn_);
+    for (const ElementIndex e : indices(moved_)) {
+      if (moved_[e].size() == 0) continue;
+      const double way = share * moved_[e].head<2>().norm();
+      const double most = made[e].head<2>().norm();
+      motion_.q[e] -= (way > most ? share * most / way : share) * moved_[e];
+    }
+  }
+
   // Glues all faces and loads them together with bolts and fixed points. The search for friction begins at the glue
   // forces.
   void load_glued(const Touches& touches) {
@@ -204,8 +220,12 @@ class Settling {
     UnknownsTable all = loads_;
     for (const ElementIndex e : indices(all))
       if (scene_.bodies()[e].initial_stress.size() == all[e].size()) all[e] += scene_.bodies()[e].initial_stress;
-    const auto made = displacements_of_joined(stiffness, rows, compliance, gaps, all);
+    auto made = displacements_of_joined(stiffness, rows, compliance, gaps, all);
     if (!made) return;
+    for (const ElementIndex e : indices(*made)) {
+      Unknowns& way = (*made)[e];
+      if (way.size() > 0 && way.head<2>().norm() > kSwings * scene_.bodies()[e].size) way.setZero();
+    }
     const Eigen::VectorXd forces = -(rates(rows, *made) + gaps).cwiseQuotient(compliance);
     motion_.q = plus(motion_.q, 1, *made);
     std::vector<ClosedContact> closed;
@@ -284,6 +304,7 @@ class Settling {
 
   const StandardScene& scene_;
   Motion motion_;
+  UnknownsTable drawn_;
   UnknownsTable velocities_;
   UnknownsTable loads_;
   Scales scales_;
@@ -293,6 +314,7 @@ class Settling {
   double share_of_wall_ = 0;    ///< of free motion, in the last step of a large wall
   double extent_ = 0;           ///< of the scene; 0 without initial stress
   int unsolved_ = 0;
+  double left_ = 0;  ///< see Settled
 };
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace keyblock {
 struct Settled {
   Motion motion;
   int unsolved_steps = 0;  ///< steps without forces, which changed nothing
+  double left = 0;         ///< if all steps were used: motion of the last one, over that of a body without contacts
 };
 Settled settled(const StandardScene& scene, Motion motion);
 
