@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace keyblock {
@@ -58,6 +59,25 @@ TEST(ChangeBlocks, a_bolt_at_the_wall_of_an_excavation_stays) {
   blocks.bolts.push_back({{{1, 0.75}, {3, 0.25}}, 0, 1, 1e6, 0, 0, {}, {}});
   const ChangedBlocks cut = without(blocks, {-1, 0.5}, {5, 2});
   EXPECT_EQ(cut.bolts, (std::vector{0}));
+}
+
+// An outline along the edges of blocks, as stages that share a line have it. Turned, it meets them within rounding alone,
+// and once left a hair of rock along the wall, whose contacts were nonsense.
+TEST(ChangeBlocks, an_outline_along_edges_leaves_whole_blocks_however_it_is_turned) {
+  for (int degrees = 0; degrees < 90; ++degrees)
+    for (const double far : {0.0, 1e4}) {
+      const auto placed = [&](Point p) {
+        const double a = degrees * std::numbers::pi / 180;
+        return Point{far + std::cos(a) * p.x - std::sin(a) * p.y, far + std::sin(a) * p.x + std::cos(a) * p.y};
+      };
+      Blocks blocks = two();
+      for (BlockPolygon& block : blocks.blocks)
+        for (BlockVertex& corner : block.outer) corner.position = placed(corner.position);
+      const Region region{{placed({1.5, 0}), placed({2.01, 0}), placed({2.01, 1}), placed({1.5, 1})}, 0};
+      const ChangedBlocks cut = without_regions(blocks, std::array{region});
+      ASSERT_EQ(cut.blocks.blocks.size(), 2U) << degrees;
+      for (const BlockPolygon& block : cut.blocks.blocks) EXPECT_EQ(block.outer.size(), 4U) << degrees << ", " << far;
+    }
 }
 
 TEST(ChangeBlocks, a_point_in_a_sliver_goes_to_the_rock_beside_it) {

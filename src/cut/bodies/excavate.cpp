@@ -18,6 +18,10 @@ namespace {
 // Joint material of outline 0; outline i has this number less i. No joint of a file has such a material.
 constexpr int kOutline = std::numeric_limits<int>::max();
 
+// Merging distance of edges of blocks over the scale of the drawing: rounding of outlines that run along them. Without
+// it an edge that is turned leaves a hair of rock along the wall, and contacts there are nonsense.
+constexpr double kOutlineRounding = 1e-9;
+
 /// Returns the new number of every body that stays, -1 for the others. Appends the materials to `materials`.
 std::vector<int> numbers_of_rest(const std::vector<BlockPolygon>& bodies, const std::vector<Region>& regions,
                                  const Blocks* blocks, std::vector<int>& materials) {
@@ -46,6 +50,7 @@ std::vector<int> numbers_of_rest(const std::vector<BlockPolygon>& bodies, const 
 Drawing lines_of(const Blocks& blocks) {
   Drawing drawing;
   drawing.place = blocks.place;
+  drawing.edge_node_ratio = kOutlineRounding;
   const auto add = [&](const BlockLoop& loop) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const BlockVertex& next = loop[(i + 1) % loop.size()];
