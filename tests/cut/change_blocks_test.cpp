@@ -61,8 +61,8 @@ TEST(ChangeBlocks, a_bolt_at_the_wall_of_an_excavation_stays) {
   EXPECT_EQ(cut.bolts, (std::vector{0}));
 }
 
-// An outline along the edges of blocks, as stages that share a line have it. Turned, it meets them within rounding alone,
-// and once left a hair of rock along the wall, whose contacts were nonsense.
+// An outline along the edges of blocks, as stages that share a line have it. Turned, it meets them within rounding
+// alone, and once left a hair of rock along the wall, whose contacts were nonsense.
 TEST(ChangeBlocks, an_outline_along_edges_leaves_whole_blocks_however_it_is_turned) {
   for (int degrees = 0; degrees < 90; ++degrees)
     for (const double far : {0.0, 1e4}) {

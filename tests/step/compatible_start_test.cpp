@@ -226,10 +226,17 @@ TEST(CompatibleStart, a_stressed_mass_begins_where_its_free_face_lets_it) {
 }
 
 // Frictionless blocks in a row on a floor, from a wall to a free end, with the stress -s along it. Each grows by s/E of
-// its length (Hooke), so that the last one begins at n s/E: 4 % of a block for the longest row.
+// its length (Hooke), so that the last one begins at n s/E: 4 % of a block for the longest row. A block that slides far
+// away from it begins as drawn, and changes nothing.
 TEST(CompatibleStart, a_stressed_row_begins_where_its_free_end_lets_it) {
   constexpr double kStress = 1e6, kModulus = 1e9;
-  for (const auto& [n, far] : {std::pair(15, 0.0), {25, 0.0}, {40, 0.0}, {40, 1e4}}) {
+  struct Row {
+    int n;
+    double far;
+    bool has_slider;
+  };
+  for (const auto& [n, far, has_slider] :
+       {Row{15, 0, false}, {25, 0, false}, {40, 0, false}, {40, 1e4, false}, {25, 0, true}, {40, 1e4, true}}) {
     Analysis analysis = plain_analysis(1e-2, 1);
     analysis.block_materials[0].density = 2500;
     analysis.block_materials[0].youngs_modulus = kModulus;
@@ -240,12 +247,22 @@ TEST(CompatibleStart, a_stressed_row_begins_where_its_free_end_lets_it) {
     blocks.blocks = {support::rectangle({-2, -1}, {n + 4.0, 0}), support::rectangle({-2, 0}, {0, 1})};
     blocks.fixed_points = {{{-1.5, -0.5}, 0, {}}, {{n + 3.5, -0.5}, 0, {}}, {{-1.5, 0.2}, 1, {}}, {{-0.5, 0.8}, 1, {}}};
     for (int i = 0; i < n; ++i) blocks.blocks.push_back(support::rectangle({i + 0.0, 0}, {i + 1.0, 1}));
+    if (has_slider) {
+      const double slope = radians(30);
+      blocks.blocks.push_back(turned_rectangle({-60, -1}, {-40, 0}, slope));
+      blocks.blocks.push_back(turned_rectangle({-45, 0}, {-44, 1}, slope));
+      for (const double x : {-59.5, -40.5}) blocks.fixed_points.push_back({turned(Point{x, -0.5}, slope), n + 2, {}});
+    }
     const Point offset{far, far};
     for (BlockPolygon& block : blocks.blocks)
       for (BlockVertex& corner : block.outer) corner.position = corner.position + offset;
     for (BlockPoint& point : blocks.fixed_points) point.position = point.position + offset;
     StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
     const State start = stepper.state();
+    if (has_slider) {
+      const Point drawn = turned(Point{-44.5, 0.5}, radians(30)) + offset;
+      EXPECT_LT(distance(start.elements[ElementIndex(n + 3)].centroid, drawn), 1e-3) << n;
+    }
     const double way = start.elements[ElementIndex(n + 1)].centroid.x - far - (n - 0.5);
     EXPECT_NEAR(way, (n - 0.5) * kStress / kModulus, 1e-3 * n * kStress / kModulus) << n << ", " << far;
     support::run_to(stepper, 0.2);

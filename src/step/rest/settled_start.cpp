@@ -13,6 +13,7 @@
 #include "contact/rows/gap.hpp"
 #include "contact/rows/joined_blocks.hpp"
 #include "step/newton/tolerances.hpp"
+#include "step/rest/elements_of_motion.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/step_constraints.hpp"
 #include "step/scene/touch_search.hpp"
@@ -67,6 +68,120 @@ double force_of_stress(const Table<ElementIndex, Body>& bodies) {
   return largest;
 }
 
+// Glues all faces and loads them together with bolts and fixed points. The search for friction begins at the glue
+// forces.
+void load_glued(const StandardScene& scene, const Touches& touches, const UnknownsTable& loads, Motion& motion) {
+  Touches faces;
+  std::ranges::copy_if(touches, std::back_inserter(faces), [](const Touch& touch) { return touch.stretch > 0; });
+  ContactRows rows = contact_rows(scene.model, scene.reference, motion.q, faces);
+  const auto of_faces = static_cast<Eigen::Index>(rows.size());
+  const StepConstraints constraints(scene, motion, 0, 0);
+  const ContactRows of_constraints = constraints.rows(motion.q);
+  rows.insert(rows.end(), of_constraints.begin(), of_constraints.end());
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  Eigen::VectorXd compliance = Eigen::VectorXd::Constant(count, of_settled_start::kRigid / scene.normal_stiffness());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const Springs springs = springs_of(scene, faces[i]);
+    compliance.segment<2>(static_cast<Eigen::Index>(2 * i)) << springs.normal, springs.tangential;
+  }
+  for (std::size_t i = 0; i < constraints.bolt_count(); ++i) {
+    const Eigen::Index n = of_faces + static_cast<Eigen::Index>(2 * i);
+    compliance[n] = constraints.compliance(i);
+    compliance[n + 1] = of_settled_start::kHeldByNothing / scene.normal_stiffness();  // no force across
+  }
+  Eigen::VectorXd gaps = Eigen::VectorXd::Zero(count);
+  gaps.tail(count - of_faces) = constraints.gaps(motion.q);
+  const double inertia = scene.normal_stiffness() / (of_settled_start::kHeldByNothing * heaviest(scene.bodies()));
+  Table<ElementIndex, UnknownBlock> stiffness;
+  for (const Body& body : scene.bodies()) stiffness.push_back(body.sum_of(inertia, 1));
+  UnknownsTable all = loads;
+  for (const ElementIndex e : indices(all))
+    if (scene.bodies()[e].initial_stress.size() == all[e].size()) all[e] += scene.bodies()[e].initial_stress;
+  auto made = displacements_of_joined(stiffness, rows, compliance, gaps, all);
+  if (!made) return;
+  for (const ElementIndex e : indices(*made)) {
+    Unknowns& way = (*made)[e];
+    if (way.size() > 0 && way.head<2>().norm() > kSwings * scene.bodies()[e].size) way.setZero();
+  }
+  const Eigen::VectorXd forces = -(rates(rows, *made) + gaps).cwiseQuotient(compliance);
+  motion.q = plus(motion.q, 1, *made);
+  std::vector<ClosedContact> closed;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    closed.push_back({faces[i], memory_of(contact_law(scene, motion.bonds, faces[i]), forces[n], forces[n + 1])});
+  }
+  motion.closed = ClosedContacts(std::move(closed));
+  motion.constraints = constraints.memory(forces.tail(count - of_faces), motion.q);
+}
+
+// Removes the loads from connected sets without a fixed block or fixed point: their forces cannot settle here.
+void leave_unsupported(const StandardScene& scene, const Touches& touches, UnknownsTable& loads) {
+  UnionFind groups(scene.bodies().size());
+  const auto join = [&](ElementIndex first, ElementIndex second) { groups.unite(first.value, second.value); };
+  for (const Touch& touch : touches)
+    join(scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element);
+  for (const Bolt& bolt : scene.model.bolts) join(bolt.first.element, bolt.second.element);
+  std::vector<bool> held(scene.bodies().size(), false);
+  for (ElementIndex e : indices(scene.bodies()))
+    if (scene.bodies()[e].mass.rows() == 0) held[static_cast<std::size_t>(groups.find(e.value))] = true;
+  for (const HeldPair& pair : scene.held) held[static_cast<std::size_t>(groups.find(pair.element.value))] = true;
+  for (ElementIndex e : indices(loads))
+    if (!held[static_cast<std::size_t>(groups.find(e.value))]) loads[e].setZero();
+}
+
+// Numbers the sets of movable bodies that touch each other, or that bolts connect.
+std::vector<std::size_t> connected_sets(const StandardScene& scene, const Touches& touches) {
+  UnionFind groups(scene.bodies().size());
+  const auto join = [&](ElementIndex first, ElementIndex second) {
+    if (scene.bodies()[first].mass.rows() > 0 && scene.bodies()[second].mass.rows() > 0)
+      groups.unite(first.value, second.value);
+  };
+  for (const Touch& touch : touches)
+    join(scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element);
+  for (const Bolt& bolt : scene.model.bolts) join(bolt.first.element, bolt.second.element);
+  std::vector<std::size_t> sets;
+  for (const ElementIndex e : indices(scene.bodies())) sets.push_back(static_cast<std::size_t>(groups.find(e.value)));
+  return sets;
+}
+
+// Returns true if each block moved as far as in the step before. Bodies without equilibrium then slide or fall under
+// settled forces, and may do so from where they were drawn.
+bool goes_on_evenly(const UnknownsTable& last, const UnknownsTable& moved) {
+  return farthest(last) > 0 && farthest(plus(moved, -1, last)) <= of_settled_start::kEvenly * farthest(moved);
+}
+
+/// End of a release: the ways of its last step, and of the step before if both are equal.
+struct Ending {
+  UnknownsTable moved;
+  UnknownsTable before = {};
+  double at_rest = 0;  ///< way of a body at rest
+};
+
+// Returns the bodies whose motion ended the release, if others have not come to rest yet: sets that go on evenly, or
+// else the set that moves farthest.
+ChosenElements going_on_alone(const std::vector<std::size_t>& sets, const Ending& ending) {
+  ChosenElements chosen(sets.size(), false);
+  const bool is_even = ending.before.size() > 0;
+  std::vector<double> ways(sets.size()), changes(sets.size());
+  for (const ElementIndex e : indices(ending.moved)) {
+    if (ending.moved[e].size() == 0) continue;
+    const std::size_t set = sets[static_cast<std::size_t>(e.value)];
+    ways[set] = std::max(ways[set], ending.moved[e].head<2>().norm());
+    if (is_even) changes[set] = std::max(changes[set], (ending.moved[e] - ending.before[e]).head<2>().norm());
+  }
+  const double most = *std::ranges::max_element(ways);
+  bool others_move = false;
+  std::vector<bool> goes_on(sets.size(), false);
+  for (std::size_t s = 0; s < ways.size(); ++s) {
+    if (ways[s] <= ending.at_rest) continue;
+    goes_on[s] = is_even ? changes[s] <= of_settled_start::kEvenly * ways[s] : ways[s] == most;
+    others_move = others_move || !goes_on[s];
+  }
+  if (others_move)
+    for (std::size_t e = 0; e < chosen.size(); ++e) chosen[e] = goes_on[sets[e]];
+  return chosen;
+}
+
 class Settling {
  public:
   Settling(const StandardScene& scene, Motion motion) : scene_(scene), motion_(std::move(motion)) {
@@ -82,29 +197,67 @@ class Settling {
   Settled run() {
     found_ = resting_touches(scene_, motion_, scales_);
     drawn_ = motion_.q;
-    leave_unsupported(found_);
-    if (motion_.closed.size() == 0) load_glued(found_);
+    leave_unsupported(scene_, found_, loads_);
+    if (motion_.closed.size() == 0) load_glued(scene_, found_, loads_, motion_);
     Motion before = motion_;  // keeps the compression of the glue's springs
     before.q = drawn_;
     add_overlapping(before);
-    const Motion glued = motion_;
-    const Touches faces = found_;
-    if (const double longest = dissolve(of_settled_start::kLongest); longest > 0) {
-      motion_ = glued;
-      found_ = faces;
-      moved_ = {};
-      searches_anew_ = false;
-      share_of_wall_ = 0;
-      dissolve(longest);
+    const Glued glued{motion_, found_, loads_};
+    ChosenElements apart(scene_.bodies().size(), false);
+    release(glued, apart);
+    // Sets that go on by themselves shorten or end the steps of others: each of these lots is released alone.
+    const auto sets = extent_ > 0 ? connected_sets(scene_, glued.found) : std::vector<std::size_t>();
+    std::vector<ChosenElements> alone;
+    while (!sets.empty()) {
+      const ChosenElements more = going_on_alone(sets, ending_);
+      if (std::ranges::find(more, true) == more.end()) break;
+      alone.push_back(more);
+      for (std::size_t e = 0; e < apart.size(); ++e) apart[e] = apart[e] || more[e];
+      release(glued, apart);
+    }
+    for (const ChosenElements& lot : alone) {
+      Motion others = std::move(motion_);
+      for (std::size_t e = 0; e < apart.size(); ++e) apart[e] = !lot[e];
+      release(glued, apart);
+      motion_ = with_elements_of(scene_, lot, motion_, std::move(others));
     }
     motion_.v = velocities_;
     return {std::move(motion_), unsolved_, left_};
   }
 
  private:
+  struct Glued {
+    Motion motion;
+    Touches found;
+    UnknownsTable loads;
+  };
+
+  // Releases the glue. Bodies set apart have no load, and stay about where they are.
+  void release(const Glued& glued, const ChosenElements& apart) {
+    const auto begin = [&] {
+      motion_ = glued.motion;
+      found_ = glued.found;
+      moved_ = {};
+      searches_anew_ = false;
+      share_of_wall_ = 0;
+    };
+    apart_ = apart;
+    loads_ = glued.loads;
+    for (const ElementIndex e : indices(loads_))
+      if (is_apart(e)) loads_[e].setZero();
+    begin();
+    const double longest = dissolve(of_settled_start::kLongest);
+    if (longest == 0) return;
+    begin();
+    dissolve(longest);
+  }
+
+  bool is_apart(ElementIndex e) const { return apart_[static_cast<std::size_t>(e.value)]; }
+
   // Returns zero, or the length that steps of another attempt should have at most, because the scene slid too far.
   double dissolve(double longest) {
     double stiffness = of_settled_start::kShortest;
+    left_ = 0;
     double first_share = 0;
     double last_share = 1;  // of free fall
     double least_share = std::numeric_limits<double>::infinity();
@@ -136,17 +289,19 @@ class Settling {
       }
       if (slid == 0) first_share = share;
       slid += stiffness;
+      ending_ = {moved_, {}, of_settled_start::kAtRest * stiffness * scales_.force / (2 * scene_.normal_stiffness())};
       const double before_share = std::exchange(last_share, share);
       tell_headway("start, glued blocks let go",
                    std::max(double(i + 1) / of_settled_start::kMostSteps,
                             share_of_fall(first_share, share, of_settled_start::kAtRest)));
       if (share <= of_settled_start::kAtRest && std::exchange(searches_anew_, true)) return 0;
-      if (goes_on_evenly(last)) {
+      if (goes_on_evenly(last, moved_)) {
         const double way = slid / stiffness * moved;
         const double most = of_settled_start::kFarthestSlide * scales_.size;
         if (way > most && longest == of_settled_start::kLongest)
           return std::max(stiffness * most / way, of_settled_start::kShortest);
         take_back(slid / stiffness);
+        ending_.before = last;
         return 0;
       }
       if (share <= of_settled_start::kStalls * least_share) {
@@ -175,11 +330,6 @@ class Settling {
     return searches_anew_ ? of_settled_start::kLastOfWall : of_settled_start::kLongestOfWall;
   }
 
-  // Returns true if each block moved as far as in the step before. Bodies without equilibrium then slide or fall under
-  // settled forces, and may do so from where they were drawn.
-  bool goes_on_evenly(const UnknownsTable& last) const {
-    return farthest(last) > 0 && farthest(plus(moved_, -1, last)) <= of_settled_start::kEvenly * farthest(moved_);
-  }
   // Takes back `share` of the last step's motion, but no body farther than to where it was drawn.
   void take_back(double share) {
     const UnknownsTable made = plus(motion_.q, -1, drawn_);
@@ -189,52 +339,6 @@ class Settling {
       const double most = made[e].head<2>().norm();
       motion_.q[e] -= (way > most ? share * most / way : share) * moved_[e];
     }
-  }
-
-  // Glues all faces and loads them together with bolts and fixed points. The search for friction begins at the glue
-  // forces.
-  void load_glued(const Touches& touches) {
-    Touches faces;
-    std::ranges::copy_if(touches, std::back_inserter(faces), [](const Touch& touch) { return touch.stretch > 0; });
-    ContactRows rows = contact_rows(scene_.model, scene_.reference, motion_.q, faces);
-    const auto of_faces = static_cast<Eigen::Index>(rows.size());
-    const StepConstraints constraints(scene_, motion_, 0, 0);
-    const ContactRows of_constraints = constraints.rows(motion_.q);
-    rows.insert(rows.end(), of_constraints.begin(), of_constraints.end());
-    const auto count = static_cast<Eigen::Index>(rows.size());
-    Eigen::VectorXd compliance = Eigen::VectorXd::Constant(count, of_settled_start::kRigid / scene_.normal_stiffness());
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const Springs springs = springs_of(scene_, faces[i]);
-      compliance.segment<2>(static_cast<Eigen::Index>(2 * i)) << springs.normal, springs.tangential;
-    }
-    for (std::size_t i = 0; i < constraints.bolt_count(); ++i) {
-      const Eigen::Index n = of_faces + static_cast<Eigen::Index>(2 * i);
-      compliance[n] = constraints.compliance(i);
-      compliance[n + 1] = of_settled_start::kHeldByNothing / scene_.normal_stiffness();  // no force across
-    }
-    Eigen::VectorXd gaps = Eigen::VectorXd::Zero(count);
-    gaps.tail(count - of_faces) = constraints.gaps(motion_.q);
-    const double inertia = scene_.normal_stiffness() / (of_settled_start::kHeldByNothing * heaviest(scene_.bodies()));
-    Table<ElementIndex, UnknownBlock> stiffness;
-    for (const Body& body : scene_.bodies()) stiffness.push_back(body.sum_of(inertia, 1));
-    UnknownsTable all = loads_;
-    for (const ElementIndex e : indices(all))
-      if (scene_.bodies()[e].initial_stress.size() == all[e].size()) all[e] += scene_.bodies()[e].initial_stress;
-    auto made = displacements_of_joined(stiffness, rows, compliance, gaps, all);
-    if (!made) return;
-    for (const ElementIndex e : indices(*made)) {
-      Unknowns& way = (*made)[e];
-      if (way.size() > 0 && way.head<2>().norm() > kSwings * scene_.bodies()[e].size) way.setZero();
-    }
-    const Eigen::VectorXd forces = -(rates(rows, *made) + gaps).cwiseQuotient(compliance);
-    motion_.q = plus(motion_.q, 1, *made);
-    std::vector<ClosedContact> closed;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const auto n = static_cast<Eigen::Index>(2 * i);
-      closed.push_back({faces[i], memory_of(contact_law(scene_, motion_.bonds, faces[i]), forces[n], forces[n + 1])});
-    }
-    motion_.closed = ClosedContacts(std::move(closed));
-    motion_.constraints = constraints.memory(forces.tail(count - of_faces), motion_.q);
   }
 
   // Makes an iteration of statics (7.9 in docs/theory/07-initial-state-and-statics.md). Returns false if it finds no
@@ -261,6 +365,8 @@ class Settling {
     }
     if (!made.converged) return false;
     moved_ = plus(made.q, -1, motion_.q);
+    for (const ElementIndex e : indices(moved_))
+      if (is_apart(e)) moved_[e].setZero();
     const Eigen::VectorXd way = rates(made.rows, moved_);
     motion_.q = std::move(made.q);
     motion_.bonds = std::move(made.bonds);
@@ -287,21 +393,6 @@ class Settling {
     found_.insert(found_.end(), fresh.begin(), fresh.end());
   }
 
-  // Removes the loads from connected sets without a fixed block or fixed point: their forces cannot settle here.
-  void leave_unsupported(const Touches& touches) {
-    UnionFind groups(scene_.bodies().size());
-    const auto join = [&](ElementIndex first, ElementIndex second) { groups.unite(first.value, second.value); };
-    for (const Touch& touch : touches)
-      join(scene_.model.vertices[touch.vertex].element, scene_.model.vertices[touch.start].element);
-    for (const Bolt& bolt : scene_.model.bolts) join(bolt.first.element, bolt.second.element);
-    std::vector<bool> held(scene_.bodies().size(), false);
-    for (ElementIndex e : indices(scene_.bodies()))
-      if (scene_.bodies()[e].mass.rows() == 0) held[static_cast<std::size_t>(groups.find(e.value))] = true;
-    for (const HeldPair& pair : scene_.held) held[static_cast<std::size_t>(groups.find(pair.element.value))] = true;
-    for (ElementIndex e : indices(loads_))
-      if (!held[static_cast<std::size_t>(groups.find(e.value))]) loads_[e].setZero();
-  }
-
   const StandardScene& scene_;
   Motion motion_;
   UnknownsTable drawn_;
@@ -314,7 +405,9 @@ class Settling {
   double share_of_wall_ = 0;    ///< of free motion, in the last step of a large wall
   double extent_ = 0;           ///< of the scene; 0 without initial stress
   int unsolved_ = 0;
-  double left_ = 0;  ///< see Settled
+  double left_ = 0;       ///< see Settled
+  ChosenElements apart_;  ///< bodies that this release leaves out
+  Ending ending_;
 };
 
 }  // namespace
