@@ -1,9 +1,10 @@
 # The menu of the project: installs what is missing (Debian), lets CMake and Ninja do the work. `make help` lists it: a target's
 # group, its time on two cores and what it does stand after its ##, in this order, parted by |.
 SHELL := /bin/sh
+JOBS ?= $(shell nproc)
 # A compiler takes up to 1.5 GB: no more of them than there is memory for.
-JOBS ?= $(shell awk -v cores=$$(nproc) '/^MemAvailable/ { fit = int($$2 / 1500000) } \
-  END { print fit < 1 ? 1 : fit < cores ? fit : cores }' /proc/meminfo 2>/dev/null || nproc)
+COMPILERS ?= $(shell awk -v cores=$(JOBS) '/^MemAvailable/ { fit = int($$2 / 1500000) } \
+  END { print (fit == "" || fit > cores ? cores : fit < 1 ? 1 : fit) }' /proc/meminfo 2>/dev/null || nproc)
 SOURCES = $(shell git ls-files '*.cpp' '*.hpp')
 
 # What a bare Debian 12 needs beside make. OpenBLAS takes the place of the plain BLAS under CHOLMOD: scenes in which
@@ -24,7 +25,7 @@ help: ## use | | this list
 # Builds the program alone: the tests can wait.
 run: packages ## use | 1 s | builds the program, reruns a sliding block, prints its error and draws it in out/sliding_block.svg
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
-	cmake --build build --parallel $(JOBS) --target keyblock
+	cmake --build build --parallel $(COMPILERS) --target keyblock
 	@mkdir -p out
 	build/keyblock compare legacy_cases/sliding_block/a30_p20 --picture out/sliding_block.svg --force
 	@echo "picture: out/sliding_block.svg"
@@ -36,7 +37,7 @@ test: build ## use | 8 min | builds everything and runs all tests
 test-web: packages ## use | 2 min | tests the page of a run and the window in headless Chromium; needs node from 20.19 on and npm
 	@$(call install_missing,chromium)
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
-	cmake --build build --parallel $(JOBS) --target keyblock
+	cmake --build build --parallel $(COMPILERS) --target keyblock
 	cd page && npm ci && npm run check && npm test && KEYBLOCK=$(CURDIR)/build/keyblock npm run test-page
 
 cases: build ## cases | 1 min | reruns all cases in both profiles and compares them with their expected values
@@ -58,14 +59,14 @@ board: ## cases | 1 s | writes out/board.html: all cases with pictures, values a
 gallery: packages ## cases | 10 s | runs a dozen scenes of the repository: pictures in out/gallery/index.html
 	@$(call install_missing,python3)
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
-	cmake --build build --parallel $(JOBS) --target keyblock
+	cmake --build build --parallel $(COMPILERS) --target keyblock
 	python3 docs/make_gallery.py build/keyblock out/gallery
 
 # Whole tables and pictures; processor time, so that what else runs disturbs little.
 FRONTS = legacy_cases/fronts
 fronts: packages ## cases | 20 min | measures error against computing time in five cases: tables and pictures in legacy_cases/fronts
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
-	cmake --build build --parallel $(JOBS) --target keyblock
+	cmake --build build --parallel $(COMPILERS) --target keyblock
 	@mkdir -p out
 	$(call front,sliding_block,legacy_cases/sliding_block/a30_p20 --repeat 3)
 	$(call front,arch,legacy_cases/masonry_arch/quake_thin_falls --against finest --finest 16 --repeat 3)
@@ -93,13 +94,13 @@ bench: packages ## cases | long | measures the time of a step from 100 to 100,00
 
 build: packages ## use | 16 min | compiles the program build/keyblock and its tests
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
-	cmake --build build --parallel $(JOBS)
+	cmake --build build --parallel $(COMPILERS)
 
 # The program runs on x86-64 processors since about 2013 (KEYBLOCK_ARCH); root's paths are /usr/local, others may say PREFIX=$$HOME/.local.
 PREFIX ?= /usr/local
 install: packages ## use | 1 s | puts program, library, header, man page and completion below PREFIX=/usr/local (DESTDIR before it)
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
-	cmake --build build --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages
+	cmake --build build --parallel $(COMPILERS) --target keyblock keyblock_library keyblock_pages
 	cmake --install build --prefix "$(PREFIX)"
 	cp build/install_manifest.txt build/installed.txt
 	[ -n "$(DESTDIR)" ] || [ "$$(id -u)" != 0 ] || ldconfig
@@ -112,7 +113,7 @@ uninstall: ## use | 1 s | removes what `make install` put there last
 deb: packages ## use | 16 min | makes Debian packages of what `make install` puts there and of the Python package, in build-deb
 	@$(call install_missing,dpkg-dev file)
 	cmake -S . -B build-deb -G Ninja -DCMAKE_BUILD_TYPE=Release
-	cmake --build build-deb --parallel $(JOBS) --target keyblock keyblock_library keyblock_pages $$(cmake --build build-deb --target help | grep -o '^keyblock_python\b')
+	cmake --build build-deb --parallel $(COMPILERS) --target keyblock keyblock_library keyblock_pages $$(cmake --build build-deb --target help | grep -o '^keyblock_python\b')
 	cd build-deb && cpack -G DEB
 
 # Debian's packages alone; a warning fails.
@@ -123,7 +124,7 @@ docs: ## use | 20 s | builds the site of all pages in out/site (index.html leads
 
 debug: packages ## care | long | compiles with assertions and debug information in build-debug, each file by itself
 	cmake -S . -B build-debug -G Ninja -DCMAKE_BUILD_TYPE=Debug -DKEYBLOCK_BATCHES=OFF
-	cmake --build build-debug --parallel $(JOBS)
+	cmake --build build-debug --parallel $(COMPILERS)
 
 # Root alone can; the first run makes the system with debootstrap, later ones copy it. Its last lines are the exit codes and times.
 bare: ## care | 50 min | runs the two commands of the README on a clone in a minimal Debian, in build-bare
@@ -132,7 +133,7 @@ bare: ## care | 50 min | runs the two commands of the README on a clone in a min
 # Debug keeps the assertions; -O1 because unoptimised Eigen is ten times slower.
 sanitize: packages ## care | long | compiles with sanitizers in build-sanitize, runs three steps of every case and all tests
 	cmake -S . -B build-sanitize -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O2 -g1" -DKEYBLOCK_SANITIZE=ON
-	cmake --build build-sanitize --parallel $(JOBS)
+	cmake --build build-sanitize --parallel $(COMPILERS)
 	tests/few_steps.sh build-sanitize/keyblock $(JOBS)
 	ctest --test-dir build-sanitize --output-on-failure -j $(JOBS)
 
@@ -141,7 +142,7 @@ SECONDS ?= 600
 fuzz: packages ## care | 75 min | feeds every reader of a file format random input, for SECONDS=600 each, in build-fuzz
 	@$(call install_missing,clang libclang-rt-14-dev)
 	CC=clang CXX=clang++ cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DKEYBLOCK_FUZZ=ON
-	cmake --build build-fuzz --parallel $(JOBS) --target fuzz_reader
+	cmake --build build-fuzz --parallel $(COMPILERS) --target fuzz_reader
 	tests/fuzz/fuzz.sh build-fuzz/tests/fuzz/fuzz_reader build-fuzz/fuzz $(SECONDS) $(JOBS)
 
 format: ## care | 1 min | lays out all sources by .clang-format
