@@ -54,6 +54,7 @@ TEST(SweepDesign, lists_and_ranges_are_read_with_their_units) {
   EXPECT_EQ(values_of("/a=0,50 kN"), R"(["0 kN","50 kN"])");
   EXPECT_EQ(values_of("/a=1 MPa,50 kPa"), R"(["1 MPa","50 kPa"])");
   EXPECT_EQ(values_of("/a=true,[1,2],sand"), R"([true,[1,2],"sand"])");
+  EXPECT_EQ(values_of("/a=1..2,1:3"), R"(["1..2","1:3"])") << "no numbers with units";
   for (const char* wrong : {"", "/a", "/a=", "=1", "/a=1,,2", "/a=1,null", "/a=normal(1)", "/a=uniform(2,1)",
                             "/a=normal(1,0)", "/a=1:2:0", "/a=1:2:-1", "/a=0:1:1e-9"})
     EXPECT_THROW(varied_key_of(wrong), std::invalid_argument) << wrong;

@@ -26,7 +26,8 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
 }
 
-/// Number at the beginning of a text, and the rest of it: a unit, or nothing. Refuses formulas such as 2*t.
+/// Number at the beginning of a text, and the rest of it: a unit, or nothing. Refuses formulas such as 2*t, and words
+/// such as 1..2.
 struct Amount {
   double number = 0;
   std::string unit;
@@ -38,8 +39,8 @@ std::optional<Amount> amount_of(const std::string& text) {
   const auto [end, fault] = std::from_chars(begin, text.data() + text.size(), amount.number);
   if (fault != std::errc() || !std::isfinite(amount.number)) return std::nullopt;
   amount.unit = trimmed({end, text.data() + text.size()});
-  constexpr std::string_view kOperators = "+-*/^(";
-  if (!amount.unit.empty() && kOperators.find(amount.unit.front()) != std::string_view::npos) return std::nullopt;
+  constexpr std::string_view kBeginNoUnit = "+-*/^(.:";
+  if (!amount.unit.empty() && kBeginNoUnit.find(amount.unit.front()) != std::string_view::npos) return std::nullopt;
   return amount;
 }
 
