@@ -50,7 +50,8 @@ class KEYBLOCK_API Frame {
   /// Names of the numbers of a row, such as "x" and "y"; none for a single number. Throws SettingError for a column that
   /// no frame has.
   std::vector<std::string> components(std::string_view part, std::string_view name) const;
-  /// Unit of a column, such as "N/m"; empty for a plain number, and if the case does not declare the units.
+  /// Unit of a column, such as "N/m"; empty for a plain number, and if the case does not declare the units. Throws
+  /// SettingError for one that no frame has.
   std::string unit(std::string_view part, std::string_view name) const;
   /// Throw SettingError for a column that is not there; without rows each is empty and of width 1.
   Column<double> reals(std::string_view part, std::string_view name) const;

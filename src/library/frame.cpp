@@ -106,6 +106,7 @@ std::vector<std::string> Frame::components(std::string_view part, std::string_vi
 
 std::string Frame::unit(std::string_view part, std::string_view name) const {
   return guarded([&] {
+    components(part, name);  // throws for a column that no frame has
     const Measure measure = measure_of(part, name);
     return is_declared(measure, data_->units) ? unit_of(measure, data_->units) : std::string();
   });

@@ -1,5 +1,7 @@
 // Runs a case, at once or step by step, with its results in a folder.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <keyblock/record.hpp>
 #include <optional>
 #include <utility>
@@ -50,6 +52,9 @@ struct FolderRun : Run::State {
 };
 
 RecordingOptions options_of(const std::string& folder, const Recording& how) {
+  if (how.every < 0) throw SettingError(fmt::format("expected every: at least 0, found {}", how.every));
+  if (!(how.checkpoint_every >= 0))
+    throw SettingError(fmt::format("expected checkpoint_every: seconds, at least 0, found {}", how.checkpoint_every));
   return {std::filesystem::absolute(folder).string(),  // the caller may change the working folder
           how.overwrite ? Overwrite::yes : Overwrite::no,
           Trace::no,

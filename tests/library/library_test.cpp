@@ -218,6 +218,7 @@ TEST(Api, every_column_that_a_frame_names_is_there_with_its_rows) {
   EXPECT_THROW(end.reals("blocks", "colour"), kb::SettingError);
   EXPECT_THROW(end.reals("blocks", "material"), kb::SettingError) << "it holds integers";
   EXPECT_THROW(end.names("clouds"), kb::SettingError);
+  EXPECT_THROW(end.unit("blocks", "colour"), kb::SettingError);
   EXPECT_EQ(end.stress().values().data(), end.reals("blocks", "stress").values().data()) << "one copy for all";
 }
 

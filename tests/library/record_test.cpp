@@ -48,6 +48,13 @@ void expect_same_results(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
+TEST(Record, intervals_below_zero_are_refused_before_anything_is_written) {
+  const fs::path folder = empty_folder("intervals");
+  EXPECT_THROW(kb::record(slide(), folder.string(), {.every = -7}), kb::SettingError);
+  EXPECT_THROW(kb::record(slide(), folder.string(), {.checkpoint_every = -5}), kb::SettingError);
+  EXPECT_TRUE(!fs::exists(folder) || fs::is_empty(folder));
+}
+
 TEST(Record, a_recorded_run_leaves_what_the_program_leaves) {
   const fs::path own = empty_folder("own"), program = empty_folder("program");
   int steps = 0;
