@@ -45,7 +45,6 @@ struct ActiveStages {
   std::optional<int> first;
   std::optional<int> last;
 
-  bool are_all() const { return !first && !last; }
   bool hold(int stage) const { return stage >= first.value_or(stage) && stage <= last.value_or(stage); }
 };
 

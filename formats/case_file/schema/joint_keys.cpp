@@ -164,10 +164,6 @@ std::span<const JointKey> joint_keys() {
   return kJointKeys;
 }
 
-std::span<const JointWord> joint_words() {
-  return kJointWords;
-}
-
 std::vector<std::string_view> joint_keys_of(std::string_view parent) {
   std::vector<std::string_view> keys;
   for (const JointKey& key : kJointKeys)

@@ -31,7 +31,6 @@ struct JointWord {
 };
 
 std::span<const JointKey> joint_keys();
-std::span<const JointWord> joint_words();
 
 /// Returns the keys of an object, in the order of the table.
 std::vector<std::string_view> joint_keys_of(std::string_view parent);

@@ -117,10 +117,6 @@ PlannedBodies::PlannedBodies(const Problem& problem) : problem_(problem) {
   }
 }
 
-bool PlannedBodies::changes_at(int step) const {
-  return std::ranges::any_of(problem_.covers->excavations, [&](const ExcavationPlan& e) { return e.step == step; });
-}
-
 Manifold PlannedBodies::at(int step) const {
   try {
     return cut_at(step);

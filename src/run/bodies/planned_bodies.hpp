@@ -19,7 +19,6 @@ class PlannedBodies {
 
   /// Returns the bodies at a load step; whole at 0. Throws InputError if nothing is left.
   Manifold at(int step) const;
-  bool changes_at(int step) const;  ///< something is excavated there
 
   const Blocks& blocks() const { return blocks_; }  ///< before meshing, at step 0
   const std::vector<BlockPoint>& measured_points() const {
