@@ -20,7 +20,7 @@ help: ## use | | this list
 	@for group in use cases care; do echo "$$group"; \
 	  awk -F ':.*## | *[|] *' -v group=$$group \
 	    '/^[a-z-]+:.*## / && $$2 == group { printf "  make %-12s %-10s %s\n", $$1, $$3, $$4 }' Makefile; done
-	@echo "Times are those of two cores. The first of run, test, build and the cases also compiles: 10 min the program, 5 min the tests; long: over 20 min."
+	@echo "Times are those of two cores. The first of run, test, build and the cases also compiles: 8 min the program, 4 min the tests; long: over 20 min."
 
 # Builds the program alone: the tests can wait.
 run: packages ## use | 1 s | builds the program, reruns a sliding block, prints its error and draws it in out/sliding_block.svg
@@ -30,7 +30,7 @@ run: packages ## use | 1 s | builds the program, reruns a sliding block, prints 
 	build/keyblock compare legacy_cases/sliding_block/a30_p20 --picture out/sliding_block.svg --force
 	@echo "picture: out/sliding_block.svg"
 
-test: build ## use | 8 min | builds everything and runs all tests
+test: build ## use | 6 min | builds everything and runs all tests
 	ctest --test-dir build --output-on-failure -j $(JOBS)
 	@awk '/: Skipped$$/ { getline; print "skipped: " $$0 }' build/Testing/Temporary/LastTest.log | sort | uniq -c
 
@@ -92,7 +92,7 @@ bench: packages ## cases | long | measures the time of a step from 100 to 100,00
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build --target keyblock_bench
 
-build: packages ## use | 16 min | compiles the program build/keyblock and its tests
+build: packages ## use | 12 min | compiles the program build/keyblock and its tests
 	cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build --parallel $(COMPILERS)
 
