@@ -67,6 +67,7 @@ Drawing lines_of(const Blocks& blocks) {
 BodyGraph excavated(const Drawing& drawing, const std::vector<Region>& regions, NodeMerging merging,
                     const Blocks* blocks) {
   Drawing cut = drawing;
+  cut.edge_node_ratio = std::max(cut.edge_node_ratio, kOutlineRounding);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const std::vector<Point>& outline = regions[r].outline;
     for (std::size_t i = 0; i < outline.size(); ++i)
