@@ -47,6 +47,12 @@ Blocks hung_block(double pretension, double strength) {
 constexpr double kWeight = 2 * 2500 * 9.81;
 constexpr double kOwnStretch = 1.3e-6;  // m
 
+void move(Blocks& blocks, Point by) {
+  for (BlockPolygon& block : blocks.blocks)
+    for (BlockVertex& corner : block.outer) corner.position = corner.position + by;
+  for (BlockPoint& point : blocks.fixed_points) point.position = point.position + by;
+}
+
 Analysis of_hung_block() {
   Analysis analysis = plain_analysis(kStep, 100);
   analysis.block_materials[0].density = 2500;
@@ -209,10 +215,7 @@ TEST(CompatibleStart, a_stressed_mass_begins_where_its_free_face_lets_it) {
       const Point low{static_cast<double>(i % n), static_cast<double>(i / n)};
       blocks.blocks.push_back(support::rectangle(low, low + Point{1, 1}));
     }
-    const Point offset{far, far};
-    for (BlockPolygon& block : blocks.blocks)
-      for (BlockVertex& corner : block.outer) corner.position = corner.position + offset;
-    for (BlockPoint& point : blocks.fixed_points) point.position = point.position + offset;
+    move(blocks, {far, far});
     StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
     const State start = stepper.state();
     support::run_to(stepper, 0.02);
@@ -254,9 +257,7 @@ TEST(CompatibleStart, a_stressed_row_begins_where_its_free_end_lets_it) {
       for (const double x : {-59.5, -40.5}) blocks.fixed_points.push_back({turned(Point{x, -0.5}, slope), n + 2, {}});
     }
     const Point offset{far, far};
-    for (BlockPolygon& block : blocks.blocks)
-      for (BlockVertex& corner : block.outer) corner.position = corner.position + offset;
-    for (BlockPoint& point : blocks.fixed_points) point.position = point.position + offset;
+    move(blocks, offset);
     StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
     const State start = stepper.state();
     if (has_slider) {

@@ -217,9 +217,11 @@ class Settling {
     }
     for (const ChosenElements& lot : alone) {
       Motion others = std::move(motion_);
+      const double left = left_;
       for (std::size_t e = 0; e < apart.size(); ++e) apart[e] = !lot[e];
       release(glued, apart);
       motion_ = with_elements_of(scene_, lot, motion_, std::move(others));
+      left_ = std::max(left, left_);
     }
     motion_.v = velocities_;
     return {std::move(motion_), unsolved_, left_};
