@@ -47,6 +47,8 @@ constexpr int kSetsToSettle = 4;
 constexpr std::size_t kStillFew = 20;
 // Few forces stay as they are if their residual is below this fraction of the goal.
 constexpr double kOfGoal = 1e-3;
+// A pair slides if its way, as a force, is more than this many acceptable residuals.
+constexpr double kSlides = 100;
 // Residual that iterations may leave, over the goal. kForcing: over the initial residual of an active set that need not
 // be the last.
 constexpr double kInner = 0.3;
@@ -62,13 +64,14 @@ class Newton {
         solution_(std::move(so_far)),
         kept_(kept),
         base_(base_weights()),
-        is_unique_(is_unique()),
+        is_unique_(has_unique_forces(problem)),
         nothing_opens_(nothing_opens()),
         tried_(std::move(first)) {}
 
   FrictionalSolution run() {
     if (is_left_as_is()) return std::move(solution_);
     if (tried_.forces.size() == 0) tried_ = tried(problem_, solution_.forces);
+    gaps_ = tried_.y;
     double weight = is_unique_ ? 0 : 1;
     double softest_lost = 0;
     for (int round = 0; round < kMostRounds; ++round) {
@@ -105,7 +108,7 @@ class Newton {
     const double goal = std::max(kInner * problem_.goal, kOfRound * solution_.residual);
     std::vector<std::vector<Grip>> visited;  // since the last partial step
     NaturalMap map = natural_map(problem_, tried_, proximal);
-    if (is_unique_ && is_static()) keep_sticking(map.grips);
+    if (is_unique_ && problem_.is_static()) keep_sticking(map.grips);
     std::size_t first_changes = 0;
     int rises = 0;
     bool was_solved = is_solved();
@@ -149,7 +152,7 @@ class Newton {
   // Returns the residual that a line search reduces. In statics of very many pairs it is the energy of the change: the
   // largest change belongs to one pair, which would shorten the steps of all others.
   double merit(const NaturalMap& map) const {
-    if (!is_static() || !problem_.has_very_many()) return change(map);
+    if (!problem_.is_static() || !problem_.has_very_many()) return change(map);
     return std::sqrt((map.forces - tried_.forces).cwiseAbs2().dot(problem_.compliance()));
   }
 
@@ -164,8 +167,6 @@ class Newton {
         grips[i] = Grip::stick;
     }
   }
-
-  bool is_static() const { return problem_.scale.size() > 0; }
 
   // Moves to the forces of an active set. Under springs, which make normal forces unique, it halves the step until the
   // residual has fallen enough. Otherwise it takes the step with the smallest residual: Newton's method for a map with
@@ -207,15 +208,6 @@ class Newton {
     return std::ranges::none_of(problem_.laws, [](const ForceLaw& law) { return law.can_open(); });
   }
 
-  bool is_unique() const {
-    bool has_contact = false;
-    for (std::size_t i = 0; i < problem_.count(); ++i) {
-      if (!problem_.laws[i].can_open()) continue;
-      has_contact = true;
-      if (!has_spring(2 * i) || !has_spring(2 * i + 1)) return false;
-    }
-    return has_contact;
-  }
   bool has_spring(std::size_t row) const { return problem_.w.added()[static_cast<Eigen::Index>(row)] > 0; }
   Eigen::VectorXd weights_of(double weight) const {
     Eigen::VectorXd weights = weight * base_;
@@ -248,10 +240,16 @@ class Newton {
     const double now = residual(problem_, tried_);
     if (!(now < solution_.residual)) return;
     const bool is_good = is_acceptable(problem_, tried_);
-    if (solution_.converged && !is_good) return;
+    if (solution_.converged && (!is_good || is_worse())) return;
     solution_.residual = now;
+    gaps_ = tried_.y;
     solution_.forces = tried_.forces;
     solution_.converged = is_good;
+  }
+
+  // Few pairs whose forces hold all of them do not exchange these for forces under which one slides.
+  bool is_worse() const {
+    return !is_unique_ && holds(problem_, {solution_.forces, gaps_}) && !holds(problem_, tried_);
   }
 
   static std::size_t different(const std::vector<Grip>& a, const std::vector<Grip>& b) {
@@ -266,10 +264,32 @@ class Newton {
   Eigen::VectorXd base_;  ///< weights of the first proximal round
   bool is_unique_;        ///< springs determine the forces
   bool nothing_opens_;
-  Tried tried_;  ///< forces of the last active set
+  Tried tried_;           ///< forces of the last active set
+  Eigen::VectorXd gaps_;  ///< y of the best forces
 };
 
 }  // namespace
+
+bool holds(const FrictionalProblem& problem, const Tried& tried) {
+  if (problem.has_many() || problem.is_static()) return false;
+  for (std::size_t i = 0; i < problem.count(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    const double way = std::abs(tried.y[n + 1]) / problem.compliance()[n + 1];
+    if (tried.forces[n] > problem.laws[i].least && way > kSlides * problem.acceptable) return false;
+  }
+  return true;
+}
+
+bool has_unique_forces(const FrictionalProblem& problem) {
+  bool has_contact = false;
+  for (std::size_t i = 0; i < problem.count(); ++i) {
+    if (!problem.laws[i].can_open()) continue;
+    has_contact = true;
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    if (!(problem.w.added()[n] > 0 && problem.w.added()[n + 1] > 0)) return false;
+  }
+  return has_contact;
+}
 
 FrictionalSolution newton(const FrictionalProblem& problem, const Eigen::VectorXd& start) {
   Tried first = tried(problem, start);

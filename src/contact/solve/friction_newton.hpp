@@ -7,6 +7,13 @@
 
 namespace keyblock {
 
+/// Returns true if springs make the forces of contacts unique. Under multipliers redundant forces have many solutions.
+bool has_unique_forces(const FrictionalProblem& problem);
+
+/// Returns true if, in motion, no pair of few slides under these forces. Such forces are the answer once they are
+/// acceptable: redundant forces have many solutions, and a clamped block does not creep from one to the next.
+bool holds(const FrictionalProblem& problem, const Tried& tried);
+
 /// Applies semismooth Newton to the natural map. A proximal term ρ W_ii (λ − λ_ref) makes redundant contacts regular
 /// and shortens long steps. λ_ref follows from round to round until the residual of the problem itself reaches its goal
 /// (Rockafellar 1976). A round whose active sets cycle or diverge is the last; with few pairs, one with a larger ρ

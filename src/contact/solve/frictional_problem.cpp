@@ -102,10 +102,13 @@ FrictionalSolution solve(const FrictionalProblem& problem, const Eigen::VectorXd
 FrictionalSolution solve(const FrictionalProblem& problem, Tried first, KeptSystem* kept) {
   FrictionalSolution solution{first.forces, residual(problem, first), 0, 0, is_acceptable(problem, first), {}};
   solution = newton(problem, std::move(solution), kept, std::move(first));
-  // A detour to the goal itself pays for up to a thousand pairs. It may end at another solution: redundant forces under
-  // friction have many. Few pairs take it only if they have none yet.
-  const bool suffices = solution.converged && (problem.has_very_many() || !problem.has_many());
-  if (solution.residual > problem.goal && !suffices) {
+  // A detour to the goal itself pays for up to a thousand pairs. It may end at another solution of redundant forces:
+  // forces that hold all pairs take none.
+  const auto suffices = [&] {
+    if (!solution.converged) return false;
+    return problem.has_very_many() || (!has_unique_forces(problem) && holds(problem, tried(problem, solution.forces)));
+  };
+  if (solution.residual > problem.goal && !suffices()) {
     solution = interior_forces(problem, std::move(solution));
     ++solution.fallbacks;
     solution = newton(problem, std::move(solution), kept);

@@ -51,7 +51,9 @@ struct FrictionalProblem {
   /// `acceptable`, stays in the solution.
   double no_force = std::numeric_limits<double>::infinity();
   Eigen::VectorXd scale{};  ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
-  const Eigen::VectorXd& compliance() const { return scale.size() > 0 ? scale : w.diagonal(); }
+  /// Returns true in statics, which judge y by a scale of their own.
+  bool is_static() const { return scale.size() > 0; }
+  const Eigen::VectorXd& compliance() const { return is_static() ? scale : w.diagonal(); }
   std::size_t count() const { return laws.size(); }
   /// Returns true if a sparse factorisation is worth more than the last digits of redundant forces.
   bool has_many() const { return count() > kFewPairs; }

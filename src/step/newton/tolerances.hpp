@@ -236,9 +236,6 @@ namespace of_settled_start {
 inline constexpr double kHeldByNothing = 1e10;
 // Compliance of fixed points over that of a contact.
 inline constexpr double kRigid = 1e-4;
-// Least reference of forces over the largest force of the initial stress. The round-off of contact forces grows with
-// that stress, and a scene without weight has no other reference.
-inline constexpr double kOfStress = 1e-2;
 // Stiffness of the contacts over the inertia of the heaviest block in steps that dissolve the glue. A free block moves
 // by half that times its weight over the contact stiffness per step. It grows from step to step while nothing moves
 // farther than kFarthest of block size. Glue forces across many blocks redistribute in long steps only: it also grows

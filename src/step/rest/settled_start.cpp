@@ -59,15 +59,6 @@ double heaviest(const Table<ElementIndex, Body>& bodies) {
   return mass;
 }
 
-// Returns the largest force of the initial stress of a block.
-double force_of_stress(const Table<ElementIndex, Body>& bodies) {
-  double largest = 0;
-  for (const Body& body : bodies)
-    if (body.mass.rows() > 0 && body.initial_stress.size() > 0)
-      largest = std::max(largest, body.initial_stress.cwiseAbs().maxCoeff() / body.size);
-  return largest;
-}
-
 // Glues all faces and loads them together with bolts and fixed points. The search for friction begins at the glue
 // forces.
 void load_glued(const StandardScene& scene, const Touches& touches, const UnknownsTable& loads, Motion& motion) {
@@ -189,9 +180,7 @@ class Settling {
     motion_.v.set_zero();
     loads_ = loads_at(scene, motion_.q, 0);
     scales_ = scales_of(scene, loads_, motion_.q, velocities_);
-    const double of_stress = force_of_stress(scene.bodies());
-    scales_.force = std::max(scales_.force, of_settled_start::kOfStress * of_stress);
-    if (of_stress > 0) extent_ = extent(scene);
+    if (is_stressed(scene, motion_.q)) extent_ = extent(scene);
   }
 
   Settled run() {
