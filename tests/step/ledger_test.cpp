@@ -260,7 +260,8 @@ TEST(Ledger, the_geometric_term_of_toppling_is_second_order_in_the_step_and_clea
       const EnergyFlow flow = ledger_of(toppling(dt, choices_of(basis, Enforcement::lagrange)), 1).rows.back().flow;
       made.push_back(std::abs(flow.geometric));
       EXPECT_GE(flow.clean_up, 0);
-      EXPECT_LE(flow.clean_up, 1e-3);  // J of some 8e4 that are released
+      // Of some 8e4 J that are released, with the strain rates that a step of 4 ms does not resolve.
+      EXPECT_LE(flow.clean_up, 2e-3);
     }
     for (std::size_t i = 1; i < made.size(); ++i)
       EXPECT_GE(std::log2(made[i - 1] / made[i]), 1.9) << made[i - 1] << " J, then " << made[i] << " J";

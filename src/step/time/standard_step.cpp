@@ -19,6 +19,7 @@
 #include "step/time/ledger.hpp"
 #include "step/time/smooth_solve.hpp"
 #include "step/time/strike.hpp"
+#include "step/time/unresolved_strain.hpp"
 
 namespace keyblock {
 namespace {
@@ -105,6 +106,8 @@ class Attempt {
     step_.end = smooth_.end;
     if (!step_.converged) return std::move(step_);
     if (!smooth_.is_tolerated) step_.undecided.clear();
+    before_clean_up_ = smooth_.v;
+    if (!rule_.carries_acceleration()) stop_unresolved(scene_.bodies(), whole_, before_clean_up_);
     step_.motion.q = smooth_.q;
     step_.motion.a = smooth_.a;
     step_.motion.points = smooth_.points;
@@ -121,7 +124,8 @@ class Attempt {
     step_.motion.v = std::move(pushed.v);
     SupportWork given{pushed.given, 0};
     if (one_resolves_impact(held_touches))
-      step_.motion.given_up = std::max(0.0, kinetic_energy(scene_, smooth_.v) - kinetic_energy(scene_, step_.motion.v));
+      step_.motion.given_up =
+          std::max(0.0, kinetic_energy(scene_, before_clean_up_) - kinetic_energy(scene_, step_.motion.v));
     const UnknownsTable cleaned = step_.motion.v;
     if (!parts_.impacts.empty())
       given.jump =
@@ -218,11 +222,11 @@ class Attempt {
   // than the closing contacts and the last step gave up, a mixture of both keeps it.
   PushedVelocities cleaned_up(const Touches& held, const std::vector<HeldSlip>& slips, double at_most) const {
     const auto answered_by = [&](const PushAnswer& answer) {
-      return with_held_velocities(scene_, smooth_.q, smooth_.v, held, slips, time_, dt_, answer);
+      return with_held_velocities(scene_, smooth_.q, before_clean_up_, held, slips, time_, dt_, answer);
     };
     PushedVelocities cleaned = answered_by({smooth_.flexibility, rule_.end_velocity.increment});
     if (!one_resolves_impact(held)) return cleaned;
-    const double most = kinetic_energy(scene_, smooth_.v) + at_most;
+    const double most = kinetic_energy(scene_, before_clean_up_) + at_most;
     if (kinetic_energy(scene_, cleaned.v) <= most) return cleaned;
     const Flexibility mass = mass_flexibility(scene_);
     PushedVelocities calm = answered_by({mass, dt_});
@@ -238,11 +242,10 @@ class Attempt {
 
   // If friction opposes the displacement of the step, a sticking contact keeps no tangential velocity, which would
   // reverse in each step. The impulse on a sliding one includes friction. Friction of DDA blocks opposes the end
-  // velocity: in the step in which they meet, Coulomb's law holds for the impulse. Blocks that met earlier come to rest
-  // on each other within a step or two.
+  // velocity: Coulomb's law holds for the sum of force and impulse.
   HeldSlip slip_held(std::size_t i) const {
     if (!smooth_.way_laws[i]) {
-      if (smooth_.laws[i].is_bonded || start_.closed.of(parts_.smooth[i])) return {};
+      if (smooth_.laws[i].is_bonded) return {};
       return {.coulomb = smooth_.laws[i].force.friction,
               .force = smooth_.forces.segment<2>(static_cast<Eigen::Index>(2 * i))};
     }
@@ -302,6 +305,7 @@ class Attempt {
   double least_force_ = 0;
   Split parts_;
   SmoothMotion smooth_;
+  UnknownsTable before_clean_up_;  ///< velocities of the smooth motion that the step resolves
   StandardStep step_;
 };
 
