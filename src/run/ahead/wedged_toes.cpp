@@ -19,12 +19,12 @@ namespace keyblock {
 namespace {
 
 // Directions within this sine of a line run along it: drawings have four digits.
-constexpr double kAlong = 0.01;
+constexpr double kAlongToe = 0.01;
 // A face whose friction alone gives this factor is not expected to slide.
 constexpr double kHeld = 2;
 
 /// An edge of a block; the block lies on its left.
-struct Edge {
+struct ToeEdge {
   Segment line;
   int joint_material = 0;
 
@@ -66,12 +66,14 @@ class Toes {
  private:
   static std::size_t number(ElementIndex e) { return static_cast<std::size_t>(e.value); }
   Point place(VertexIndex v) const { return model_.start_vertices[static_cast<std::size_t>(v.value)]; }
-  Edge edge_from(VertexIndex v) const {
+  ToeEdge edge_from(VertexIndex v) const {
     const VertexIndex end = model_.vertices[v].next;
     return {{place(v), place(end)}, model_.vertices[end].joint_material};
   }
 
-  static bool is_sharp(const Edge& before, const Edge& after) { return dot(before.along(), after.along()) < -kAlong; }
+  static bool is_sharp(const ToeEdge& before, const ToeEdge& after) {
+    return dot(before.along(), after.along()) < -kAlongToe;
+  }
 
   bool has_sharp_corners() const {
     for (const Element& element : model_.elements)
@@ -81,12 +83,12 @@ class Toes {
   }
 
   // Returns the dip of a face on which a sharp corner, where two edges of a block meet, would slide into a floor.
-  std::optional<double> dip_of_toe(ElementIndex block, const Edge& before, const Edge& after) const {
+  std::optional<double> dip_of_toe(ElementIndex block, const ToeEdge& before, const ToeEdge& after) const {
     if (!is_sharp(before, after)) return std::nullopt;
     const Point corner = before.line.end;
-    const auto dip_on = [&](const Edge& lower, const Edge& face, Point slide) -> std::optional<double> {
+    const auto dip_on = [&](const ToeEdge& lower, const ToeEdge& face, Point slide) -> std::optional<double> {
       const double dip = std::asin(std::clamp(dot(slide, down_), -1.0, 1.0));
-      if (std::sin(dip) <= kAlong || dot(lower.outward(), down_) <= kAlong) return std::nullopt;
+      if (std::sin(dip) <= kAlongToe || dot(lower.outward(), down_) <= kAlongToe) return std::nullopt;
       const double friction = model_.joint_material(lower.joint_material).friction_tangent();
       const bool slides = friction < kHeld * std::tan(dip) && is_covered(lower, block, corner) &&
                           !is_covered(face, block, corner) && is_stopped(block, corner, slide);
@@ -97,7 +99,7 @@ class Toes {
   }
 
   // Returns true if a neighbour lies along an edge of a block, at one of its points.
-  bool is_covered(const Edge& edge, ElementIndex block, Point at) const {
+  bool is_covered(const ToeEdge& edge, ElementIndex block, Point at) const {
     std::vector<Segment> others;
     for (ElementIndex neighbour : neighbours_[number(block)])
       for (VertexIndex v : model_.elements[neighbour].vertices()) others.push_back(edge_from(v).line);
@@ -110,8 +112,8 @@ class Toes {
   bool is_stopped(ElementIndex block, Point corner, Point slide) const {
     for (ElementIndex neighbour : neighbours_[number(block)])
       for (VertexIndex v : model_.elements[neighbour].vertices()) {
-        const Edge edge = edge_from(v);
-        if (distance(edge.line, corner) <= near_ && dot(slide, edge.outward()) < -kAlong &&
+        const ToeEdge edge = edge_from(v);
+        if (distance(edge.line, corner) <= near_ && dot(slide, edge.outward()) < -kAlongToe &&
             !is_covered(edge, neighbour, corner))
           return true;
       }
