@@ -120,6 +120,8 @@ struct Format {
   std::string (*write)(const Content&) = nullptr;
   Recognition (*recognise_numbers)(const Tokens&) = nullptr;
   Reading (*read_tokens)(const Tokens&, const ReadHint&) = nullptr;  ///< like `read`, for a text that is already split
+  std::string_view evidence;     ///< of its layout: data, public source, or inferred
+  std::string_view sample = {};  ///< small, made for this project; empty if the layout is lost
 };
 
 }  // namespace keyblock::formats

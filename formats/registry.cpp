@@ -1,4 +1,4 @@
-// Lists the formats and chooses one by content. To add a format: 1) write its file pair next to this one, 2) add its
+// Lists the formats and chooses one by content. To add a format: 1) write its file pair, with its record, 2) add the
 // record to the list below, 3) add a row to README.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/registry.hpp"

@@ -111,7 +111,11 @@ Reading read_measured(const Source& source, const ReadHint&) {
 
 }  // namespace
 
-constinit const Format kBerkeleyMeasured{"berkeley-measured", "measured points of Berkeley's DDA in time",
-                                         recognise_measured, read_measured, nullptr};
+constinit const Format kBerkeleyMeasured{.name = "berkeley-measured",
+                                         .title = "measured points of Berkeley's DDA in time",
+                                         .recognise = recognise_measured,
+                                         .read = read_measured,
+                                         .evidence = "public source; no real file seen",
+                                         .sample = "measpoint1=[\n1 .1 .1 5 6 0 0 0 0\n];\n"};
 
 }  // namespace keyblock::formats

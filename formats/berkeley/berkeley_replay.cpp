@@ -194,9 +194,15 @@ Reading read_tokens(const Tokens& tokens, const ReadHint&) {
 
 }  // namespace
 
-constinit const Format kBerkeleyReplay{"berkeley-replay", "replay file of Berkeley's DDA (frames)",
-                                       nullptr,           read_split<read_tokens>,
-                                       nullptr,           recognise_replay,
-                                       read_tokens};
+constinit const Format kBerkeleyReplay{
+    .name = "berkeley-replay",
+    .title = "replay file of Berkeley's DDA (frames)",
+    .read = read_split<read_tokens>,
+    .recognise_numbers = recognise_replay,
+    .read_tokens = read_tokens,
+    .evidence = "public source; no real file seen",
+    .sample =
+        "1 1 1 7\n1 0 0\n0 0 0\n1 1 3\n9 9 9\n1 0 0\n1 1 0\n1 0 1\n1 0 0\n0 0 0\n0 0 0\n0 0 0\n"
+        "0 0 1 0 1 1 5 6 7\n0 0 0 0\n0 .1 .1 1\n"};
 
 }  // namespace keyblock::formats

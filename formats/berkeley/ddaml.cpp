@@ -71,7 +71,23 @@ Reading read_model(const Source& source, const ReadHint&) {
 
 }  // namespace
 
-constinit const Format kDdaml{"ddaml", "DDAML (XML geometry and analysis of Berkeley's DDA)", recognise_model,
-                              read_model, ddaml_text};
+constinit const Format kDdaml{.name = "ddaml",
+                              .title = "DDAML (XML geometry and analysis of Berkeley's DDA)",
+                              .recognise = recognise_model,
+                              .read = read_model,
+                              .write = ddaml_text,
+                              .evidence = "data and public source",
+                              .sample = R"(<?xml version="1.0"?>
+<DDA>
+ <Geometry>
+  <Edgenodedist distance="0.01"/>
+  <Jointlist>
+   <Joint type="1"> 0 0 4 0 </Joint> <Joint type="1"> 4 0 4 1 </Joint>
+   <Joint type="1"> 4 1 0 1 </Joint> <Joint type="1"> 0 1 0 0 </Joint>
+  </Jointlist>
+  <Fixedpointlist> <Point> 1 0.5 </Point> </Fixedpointlist>
+ </Geometry>
+</DDA>
+)"};
 
 }  // namespace keyblock::formats

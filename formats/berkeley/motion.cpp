@@ -122,9 +122,17 @@ Reading read_matlab(const Source& source, const ReadHint&) {
 
 }  // namespace
 
-constinit const Format kMotionShake{"motion-shake", "ground motion, format shake", recognise_shake, read_shake,
-                                    nullptr};
-constinit const Format kMotionMatlab{"motion-matlab", "ground motion, format matlab", nullptr, read_matlab, nullptr,
-                                     recognise_matlab};
+constinit const Format kMotionShake{.name = "motion-shake",
+                                    .title = "ground motion, format shake",
+                                    .recognise = recognise_shake,
+                                    .read = read_shake,
+                                    .evidence = "public source; no real file seen",
+                                    .sample = "a quake\n3\n.1 .2 .3\n"};
+constinit const Format kMotionMatlab{.name = "motion-matlab",
+                                     .title = "ground motion, format matlab",
+                                     .read = read_matlab,
+                                     .recognise_numbers = recognise_matlab,
+                                     .evidence = "public source; no real file seen",
+                                     .sample = ".01 3\n.1\n.2\n.3\n"};
 
 }  // namespace keyblock::formats

@@ -66,11 +66,22 @@ Recognition recognise_udec(const Source& source) {
 
 }  // namespace
 
-constinit const Format kDdaExtended{"dda-extended", "extended DDA file, version 1.5", recognise_extended, nullptr,
-                                    nullptr};
-constinit const Format kDiskDda{"disk-dda",    "parameter file of the disk DDA program", nullptr, nullptr, nullptr,
-                                recognise_disk};
+constinit const Format kDdaExtended{.name = "dda-extended",
+                                    .title = "extended DDA file, version 1.5",
+                                    .recognise = recognise_extended,
+                                    .evidence = "one mark in public source; layout lost",
+                                    .sample = "#!0xDDA-v1.5\n"};
+constinit const Format kDiskDda{.name = "disk-dda",
+                                .title = "parameter file of the disk DDA program",
+                                .recognise_numbers = recognise_disk,
+                                .evidence = "inferred",
+                                .sample = "1 0.25 0.5 100\n"};
 
-constinit const Format kUdecDeck{"udec-deck", "commands of UDEC (Itasca)", recognise_udec, nullptr, nullptr};
+constinit const Format kUdecDeck{
+    .name = "udec-deck",
+    .title = "commands of UDEC (Itasca)",
+    .recognise = recognise_udec,
+    .evidence = "manuals and public decks; recognised to be named, not read",
+    .sample = "round 0.01\nblock 0 0 0 10 10 10 10 0\njset 45 0 20 0 0 0 2 0\nprop mat 1 d 2600 k 5e9 g 3e9\n"};
 
 }  // namespace keyblock::formats

@@ -11,6 +11,7 @@
 
 #include "formats/case_file/case_fields.hpp"
 #include "formats/case_file/case_reading.hpp"
+#include "formats/case_file/case_sample.hpp"
 #include "formats/case_file/case_values.hpp"
 #include "formats/case_file/case_writing.hpp"
 #include "formats/case_file/yaml_text.hpp"
@@ -470,6 +471,13 @@ bool fits_a_case(const Content& content) {
          !content.stages.empty() || !content.frames.empty() || !content.tracks.empty();
 }
 
-const Format kKeyblockCase{"keyblock-case", "Keyblock case file", recognise, read_case, write_case};
+const Format kKeyblockCase{
+    .name = "keyblock-case",
+    .title = "Keyblock case file",
+    .recognise = recognise,
+    .read = read_case,
+    .write = write_case,
+    .evidence = "documented here: formats/case_file/keyblock_case.hpp, `keyblock formats --schema`",
+    .sample = kCaseSample};
 
 }  // namespace keyblock::formats

@@ -92,6 +92,16 @@ std::string_view drawing_program_binary(std::string_view text) {
   return is_dwg ? "a DWG file (save it as ASCII DXF)" : "";
 }
 
-constinit const Format kDxf{"dxf", "DXF drawing (lines by layer)", recognise, read, write_dxf};
+constinit const Format kDxf{
+    .name = "dxf",
+    .title = "DXF drawing (lines by layer)",
+    .recognise = recognise,
+    .read = read,
+    .write = write_dxf,
+    .evidence = "published layout",
+    .sample =
+        "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nBOUNDARY\n90\n4\n70\n1\n10\n0\n20\n0\n10\n4\n20\n0\n10\n4\n20\n1\n"
+        "10\n0\n20\n1\n0\nLINE\n8\nJOINT_2\n10\n2\n20\n0\n11\n2\n21\n1\n0\nPOINT\n8\nFIXED\n10\n1\n20\n0.5\n"
+        "0\nENDSEC\n0\nEOF\n"};
 
 }  // namespace keyblock::formats

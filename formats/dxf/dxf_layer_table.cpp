@@ -182,6 +182,12 @@ std::vector<std::size_t> LayerParts::unused() const {
   return rows;
 }
 
-constinit const Format kDxfLayers{"dxf-layers", "layers of a DXF drawing (table)", recognise_table, read_table};
+constinit const Format kDxfLayers{
+    .name = "dxf-layers",
+    .title = "layers of a DXF drawing (table)",
+    .recognise = recognise_table,
+    .read = read_table,
+    .evidence = "documented here: formats/dxf/dxf_layer_table.hpp",
+    .sample = "layer,part\nOutline,boundary\nBedding,joint 2\nSupport,fixed\nTitle block,ignored\n*,joint 1\n"};
 
 }  // namespace keyblock::formats

@@ -266,9 +266,21 @@ std::string write_shi(const Content& content) {
 }  // namespace
 
 constinit const Format kDdaAnalysisBerkeley{
-    "dda-analysis-berkeley", "native DDA analysis, Berkeley dialect", nullptr, read_berkeley, write_berkeley,
-    recognise_berkeley};
+    .name = "dda-analysis-berkeley",
+    .title = "native DDA analysis, Berkeley dialect",
+    .read = read_berkeley,
+    .write = write_berkeley,
+    .recognise_numbers = recognise_berkeley,
+    .evidence = "data",
+    .sample = "1\n50\n1\n1\n0.01\n0.001\n2500 24525 5e9 0.25\n0 0 0\n0 0 0\n0 0 0\n30 0 0\n"};
 constinit const Format kDdaAnalysisShi{
-    "dda-analysis-shi", "native DDA analysis, Shi's dialect", nullptr, read_shi, write_shi, recognise_shi};
+    .name = "dda-analysis-shi",
+    .title = "native DDA analysis, Shi's dialect",
+    .read = read_shi,
+    .write = write_shi,
+    .recognise_numbers = recognise_shi,
+    .evidence = "comments of public source; over-relaxation inferred; no real file seen",
+    .sample =
+        "1 20 1 1 .006 .01 1e7\n0 2 2\n0 0 0 5 1 1\n0 7 7 5 8 8\n5 161 1e6 .25\n0 0 0 0 0 0 0 0 0\n30 0 0\n1.5\n"};
 
 }  // namespace keyblock::formats

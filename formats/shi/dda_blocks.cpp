@@ -353,14 +353,21 @@ std::string write_points_of_three(const Content& content) {
 }  // namespace
 
 constinit const Format kDdaBlocks{
-    "dda-blocks", "native block file (blocks after cutting)", nullptr, read_split<read_tokens>, write, recognise,
-    read_tokens};
-constinit const Format kDdaBlocksOfThree{"dda-blocks-3",
-                                         "native block file with points of 3 numbers",
-                                         nullptr,
-                                         read_split<read_tokens>,
-                                         write_points_of_three,
-                                         nullptr,
-                                         read_tokens};
+    .name = "dda-blocks",
+    .title = "native block file (blocks after cutting)",
+    .read = read_split<read_tokens>,
+    .write = write,
+    .recognise_numbers = recognise,
+    .read_tokens = read_tokens,
+    .evidence = "public source",
+    .sample = "1 0 8\n1 0 0\n1 1 4\n1 0 0\n1 4 0\n1 4 1\n1 0 1\n1 0 0\n0 2.06 4\n0 8 2\n0 2 0.5\n0 0.5 0.5 1\n"};
+constinit const Format kDdaBlocksOfThree{
+    .name = "dda-blocks-3",
+    .title = "native block file with points of 3 numbers",
+    .read = read_split<read_tokens>,
+    .write = write_points_of_three,
+    .read_tokens = read_tokens,
+    .evidence = "comments of public source; never chosen for a file, to write it on request",
+    .sample = "1 0 8\n1 0 0\n1 1 4\n1 0 0\n1 4 0\n1 4 1\n1 0 1\n1 0 0\n0 2.06 4\n0 8 2\n0 2 0.5\n0.5 0.5 1\n"};
 
 }  // namespace keyblock::formats

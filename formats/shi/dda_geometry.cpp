@@ -311,9 +311,14 @@ std::string write(const Content& content) {
 
 }  // namespace
 
-constinit const Format kDdaGeometry{"dda-geometry", "native DDA geometry (lines to cut blocks from)",
-                                    nullptr,        read_split<read_tokens>,
-                                    write,          recognise,
-                                    read_tokens};
+constinit const Format kDdaGeometry{
+    .name = "dda-geometry",
+    .title = "native DDA geometry (lines to cut blocks from)",
+    .read = read_split<read_tokens>,
+    .write = write,
+    .recognise_numbers = recognise,
+    .read_tokens = read_tokens,
+    .evidence = "data and public source; bolt records and variants inferred",
+    .sample = "0.01\n4 4\n0\n0\n1\n0\n1\n0\n0 0 4 0 1\n4 0 4 1 1\n4 1 0 1 1\n0 1 0 0 1\n1 0.5 1 0.5\n3 0.5\n"};
 
 }  // namespace keyblock::formats

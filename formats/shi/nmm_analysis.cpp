@@ -142,6 +142,13 @@ std::string write(const Content& content) {
 
 }  // namespace
 
-constinit const Format kNmmAnalysis{"nmm-analysis", "NMM analysis file (mf)", nullptr, read, write, recognise};
+constinit const Format kNmmAnalysis{
+    .name = "nmm-analysis",
+    .title = "NMM analysis file (mf)",
+    .read = read,
+    .write = write,
+    .recognise_numbers = recognise,
+    .evidence = "count and order from data (12 files); names partly inferred",
+    .sample = "1 5 1 1 .01 .1 50\n2 -3\n.1 0 -1 10 .2  0 0 0 0 0 0 0 0 0\n30 0 0\n1.5 0 0 0\n"};
 
 }  // namespace keyblock::formats

@@ -293,7 +293,16 @@ std::string write(const Content& content) {
 
 }  // namespace
 
-constinit const Format kNmmCover{"nmm-cover", "NMM cover file (cv)", nullptr, read_split<read_tokens>, write, recognise,
-                                 read_tokens};
+constinit const Format kNmmCover{
+    .name = "nmm-cover",
+    .title = "NMM cover file (cv)",
+    .read = read_split<read_tokens>,
+    .write = write,
+    .recognise_numbers = recognise,
+    .read_tokens = read_tokens,
+    .evidence = "data, to the last number of 15 files",
+    .sample =
+        "2 1 1 2\n8 6 2 8\n0.25 0 1\n0.5 1 2\n0.75 0.5 1\n0.25 0.75 2\n5 7 1\n1 3 0\n0 0\n1 1\n0 1\n0 0\n0 0\n1 0\n"
+        "1 1\n0 0\n0 0\n0 0\n1 0\n0 1\n1 1\n1 1\n1 3 5\n2 6 4\n1 3\n5 7\n5 1\n6 1\n7 2\n5 1\n1 2\n2 1\n3 1\n1 2\n"};
 
 }  // namespace keyblock::formats

@@ -191,7 +191,13 @@ LeftOut left_out_by_csv(const Content& content) {
                "cover.fixed_points[].element", "cover.loading_points[].element", "cover.measured_points[].element"});
 }
 
-constinit const Format kVtk{"vtk", "VTK unstructured grid, for ParaView", nullptr, nullptr, write_vtk, nullptr};
-constinit const Format kCsv{"csv", "table of corners and marks, or of frames", nullptr, nullptr, write_csv, nullptr};
+constinit const Format kVtk{.name = "vtk",
+                            .title = "VTK unstructured grid, for ParaView",
+                            .write = write_vtk,
+                            .evidence = "documented by VTK; written for viewers, not read"};
+constinit const Format kCsv{.name = "csv",
+                            .title = "table of corners and marks, or of frames",
+                            .write = write_csv,
+                            .evidence = "documented here: formats/views/views.hpp; not read"};
 
 }  // namespace keyblock::formats

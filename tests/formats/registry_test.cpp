@@ -26,6 +26,20 @@ TEST(Registry, names_of_formats_are_unique_and_found) {
   EXPECT_EQ(find_format("no-such-format"), nullptr);
 }
 
+TEST(Registry, every_sample_is_recognised_as_its_format_and_read) {
+  for (const Format* format : all_formats()) {
+    EXPECT_FALSE(format->evidence.empty()) << format->name;
+    if (format->sample.empty() || !format->read) continue;
+    const bool is_manifold = format->name == "nmm-analysis";
+    const ReadHint hint{1, is_manifold ? 1 : 2, is_manifold ? GeometryKind::cover : GeometryKind::blocks};
+    const Source source{"sample", std::string(format->sample)};
+    const Choice choice = recognise(source, hint.geometry);
+    EXPECT_EQ(choice.format->read, format->read) << format->name << ": " << choice.format->name;
+    EXPECT_GE(choice.recognition.fit, Recognition::Fit::surplus) << format->name;
+    EXPECT_NO_THROW(format->read(source, hint)) << format->name;
+  }
+}
+
 TEST(Registry, evidence_says_the_numbers_that_decided) {
   const Choice choice = recognise({"f", "0.01 1 0 0 0 0 0 0 0 1 2 3 4 1"});
   EXPECT_EQ(choice.format->name, "dda-geometry");

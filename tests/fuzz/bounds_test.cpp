@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "formats/case_file/keyblock_case.hpp"
-#include "formats/knowledge.hpp"
 #include "formats/registry.hpp"
 #include "tests/fuzz/exercise.hpp"
 #include "tests/fuzz/long_contents.hpp"
@@ -44,7 +43,7 @@ void expect_within_limits(const Reader& reader, const std::string& text, const s
 std::vector<std::string> samples() {
   std::vector<std::string> texts;
   for (const Format* format : all_formats())
-    if (const std::string_view sample = knowledge_of(*format).sample; !sample.empty()) texts.emplace_back(sample);
+    if (const std::string_view sample = format->sample; !sample.empty()) texts.emplace_back(sample);
   return texts;
 }
 
@@ -76,7 +75,7 @@ TEST_F(Bounds, samples_of_every_format_changed_at_random_are_stood_by_every_read
 TEST_F(Bounds, samples_with_a_stretch_repeated_to_a_megabyte_are_stood) {
   std::mt19937 random(kSeed);
   for (const Format* format : all_formats()) {
-    const std::string sample(knowledge_of(*format).sample);
+    const std::string sample(format->sample);
     if (!format->read || sample.empty()) continue;
     for (int i = 0; i < kStretchesASample; ++i) {
       const std::string text = stretched(sample, kMegabyte, random);

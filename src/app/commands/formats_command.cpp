@@ -10,7 +10,6 @@
 #include "formats/case_file/keyblock_case.hpp"
 #include "formats/case_file/material_library.hpp"
 #include "formats/case_file/schema/joint_keys.hpp"
-#include "formats/knowledge.hpp"
 #include "formats/registry.hpp"
 
 namespace keyblock {
@@ -34,7 +33,7 @@ void print_table() {
   fmt::print("{:<22} {:<6} {:<6} {:<52} {}\n", "format", "reads", "writes", "holds", "known from");
   for (const formats::Format* format : formats::all_formats())
     fmt::print("{:<22} {:<6} {:<6} {:<52} {}\n", format->name, yes_or_no(format->read), yes_or_no(format->write),
-               format->title, formats::knowledge_of(*format).evidence);
+               format->title, format->evidence);
 }
 
 Json json_of(const formats::Format& format) {
@@ -42,8 +41,8 @@ Json json_of(const formats::Format& format) {
           {"title", format.title},
           {"reads", format.read != nullptr},
           {"writes", format.write != nullptr},
-          {"evidence", formats::knowledge_of(format).evidence},
-          {"sample", formats::knowledge_of(format).sample}};
+          {"evidence", format.evidence},
+          {"sample", format.sample}};
 }
 
 /// Returns the values in SI, as for a case that declares m, kg and s.
@@ -83,9 +82,8 @@ ExitCode list(const FormatsOptions& options) {
       fmt::print("{}\n", json_of(*format).dump(1));
     } else {
       fmt::print("{}: {}\nreads: {}, writes: {}\nknown from: {}\n", format->name, format->title,
-                 yes_or_no(format->read), yes_or_no(format->write), formats::knowledge_of(*format).evidence);
-      if (!formats::knowledge_of(*format).sample.empty())
-        fmt::print("a sample:\n\n{}", formats::knowledge_of(*format).sample);
+                 yes_or_no(format->read), yes_or_no(format->write), format->evidence);
+      if (!format->sample.empty()) fmt::print("a sample:\n\n{}", format->sample);
     }
   } else if (options.as_json) {
     Json all = Json::array();
