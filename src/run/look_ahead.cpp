@@ -13,8 +13,8 @@
 #include <set>
 
 #include "base/counted.hpp"
-#include "base/union_find.hpp"
 #include "base/words/plain_number.hpp"
+#include "contact/find/connected_sets.hpp"
 #include "cut/bodies/slivers.hpp"
 #include "geometry/box.hpp"
 #include "geometry/polygon.hpp"
@@ -218,17 +218,12 @@ class Blocky {
   }
   static ElementIndex index(std::size_t i) { return ElementIndex{static_cast<int>(i)}; }
 
-  // Marks blocks connected, by contacts and bolts, to a fixed one.
-  std::vector<bool> hanging_on_held() const {
-    UnionFind groups(shapes_.size());
-    for (const ElementPair& pair : touching_) groups.unite(pair.lower.value, pair.upper.value);
-    for (const Bolt& bolt : model_.bolts) groups.unite(bolt.first.element.value, bolt.second.element.value);
-    std::set<int> held;
+  // Returns the sets of blocks that contacts and bolts connect.
+  ConnectedSets connected() const {
+    std::vector<ElementIndex> held;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
-      if (is_held(i)) held.insert(groups.find(static_cast<int>(i)));
-    std::vector<bool> hangs(shapes_.size());
-    for (std::size_t i = 0; i < shapes_.size(); ++i) hangs[i] = held.contains(groups.find(static_cast<int>(i)));
-    return hangs;
+      if (is_held(i)) held.push_back(index(i));
+    return {model_, touching_, held};
   }
 
   // In dynamics a block without contact is meant to fall or fly.
@@ -241,20 +236,20 @@ class Blocky {
   }
 
   std::string flying() const {
-    const std::vector<bool> hangs = hanging_on_held();
+    const ConnectedSets sets = connected();
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
-      if (!hangs[i] && flies(i)) found.push_back(i);
+      if (!sets.is_held(index(i)) && flies(i)) found.push_back(i);
     if (found.empty()) return {};
     return fmt::format("{} without contact move{} freely from the start, first {}", counted(found.size(), "block"),
                        found.size() == 1 ? "s" : "", named(found.front()));
   }
 
   std::string unheld() const {
-    const std::vector<bool> hangs = hanging_on_held();
+    const ConnectedSets sets = connected();
     std::vector<std::size_t> loose;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
-      if (!hangs[i] && !flies(i)) loose.push_back(i);
+      if (!sets.is_held(index(i)) && !flies(i)) loose.push_back(i);
     if (loose.empty()) return {};
     return fmt::format(
         "{} of {} {} connected to no fixed block, first {}: {}", counted(loose.size(), "block"), shapes_.size(),
@@ -310,10 +305,10 @@ class Blocky {
       to_look_at.pop_back();
       for (const std::size_t upper : bears[lower]) stand(upper);
     }
-    const std::vector<bool> hangs = hanging_on_held();  // the others are reported as unheld
+    const ConnectedSets sets = connected();  // the others are reported as unheld
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
-      if (!stands[i] && hangs[i]) found.push_back(i);
+      if (!stands[i] && sets.is_held(index(i))) found.push_back(i);
     if (found.empty()) return {};
     return fmt::format("{} no support from below, first {}: friction and bonds alone can carry {}",
                        found.size() == 1 ? "1 block has" : fmt::format("{} blocks have", found.size()),

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/sentences/sentences.hpp"
-#include "base/union_find.hpp"
+#include "contact/find/connected_sets.hpp"
 #include "model/continuum.hpp"
 #include "model/shared_covers.hpp"
 #include "step/newton/tolerances.hpp"
@@ -28,51 +28,23 @@ namespace {
 
 using namespace tolerances;
 
-/// Finds sets of bodies connected by contacts that are no impact, across the rounding of drawings, or by bolts. Bodies
-/// that cannot move do not connect others.
-class Hanging {
- public:
-  Hanging(const StandardScene& scene, const Motion& start)
-      : scene_(scene), sets_(scene.model.elements.size()), is_held_(scene.model.elements.size()) {
-    const std::vector<ElementPair> joined = pairs(start);
-    for (const ElementPair& pair : joined)
-      if (can_move(pair.lower) && can_move(pair.upper)) sets_.unite(pair.lower.value, pair.upper.value);
-    for (const ElementPair& pair : joined) {
-      if (!can_move(pair.lower)) is_held_[of(pair.upper)] = true;
-      if (!can_move(pair.upper)) is_held_[of(pair.lower)] = true;
-    }
-    for (const HeldPair& pair : scene.held) is_held_[of(pair.element)] = true;
-    for (ElementIndex e : indices(scene.model.elements))
-      if (can_move(e) && scene.groups.of(e).is_supported(e)) is_held_[of(e)] = true;
+/// Returns the sets of bodies connected by contacts that are no impact, across the rounding of drawings, or by bolts.
+ConnectedSets connected_bodies(const StandardScene& scene, const Motion& start) {
+  const Scales scales = scales_of(scene, loads_at(scene, start.q, 0), start.q, start.v);
+  std::vector<ElementPair> pairs =
+      pairs_of(scene.model, meeting_touches(scene, start, scales, of_gaps::kDrawnTogether * scales.size));
+  std::vector<ElementIndex> supported;
+  const std::vector<int> bodies = body_numbers(scene.model);
+  std::vector<ElementIndex> first(bodies.size());
+  for (const ElementIndex e : indices(scene.model.elements)) {
+    ElementIndex& of_body = first[static_cast<std::size_t>(bodies[static_cast<std::size_t>(e.value)])];
+    if (!of_body) of_body = e;
+    pairs.push_back({of_body, e});
+    if (scene.model.elements[e].can_move() && scene.groups.of(e).is_supported(e)) supported.push_back(e);
   }
-
-  /// Returns the number of the connected set of an element.
-  std::size_t of(ElementIndex e) { return static_cast<std::size_t>(sets_.find(e.value)); }
-  bool is_held(ElementIndex e) { return is_held_[of(e)]; }
-
- private:
-  bool can_move(ElementIndex e) const { return scene_.model.elements[e].can_move(); }
-
-  std::vector<ElementPair> pairs(const Motion& start) const {
-    std::vector<ElementPair> all;
-    const std::vector<int> bodies = body_numbers(scene_.model);
-    std::vector<ElementIndex> first(bodies.size());
-    for (ElementIndex e : indices(scene_.model.elements)) {
-      ElementIndex& of_body = first[static_cast<std::size_t>(bodies[static_cast<std::size_t>(e.value)])];
-      if (!of_body) of_body = e;
-      all.push_back({of_body, e});
-    }
-    const Scales scales = scales_of(scene_, loads_at(scene_, start.q, 0), start.q, start.v);
-    for (const Touch& touch : meeting_touches(scene_, start, scales, of_gaps::kDrawnTogether * scales.size))
-      all.push_back({scene_.model.vertices[touch.vertex].element, scene_.model.vertices[touch.start].element});
-    for (const Bolt& bolt : scene_.model.bolts) all.push_back({bolt.first.element, bolt.second.element});
-    return all;
-  }
-
-  const StandardScene& scene_;
-  UnionFind sets_;
-  std::vector<bool> is_held_;  ///< by the number of a set
-};
+  for (const HeldPair& pair : scene.held) supported.push_back(pair.element);
+  return {scene.model, std::move(pairs), supported};
+}
 
 Stress times(double share, const Stress& s) {
   return {share * s.xx, share * s.yy, share * s.xy, share * s.zz};
@@ -112,11 +84,11 @@ class RestSearch {
       : scene_(scene),
         start_(start),
         still_(at_rest(start)),
-        hanging_(scene, still_),
+        connected_(connected_bodies(scene, still_)),
         left_(scene.model.elements.size(), false) {
     std::vector<ElementIndex> free;
     for (ElementIndex e : movable())
-      if (is_moving(e) || !hanging_.is_held(e)) free.push_back(e);
+      if (is_moving(e) || !connected_.is_held(e)) free.push_back(e);
     leave_out(free);
   }
 
@@ -159,9 +131,9 @@ class RestSearch {
 
   void leave_out(const std::vector<ElementIndex>& some) {
     std::set<std::size_t> sets;
-    for (const ElementIndex e : some) sets.insert(hanging_.of(e));
+    for (const ElementIndex e : some) sets.insert(connected_.of(e));
     for (const ElementIndex e : movable())
-      if (sets.contains(hanging_.of(e))) left_[static_cast<std::size_t>(e.value)] = true;
+      if (sets.contains(connected_.of(e))) left_[static_cast<std::size_t>(e.value)] = true;
   }
 
   int count_of(const ChosenElements& chosen) const {
@@ -204,7 +176,7 @@ class RestSearch {
     for (const ElementIndex e : movable())
       for (const VertexIndex v : scene_.model.elements[e].vertices()) {
         const double share = distance(before[v], after[v]) / scene_.bodies()[e].size;
-        if (Way& way = ways[hanging_.of(e)]; share > way.share) way = {share, e};
+        if (Way& way = ways[connected_.of(e)]; share > way.share) way = {share, e};
       }
     return ways;
   }
@@ -227,7 +199,7 @@ class RestSearch {
     std::vector<ElementIndex> away;
     for (const Way& way : ways)
       if (small_ways.empty() ? way.share > of_resting_start::kInPlaceUntried
-                             : small_ways[hanging_.of(way.element)].share > of_resting_start::kSameWay * way.share)
+                             : small_ways[connected_.of(way.element)].share > of_resting_start::kSameWay * way.share)
         away.push_back(way.element);
     return away;
   }
@@ -235,7 +207,7 @@ class RestSearch {
   // Lets supported sets without equilibrium begin to move, and returns the result. Bodies that strike others at once
   // have no contact that could carry them: they stay as they are.
   RestingStart moved(Motion rested) {
-    Hanging touching(scene_, start_);
+    const ConnectedSets touching = connected_bodies(scene_, start_);
     ChosenElements moving(left_.size(), false), flying = moving, others = moving;
     for (const ElementIndex e : indices(scene_.model.elements)) {
       const auto i = static_cast<std::size_t>(e.value);
@@ -269,7 +241,7 @@ class RestSearch {
   StandardScene& scene_;
   const Motion& start_;
   Motion still_;  ///< initial state without velocities
-  Hanging hanging_;
+  ConnectedSets connected_;
   ChosenElements left_;             ///< elements out of the search
   std::vector<std::string> named_;  ///< bodies that it left out
   RestingStart result_;

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/context.hpp"
-#include "base/union_find.hpp"
+#include "contact/find/connected_sets.hpp"
 #include "contact/rows/gap.hpp"
 #include "contact/rows/joined_blocks.hpp"
 #include "step/newton/tolerances.hpp"
@@ -105,36 +105,6 @@ void load_glued(const StandardScene& scene, const Touches& touches, const Unknow
   motion.constraints = constraints.memory(forces.tail(count - of_faces), motion.q);
 }
 
-// Removes the loads from connected sets without a fixed block or fixed point: their forces cannot settle here.
-void leave_unsupported(const StandardScene& scene, const Touches& touches, UnknownsTable& loads) {
-  UnionFind groups(scene.bodies().size());
-  const auto join = [&](ElementIndex first, ElementIndex second) { groups.unite(first.value, second.value); };
-  for (const Touch& touch : touches)
-    join(scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element);
-  for (const Bolt& bolt : scene.model.bolts) join(bolt.first.element, bolt.second.element);
-  std::vector<bool> held(scene.bodies().size(), false);
-  for (ElementIndex e : indices(scene.bodies()))
-    if (scene.bodies()[e].mass.rows() == 0) held[static_cast<std::size_t>(groups.find(e.value))] = true;
-  for (const HeldPair& pair : scene.held) held[static_cast<std::size_t>(groups.find(pair.element.value))] = true;
-  for (ElementIndex e : indices(loads))
-    if (!held[static_cast<std::size_t>(groups.find(e.value))]) loads[e].setZero();
-}
-
-// Numbers the sets of movable bodies that touch each other, or that bolts connect.
-std::vector<std::size_t> connected_sets(const StandardScene& scene, const Touches& touches) {
-  UnionFind groups(scene.bodies().size());
-  const auto join = [&](ElementIndex first, ElementIndex second) {
-    if (scene.bodies()[first].mass.rows() > 0 && scene.bodies()[second].mass.rows() > 0)
-      groups.unite(first.value, second.value);
-  };
-  for (const Touch& touch : touches)
-    join(scene.model.vertices[touch.vertex].element, scene.model.vertices[touch.start].element);
-  for (const Bolt& bolt : scene.model.bolts) join(bolt.first.element, bolt.second.element);
-  std::vector<std::size_t> sets;
-  for (const ElementIndex e : indices(scene.bodies())) sets.push_back(static_cast<std::size_t>(groups.find(e.value)));
-  return sets;
-}
-
 // Returns true if each block moved as far as in the step before. Bodies without equilibrium then slide or fall under
 // settled forces, and may do so from where they were drawn.
 bool goes_on_evenly(const UnknownsTable& last, const UnknownsTable& moved) {
@@ -186,7 +156,7 @@ class Settling {
   Settled run() {
     found_ = resting_touches(scene_, motion_, scales_);
     drawn_ = motion_.q;
-    leave_unsupported(scene_, found_, loads_);
+    leave_unsupported();
     if (motion_.closed.size() == 0) load_glued(scene_, found_, loads_, motion_);
     Motion before = motion_;  // keeps the compression of the glue's springs
     before.q = drawn_;
@@ -195,7 +165,8 @@ class Settling {
     ChosenElements apart(scene_.bodies().size(), false);
     release(glued, apart);
     // Sets that go on by themselves shorten or end the steps of others: each of these lots is released alone.
-    const auto sets = extent_ > 0 ? connected_sets(scene_, glued.found) : std::vector<std::size_t>();
+    std::vector<std::size_t> sets;
+    if (extent_ > 0) sets = connected(glued.found).numbers();
     std::vector<ChosenElements> alone;
     while (!sets.empty()) {
       const ChosenElements more = going_on_alone(sets, ending_);
@@ -222,6 +193,19 @@ class Settling {
     Touches found;
     UnknownsTable loads;
   };
+
+  ConnectedSets connected(const Touches& touches) const {
+    std::vector<ElementIndex> supported;
+    for (const HeldPair& pair : scene_.held) supported.push_back(pair.element);
+    return {scene_.model, pairs_of(scene_.model, touches), supported};
+  }
+
+  // Removes the loads from connected sets without a fixed block or fixed point: their forces cannot settle here.
+  void leave_unsupported() {
+    const ConnectedSets sets = connected(found_);
+    for (const ElementIndex e : indices(loads_))
+      if (!sets.is_held(e)) loads_[e].setZero();
+  }
 
   // Releases the glue. Bodies set apart have no load, and stay about where they are.
   void release(const Glued& glued, const ChosenElements& apart) {
