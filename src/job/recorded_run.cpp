@@ -54,7 +54,8 @@ RunRequest request_of(const RecordingOptions& options, const OpenCase& read, con
                      read.choices.join,
                      options.outputs.frames,
                      options.outputs.has_pictures,
-                     options.outputs.has_page};
+                     options.outputs.has_page,
+                     options.checkpoint_every};
   for (const ChangedValue& value : read.values) request.values.push_back(text_of(value));
   for (const auto& [name, value] : plan.asked) request.sets.push_back(fmt::format("{}={}", name, value));
   for (const InputRecord& input : record.inputs) {
@@ -99,7 +100,7 @@ std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& 
   return records;
 }
 
-RecordedRun::Beginning RecordedRun::saved_in(const std::string& folder, double checkpoint_every) {
+RecordedRun::Beginning RecordedRun::saved_in(const std::string& folder, std::optional<double> checkpoint_every) {
   Beginning beginning;
   const std::string whole = fs::absolute(folder).string();
   beginning.checkpoint = std::make_unique<Archive>(read_checkpoint(checkpoint_in(whole)));
@@ -116,7 +117,7 @@ RecordedRun::Beginning RecordedRun::saved_in(const std::string& folder, double c
       whole,
       Overwrite::no,
       request.has_trace ? Trace::yes : Trace::no,
-      checkpoint_every,
+      checkpoint_every.value_or(request.checkpoint_every),
       request.record_every,
       {request.histories, request.contacts, request.field, request.frames, request.has_pictures, request.has_page}};
   beginning.read = opened(asked_case({request.files,
@@ -128,7 +129,7 @@ RecordedRun::Beginning RecordedRun::saved_in(const std::string& folder, double c
   return beginning;
 }
 
-RecordedRun::RecordedRun(const std::string& folder, double checkpoint_every)
+RecordedRun::RecordedRun(const std::string& folder, std::optional<double> checkpoint_every)
     : RecordedRun(saved_in(folder, checkpoint_every)) {}
 
 RecordedRun::RecordedRun(OpenCase read, const RecordingOptions& options)

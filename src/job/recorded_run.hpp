@@ -41,10 +41,11 @@ class RecordedRun {
   /// Does the same for a case that was read before.
   RecordedRun(OpenCase read, const RecordingOptions& options);
 
-  /// Resumes the run that was interrupted in `folder`, with its first request. Relative paths of its files count from
-  /// the folder in which it began (Context::use_folder). Throws UsageError if there is nothing to resume. Throws
-  /// InputError for a checkpoint that does not fit the files, the settings or this build.
-  RecordedRun(const std::string& folder, double checkpoint_every);
+  /// Resumes the run that was interrupted in `folder`, with its first request; `checkpoint_every` replaces that of the
+  /// request. Relative paths of its files count from the folder in which it began (Context::use_folder). Throws
+  /// UsageError if there is nothing to resume. Throws InputError for a checkpoint that does not fit the files, the
+  /// settings or this build.
+  explicit RecordedRun(const std::string& folder, std::optional<double> checkpoint_every = {});
 
   RecordedRun(const RecordedRun&) = delete;
   RecordedRun& operator=(const RecordedRun&) = delete;
@@ -81,7 +82,7 @@ class RecordedRun {
     std::optional<RunRequest> request = {};    ///< saved
     std::unique_ptr<Archive> checkpoint = {};  ///< its request is already restored
   };
-  static Beginning saved_in(const std::string& folder, double checkpoint_every);
+  static Beginning saved_in(const std::string& folder, std::optional<double> checkpoint_every);
   explicit RecordedRun(Beginning beginning);
   double lap();
 

@@ -48,6 +48,7 @@ void describe(Archive& archive, RunRequest& request) {
   archive.value("frames", request.frames);
   archive.value("has_pictures", request.has_pictures);
   archive.value("has_page", request.has_page);
+  archive.value("checkpoint_every", request.checkpoint_every);
   describe(archive, "values", request.values);
 }
 

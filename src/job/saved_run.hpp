@@ -38,6 +38,7 @@ struct RunRequest {
   std::string frames = {};                  ///< their coding, as on the command line
   bool has_pictures = true;
   bool has_page = false;
+  double checkpoint_every = 0;           ///< seconds
   std::vector<std::string> values = {};  ///< POINTER=VALUE, as on the command line
 };
 

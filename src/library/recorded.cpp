@@ -96,7 +96,7 @@ Outcome resume(const std::string& folder, const std::function<void(const Step&)>
     // A part of it: the folder that paths of this run count from is not that of the caller's next call.
     const keyblock::Context own = context.state().context.part();
     const Under under(own);
-    RecordedRun run(folder, Recording{}.checkpoint_every);
+    RecordedRun run(folder);
     return run_to_end(run, on_step);
   });
 }
@@ -115,7 +115,7 @@ Run resumed(const std::string& folder, const Context& context) {
   return guarded([&] {
     const keyblock::Context own = context.state().context.part();
     const Under under(own);
-    auto run = std::make_unique<RecordedRun>(folder, Recording{}.checkpoint_every);
+    auto run = std::make_unique<RecordedRun>(folder);
     Case of = Case::Data::case_of(run->read());
     return Run(std::make_unique<FolderRun>(std::move(of), std::move(run), std::function<void(const Step&)>(), own));
   });

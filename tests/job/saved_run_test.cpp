@@ -8,6 +8,8 @@
 #include <string>
 #include <thread>
 
+#include "base/context.hpp"
+#include "job/recorded_run.hpp"
 #include "run/checkpoint.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/text_files.hpp"
@@ -16,6 +18,7 @@ namespace keyblock::saved_run_test {
 namespace {
 
 using support::fresh_folder;
+using support::read_text;
 using support::write_text;
 
 /// Every member differs from its default.
@@ -38,7 +41,8 @@ RunRequest request() {
           .join = 0.1,
           .frames = "raw",
           .has_pictures = false,
-          .has_page = true};
+          .has_page = true,
+          .checkpoint_every = 7};
 }
 
 /// Returns the request in the bytes.
@@ -63,7 +67,43 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+/// Makes one step, then stops with a checkpoint. Returns the interval of checkpoints in it.
+double interval_after_one_step(RecordedRun& run) {
+  run.open();
+  run.start({});
+  EXPECT_TRUE(run.step());
+  run.end_early("seen");
+  while (run.step()) {
+  }
+  return restored(read_text(checkpoint_in(run.folder()))).checkpoint_every;
+}
+
 }  // namespace
+
+TEST(SavedRun, a_resumed_run_keeps_its_interval_of_checkpoints_unless_another_is_given) {
+  const std::string folder = fresh_folder("saved_run_interval") + "/out";
+  const auto in_own_context = [](const auto& work) {
+    const Context own;
+    const Under under(own);
+    return work();
+  };
+  EXPECT_EQ(in_own_context([&] {
+              RecordedRun run(asked_case({{KEYBLOCK_SOURCE_DIR "/legacy_cases/sliding_block/a30_p20"}, {}, {}, {}}),
+                              {.folder = folder, .checkpoint_every = 7});
+              return interval_after_one_step(run);
+            }),
+            7);
+  EXPECT_EQ(in_own_context([&] {
+              RecordedRun run(folder);
+              return interval_after_one_step(run);
+            }),
+            7);
+  EXPECT_EQ(in_own_context([&] {
+              RecordedRun run(folder, 0.5);
+              return interval_after_one_step(run);
+            }),
+            0.5);
+}
 
 TEST(SavedRun, a_request_is_restored_whole) {
   RunRequest saved = request();
@@ -87,6 +127,7 @@ TEST(SavedRun, a_request_is_restored_whole) {
   EXPECT_EQ(found.frames, saved.frames);
   EXPECT_EQ(found.has_pictures, saved.has_pictures);
   EXPECT_EQ(found.has_page, saved.has_page);
+  EXPECT_EQ(found.checkpoint_every, saved.checkpoint_every);
 }
 
 TEST(SavedRun, lists_may_be_empty_and_texts_may_hold_anything) {

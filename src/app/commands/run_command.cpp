@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "api/plan.hpp"
 #include "app/command.hpp"
@@ -33,8 +34,8 @@ constexpr const char* kUsualFolder = "out";  ///< folder for the results of a ru
 struct RunOptions {
   CaseOptions given;
   std::string folder;
-  std::string resume;  ///< folder of a run to resume
-  double checkpoint_every = RecordingOptions{}.checkpoint_every;
+  std::string resume;                      ///< folder of a run to resume
+  std::optional<double> checkpoint_every;  ///< seconds; nothing: as in RecordingOptions, or as the run began
   int record_every = 0;
   bool as_json = false;
   bool trace = false;
@@ -80,8 +81,12 @@ ProfileAnswer answer_of(const RunRecord& record, const Prepared& prepared, const
 }
 
 RecordingOptions recording_of(const RunOptions& options) {
-  return {options.folder,           overwrite_if(options.force), options.trace ? Trace::yes : Trace::no,
-          options.checkpoint_every, options.record_every,        options.outputs,
+  return {options.folder,
+          overwrite_if(options.force),
+          options.trace ? Trace::yes : Trace::no,
+          options.checkpoint_every.value_or(RecordingOptions{}.checkpoint_every),
+          options.record_every,
+          options.outputs,
           options.stop_when};
 }
 
@@ -210,8 +215,8 @@ Action configure_run(CLI::App& options) {
   CLI::Option* force = options.add_flag("--force", chosen->force, "overwrite the results of an earlier run");
   options
       .add_option("--checkpoint-every", chosen->checkpoint_every,
-                  "seconds between checkpoints (default: 30; the first after at most 3); 0: only at the start and if "
-                  "the run is stopped")
+                  "seconds between checkpoints (default: 30, with --resume as before; the first after at most 3); 0: "
+                  "only at the start and if the run is stopped")
       ->check(zero_or_above());
   CLI::Option* stop_when =
       options
