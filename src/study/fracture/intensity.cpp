@@ -29,6 +29,10 @@ Place place_of(const Problem& problem) {
   return problem.covers ? problem.covers->place : problem.analysis->place;
 }
 
+bool has_tips(const Model& model) {
+  return model.continuum && !model.continuum->manifold.tips.empty();
+}
+
 CaseIntensity intensity_by_one(ConfiguredCase made) {
   Problem& problem = made.problem;
   const GrowthCriterion criterion = criterion_of(problem);
@@ -39,6 +43,8 @@ CaseIntensity intensity_by_one(ConfiguredCase made) {
   Prepared prepared = prepared_case(made);
   if (!prepared.scene.model.continuum)
     throw InputError(place_of(problem), "expected NMM bodies, in which cracks can end, found only blocks");
+  if (!has_tips(scenes_of(prepared.scene).back()->model))
+    throw InputError(place_of(problem), "expected the end of a crack or joint inside a body, found none");
   CaseIntensity result;
   result.warnings = joined(std::move(prepared.warnings), bonded_crack_faces(prepared.scene, place_of(problem)));
   result.unknowns = prepared.requirements.unknowns;
@@ -54,8 +60,6 @@ CaseIntensity intensity_by_one(ConfiguredCase made) {
   result.time = stepper->state().time;
   result.is_in_motion = stepper->settings().standard.motion == MotionRule::dynamic;
   const Continuum& continuum = *stepper->model().continuum;
-  if (continuum.manifold.tips.empty())
-    throw InputError(place_of(problem), "expected the end of a crack or joint inside a body, found none");
   const CoverSolution solution = *solution_of(*stepper);
   for (const CrackTip& tip : continuum.manifold.tips) {
     TipAtEnd at_end{tip_report(solution, tip), {}, std::nullopt};

@@ -50,8 +50,8 @@ struct CaseIntensity {
 
 /// Steps the case to its end without crack growth, and evaluates the integrals there. If possible, repeats it with the
 /// other treatment of tips. This is near-tip functions on sides of an eighth of the room around the narrowest tip, or
-/// no functions on sides of 1/320 of it. Throws InputError for a case without NMM bodies or without a tip in them, and
-/// as `prepared_case`.
+/// no functions on sides of 1/320 of it. Throws InputError, before the first step, for a case without NMM bodies or
+/// without a tip in them, and as `prepared_case`.
 CaseIntensity intensity_at_end(const ConfiguredCase& made);
 
 }  // namespace keyblock::study
