@@ -322,11 +322,23 @@ UNITS = {"Number": "–", "Degrees": "degrees", "Radians": "rad", "Length": "L",
          "Energy": "F L", "Stiffness": "F/L", "Momentum": "F T", "AngularMomentum": "F L T"}
 
 
+def contacts_of_source():
+    """[(column, measure)] of contacts.csv, then those of frames, as formats/columns/contact_columns.cpp declares them."""
+    source = (ROOT / "formats" / "columns" / "contact_columns.cpp").read_text()
+    rows = re.findall(r'ContactColumn\{"(\w+)",\s*m::k(\w+),[^"]*?(?:\{("\w+", "\w+")\}.*?)?\},\n', source, re.S)
+    cells = [("step", "Number"), ("time", "Time")]
+    for column, measure, of_point in rows:
+        cells += [(name, measure) for name in re.findall(r"\w+", of_point) or [column]]
+    in_frames = [row for row in rows if row[0] != "place"]  # a place is a point of the file; points follow numbers
+    return cells, [(column, measure) for column, measure, of_point in sorted(in_frames, key=lambda row: row[2] != "")]
+
+
 def tables_of_source():
     """{table: [(column, measure)]} as formats/tables/run_tables.cpp declares them."""
     source = (ROOT / "formats" / "tables" / "run_tables.cpp").read_text()
     arrays = {name: re.findall(r'Column\("([^"]+)", m::k(\w+)\)', body)
               for name, body in re.findall(r"constexpr std::array (k\w+)\{(.*?)\};", source, re.S)}
+    arrays["kContacts"], arrays["kOfContacts"] = contacts_of_source()
     tables = re.findall(r'^const RunTable (k\w+)\{"([^"]+)", (k\w+)', source, re.M)
     parts = {"kBlockArrays": "frames: blocks, cells", "kCornerArrays": "frames: blocks, points",
              "kContactArrays": "frames: contacts", "kBoltArrays": "frames: bolts", "kCrackArrays": "frames: faces of cracks",

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "formats/columns/column_filler.hpp"
+#include "formats/columns/contact_columns.hpp"
 
 namespace keyblock::formats {
 namespace {
@@ -125,26 +126,6 @@ FramePart corners_of(const Frame& frame, const FieldFrame& field) {
   return part;
 }
 
-FramePart contacts_of(const ContactFrames& contacts) {
-  using C = const ContactFrame&;
-  FramePart part{"contacts", contacts.size(), {}};
-  const ColumnFiller fill(part, contacts);
-  fill.integer("block", [](C c, std::size_t) { return c.element + 1; });
-  fill.integer("other", [](C c, std::size_t) { return c.other + 1; });
-  fill.integer("joint_material", [](C c, std::size_t) { return c.joint_material + 1; });
-  fill.integer("joint", [](C c, std::size_t) { return c.joint_line + 1; });
-  fill.integer("state", [](C c, std::size_t) { return static_cast<int>(c.condition); });
-  fill.xy("place", [](C c) { return c.position; });
-  fill.xy(
-      "normal", [](C c) { return c.normal; }, Digits::seven);
-  fill.real("gap", [](C c) { return c.gap; });
-  fill.real("slip", [](C c) { return c.slip; });
-  fill.real("normal_force", [](C c) { return c.normal_force; });
-  fill.real("shear_force", [](C c) { return c.shear_force; });
-  fill.xy("force", [](C c) { return c.force(); });
-  return part;
-}
-
 FramePart bolts_of(const Frame& frame) {
   using B = const BoltFrame&;
   FramePart part{"bolts", frame.bolts.size(), {}};
@@ -219,7 +200,7 @@ FrameColumns columns_of(const Frame& frame, const ContactFrames& contacts, const
   return {frame.step,
           frame.time,
           frame.load_factor,
-          {blocks_of(frame, field), loops_of(frame), corners_of(frame, field), contacts_of(contacts), bolts_of(frame),
+          {blocks_of(frame, field), loops_of(frame), corners_of(frame, field), contact_part(contacts), bolts_of(frame),
            cracks_of(field), points_of(frame), tips_of(frame)},
           std::move(stage)};
 }

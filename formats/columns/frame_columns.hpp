@@ -10,8 +10,8 @@
 //   corners   one row per corner, loop after loop: row (of the block) (n); place (xy); where a field is given also
 //             displacement (xy), and if stress varies within elements stress, plastic_strain,
 //             equivalent_plastic_strain
-//   contacts  block, other, joint_material, joint (0: none), state (0 open, 1 sticks, 2 slides), gap, slip,
-//             normal_force, shear_force (n); place, normal, force (on `block`) (xy)
+//   contacts  those of contact_columns.cpp; joint is 0 without any, state 0 open, 1 sticks, 2 slides; force is that on
+//             `block`
 //   bolts     bolt, force (tension positive), is_broken (n); ends
 //   cracks    one row per piece of a face: crack, side (0 right, 1 left), is_shear (n); ends, displacement (ends)
 //   points    measured points: point (n); place, displacement (xy); stress (tensor)

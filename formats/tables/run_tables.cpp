@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "formats/columns/contact_columns.hpp"
+
 namespace keyblock::formats {
 namespace {
 
@@ -54,23 +56,27 @@ constexpr std::array kPoints{Column("step", m::kNumber),
 constexpr std::array kHistories{Column("step", m::kNumber), Column("time", m::kTime),       Column("what", m::kNumber),
                                 Column("name", m::kNumber), Column("quantity", m::kNumber), Column("value", m::kNumber),
                                 Column("unit", m::kNumber)};
-constexpr std::array kContacts{Column("step", m::kNumber),
-                               Column("time", m::kTime),
-                               Column("block", m::kNumber),
-                               Column("other", m::kNumber),
-                               Column("joint_material", m::kNumber),
-                               Column("joint", m::kNumber),
-                               Column("state", m::kNumber),
-                               Column("x", m::kLength),
-                               Column("y", m::kLength),
-                               Column("normal_x", m::kNumber),
-                               Column("normal_y", m::kNumber),
-                               Column("gap", m::kLength),
-                               Column("slip", m::kLength),
-                               Column("normal_force", m::kForce),
-                               Column("shear_force", m::kForce),
-                               Column("force_x", m::kForce),
-                               Column("force_y", m::kForce)};
+// All columns of contacts, a point as two.
+std::vector<Column> contact_cells() {
+  std::vector<Column> cells{Column("step", m::kNumber), Column("time", m::kTime)};
+  for (const ContactColumn& column : contact_columns())
+    if (column.is_point())
+      for (const std::string_view name : column.of_point) cells.emplace_back(name, column.measure);
+    else
+      cells.emplace_back(column.name, column.measure);
+  return cells;
+}
+
+// Those of one number, then those of two; the places are the points of the file.
+std::vector<Column> contact_arrays() {
+  std::vector<Column> arrays;
+  for (const bool is_point : {false, true})
+    for (const ContactColumn& column : contact_columns())
+      if (column.is_point() == is_point && column.name != "place") arrays.emplace_back(column.name, column.measure);
+  return arrays;
+}
+
+const std::vector<Column> kContacts = contact_cells();
 constexpr std::array kJoints{Column("step", m::kNumber),           Column("time", m::kTime),
                              Column("block", m::kNumber),          Column("other", m::kNumber),
                              Column("joint_material", m::kNumber), Column("contacts", m::kNumber),
@@ -218,11 +224,7 @@ constexpr std::array kOfCorners{Column("displacement", m::kLength),
                                 Column("mean_stress", m::kStress),
                                 Column("von_mises_stress", m::kStress),
                                 Column("lode_angle", m::kDegrees)};
-constexpr std::array kOfContacts{
-    Column("block", m::kNumber),  Column("other", m::kNumber),       Column("joint_material", m::kNumber),
-    Column("joint", m::kNumber),  Column("state", m::kNumber),       Column("gap", m::kLength),
-    Column("slip", m::kLength),   Column("normal_force", m::kForce), Column("shear_force", m::kForce),
-    Column("normal", m::kNumber), Column("force", m::kForce)};
+const std::vector<Column> kOfContacts = contact_arrays();
 constexpr std::array kOfBolts{Column("bolt", m::kNumber), Column("force", m::kForce), Column("is_broken", m::kNumber)};
 
 constexpr std::array kOfJoints{

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <initializer_list>
 #include <span>
 #include <string_view>
 
 #include "base/printable.hpp"
+#include "formats/columns/joint_sums.hpp"
 #include "formats/tables/run_tables.hpp"
 #include "formats/text/numbers.hpp"
 
@@ -36,6 +36,18 @@ void append(std::string& text, std::initializer_list<double> values) {
   }
 }
 
+void append_cells(std::string& text, const FrameColumn& column, std::size_t row) {
+  if (column.name == "state") {
+    text += ',';
+    text += word_for(static_cast<ContactCondition>(column.integers()[row]));
+  } else if (column.numbers.index() == 1) {
+    append_integers(text, {column.integers()[row]});
+  } else {
+    const std::size_t width = width_of(column.shape);
+    for (const double value : column.reals().subspan(width * row, width)) append(text, {value});
+  }
+}
+
 }  // namespace
 
 std::string contacts_csv_header(const Units& units) {
@@ -44,25 +56,12 @@ std::string contacts_csv_header(const Units& units) {
 
 std::string contacts_csv_rows(const FrameColumns& frame) {
   const FramePart& contacts = frame.part("contacts");
-  if (contacts.rows == 0) return {};
-  const std::array integers{contacts.at("block").integers(), contacts.at("other").integers(),
-                            contacts.at("joint_material").integers(), contacts.at("joint").integers()};
-  const std::span<const int> states = contacts.at("state").integers();
-  const std::array pairs{contacts.at("place").reals(), contacts.at("normal").reals()};
-  const std::array reals{contacts.at("gap").reals(), contacts.at("slip").reals(), contacts.at("normal_force").reals(),
-                         contacts.at("shear_force").reals()};
-  const std::span<const double> force = contacts.at("force").reals();
   const std::string first = opening(frame.step, frame.time);
   std::string text;
   text.reserve(kRow * contacts.rows);
   for (std::size_t i = 0; i < contacts.rows; ++i) {
     text += first;
-    for (const std::span<const int> column : integers) append_integers(text, {column[i]});
-    text += ',';
-    text += word_for(static_cast<ContactCondition>(states[i]));
-    for (const std::span<const double> column : pairs) append(text, {column[2 * i], column[2 * i + 1]});
-    for (const std::span<const double> column : reals) append(text, {column[i]});
-    append(text, {force[2 * i], force[2 * i + 1]});
+    for (const FrameColumn& column : contacts.columns) append_cells(text, column, i);
     text += '\n';
   }
   return text;
@@ -72,12 +71,12 @@ std::string joints_csv_header(const Units& units) {
   return headings(kJointsTable, units) + '\n';
 }
 
-std::string joints_csv_rows(int step, double time, const ContactFrames& contacts) {
+std::string joints_csv_rows(int step, double time, const FramePart& contacts) {
   const std::string first = opening(step, time);
   std::string text;
-  for (const JointSum& sum : joint_sums(contacts)) {
+  for (const JointSum& sum : joint_sums(contacts, JointsBy::bodies)) {
     text += first;
-    append_integers(text, {sum.element + 1, sum.other + 1, sum.joint_material + 1});
+    append_integers(text, {sum.block, sum.other, sum.joint_material});
     append_integers(text, {sum.contacts, sum.closed, sum.sliding});
     append(text, {sum.normal_force, sum.shear_force, sum.force.x, sum.force.y});
     text += '\n';
@@ -89,12 +88,12 @@ std::string joint_lines_csv_header(const Units& units) {
   return headings(kJointLinesTable, units) + '\n';
 }
 
-std::string joint_lines_csv_rows(int step, double time, const ContactFrames& contacts) {
+std::string joint_lines_csv_rows(int step, double time, const FramePart& contacts) {
   const std::string first = opening(step, time);
   std::string text;
-  for (const JointLineSum& sum : joint_line_sums(contacts)) {
+  for (const JointSum& sum : joint_sums(contacts, JointsBy::line)) {
     text += first;
-    append_integers(text, {sum.joint_line + 1, sum.joint_material + 1, sum.contacts, sum.closed, sum.sliding});
+    append_integers(text, {sum.joint, sum.joint_material, sum.contacts, sum.closed, sum.sliding});
     append(text, {sum.normal_force, sum.shear_force, sum.greatest_gap, sum.greatest_slip});
     text += '\n';
   }

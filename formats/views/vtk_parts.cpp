@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/columns/joint_pieces.hpp"
+#include "formats/columns/joint_sums.hpp"
 #include "formats/views/vtk_arrays.hpp"
 
 namespace keyblock::formats {
@@ -81,7 +81,7 @@ std::string contacts_vtp(const FrameColumns& frame, const Units& units, VtkCodin
 }
 
 std::string joints_vtp(const FrameColumns& frame, const Units& units, VtkCoding coding) {
-  return lines_vtp(frame, joint_pieces(frame.part("contacts")), kJointArrays, units, coding);
+  return lines_vtp(frame, joint_part(frame.part("contacts")), kJointArrays, units, coding);
 }
 
 std::string bolts_vtp(const FrameColumns& frame, const Units& units, VtkCoding coding) {

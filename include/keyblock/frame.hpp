@@ -43,7 +43,7 @@ class KEYBLOCK_API Frame {
 
   /// "blocks", "loops", "corners", "contacts", "bolts", "cracks", "points", "tips".
   static std::vector<std::string> parts();
-  /// Columns of a part; none if it has no rows. Throws SettingError for another part.
+  /// Columns of a part; those of any frame if it has no rows. Throws SettingError for another part.
   std::vector<std::string> names(std::string_view part) const;
   std::size_t rows(std::string_view part) const;
   bool is_integer(std::string_view part, std::string_view name) const;

@@ -73,7 +73,7 @@ class Frame:
 
     def names(self, part: str) -> list[str]:
         """Returns the names of the columns of a part. A part without rows has those of any frame."""
-        return self._frame.names(part) or list(_NAMES_WITHOUT_ROWS.get(part, ()))
+        return self._frame.names(part)
 
     def column(self, part: str, name: str) -> Array:
         """Returns a column of a part as a view. Raises SettingError if there is none."""
@@ -166,17 +166,6 @@ class Frame:
         return f"<Frame of step {self.step}, time {self.time:g}: {len(self.number)} blocks>"
 
 
-# Columns of the parts that may lack rows; the library names those of parts with rows.
-_NAMES_WITHOUT_ROWS = {
-    "contacts": ("block", "other", "joint_material", "joint", "state", "place", "normal", "gap", "slip", "normal_force",
-                 "shear_force", "force"),
-    "bolts": ("bolt", "ends", "force", "is_broken"),
-    "cracks": ("crack", "side", "is_shear", "ends", "displacement"),
-    "points": ("point", "place", "displacement", "stress"),
-    "tips": ("crack", "at_end", "place", "K_I", "K_II", "J", "length"),
-}
-
-
 class _Columns:
     """Columns of a frame outside the library, which a pickled frame has."""
 
@@ -191,7 +180,7 @@ class _Columns:
         columns = cls()
         columns.step, columns.time, columns.load_factor = frame.step, frame.time, frame.load_factor
         columns.parts = {part: {name: (frame.column(part, name), frame.components(part, name), frame.unit(part, name))
-                                for name in frame.names(part) or _NAMES_WITHOUT_ROWS.get(part, ())}
+                                for name in frame.names(part)}
                          for part in frame.parts()}
         return columns
 

@@ -36,6 +36,12 @@ const formats::FrameColumns& sample() {
   return columns;
 }
 
+/// Returns a part of the frame, or of the sample if it has no rows.
+const formats::FramePart& described(const Frame::Data& frame, std::string_view name) {
+  const formats::FramePart& part = frame.part(name);
+  return part.rows > 0 ? part : sample().part(name);
+}
+
 Measure measure_of(std::string_view part, std::string_view name) {
   if (name == "place" || name == "ends" || name == "centroid" || name == "length") return measures::kLength;
   const formats::RunTable& table = part == "contacts" ? formats::kContactArrays
@@ -74,7 +80,7 @@ std::vector<std::string> Frame::parts() {
 std::vector<std::string> Frame::names(std::string_view part) const {
   return guarded([&] {
     std::vector<std::string> names;
-    for (const formats::FrameColumn& column : data_->part(part).columns) names.emplace_back(column.name);
+    for (const formats::FrameColumn& column : described(*data_, part).columns) names.emplace_back(column.name);
     return names;
   });
 }
@@ -84,13 +90,12 @@ std::size_t Frame::rows(std::string_view part) const {
 }
 
 bool Frame::is_integer(std::string_view part, std::string_view name) const {
-  return guarded([&] { return data_->part(part).at(name).numbers.index() == 1; });
+  return guarded([&] { return described(*data_, part).at(name).numbers.index() == 1; });
 }
 
 std::vector<std::string> Frame::components(std::string_view part, std::string_view name) const {
   return guarded([&]() -> std::vector<std::string> {
-    const formats::FrameColumn* column = data_->part(part).find(name);
-    switch ((column != nullptr ? *column : sample().part(part).at(name)).shape) {
+    switch (described(*data_, part).at(name).shape) {
       case formats::RowShape::number:
         return {};
       case formats::RowShape::xy:

@@ -17,6 +17,7 @@
 #include "base/error.hpp"
 #include "base/words/diagnostics.hpp"
 #include "formats/case.hpp"
+#include "formats/columns/contact_columns.hpp"
 #include "formats/columns/frame_columns.hpp"
 
 namespace keyblock::api {
@@ -46,7 +47,7 @@ class Contacts {
 
   const formats::FramePart& part() {
     const std::lock_guard lock(mutex_);
-    if (make_) part_ = formats::columns_of({}, make_()).part("contacts");
+    if (make_) part_ = formats::contact_part(make_());
     make_ = nullptr;
     return part_;
   }

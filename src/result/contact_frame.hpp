@@ -37,37 +37,4 @@ struct ContactFrame {
 
 using ContactFrames = std::vector<ContactFrame>;
 
-/// Sum over all contacts between two elements along one joint material.
-struct JointSum {
-  int element = 0;  ///< the lower number, from 0
-  int other = 0;
-  int joint_material = 0;
-  int contacts = 0;
-  int closed = 0;
-  int sliding = 0;
-  double normal_force = 0;
-  double shear_force = 0;
-  Point force = {};  ///< on the element
-};
-
-/// Returns the sums in the order of elements and materials.
-std::vector<JointSum> joint_sums(const ContactFrames& contacts);
-
-/// Sum over all contacts along one joint of the drawing. A force and its opposite have the same pressure, and the same
-/// shear along the tangent of their side, so the sums do not depend on the choice of side.
-struct JointLineSum {
-  int joint_line = 0;      ///< from 0
-  int joint_material = 0;  ///< of its first contact
-  int contacts = 0;
-  int closed = 0;
-  int sliding = 0;
-  double normal_force = 0;
-  double shear_force = 0;
-  double greatest_gap = 0;   ///< where the faces are farthest apart; 0: all closed
-  double greatest_slip = 0;  ///< the largest by magnitude, with its sign
-};
-
-/// Returns the sums in the order of the drawing, without contacts on other edges than its joints.
-std::vector<JointLineSum> joint_line_sums(const ContactFrames& contacts);
-
 }  // namespace keyblock

@@ -454,14 +454,13 @@ class Values(Folder):
         cracked.go_on()
         kb.new("tunnel", "tunnel.json")
         frames = [before, cracked.frame("corners"), kb.Run("tunnel.json").frame()]
-        seen = set()
+        names = {part: {} for part in ("contacts", "points", "cracks", "tips")}  # by the presence of rows
         for frame in frames:
-            for part, names in kb._frames._NAMES_WITHOUT_ROWS.items():
-                self.assertEqual(frame.names(part), list(names))
-                if frame._frame.rows(part):
-                    seen.add(part)
-                    self.assertEqual(frame._frame.names(part), list(names))
-        self.assertEqual(seen, {"contacts", "points", "cracks", "tips"})
+            for part, found in names.items():
+                found[frame._frame.rows(part) > 0] = frame.names(part)
+        for part, found in names.items():
+            self.assertEqual(found[False], found[True], part)
+            self.assertGreater(len(found[True]), 3, part)
 
     def test_quantities_of_a_history_have_equal_times(self):
         kb.new("block", "block.json")

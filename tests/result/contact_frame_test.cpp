@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "formats/columns/contact_columns.hpp"
+#include "formats/columns/joint_sums.hpp"
 #include "run/prepare.hpp"
 #include "run/run.hpp"
 #include "tests/support/standard_scenes.hpp"
@@ -109,12 +111,12 @@ TEST(ContactFrame, forces_on_a_block_are_its_weight_and_inertia) {
 TEST(ContactFrame, a_joint_bears_what_stands_above_it) {
   for (const char* motion : {"dynamic", "static"}) {
     const Told told = run_told(stack(3), 30, 5, "standard", {{"motion", motion}});
-    const std::vector<JointSum> sums = joint_sums(told.contacts.back());
+    const auto sums = formats::joint_sums(formats::contact_part(told.contacts.back()), formats::JointsBy::bodies);
     ASSERT_EQ(sums.size(), 3U);
     for (int i = 0; i < 3; ++i) {
-      const JointSum& sum = sums[static_cast<std::size_t>(i)];
-      EXPECT_EQ(sum.element, i);
-      EXPECT_EQ(sum.other, i + 1);
+      const formats::JointSum& sum = sums[static_cast<std::size_t>(i)];
+      EXPECT_EQ(sum.block, i + 1);
+      EXPECT_EQ(sum.other, i + 2);
       EXPECT_EQ(sum.closed, 2);
       EXPECT_NEAR(sum.normal_force / ((3 - i) * kWeight), 1, 1e-9) << motion;
       EXPECT_NEAR(sum.force.y / ((3 - i) * kWeight), -1, 1e-9) << motion << ": pressed down by the blocks above";
@@ -140,23 +142,6 @@ TEST(ContactFrame, a_block_that_slides_says_so_and_how_far) {
     }
     EXPECT_EQ(closed, 2) << profile;
   }
-}
-
-TEST(ContactFrame, sums_do_not_depend_on_which_block_has_the_edge) {
-  ContactFrame one{0, 1, 2, ContactCondition::slide, {}, {0, 1}, 0, 0, 3, -2};
-  ContactFrame other{1, 0, 2, ContactCondition::stick, {}, {0, -1}, 0, 0, 3, -2};
-  ContactFrame third;
-  third.other = 1;
-  third.joint_material = 1;
-  const std::vector<JointSum> sums = joint_sums({one, other, third});
-  ASSERT_EQ(sums.size(), 2U);
-  EXPECT_EQ(sums[0].joint_material, 1);
-  EXPECT_EQ(sums[0].closed, 0);
-  EXPECT_EQ(sums[1].contacts, 2);
-  EXPECT_EQ(sums[1].sliding, 1);
-  EXPECT_EQ(sums[1].normal_force, 6);
-  EXPECT_EQ(sums[1].shear_force, -4);
-  EXPECT_EQ(sums[1].force, (Point{4, 6}));
 }
 
 }  // namespace keyblock::contact_frame_test

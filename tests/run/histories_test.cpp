@@ -10,6 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "formats/columns/contact_columns.hpp"
+#include "formats/columns/joint_sums.hpp"
 #include "run/follow/drawn_joints.hpp"
 #include "run/follow/followed.hpp"
 #include "run/follow/history_option.hpp"
@@ -204,7 +206,7 @@ TEST(Histories, contacts_know_the_joint_of_the_drawing_in_both_profiles) {
     }
     EXPECT_EQ(met, (std::set<int>{4, 5})) << profile;
     if (std::string(profile) == "legacy") continue;  // springs still oscillate after three steps
-    const std::vector<JointLineSum> sums = joint_line_sums(contacts);
+    const auto sums = formats::joint_sums(formats::contact_part(contacts), formats::JointsBy::line);
     ASSERT_EQ(sums.size(), 2U);
     EXPECT_NEAR(sums[0].normal_force / (2 * kWeight), 1, 0.05) << "two square metres are on the upper joint";
     EXPECT_NEAR(sums[1].normal_force / (4 * kWeight), 1, 0.05) << profile;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "formats/columns/contact_columns.hpp"
 #include "formats/tables/run_tables.hpp"
 #include "formats/text/contact_csv.hpp"
 
@@ -40,8 +41,10 @@ void FrameTables::append_contacts(const formats::FrameColumns& columns, const Co
   }
   if (framed_ / every % thinned_every() != 0) return;
   contacts_.append(formats::contacts_csv_rows(columns));
-  joints_.append(formats::joints_csv_rows(columns.step, columns.time, contacts));
-  joint_lines_.append(formats::joint_lines_csv_rows(columns.step, columns.time, contacts));
+  const formats::FramePart all =
+      output_.which == ContactTables::chosen ? formats::contact_part(contacts) : columns.part("contacts");
+  joints_.append(formats::joints_csv_rows(columns.step, columns.time, all));
+  joint_lines_.append(formats::joint_lines_csv_rows(columns.step, columns.time, all));
 }
 
 void FrameTables::drop_what_followed() {

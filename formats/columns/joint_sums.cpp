@@ -1,6 +1,6 @@
-// Groups contacts by bodies and joint; see joint_pieces.hpp.
+// Groups contacts by bodies, joint and material; see joint_sums.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/columns/joint_pieces.hpp"
+#include "formats/columns/joint_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,22 +12,6 @@
 
 namespace keyblock::formats {
 namespace {
-
-struct Piece {
-  int block = 0;
-  int other = 0;
-  int joint_material = 0;
-  int joint = 0;
-  int contacts = 0;
-  int closed = 0;
-  int sliding = 0;
-  double normal_force = 0;
-  double shear_force = 0;
-  double greatest_gap = 0;
-  double greatest_slip = 0;
-  Point tangent;   ///< of the first contact
-  Ends ends = {};  ///< first and last contact along the tangent
-};
 
 /// Columns of contacts, found once.
 struct ContactColumns {
@@ -41,60 +25,64 @@ struct ContactColumns {
         normal(part.at("normal").reals()),
         normal_force(part.at("normal_force").reals()),
         shear_force(part.at("shear_force").reals()),
+        force(part.at("force").reals()),
         gap(part.at("gap").reals()),
         slip(part.at("slip").reals()) {}
 
   std::span<const int> block, other, material, joint, state;
-  std::span<const double> place, normal, normal_force, shear_force, gap, slip;
+  std::span<const double> place, normal, normal_force, shear_force, force, gap, slip;
 };
 
 Point point_of(std::span<const double> numbers, std::size_t row) {
   return {numbers[2 * row], numbers[2 * row + 1]};
 }
 
-void add_contact(Piece& piece, const ContactColumns& of, std::size_t i) {
+void add_contact(JointSum& sum, const ContactColumns& of, std::size_t i) {
   const Point at = point_of(of.place, i);
-  if (piece.contacts == 0) {
+  if (sum.contacts == 0) {
     const Point normal = point_of(of.normal, i);
-    piece.tangent = {-normal.y, normal.x};
-    piece.ends = {at, at};
-  }
-  const auto along = [&](const Point& p) { return dot(p, piece.tangent); };
-  if (along(at) < along(piece.ends[0])) piece.ends[0] = at;
-  if (along(at) > along(piece.ends[1])) piece.ends[1] = at;
-  ++piece.contacts;
-  piece.closed += of.state[i] != 0 ? 1 : 0;
-  piece.sliding += of.state[i] == 2 ? 1 : 0;
-  piece.normal_force += of.normal_force[i];
-  piece.shear_force += of.shear_force[i];
-  piece.greatest_gap = std::max(piece.greatest_gap, of.gap[i]);
-  if (std::abs(of.slip[i]) > std::abs(piece.greatest_slip)) piece.greatest_slip = of.slip[i];
-}
-
-std::vector<Piece> pieces_of(const FramePart& contacts) {
-  if (contacts.rows == 0) return {};  // such a part has no columns
-  const ContactColumns of(contacts);
-  std::map<std::tuple<int, int, int, int>, Piece> pieces;
-  for (std::size_t i = 0; i < contacts.rows; ++i) {
     const auto [low, high] = std::minmax({of.block[i], of.other[i]});
-    Piece& piece = pieces[{low, high, of.joint[i], of.material[i]}];
-    piece.block = low;
-    piece.other = high;
-    piece.joint_material = of.material[i];
-    piece.joint = of.joint[i];
-    add_contact(piece, of, i);
+    sum.block = low;
+    sum.other = high;
+    sum.joint_material = of.material[i];
+    sum.joint = of.joint[i];
+    sum.tangent = {-normal.y, normal.x};
+    sum.ends = {at, at};
   }
-  std::vector<Piece> all;
-  all.reserve(pieces.size());
-  for (const auto& [key, piece] : pieces) all.push_back(piece);
-  return all;
+  const auto along = [&](const Point& p) { return dot(p, sum.tangent); };
+  if (along(at) < along(sum.ends[0])) sum.ends[0] = at;
+  if (along(at) > along(sum.ends[1])) sum.ends[1] = at;
+  ++sum.contacts;
+  sum.closed += of.state[i] != 0 ? 1 : 0;
+  sum.sliding += of.state[i] == 2 ? 1 : 0;
+  sum.normal_force += of.normal_force[i];
+  sum.shear_force += of.shear_force[i];
+  sum.force = sum.force + (of.block[i] == sum.block ? 1.0 : -1.0) * point_of(of.force, i);
+  sum.greatest_gap = std::max(sum.greatest_gap, of.gap[i]);
+  if (std::abs(of.slip[i]) > std::abs(sum.greatest_slip)) sum.greatest_slip = of.slip[i];
 }
 
 }  // namespace
 
-FramePart joint_pieces(const FramePart& contacts) {
-  using P = const Piece&;
-  const std::vector<Piece> pieces = pieces_of(contacts);
+std::vector<JointSum> joint_sums(const FramePart& contacts, JointsBy by) {
+  if (contacts.rows == 0) return {};  // such a part has no columns
+  const ContactColumns of(contacts);
+  std::map<std::tuple<int, int, int, int>, JointSum> sums;
+  for (std::size_t i = 0; i < contacts.rows; ++i) {
+    const auto [low, high] = std::minmax({of.block[i], of.other[i]});
+    if (by == JointsBy::piece) add_contact(sums[{low, high, of.joint[i], of.material[i]}], of, i);
+    if (by == JointsBy::bodies) add_contact(sums[{low, high, 0, of.material[i]}], of, i);
+    if (by == JointsBy::line && of.joint[i] > 0) add_contact(sums[{0, 0, of.joint[i], 0}], of, i);
+  }
+  std::vector<JointSum> all;
+  all.reserve(sums.size());
+  for (const auto& [key, sum] : sums) all.push_back(sum);
+  return all;
+}
+
+FramePart joint_part(const FramePart& contacts) {
+  using P = const JointSum&;
+  const std::vector<JointSum> pieces = joint_sums(contacts, JointsBy::piece);
   FramePart part{"joints", pieces.size(), {}};
   const ColumnFiller fill(part, pieces);
   fill.integer("block", [](P p, std::size_t) { return p.block; });

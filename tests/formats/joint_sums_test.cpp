@@ -1,14 +1,14 @@
 // Pieces of joints: contacts of two bodies along one joint, whichever body has the points.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/columns/joint_pieces.hpp"
+#include "formats/columns/joint_sums.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "formats/columns/frame_columns.hpp"
+#include "formats/columns/contact_columns.hpp"
 
-namespace keyblock::formats::joint_pieces_test {
+namespace keyblock::formats::joint_sums_test {
 namespace {
 
 ContactFrame contact(int element, int other, int joint, Point at, double pressure) {
@@ -25,7 +25,7 @@ ContactFrame contact(int element, int other, int joint, Point at, double pressur
 }
 
 FramePart pieces(const ContactFrames& contacts) {
-  return joint_pieces(columns_of({}, contacts).part("contacts"));
+  return joint_part(contact_part(contacts));
 }
 
 std::vector<int> whole(const FramePart& part, const char* name) {
@@ -35,7 +35,7 @@ std::vector<int> whole(const FramePart& part, const char* name) {
 
 }  // namespace
 
-TEST(JointPieces, contacts_of_both_sides_of_a_joint_are_one_piece_with_their_sums_and_ends) {
+TEST(JointSums, contacts_of_both_sides_of_a_joint_are_one_piece_with_their_sums_and_ends) {
   ContactFrame sliding = contact(1, 0, 4, {2, 3}, 5);
   sliding.condition = ContactCondition::slide;
   sliding.slip = -0.5;
@@ -56,7 +56,7 @@ TEST(JointPieces, contacts_of_both_sides_of_a_joint_are_one_piece_with_their_sum
   EXPECT_EQ((std::vector<double>{ends.begin(), ends.end()}), (std::vector<double>{0, 3, 2, 3}));
 }
 
-TEST(JointPieces, other_joints_and_other_bodies_are_pieces_of_their_own) {
+TEST(JointSums, other_joints_and_other_bodies_are_pieces_of_their_own) {
   const FramePart part =
       pieces({contact(2, 0, 1, {0, 0}, 1), contact(0, 1, 1, {0, 0}, 1), contact(0, 1, -1, {0, 0}, 1)});
   EXPECT_EQ(whole(part, "block"), (std::vector<int>{1, 1, 1}));
@@ -65,4 +65,21 @@ TEST(JointPieces, other_joints_and_other_bodies_are_pieces_of_their_own) {
   EXPECT_EQ(pieces({}).rows, 0U);
 }
 
-}  // namespace keyblock::formats::joint_pieces_test
+TEST(JointSums, sums_do_not_depend_on_which_block_has_the_edge) {
+  ContactFrame one{0, 1, 2, ContactCondition::slide, {}, {0, 1}, 0, 0, 3, -2};
+  ContactFrame other{1, 0, 2, ContactCondition::stick, {}, {0, -1}, 0, 0, 3, -2};
+  ContactFrame third;
+  third.other = 1;
+  third.joint_material = 1;
+  const std::vector<JointSum> sums = joint_sums(contact_part({one, other, third}), JointsBy::bodies);
+  ASSERT_EQ(sums.size(), 2U);
+  EXPECT_EQ(sums[0].joint_material, 2);
+  EXPECT_EQ(sums[0].closed, 0);
+  EXPECT_EQ(sums[1].contacts, 2);
+  EXPECT_EQ(sums[1].sliding, 1);
+  EXPECT_EQ(sums[1].normal_force, 6);
+  EXPECT_EQ(sums[1].shear_force, -4);
+  EXPECT_EQ(sums[1].force, (Point{4, 6}));
+}
+
+}  // namespace keyblock::formats::joint_sums_test
