@@ -1,8 +1,10 @@
-// Builds small DXF texts for tests.
+// Builds small DXF texts for tests, and reads them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string>
+
+#include "formats/registry.hpp"
 
 namespace keyblock::formats {
 
@@ -10,6 +12,27 @@ namespace keyblock::formats {
 inline std::string dxf_text(const std::string& entities, const std::string& header = "") {
   return "999\nkeyblock edge-node ratio 0.01\n0\nSECTION\n2\nHEADER\n" + header +
          "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
+}
+
+/// Returns a line from (0, 0) to (1000, 2000), with more pairs.
+inline std::string dxf_line(const std::string& layer, const std::string& more = "") {
+  return "0\nLINE\n8\n" + layer + "\n10\n0\n20\n0\n11\n1000\n21\n2000\n" + more;
+}
+
+/// Returns a circle of radius 2 about (3, 0).
+inline std::string dxf_circle(const std::string& more) {
+  return "0\nCIRCLE\n8\nJOINT_1\n10\n3\n20\n0\n40\n2\n" + more;
+}
+
+inline Reading read_entities(const std::string& entities, const std::string& header = "") {
+  return read({"f", dxf_text(entities, header)});
+}
+
+/// Returns the first warning of this name; empty if there is none.
+inline std::string sentence(const Reading& reading, const std::string& name) {
+  for (const Warning& warning : reading.warnings)
+    if (warning.name == name) return to_string(warning);
+  return "";
 }
 
 /// Returns one entity of every kind that is read, laid out as drawing programs do, and some that are skipped.
