@@ -60,10 +60,10 @@ std::string why_not_run(const AskedCase& asked, const std::string& profile) {
 ChosenProfile profile_for(const AskedCase& asked, const Problem& problem, OldFiles old_files) {
   ChosenProfile chosen = chosen_profile(problem, asked.profile, asked.common);
   const bool is_open = asked.profile.empty() && problem.choices.profile.empty() && chosen.name == "legacy";
-  if (is_open && old_files == OldFiles::standard)
+  if (const std::string why = why_not_run(asked, "legacy"); is_open && !why.empty())
+    chosen = {"standard", fmt::format("{}, under legacy: {}", asked.file.path, why)};
+  else if (is_open && old_files == OldFiles::standard)
     chosen = {"standard", "the rules of Shi's programs cannot compute this"};
-  else if (is_open && !why_not_run(asked, "legacy").empty())
-    chosen = {"standard", fmt::format("{}, under legacy: {}", asked.file.path, why_not_run(asked, "legacy"))};
   if (const std::string why = why_not_run(asked, chosen.name); !why.empty())
     throw UsageError(fmt::format("{}, under profile {}: {}", asked.file.path, chosen.name, why));
   return chosen;

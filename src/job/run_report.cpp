@@ -280,12 +280,23 @@ Json warnings_json(const Warnings& warnings) {
 }
 
 Json all_settings_json(const Settings& settings) {
+  return settings_json_of(list(settings));
+}
+
+Json settings_json_of(const std::vector<SettingText>& settings) {
   Json all = Json::object();
-  for (const SettingText& setting : list(settings)) {
+  for (const SettingText& setting : settings) {
     Json value = setting.is_number ? Json::parse(setting.value, nullptr, false) : Json(setting.value);
     all[setting.name] = value.is_discarded() ? Json() : value;  // infinite: not valid in JSON
   }
   return all;
+}
+
+Json plan_json(const ChosenProfile& profile, const Prepared& prepared) {
+  return {{"profile", profile.name},
+          {"profile_because", profile.why},
+          {"unknowns", prepared.requirements.unknowns},
+          {"settings", all_settings_json(prepared.scene.settings)}};
 }
 
 Json requirements_json(const Requirements& requirements) {

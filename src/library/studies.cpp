@@ -6,21 +6,14 @@
 #include <numbers>
 
 #include "library/parts.hpp"
-#include "run/look_ahead.hpp"
 #include "study/fracture/intensity.hpp"
-#include "study/strength/factor_of_safety.hpp"
-#include "study/strength/reduced_problem.hpp"
+#include "study/strength/strength_plan.hpp"
 #include "study/sweep/sweep_design.hpp"
 
 namespace keyblock::api {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-
-/// Configures a case for a study that the rules of Shi's programs cannot answer.
-ConfiguredCase for_study(const Case& of, const Choices& choices) {
-  return configured(asked_under(of, choices), of.data().open.input.problem, OldFiles::standard);
-}
 
 Tip tip_of(const study::TipAtEnd& at_end) {
   const TipReport& report = at_end.report;
@@ -59,27 +52,25 @@ Strength factor_of_safety(const Case& of, std::string_view what, double within, 
     if (!what.empty()) given.what = reduced_of(std::string(what));
     if (!(within >= 0)) throw SettingError(fmt::format("within: expected a width above 0, or 0, found {}", within));
     if (within > 0) given.within = within;
-    const ReductionAsked asked = completed(std::move(given), of.data().open.file.reduction);
-    const ConfiguredCase made = for_study(of, choices);
-    const study::StrengthTrials trials(made, *asked.what, exempt_of(asked.exempt));
-    const study::SearchOptions options{asked.from, asked.to, *asked.within};
-    const study::FactorOfSafety found = study::factor_of_safety(trials, options);
+    const formats::Case& input = of.data().open.input;
+    const study::StrengthPlan plan = study::strength_plan(asked_under(of, choices), input, given);
+    if (!plan.refusal.empty()) throw Error(plan.refusal);
+    const study::FactorOfSafety found = study::factor_of_safety(plan);
     context.state().context.tell(nullptr, 0);
+    const ChosenProfile& profile = plan.trials.made().profile;
     Strength strength;
     strength.stands = found.bracket.stands;
     strength.falls = found.bracket.falls;
-    strength.profile = made.profile.name;
-    strength.why_profile = made.profile.why;
+    strength.profile = profile.name;
+    strength.why_profile = profile.why;
     strength.end = study::name_of(found.end);
     strength.notes = found.notes;
-    const Problem& problem = of.data().open.input.problem;
-    strength.warnings = public_warnings(joined(joined(of.data().open.input.warnings, trials.prepared().warnings),
-                                               look_ahead(problem, trials.prepared())));
+    strength.warnings = public_warnings(plan.warnings);
     for (const study::StrengthTrial& trial : found.trials)
       strength.trials.push_back({trial.factor, study::name_of(trial.verdict), trial.why, trial.displacement});
-    if (found.standing) strength.standing = frame_of(found.standing->frame, found.standing->field, problem.units);
-    if (found.falling && found.falling_frame)
-      strength.falling = frame_of(*found.falling_frame, *found.falling, problem.units);
+    const Units& units = input.problem.units;
+    if (found.standing) strength.standing = frame_of(found.standing->frame, found.standing->field, units);
+    if (found.falling && found.falling_frame) strength.falling = frame_of(*found.falling_frame, *found.falling, units);
     return strength;
   });
 }
@@ -87,14 +78,11 @@ Strength factor_of_safety(const Case& of, std::string_view what, double within, 
 Intensity stress_intensity(const Case& of, const Choices& choices, const Context& context) {
   return guarded([&] {
     const Under under(context.state().context);
-    const ConfiguredCase made = for_study(of, choices);
-    const study::CaseIntensity found = study::intensity_at_end(made);
+    study::IntensityPlan plan = study::intensity_plan(asked_under(of, choices), of.data().open.input);
+    Intensity all{{}, plan.made.profile.name, plan.made.profile.why, public_warnings(plan.warnings)};
+    const study::CaseIntensity found = study::intensity_at_end(std::move(plan));
     if (!found.failure.empty()) throw Error(found.failure);
     context.state().context.tell(nullptr, 0);
-    Intensity all{{},
-                  made.profile.name,
-                  made.profile.why,
-                  public_warnings(joined(of.data().open.input.warnings, found.warnings))};
     for (const study::TipAtEnd& tip : found.tips) all.tips.push_back(tip_of(tip));
     return all;
   });

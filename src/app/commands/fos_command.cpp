@@ -24,9 +24,12 @@ Action configure_fos(CLI::App& options) {
                   "strength to reduce: joints, rock or both (default: that of the case, else joints)")
       ->check(one_word_of({"joints", "rock", "both"}));
   add_reduction_options(options, *chosen);
-  options.add_option("-o,--output", chosen->folder, "folder for fos.json, trials.csv, picture.svg and fos.svg")
-      ->type_name("FOLDER");
+  CLI::Option* folder =
+      options.add_option("-o,--output", chosen->folder, "folder for fos.json, trials.csv, picture.svg and fos.svg")
+          ->type_name("FOLDER");
   options.add_flag("--json", chosen->as_json, "print fos.json instead of the table");
+  options.add_flag("--plan", chosen->plan_only, "print profile, settings and unknowns as JSON, and make no trial")
+      ->excludes(folder);
   options.add_flag("--force", chosen->force, "overwrite the files of an earlier search");
   add_thread_option(options);
   return [chosen] { return reduce_strength(case_of(chosen->given), *chosen); };

@@ -24,6 +24,7 @@ namespace {
 struct SifOptions {
   CaseOptions given;
   bool as_json = false;
+  bool plan_only = false;
 };
 
 constexpr double kDegrees = 180 / std::numbers::pi;
@@ -108,41 +109,57 @@ void print(const study::TipAtEnd& tip, std::size_t number, const study::CaseInte
   fmt::print("\n");
 }
 
+void add_to(nlohmann::ordered_json& json, const study::CaseIntensity& found) {
+  json["time"] = found.time;
+  json["in_motion"] = found.is_in_motion;
+  json["tip_functions"] = found.has_functions;
+  json["tips"] = nlohmann::ordered_json::array();
+  for (const study::TipAtEnd& tip : found.tips) json["tips"].push_back(json_of(tip));
+  if (found.no_other.empty())
+    json["other_treatment_unknowns"] = found.other_unknowns;
+  else
+    json["no_other_treatment"] = found.no_other;
+}
+
+void print(const study::CaseIntensity& found, const Units& units) {
+  fmt::print("{} unknowns, {}\n", found.unknowns,
+             found.is_in_motion ? fmt::format("in motion at time {:g}", found.time) : "at rest");
+  for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1, found, units);
+  if (!found.no_other.empty()) fmt::print("no other treatment of tips: {}\n", found.no_other);
+}
+
+/// Warns of factors that are unreliable; returns true if none is.
+bool are_sure(const std::vector<study::TipAtEnd>& tips) {
+  bool are_all = true;
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    const std::string doubt = doubt_of(tips[i]);
+    if (doubt.empty()) continue;
+    are_all = false;
+    spdlog::warn("tip {}: {}", i + 1, doubt);
+  }
+  return are_all;
+}
+
 ExitCode print_intensity(const SifOptions& options) {
   const OpenCase open = opened(case_of(options.given));
-  const ConfiguredCase made = configured(open, open.input.problem, OldFiles::standard);  // legacy has no tips
-  const study::CaseIntensity found = study::intensity_at_end(made);
-  log_by_level(joined(open.input.warnings, found.warnings), "the case");
+  study::IntensityPlan plan = study::intensity_plan(open, open.input);
+  log_by_level(plan.warnings, "the case");
+  nlohmann::ordered_json json = plan_json(plan.made.profile, plan.prepared);
+  if (options.plan_only) {
+    fmt::print("{}\n", json.dump(2));
+    return ExitCode::ok;
+  }
+  const study::CaseIntensity found = study::intensity_at_end(std::move(plan));
   if (!found.failure.empty()) {
     spdlog::error("keyblock: error: {}", found.failure);
     return ExitCode::numerical_failure;
   }
-  bool is_sure = true;
-  for (std::size_t i = 0; i < found.tips.size(); ++i) {
-    const std::string doubt = doubt_of(found.tips[i]);
-    if (doubt.empty()) continue;
-    is_sure = false;
-    spdlog::warn("tip {}: {}", i + 1, doubt);
-  }
-  if (options.as_json) {
-    nlohmann::ordered_json json{{"profile", made.profile.name},
-                                {"unknowns", found.unknowns},
-                                {"time", found.time},
-                                {"in_motion", found.is_in_motion},
-                                {"tip_functions", found.has_functions},
-                                {"tips", nlohmann::ordered_json::array()}};
-    if (found.no_other.empty())
-      json["other_treatment_unknowns"] = found.other_unknowns;
-    else
-      json["no_other_treatment"] = found.no_other;
-    for (const study::TipAtEnd& tip : found.tips) json["tips"].push_back(json_of(tip));
+  const bool is_sure = are_sure(found.tips);
+  add_to(json, found);
+  if (options.as_json)
     fmt::print("{}\n", json.dump(2));
-  } else {
-    fmt::print("{} unknowns, {}\n", found.unknowns,
-               found.is_in_motion ? fmt::format("in motion at time {:g}", found.time) : "at rest");
-    for (std::size_t i = 0; i < found.tips.size(); ++i) print(found.tips[i], i + 1, found, open.input.problem.units);
-    if (!found.no_other.empty()) fmt::print("no other treatment of tips: {}\n", found.no_other);
-  }
+  else
+    print(found, open.input.problem.units);
   return is_sure ? ExitCode::ok : ExitCode::check_failed;
 }
 
@@ -152,6 +169,7 @@ Action configure_sif(CLI::App& app) {
   const auto options = std::make_shared<SifOptions>();
   add_case_options(app, options->given, "one case folder, or the files of a case").files->required();
   app.add_flag("--json", options->as_json, "print JSON instead of the table");
+  app.add_flag("--plan", options->plan_only, "print profile, settings and unknowns as JSON, and make no run");
   return [options] { return print_intensity(*options); };
 }
 

@@ -21,9 +21,8 @@
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
 #include "report/rock/strength_picture.hpp"
-#include "run/look_ahead.hpp"
-#include "study/strength/factor_of_safety.hpp"
 #include "study/strength/mesh_error.hpp"
+#include "study/strength/strength_plan.hpp"
 
 namespace keyblock {
 namespace {
@@ -35,10 +34,9 @@ using study::SearchEnd;
 using study::StrengthTrial;
 using study::Verdict;
 
-/// Case after reading.
+/// Case after reading, and the plan of its search.
 struct ReducedCase : OpenCase {
-  ConfiguredCase made;
-  ReductionAsked reduction;
+  study::StrengthPlan plan;
 };
 
 constexpr double kLower = 20;  // ratio of the failed limit and the one that a message proposes
@@ -101,33 +99,39 @@ Json mesh_error_json(const std::optional<study::MeshError>& error) {
 /// Adds what the numbers are of: units, input files, and the values that were changed after reading.
 void put_origin(Json& json, const ReducedCase& chosen) {
   if (const Units& units = chosen.input.problem.units; units != Units{}) json["units"] = units_json(units);
-  const std::vector<std::string> named = named_files(chosen.made);
+  const std::vector<std::string> named = named_files(chosen.plan.trials.made());
   json["inputs"] = inputs_json(input_records(chosen.read_files(), named.empty() ? "" : named.back()));
   if (!chosen.values.empty()) json["values"] = values_json(chosen.values);
 }
 
-Json json_of(const ReducedCase& chosen, const Warnings& warnings, const FactorOfSafety& found, bool has_files) {
+/// Returns the record up to the first trial.
+Json json_of(const ReducedCase& chosen) {
+  const study::StrengthTrials& trials = chosen.plan.trials;
+  Json json{{"program", "keyblock"}, {"version", KEYBLOCK_VERSION}, {"case", chosen.name}};
+  json.update(plan_json(trials.made().profile, trials.prepared()));
+  json["settings_replaced"] = settings_json_of(trials.replaced());
+  json["reduced"] = name_of(trials.what());
+  return json;
+}
+
+Json json_of(const ReducedCase& chosen, const FactorOfSafety& found, bool has_files) {
   Json trials = Json::array();
   for (const StrengthTrial& trial : found.trials) trials.push_back(trial_json(trial));
-  Json json{{"program", "keyblock"},
-            {"version", KEYBLOCK_VERSION},
-            {"case", chosen.name},
-            {"profile", chosen.made.profile.name},
-            {"reduced", name_of(found.what)},
-            {"end", study::name_of(found.end)},
-            {"factor_of_safety", found.end == SearchEnd::bracketed ? Json(found.bracket.middle()) : Json()},
-            {"bracket", bracket_json(found.bracket)},
-            {"to_within", found.within},
-            {"far_over_width", kFarFromDrawing},
-            {"serviceability", service_json(found)},
-            {"knee_times", study::kKnee},
-            {"mesh_error", mesh_error_json(found.mesh_error)},
-            {"exempt", chosen.reduction.exempt},
-            {"lower_estimate", found.is_lower_estimate},
-            {"left_out", blocks_json(found.left_out)},
-            {"notes", found.notes},
-            {"warnings", warning_list_json(warnings)},
-            {"trials", trials}};
+  Json json = json_of(chosen);
+  json.update({{"end", study::name_of(found.end)},
+               {"factor_of_safety", found.end == SearchEnd::bracketed ? Json(found.bracket.middle()) : Json()},
+               {"bracket", bracket_json(found.bracket)},
+               {"to_within", found.within},
+               {"far_over_width", kFarFromDrawing},
+               {"serviceability", service_json(found)},
+               {"knee_times", study::kKnee},
+               {"mesh_error", mesh_error_json(found.mesh_error)},
+               {"exempt", chosen.plan.reduction.exempt},
+               {"lower_estimate", found.is_lower_estimate},
+               {"left_out", blocks_json(found.left_out)},
+               {"notes", found.notes},
+               {"warnings", warning_list_json(chosen.plan.warnings)},
+               {"trials", trials}});
   put_origin(json, chosen);
   json["outputs"] = Json::array();
   if (has_files) json["outputs"] = kFiles;
@@ -213,14 +217,14 @@ std::vector<report::StrengthBolt> bolts_of(const Model& model, const FactorOfSaf
   return bolts;
 }
 
-report::StrengthPicture picture_of(const ReducedCase& chosen, const Model& model, const FactorOfSafety& found) {
+report::StrengthPicture picture_of(const ReducedCase& chosen, const FactorOfSafety& found) {
   report::StrengthPicture picture;
   picture.title = fmt::format("{}: {}", chosen.name, answer_of(found));
   picture.falling_words =
       found.bracket.falls ? fmt::format("unstable at F = {:.6g}", *found.bracket.falls) : "no unstable factor";
   picture.falling = found.falling;
   picture.units = chosen.input.problem.units;
-  picture.bolts = bolts_of(model, found);
+  picture.bolts = bolts_of(chosen.plan.trials.prepared().scene.model, found);
   if (found.standing) {
     picture.standing = found.standing->field;
     picture.plastic_strains = found.standing->plastic_strains;
@@ -249,8 +253,8 @@ report::StrengthChart chart_of(const ReducedCase& chosen, const FactorOfSafety& 
   return chart;
 }
 
-void write_files(const ReducedCase& chosen, const ReductionOptions& options, const Model& model,
-                 const FactorOfSafety& found, const std::string& json) {
+void write_files(const ReducedCase& chosen, const ReductionOptions& options, const FactorOfSafety& found,
+                 const std::string& json) {
   const std::filesystem::path folder = options.folder;
   std::filesystem::create_directories(folder);
   const auto write = [&](const char* name, const std::string& text) {
@@ -258,16 +262,11 @@ void write_files(const ReducedCase& chosen, const ReductionOptions& options, con
   };
   write(kFiles[0], json + "\n");
   write(kFiles[1], csv_of(found, chosen.input.problem.units));
-  write(kFiles[2], report::strength_picture(picture_of(chosen, model, found)));
+  write(kFiles[2], report::strength_picture(picture_of(chosen, found)));
   write(kFiles[3], report::strength_chart(chart_of(chosen, found)));
 }
 
-void require_options(const ReducedCase& chosen, const ReductionOptions& options) {
-  const auto& [what, from, to, within, exempt] = chosen.reduction;
-  if (from && to && !(*to > *from))
-    throw UsageError(fmt::format("--to: expected more than --from {}, found {}", *from, *to));
-  if (!from && to && !(*to > 1))
-    throw UsageError(fmt::format("--to: expected more than 1 without --from, found {}", *to));
+void require_free_folder(const OpenCase& chosen, const ReductionOptions& options) {
   if (options.folder.empty()) return;
   if (std::filesystem::exists(options.folder) && !std::filesystem::is_directory(options.folder))
     throw UsageError(fmt::format("{}: expected a folder, found a file", options.folder));
@@ -276,33 +275,8 @@ void require_options(const ReducedCase& chosen, const ReductionOptions& options)
   for (const std::string& file : chosen.files) require_not_below(file, options.folder);
 }
 
-// Rejects exemptions of the command line without effect; a case file may exempt for any reduction.
-void require_effect(const std::vector<std::string>& exempt, Reduced what) {
-  for (const std::string& word : exempt) {
-    const bool is_of_rock = word.starts_with("material:");
-    if (is_of_rock ? what == Reduced::joints : what == Reduced::rock && word.starts_with("joint_material:"))
-      throw UsageError(fmt::format(
-          "--exempt {}: it has no effect, because only the strength of {} is reduced (--reduce)", word, name_of(what)));
-  }
-}
-
-study::StrengthTrials trials_of(const ReducedCase& chosen) {
-  return {chosen.made, *chosen.reduction.what, exempt_of(chosen.reduction.exempt)};
-}
-
 bool was_stopped(const FactorOfSafety& found) {
   return found.end == SearchEnd::stopped || (found.mesh_error && found.mesh_error->is_stopped);
-}
-
-/// Prints that nothing fixes the scene and returns true, if that is so under gravity: it falls at any factor.
-bool falls_freely(const ReducedCase& chosen, const study::StrengthTrials& trials, const Warnings& warnings) {
-  const bool is_loose =
-      std::ranges::any_of(warnings, [](const Warning& warning) { return warning.name == "no_fixed_points"; });
-  if (!is_loose || !(length(trials.prepared().scene.settings.gravity) > 0)) return false;
-  spdlog::error("{}: error: nothing fixes the blocks, so that they fall at any strength and have no factor of safety",
-                chosen.files.front());
-  spdlog::info("  help: add fixed points or fixed lines, such as the base and the sides of the slope");
-  return true;
 }
 
 ExitCode exit_code(const FactorOfSafety& found) {
@@ -323,19 +297,32 @@ CLI::Validator count_of_systems() {
   return {refused, ""};
 }
 
-void add_mesh_error(const study::StrengthTrials& trials, FactorOfSafety& found, study::SearchOptions search) {
-  if (found.end != SearchEnd::bracketed || !trials.depends_on_mesh()) return;
-  spdlog::info("on a coarser mesh, for the error of the mesh:");
-  found.mesh_error = study::mesh_error(trials, found, search);
-  found.notes.push_back(study::in_words(*found.mesh_error));
+ReducedCase reduced_case(const AskedCase& asked, const ReductionOptions& options) {
+  OpenCase open = opened(asked);
+  require_free_folder(open, options);
+  ReductionAsked given = options.asked;
+  if (!options.what.empty()) given.what = reduced_of(options.what);
+  study::StrengthPlan plan = study::strength_plan(open, open.input, given);
+  return {std::move(open), std::move(plan)};
 }
 
-ReducedCase reduced_case(const AskedCase& asked, const ReductionOptions& options) {
-  ReducedCase chosen{opened(asked), {}, options.asked};
-  if (!options.what.empty()) chosen.reduction.what = reduced_of(options.what);
-  chosen.reduction = completed(std::move(chosen.reduction), asked.file.reduction);
-  chosen.made = configured(chosen, chosen.input.problem, OldFiles::standard);
-  return chosen;
+std::string text_of(const Json& json) {
+  return json.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
+FactorOfSafety found_for(const ReducedCase& chosen, const ReductionOptions& options) {
+  study::PlannedSearch search;
+  search.trial_limit = options.trial_limit;
+  search.seeks_mesh_error = options.seeks_mesh_error;
+  TrialWatch watch;
+  search.on_begin = [&](double factor) { watch.begin(factor); };
+  search.on_trial = [&](const StrengthTrial& trial) {
+    watch.end();
+    spdlog::info("F = {:.6g}: {}{}{}", trial.factor, kind_of(trial), trial.why.empty() ? "" : ": ", trial.why);
+  };
+  search.on_loose = [](const std::string& sentence) { spdlog::info("{}; the search begins anew", sentence); };
+  search.on_coarser_mesh = [] { spdlog::info("on a coarser mesh, for the error of the mesh:"); };
+  return study::factor_of_safety(chosen.plan, search);
 }
 
 }  // namespace
@@ -368,33 +355,22 @@ std::vector<CLI::Option*> add_reduction_options(CLI::App& options, ReductionOpti
 
 ExitCode reduce_strength(const AskedCase& asked, const ReductionOptions& options) {
   const ReducedCase chosen = reduced_case(asked, options);
-  require_options(chosen, options);
-  require_effect(options.asked.exempt, *chosen.reduction.what);
-  const study::StrengthTrials trials = trials_of(chosen);
-  const Warnings warnings = joined(joined(chosen.input.warnings, trials.prepared().warnings),
-                                   look_ahead(chosen.input.problem, trials.prepared()));
-  log_by_level(warnings, "the case");
-  if (falls_freely(chosen, trials, warnings)) return ExitCode::numerical_failure;
+  log_by_level(chosen.plan.warnings, "the case");
+  if (options.plan_only) fmt::print("{}\n", text_of(json_of(chosen)));
+  if (!chosen.plan.refusal.empty()) {
+    spdlog::error("{}: error: {}", chosen.files.front(), chosen.plan.refusal);
+    spdlog::info("  help: add fixed points or fixed lines, such as the base and the sides of the slope");
+    return ExitCode::numerical_failure;
+  }
+  if (options.plan_only) return ExitCode::ok;
   listen_for_stops();
-  const ReductionAsked& of_search = chosen.reduction;
-  study::SearchOptions search{of_search.from, of_search.to, *of_search.within};
-  search.trial_limit = options.trial_limit;
-  TrialWatch watch;
-  search.on_begin = [&](double factor) { watch.begin(factor); };
-  search.on_trial = [&](const StrengthTrial& trial) {
-    watch.end();
-    spdlog::info("F = {:.6g}: {}{}{}", trial.factor, kind_of(trial), trial.why.empty() ? "" : ": ", trial.why);
-  };
-  search.on_loose = [](const std::string& sentence) { spdlog::info("{}; the search begins anew", sentence); };
-  FactorOfSafety found = study::factor_of_safety(trials, search);
-  if (options.seeks_mesh_error) add_mesh_error(trials, found, search);
-  const std::string json =
-      json_of(chosen, warnings, found, !options.folder.empty()).dump(1, ' ', false, Json::error_handler_t::replace);
+  const FactorOfSafety found = found_for(chosen, options);
+  const std::string json = text_of(json_of(chosen, found, !options.folder.empty()));
   if (options.as_json)
     fmt::print("{}\n", json);
   else
     fmt::print("{}", table_of(chosen, found));
-  if (!options.folder.empty()) write_files(chosen, options, trials.prepared().scene.model, found, json);
+  if (!options.folder.empty()) write_files(chosen, options, found, json);
   if (was_stopped(found))
     spdlog::warn("stopped {}", is_at_time_limit() ? "at the limit of processor time" : "by request");
   return exit_code(found);

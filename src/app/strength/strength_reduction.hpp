@@ -20,6 +20,7 @@ struct ReductionOptions {
   bool seeks_mesh_error = true;
   std::string folder;
   bool as_json = false;
+  bool plan_only = false;  ///< print the plan as JSON, and make no trial
   bool force = false;
 };
 

@@ -10,7 +10,7 @@
 
 #include "api/plan.hpp"
 #include "model/continuum.hpp"
-#include "study/strength/factor_of_safety.hpp"
+#include "study/strength/strength_plan.hpp"
 
 namespace keyblock::study {
 namespace {
@@ -75,18 +75,20 @@ ComparedCase run_and_pick(const Scene& scene, ComparedCase compared) {
 
 // Takes the last stable state, at the instant 0, because a factor belongs to no instant.
 ComparedCase reduced_and_picked(const Loaded& loaded, ComparedCase compared, const std::vector<Override>& more) {
-  const ReductionAsked asked = completed({}, loaded.file.reduction);
-  const StrengthTrials trials(configured_under(compared.profile, loaded, loaded.input.problem, more), *asked.what,
-                              exempt_of(asked.exempt));
-  compared.warnings = joined(loaded.input.warnings, trials.prepared().warnings);
-  SearchOptions search{asked.from, asked.to, *asked.within};
-  search.seeks_knee = false;
-  FactorOfSafety found = factor_of_safety(trials, search);
-  if (found.end != SearchEnd::bracketed) {
+  const StrengthPlan plan =
+      strength_plan(loaded, loaded.input, {}, configured_under(compared.profile, loaded, loaded.input.problem, more));
+  compared.warnings = joined(loaded.input.warnings, plan.trials.prepared().warnings);
+  const auto failed = [&](std::string reason) {
     compared.outcome.end = RunEnd::failed;
-    compared.outcome.reason = fmt::format("no bracket of the factor of safety: {}", name_of(found.end));
+    compared.outcome.reason = std::move(reason);
     return compared;
-  }
+  };
+  if (!plan.refusal.empty()) return failed(plan.refusal);
+  PlannedSearch search;
+  search.seeks_knee = false;
+  FactorOfSafety found = factor_of_safety(plan, search);
+  if (found.end != SearchEnd::bracketed)
+    return failed(fmt::format("no bracket of the factor of safety: {}", name_of(found.end)));
   Frame frame = std::move(found.standing->frame);
   frame.time = 0;
   RunSoFar so_far;

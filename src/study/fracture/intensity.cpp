@@ -33,7 +33,7 @@ bool has_tips(const Model& model) {
   return model.continuum && !model.continuum->manifold.tips.empty();
 }
 
-CaseIntensity intensity_by_one(ConfiguredCase made) {
+IntensityPlan plan_of(ConfiguredCase made) {
   Problem& problem = made.problem;
   const GrowthCriterion criterion = criterion_of(problem);
   if (problem.covers) {
@@ -45,10 +45,16 @@ CaseIntensity intensity_by_one(ConfiguredCase made) {
     throw InputError(place_of(problem), "expected NMM bodies, in which cracks can end, found only blocks");
   if (!has_tips(scenes_of(prepared.scene).back()->model))
     throw InputError(place_of(problem), "expected the end of a crack or joint inside a body, found none");
+  Warnings warnings = joined(prepared.warnings, bonded_crack_faces(prepared.scene, place_of(problem)));
+  return {criterion, std::move(made), std::move(prepared), std::move(warnings)};
+}
+
+/// Takes the scene of the plan.
+CaseIntensity intensity_by_one(IntensityPlan& plan) {
+  const Problem& problem = plan.made.problem;
   CaseIntensity result;
-  result.warnings = joined(std::move(prepared.warnings), bonded_crack_faces(prepared.scene, place_of(problem)));
-  result.unknowns = prepared.requirements.unknowns;
-  const std::unique_ptr<Stepper> stepper = stepper_for(std::move(prepared.scene));
+  result.unknowns = plan.prepared.requirements.unknowns;
+  const std::unique_ptr<Stepper> stepper = stepper_for(std::move(plan.prepared.scene));
   while (stepper->state().step < stepper->settings().step_count && !stepper->is_done()) {
     leave_if_stopped();
     const auto step = stepper->advance();
@@ -63,7 +69,7 @@ CaseIntensity intensity_by_one(ConfiguredCase made) {
   const CoverSolution solution = *solution_of(*stepper);
   for (const CrackTip& tip : continuum.manifold.tips) {
     TipAtEnd at_end{tip_report(solution, tip), {}, std::nullopt};
-    if (at_end.report.factors) at_end.kink = kink(criterion, at_end.report.rock, at_end.report.factors->k);
+    if (at_end.report.factors) at_end.kink = kink(plan.criterion, at_end.report.rock, at_end.report.factors->k);
     const BlockMaterial& rock = continuum.material(std::max(0, element_of(continuum.manifold, tip)));
     if (rock.is_nonlinear())
       throw InputError(rock.place, "expected elastic rock about the tips of cracks, found a strength or crack_closure");
@@ -123,20 +129,27 @@ std::string doubt_of(const TipAtEnd& tip) {
                      100 * apart);
 }
 
-CaseIntensity intensity_at_end(const ConfiguredCase& made) {
-  CaseIntensity found = intensity_by_one(made);
+IntensityPlan intensity_plan(const AskedCase& asked, const formats::Case& input) {
+  IntensityPlan plan = plan_of(configured(asked, input.problem, OldFiles::standard));
+  plan.warnings = joined(input.warnings, plan.warnings);
+  return plan;
+}
+
+CaseIntensity intensity_at_end(IntensityPlan plan) {
+  CaseIntensity found = intensity_by_one(plan);
   if (!found.failure.empty()) return found;
-  if (!made.problem.covers) {
+  if (!plan.made.problem.covers) {
     found.no_other = "the case has no plan of covers";
     return found;
   }
-  found.has_functions = made.problem.covers->mesh.tip_functions.are_asked();
+  found.has_functions = plan.made.problem.covers->mesh.tip_functions.are_asked();
   if (found.is_in_motion) {
     found.no_other = "near-tip functions are of linear statics";
     return found;
   }
   try {
-    put_other_treatment(found, intensity_by_one(with_other_treatment(made, found)));
+    IntensityPlan other = plan_of(with_other_treatment(std::move(plan.made), found));
+    put_other_treatment(found, intensity_by_one(other));
   } catch (const InputError& error) {
     found.no_other = error.sentence();
   }

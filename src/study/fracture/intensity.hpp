@@ -45,13 +45,24 @@ struct CaseIntensity {
   bool has_functions = false;  ///< the case requests near-tip functions
   int other_unknowns = 0;      ///< of the other treatment
   std::string no_other;        ///< reason for its absence; otherwise empty
-  Warnings warnings;
 };
 
-/// Steps the case to its end without crack growth, and evaluates the integrals there. If possible, repeats it with the
-/// other treatment of tips. This is near-tip functions on sides of an eighth of the room around the narrowest tip, or
-/// no functions on sides of 1/320 of it. Throws InputError, before the first step, for a case without NMM bodies or
-/// without a tip in them, and as `prepared_case`.
-CaseIntensity intensity_at_end(const ConfiguredCase& made);
+/// Case that is ready for its first step, without crack growth.
+struct IntensityPlan {
+  GrowthCriterion criterion = GrowthCriterion::hoop_stress;  ///< direction of the kink
+  ConfiguredCase made;
+  Prepared prepared;
+  Warnings warnings = {};  ///< of reading and of the preparation
+};
+
+/// Plans the case for `sif` and the library. The default profile is `standard`, also for files of Shi's programs,
+/// whose rules know no tips. Throws InputError for a case without NMM bodies or without a tip in them, and as
+/// `configured` and `prepared_case`.
+IntensityPlan intensity_plan(const AskedCase& asked, const formats::Case& input);
+
+/// Steps the case to its end, and evaluates the integrals there. If possible, repeats it with the other treatment of
+/// tips. This is near-tip functions on sides of an eighth of the room around the narrowest tip, or no functions on
+/// sides of 1/320 of it. Throws as `intensity_plan`.
+CaseIntensity intensity_at_end(IntensityPlan plan);
 
 }  // namespace keyblock::study

@@ -163,11 +163,6 @@ TrialOutcome stepped(std::unique_ptr<Stepper> stepper) {
   return made;
 }
 
-void put_setting(std::vector<Override>& overrides, const char* name, const std::string& value) {
-  std::erase_if(overrides, [&](const Override& o) { return o.first == name; });
-  overrides.emplace_back(name, value);
-}
-
 }  // namespace
 
 std::string name_of(Verdict verdict) {
@@ -186,12 +181,12 @@ StrengthTrials::StrengthTrials(ConfiguredCase made, Reduced what, Exempt exempt)
                        "expected a profile with statics (standard, draft or reference), found legacy");
     const bool is_in_time = settings.standard.motion == MotionRule::dynamic;
     if (is_in_time) {
-      put_setting(made_.overrides, "motion", "static");
+      replace_setting(settings, "motion", "static");
       notes_.emplace_back("dynamic case: the factor of safety is that of static equilibrium under the same loads");
     }
     if (is_in_time && made_.problem.stages.empty() && has_constant_loads(made_.problem, settings)) {
       const int steps = is_on_covers(made_.problem) ? std::min(settings.step_count, kLoadParts) : 1;
-      put_setting(made_.overrides, "steps", fmt::format("{}", steps));
+      replace_setting(settings, "steps", fmt::format("{}", steps));
     }
   }
   // The rock is elastic here, so that the mesh is the same at every factor.
@@ -205,6 +200,13 @@ StrengthTrials::StrengthTrials(ConfiguredCase made, Reduced what, Exempt exempt)
     throw InputError(
         made_.problem.analysis->place,
         "expected bodies in contact, whose joints are to be reduced, found NMM bodies whose contact is ignored");
+}
+
+void StrengthTrials::replace_setting(const Settings& of_case, const char* name, const std::string& value) {
+  const std::vector<SettingText> all = list(of_case);
+  replaced_.push_back(*std::ranges::find(all, name, &SettingText::name));
+  std::erase_if(made_.overrides, [&](const Override& o) { return o.first == name; });
+  made_.overrides.emplace_back(name, value);
 }
 
 void StrengthTrials::note_exempt(const ExemptCount& held) {

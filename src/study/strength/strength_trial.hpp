@@ -14,6 +14,7 @@
 #include "result/field_frame.hpp"
 #include "result/frame.hpp"
 #include "run/verdict/far_from_drawing.hpp"
+#include "settings/settings_table.hpp"
 #include "study/strength/reduced_problem.hpp"
 
 namespace keyblock::study {
@@ -71,6 +72,10 @@ class StrengthTrials {
   /// std::invalid_argument for an invalid profile or override.
   StrengthTrials(ConfiguredCase made, Reduced what, Exempt exempt = {});
 
+  /// Returns the case with the settings of the trials.
+  const ConfiguredCase& made() const { return made_; }
+  /// Returns the settings of the case that the trials replace, with the values that the case has.
+  const std::vector<SettingText>& replaced() const { return replaced_; }
   const Problem& problem() const { return made_.problem; }
   Reduced what() const { return what_; }
   const Exempt& exempt() const { return exempt_; }
@@ -97,6 +102,7 @@ class StrengthTrials {
 
  private:
   TrialOutcome decided(double factor) const;
+  void replace_setting(const Settings& of_case, const char* name, const std::string& value);
   void note_exempt(const ExemptCount& held);
   Prepared prepared_at(double factor, ExemptCount* held = nullptr) const;
   bool may_yield() const;
@@ -104,6 +110,7 @@ class StrengthTrials {
   ConfiguredCase made_;
   Reduced what_;
   Exempt exempt_;
+  std::vector<SettingText> replaced_;
   std::vector<std::string> notes_;
   Prepared prepared_;
   std::optional<Blocks> whole_;  ///< all blocks, once some are left out
