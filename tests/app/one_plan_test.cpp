@@ -1,4 +1,4 @@
-// run, check, fos, sif and compare plan the same run of a case, and treat a wrong setting as wrong usage.
+// sif takes the case that run takes, a wrong setting is wrong usage of every command, and help is no error.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -33,23 +33,6 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 }  // namespace
-
-TEST(OnePlan, check_plans_the_run_that_run_makes) {
-  const std::string out = fresh_folder("one_plan") + "/out";
-  for (const char* name : {"bolt/breaking", "newmark_sine/row_1", "free_fall/released", "restitution/e_050",
-                           "stress_intensity/centre_crack", "sliding_block/a30_p20"}) {
-    const std::string folder = kCases + name;
-    const ProgramRun check = run_keyblock({"check", folder, "--json", "--trial", "0", "--set", "steps=1"});
-    ASSERT_EQ(check.exit_code, 0) << name << check.messages;
-    const Json plan = Json::parse(check.output)["case"];
-    const ProgramRun run = run_keyblock({"run", folder, "-o", out, "--force", "--set", "steps=1", "--json"});
-    const Json record = Json::parse(run.output);
-    EXPECT_EQ(plan["profile"], record["profile"]) << name;
-    EXPECT_EQ(plan["profile_because"], record["profile_because"]) << name;
-    EXPECT_EQ(plan["requires"], record["requirements"]) << name;
-    EXPECT_EQ(plan["settings"], record["settings"]) << name;
-  }
-}
 
 TEST(OnePlan, sif_takes_the_case_that_run_takes) {
   const std::string folder = fresh_folder("one_plan_sif");

@@ -7,8 +7,11 @@
 #include <fstream>
 #include <keyblock/keyblock.hpp>
 #include <keyblock/studies.hpp>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <thread>
+
+#include "tests/support/program.hpp"
 
 namespace keyblock::api_test {
 namespace {
@@ -290,12 +293,25 @@ TEST(Api, the_factor_of_safety_of_a_block_on_a_plane_is_the_ratio_of_tangents) {
 }
 
 TEST(Api, stress_intensity_is_that_of_the_command) {
-  const std::vector<kb::Tip> tips =
-      kb::stress_intensity(kb::Case::read({kCases + "stress_intensity/edge_crack_05"})).tips;
+  const std::string folder = kCases + "stress_intensity/edge_crack_05";
+  const std::vector<kb::Tip> tips = kb::stress_intensity(kb::Case::read({folder})).tips;
+  const support::ProgramRun sif = support::run_keyblock({"sif", folder, "--json"});
+  ASSERT_EQ(sif.exit_code, 0) << sif.messages;
+  const nlohmann::json printed = nlohmann::json::parse(sif.output).at("tips");
   ASSERT_EQ(tips.size(), 1U);
-  EXPECT_EQ(tips.front().doubt, "");
-  EXPECT_GT(tips.front().k1, 0);
-  EXPECT_LT(std::abs(tips.front().k2), 0.01 * tips.front().k1);
+  ASSERT_EQ(printed.size(), 1U);
+  const kb::Tip& tip = tips.front();
+  EXPECT_EQ(printed[0].at("at"), nlohmann::json::array({tip.x, tip.y}));
+  EXPECT_EQ(printed[0].at("ahead"), nlohmann::json::array({tip.ahead_x, tip.ahead_y}));
+  for (const auto& [key, value] : std::vector<std::pair<const char*, double>>{{"K_I", tip.k1},
+                                                                              {"K_II", tip.k2},
+                                                                              {"J", tip.j},
+                                                                              {"kink_deg", tip.kink_deg},
+                                                                              {"K_eq", tip.k_equivalent},
+                                                                              {"spread_K_I", tip.spread}})
+    EXPECT_DOUBLE_EQ(printed[0].at(key).get<double>(), value) << key;
+  EXPECT_EQ(printed[0].at("doubt"), tip.doubt);
+  EXPECT_GT(tip.k1, 0);
   EXPECT_THROW(kb::stress_intensity(slide()), kb::InputError);
 }
 
