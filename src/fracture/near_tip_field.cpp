@@ -71,8 +71,4 @@ Eigen::Vector3d near_tip_stress(const StressIntensity& k, double r, double theta
   return scale * (k.mode_1 * one + k.mode_2 * two);
 }
 
-Eigen::Vector2d near_tip_displacement(const PlaneElasticity& rock, const StressIntensity& k, double r, double theta) {
-  return std::sqrt(r / (2 * std::numbers::pi)) / (2 * rock.shear_modulus()) * angular(rock, k, theta).value;
-}
-
 }  // namespace keyblock

@@ -44,7 +44,4 @@ Eigen::Matrix2d near_tip_gradient(const PlaneElasticity& rock, const StressInten
 /// Returns (σxx, σyy, σxy) of the field.
 Eigen::Vector3d near_tip_stress(const StressIntensity& k, double r, double theta);
 
-/// Returns (ux, uy) of the field, 0 at the tip.
-Eigen::Vector2d near_tip_displacement(const PlaneElasticity& rock, const StressIntensity& k, double r, double theta);
-
 }  // namespace keyblock

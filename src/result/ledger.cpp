@@ -85,10 +85,4 @@ double LedgerSums::energy_made(const LedgerScope& scope) const {
   return over(scope.has_flows ? made : above_start, largest_stored);
 }
 
-LedgerSums sums_of(const Ledger& ledger) {
-  LedgerSums sums;
-  for (const LedgerRow& row : ledger.rows) sums.add(row);
-  return sums;
-}
-
 }  // namespace keyblock

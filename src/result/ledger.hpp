@@ -118,7 +118,4 @@ struct LedgerSums {
   double energy_made(const LedgerScope& scope) const;
 };
 
-/// Returns the sums of a whole balance.
-LedgerSums sums_of(const Ledger& ledger);
-
 }  // namespace keyblock

@@ -70,17 +70,4 @@ void add_cover_mass(const Continuum& continuum, const CoverBasis& basis, SparseS
   }
 }
 
-Eigen::VectorXd cover_weight(const Continuum& continuum, const CoverBasis& basis, Point acceleration) {
-  Eigen::VectorXd weight = Eigen::VectorXd::Zero(2 * basis.function_count());
-  for (int e = 0; e < basis.element_count(); ++e) {
-    const ElementShape shape = basis.shape(e);
-    const Eigen::VectorXd share =
-        continuum.material(e).density * shape.monomial.transpose() * moments_of(continuum, e, shape, shape.degree);
-    for (Eigen::Index a = 0; a < share.size(); ++a)
-      weight.segment<2>(2 * shape.functions[static_cast<std::size_t>(a)]) +=
-          share(a) * Eigen::Vector2d(acceleration.x, acceleration.y);
-  }
-  return weight;
-}
-
 }  // namespace keyblock

@@ -1,4 +1,4 @@
-// Computes the mass matrix and the weight of NMM bodies.
+// Computes the mass matrix of NMM bodies.
 // Theory: docs/theory/02-equations-of-motion.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -21,8 +21,5 @@ bool is_small_piece(const Manifold& manifold, int element);
 
 /// Adds M to A. ½ vᵀ M v is the kinetic energy in every configuration, because x = X + Σ N_a d_a is linear in d.
 void add_cover_mass(const Continuum& continuum, const CoverBasis& basis, SparseSystem& system);
-
-/// Returns ∫ ρ Tᵀ g, of all functions; `acceleration` is g with y up.
-Eigen::VectorXd cover_weight(const Continuum& continuum, const CoverBasis& basis, Point acceleration);
 
 }  // namespace keyblock

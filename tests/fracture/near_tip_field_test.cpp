@@ -7,13 +7,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/near_tip_displacement.hpp"
+
 namespace keyblock::near_tip_field_test {
 namespace {
 
 constexpr StressIntensity kMixed{1.3, -0.7};
 
 Eigen::Vector2d displacement_at(const PlaneElasticity& rock, double x, double y) {
-  return near_tip_displacement(rock, kMixed, std::hypot(x, y), std::atan2(y, x));
+  return support::near_tip_displacement(rock, kMixed, std::hypot(x, y), std::atan2(y, x));
 }
 
 TEST(NearTipField, gradients_are_those_of_the_displacement) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "formats/text/csv.hpp"
+#include "tests/support/ledger_sums.hpp"
 
 namespace keyblock::ledger_report_test {
 namespace {
@@ -37,7 +38,7 @@ std::vector<std::string> names_of(bool has_flows, bool LedgerScope::*more = null
   Ledger ledger = fall();
   ledger.scope.has_flows = has_flows;
   if (more != nullptr) ledger.scope.*more = true;
-  return ledger_json(ledger, sums_of(ledger), 1, {})["columns"];
+  return ledger_json(ledger, support::sums_of(ledger), 1, {})["columns"];
 }
 
 bool has(const std::vector<std::string>& names, const std::string& name) {
@@ -48,7 +49,7 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
 
 TEST(LedgerReport, sums_closures_and_the_last_row_are_told_by_name) {
   const Ledger ledger = fall();
-  const Json json = Json::parse(ledger_json(ledger, sums_of(ledger), 5, kMetres).dump());
+  const Json json = Json::parse(ledger_json(ledger, support::sums_of(ledger), 5, kMetres).dump());
   EXPECT_EQ(json["largest_energy"], 100) << "of gravity since the start";
   EXPECT_NEAR(json["closure"]["energy"].get<double>(), 1.0 / 100, 1e-15);
   EXPECT_NEAR(json["closure"]["linear_momentum"].get<double>(), 2.0 / 40, 1e-15);
@@ -64,8 +65,9 @@ TEST(LedgerReport, sums_closures_and_the_last_row_are_told_by_name) {
 
 TEST(LedgerReport, the_table_is_read_back_under_the_names_of_the_record) {
   const Ledger ledger = fall();
-  const formats::CsvTable table = formats::read_csv({"ledger.csv", ledger_csv(ledger, sums_of(ledger), kMetres)});
-  const Json json = ledger_json(ledger, sums_of(ledger), 1, kMetres);
+  const formats::CsvTable table =
+      formats::read_csv({"ledger.csv", ledger_csv(ledger, support::sums_of(ledger), kMetres)});
+  const Json json = ledger_json(ledger, support::sums_of(ledger), 1, kMetres);
   EXPECT_EQ(Json(table.header), json["columns"]);
   ASSERT_EQ(table.rows.size(), 2U);
   EXPECT_EQ(table.header[1], "time [s]");
@@ -79,7 +81,7 @@ TEST(LedgerReport, the_table_is_read_back_under_the_names_of_the_record) {
 TEST(LedgerReport, supports_give_what_loads_leave_of_the_change_of_momentum) {
   Ledger ledger = fall();
   ledger.scope.has_supports = true;
-  const Json json = ledger_json(ledger, sums_of(ledger), 1, {});
+  const Json json = ledger_json(ledger, support::sums_of(ledger), 1, {});
   EXPECT_EQ(json["end"]["reaction_impulse_x"], (4 - 1) - 3);
   EXPECT_EQ(json["end"]["reaction_impulse_y"], -20 - -18);
   EXPECT_EQ(json["end"]["angular_reaction_impulse"], (9 - 4) - 5);
@@ -106,7 +108,7 @@ TEST(LedgerReport, columns_are_those_that_the_scene_has_something_to_say_in) {
 TEST(LedgerReport, stored_energies_alone_close_nothing) {
   Ledger ledger = fall();
   ledger.scope.has_flows = false;
-  EXPECT_TRUE(ledger_json(ledger, sums_of(ledger), 1, {})["closure"].empty());
+  EXPECT_TRUE(ledger_json(ledger, support::sums_of(ledger), 1, {})["closure"].empty());
 }
 
 TEST(LedgerReport, without_rows_there_is_no_end) {

@@ -13,6 +13,7 @@
 #include "cut/mesh/fit_mesh.hpp"
 #include "fracture/near_tip_field.hpp"
 #include "model/cover_basis.hpp"
+#include "tests/support/near_tip_displacement.hpp"
 
 namespace keyblock::tip_enrichment_test {
 namespace {
@@ -107,7 +108,7 @@ TEST(NearTipFunctions, span_the_near_tip_field_of_a_body_that_turns) {
   for (int i = 0; i < count; ++i) {
     const double theta = -3.1 + 6.2 * i / (count - 1), r = 0.3 + 0.01 * i, turn = 0.8;
     functions.row(i) = near_tip_functions(tip, theta, {r * std::cos(theta), r * std::sin(theta)});
-    const Eigen::Vector2d u = near_tip_displacement(rock, {1.3, -0.7}, r, theta);
+    const Eigen::Vector2d u = support::near_tip_displacement(rock, {1.3, -0.7}, r, theta);
     fields.row(i) << std::cos(turn) * u.x() - std::sin(turn) * u.y(), std::sin(turn) * u.x() + std::cos(turn) * u.y();
   }
   const Eigen::MatrixXd weights = (functions.transpose() * functions).ldlt().solve(functions.transpose() * fields);

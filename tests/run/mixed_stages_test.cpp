@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "tests/support/ledger_sums.hpp"
 #include "tests/support/staged_runs.hpp"
 
 namespace keyblock {
@@ -54,7 +55,7 @@ TEST(MixedStages, blocks_given_covers_in_flight_keep_momentum_and_energy) {
     problem.stages[2].mesh = mesh_of(0.8);
     problem.stages[3].mesh = mesh_of(0.9, {{1}});
     const Told told = told_of(problem);
-    EXPECT_LT(sums_of(told.ledger).energy_closure(), 1e-8);
+    EXPECT_LT(support::sums_of(told.ledger).energy_closure(), 1e-8);
     const LedgerRow& first = told.ledger.rows.front();
     for (const LedgerRow& row : told.ledger.rows) {
       EXPECT_LT(distance(row.momentum.linear, first.momentum.linear), 1e-12 * first.momentum_size.linear);
@@ -122,7 +123,7 @@ TEST(MixedStages, meshed_blocks_are_dug_and_cut) {
   double area = 0;
   for (const ElementFrame& element : told.frames.back().elements) area += element.area;
   EXPECT_NEAR(area, 4 + 2 * 2.4, 1e-3);
-  EXPECT_LT(sums_of(told.ledger).energy_closure(), 1e-8);
+  EXPECT_LT(support::sums_of(told.ledger).energy_closure(), 1e-8);
 }
 
 TEST(MixedStages, a_mesh_for_no_block_is_said) {

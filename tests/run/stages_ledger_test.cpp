@@ -7,6 +7,7 @@
 
 #include "formats/case.hpp"
 #include "problem/checks/check.hpp"
+#include "tests/support/ledger_sums.hpp"
 #include "tests/support/random_changes.hpp"
 #include "tests/support/staged_runs.hpp"
 
@@ -29,7 +30,7 @@ TEST_P(StagesUnderContact, close_the_ledger_of_an_excavation_in_four_stages) {
   const Told told = told_of(wall_with_opening(), {{"enforcement", GetParam()}});
   EXPECT_EQ(told.outcome.scenes.size(), 4U);
   EXPECT_EQ(told.outcome.steps, 120);
-  const LedgerSums sums = sums_of(told.ledger);
+  const LedgerSums sums = support::sums_of(told.ledger);
   EXPECT_LT(sums.energy_closure(), 1e-10);
   EXPECT_NE(told.ledger.rows.back().flow.change, 0);
 }
@@ -44,7 +45,7 @@ TEST(StagesLedger, closes_for_the_tunnel) {
   const Problem problem = check(formats::load_case({file}).problem).problem;
   const Told told = told_of(problem, {{"basis", "rigid"}, {"start", "sudden"}});
   EXPECT_EQ(told.outcome.scenes.size(), 4U);
-  EXPECT_LT(sums_of(told.ledger).energy_closure(), 1e-10);
+  EXPECT_LT(support::sums_of(told.ledger).energy_closure(), 1e-10);
 }
 
 // Angular momentum closes to 5e-6 here without any change too: impacts of blocks that deform. A thousand changes in

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/ledger_sums.hpp"
 #include "tests/support/staged_runs.hpp"
 
 namespace keyblock::stages_on_covers_test {
@@ -59,7 +60,7 @@ TEST_P(StagesOnCovers, of_statics_end_where_the_scene_does_that_was_cut_so_from_
 
 TEST_P(StagesOnCovers, in_flight_keep_momentum_and_book_the_energy_that_goes) {
   const Told told = told_of(flying_on_covers(GetParam()));
-  const LedgerSums sums = sums_of(told.ledger);
+  const LedgerSums sums = support::sums_of(told.ledger);
   EXPECT_LT(sums.linear_momentum_closure(), 1e-10);
   EXPECT_LT(sums.angular_momentum_closure(), 1e-10);
   EXPECT_LT(sums.energy_closure(), 1e-8);
@@ -98,7 +99,7 @@ TEST(Stages, under_contact_on_covers_close_the_ledger_of_an_excavation_in_four_s
   for (Stage& stage : problem.stages) stage.steps = 2;
   const Told told = told_of(problem);
   EXPECT_EQ(told.outcome.steps, 8);
-  EXPECT_LT(sums_of(told.ledger).energy_closure(), 1e-8);
+  EXPECT_LT(support::sums_of(told.ledger).energy_closure(), 1e-8);
 }
 
 // A change of a joint material finds the edges present by then, as it does those of blocks.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "tests/support/ledger_sums.hpp"
 #include "tests/support/staged_runs.hpp"
 
 namespace keyblock::stages_test {
@@ -117,7 +118,7 @@ TEST(Stages, a_cut_in_flight_keeps_momentum_and_energy) {
   problem.stages[1].cuts = {{{{-1, 0.3}, {3, 0.8}}, 0, {}}, {{{4, 1}, {7, 2.2}}, 0, {}}};
   const Told told = told_of(problem);
   EXPECT_EQ(told.frames.back().elements.size(), 5U);
-  const LedgerSums sums = sums_of(told.ledger);
+  const LedgerSums sums = support::sums_of(told.ledger);
   EXPECT_LT(sums.linear_momentum_closure(), 1e-12);
   EXPECT_LT(sums.angular_momentum_closure(), 1e-10);
   EXPECT_LT(sums.energy_closure(), 1e-8);
@@ -130,7 +131,7 @@ TEST(Stages, a_block_that_goes_takes_its_energy_and_momentum_with_it) {
   problem.stages = {stage_of(30), stage_of(30, "gone")};
   problem.stages[1].excavations = {{box({4, -1}, {7, 4}), 0, {}}};
   const Told told = told_of(problem);
-  const LedgerSums sums = sums_of(told.ledger);
+  const LedgerSums sums = support::sums_of(told.ledger);
   EXPECT_LT(sums.linear_momentum_closure(), 1e-12);
   EXPECT_LT(sums.angular_momentum_closure(), 1e-10);
   EXPECT_LT(sums.energy_closure(), 1e-8);

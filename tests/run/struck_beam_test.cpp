@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "tests/support/ledger_sums.hpp"
 #include "tests/support/staged_runs.hpp"
 
 namespace keyblock {
@@ -47,7 +48,7 @@ Problem struck_beam(double dt) {
 // faces, below the limit of a reliable run (energy_limit).
 TEST(StruckBeam, is_not_given_energy_by_the_clean_up_of_velocities) {
   const support::Told told = told_of(struck_beam(2e-3), {{"start", "sudden"}});  // the beam swings
-  const LedgerSums sums = sums_of(told.ledger);
+  const LedgerSums sums = support::sums_of(told.ledger);
   EXPECT_LT(sums.energy_closure(), 1e-8);
   EXPECT_LT(sums.energy_made(told.ledger.scope), Settings{}.trust.energy);
   EXPECT_GT(told.ledger.rows.back().flow.clean_up, 0);

@@ -7,6 +7,7 @@
 
 #include "tests/support/cover_scenes.hpp"
 #include "tests/support/ledger_runs.hpp"
+#include "tests/support/ledger_sums.hpp"
 
 namespace keyblock::cover_contact_test {
 namespace {
@@ -212,8 +213,8 @@ TEST(CoverContact, bodies_on_covers_that_rebound_make_no_energy) {
     const LedgerRow& end = ledger.rows.back();
     EXPECT_LE(end.stored.kinetic + end.stored.strain, kinetic * (1 + 1e-9)) << restitution;
     EXPECT_GE(end.stored.kinetic + end.stored.strain, 0.9 * kinetic) << restitution;
-    EXPECT_LE(sums_of(ledger).energy_closure(), 1e-9) << restitution;
-    EXPECT_LE(sums_of(ledger).linear_momentum_closure(), 1e-12) << restitution;
+    EXPECT_LE(support::sums_of(ledger).energy_closure(), 1e-9) << restitution;
+    EXPECT_LE(support::sums_of(ledger).linear_momentum_closure(), 1e-12) << restitution;
   }
 }
 
@@ -242,7 +243,7 @@ TEST(CoverContact, a_body_held_by_its_supports_takes_up_what_falls_on_it) {
   double lost = fallen;
   for (const int half_rows : {2, 6}) {
     const Ledger ledger = ledger_of(square_over_slab(half_rows), 0.125);
-    EXPECT_LE(sums_of(ledger).energy_closure(), 1e-9) << half_rows;
+    EXPECT_LE(support::sums_of(ledger).energy_closure(), 1e-9) << half_rows;
     EXPECT_TRUE(ledger.scope.has_supports);
     double least = ledger.rows.front().stored.total();
     for (const LedgerRow& row : ledger.rows) {

@@ -9,7 +9,6 @@
 
 #include "cut/covers/to_cover.hpp"
 #include "geometry/polygon.hpp"
-#include "terms/cover_inertia.hpp"
 #include "tests/support/continuum_benchmarks.hpp"
 #include "tests/support/cover_modes.hpp"
 #include "tests/support/covers_alone.hpp"
@@ -59,10 +58,12 @@ double area_of(const ElasticBodies& bodies, const Eigen::VectorXd& q) {
 TEST(CoverMotion, free_fall_is_exact) {
   for (const CoverFunctions functions : kAllCoverFunctions) {
     const CoversAlone alone(square(functions, 0.6));
-    const ElasticBodies bodies(square(functions, 0.6));
+    Continuum heavy = square(functions, 0.6);
+    heavy.materials[0].unit_weight = 10 * heavy.materials[0].density;
+    const ElasticBodies bodies(heavy);
     CoverMotion motion = moving(alone, bodies, {2, 3, 0});
-    const Eigen::VectorXd weight = cover_weight(bodies.continuum, bodies.basis(), {0, -10});
-    for (int step = 0; step < 100; ++step) motion = alone.step(motion, weight, weighted(1, 0.01), 0.01).end;
+    for (int step = 0; step < 100; ++step)
+      motion = alone.step(motion, bodies.supports.load(), weighted(1, 0.01), 0.01).end;
     const Point at = bodies.elasticity.position(motion.q, 0, {0.5, 0.5});
     EXPECT_NEAR(at.x, 2.5, 1e-12) << name_of(functions);
     EXPECT_NEAR(at.y, 0.5 + 3 - 5, 1e-12);

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "tests/support/ledger_runs.hpp"
+#include "tests/support/ledger_sums.hpp"
 
 namespace keyblock::step_ledger_test {
 namespace {
@@ -104,7 +105,7 @@ Scene let_go(double force_weight, StrainDamping damping, double velocity_weight 
 TEST(Ledger, closes_to_round_off_for_every_choice_of_basis_contact_start_weights_and_damping) {
   double worst = 0;
   const auto check = [&](const std::string& what, const Scene& scene, double time) {
-    const double closure = sums_of(ledger_of(scene, time)).energy_closure();
+    const double closure = support::sums_of(ledger_of(scene, time)).energy_closure();
     EXPECT_LE(closure, kRoundOff) << what;
     worst = std::max(worst, closure);
   };
@@ -141,10 +142,10 @@ TEST(Ledger, closes_for_integrators_that_carry_accelerations) {
       choices.integrator = integrator;
       choices.newmark_beta = beta;
       choices.newmark_gamma = gamma;
-      EXPECT_LE(sums_of(ledger_of(sliding(30, 20, choices), 0.2)).energy_closure(), kRoundOff) << beta;
-      EXPECT_LE(sums_of(ledger_of(toppling(5e-3, choices), 1)).energy_closure(), kRoundOff) << beta;
+      EXPECT_LE(support::sums_of(ledger_of(sliding(30, 20, choices), 0.2)).energy_closure(), kRoundOff) << beta;
+      EXPECT_LE(support::sums_of(ledger_of(toppling(5e-3, choices), 1)).energy_closure(), kRoundOff) << beta;
       choices.restitution = 0.6;
-      EXPECT_LE(sums_of(ledger_of(dropped(1e-3, choices), 0.8)).energy_closure(), kRoundOff) << beta;
+      EXPECT_LE(support::sums_of(ledger_of(dropped(1e-3, choices), 0.8)).energy_closure(), kRoundOff) << beta;
     }
   }
 }
@@ -157,7 +158,7 @@ TEST(Ledger, gravity_released_in_free_fall_is_kinetic_energy) {
     EXPECT_NEAR(end.kinetic / expected, 1, 1e-11);
     EXPECT_NEAR(end.gravity / expected, -1, 1e-11);
     EXPECT_NEAR(ledger.rows.back().impulse.linear.y / (-kMass * kGravity * 0.4), 1, 1e-12);
-    EXPECT_NEAR(sums_of(ledger).linear_momentum_closure(), 0, kRoundOff);
+    EXPECT_NEAR(support::sums_of(ledger).linear_momentum_closure(), 0, kRoundOff);
   }
 }
 
@@ -209,7 +210,7 @@ TEST(Ledger, the_strain_energy_of_a_released_block_goes_where_the_choices_send_i
   const auto end_of = [](const Scene& scene) {
     const Ledger ledger = ledger_of(scene, 0.02);
     EXPECT_NEAR(ledger.rows.front().stored.strain, kReleased, 1e-12 * kReleased);
-    EXPECT_LE(sums_of(ledger).energy_closure(), kRoundOff);
+    EXPECT_LE(support::sums_of(ledger).energy_closure(), kRoundOff);
     return ledger.rows.back();
   };
   const LedgerRow damped = end_of(let_go(0.5, StrainDamping::critical));
@@ -248,9 +249,9 @@ TEST(Ledger, a_point_load_does_its_force_times_the_way) {
   const LedgerRow& end = ledger.rows.back();
   EXPECT_NEAR(end.flow.external / (25e6 * 0.25 / (2 * kMass)), 1, 1e-11);
   EXPECT_NEAR(end.impulse.linear.x, 1500, 1e-9);
-  EXPECT_LE(sums_of(ledger).energy_closure(), kRoundOff);
-  EXPECT_LE(sums_of(ledger).linear_momentum_closure(), kRoundOff);
-  EXPECT_LE(sums_of(ledger).angular_momentum_closure(), kRoundOff);
+  EXPECT_LE(support::sums_of(ledger).energy_closure(), kRoundOff);
+  EXPECT_LE(support::sums_of(ledger).linear_momentum_closure(), kRoundOff);
+  EXPECT_LE(support::sums_of(ledger).angular_momentum_closure(), kRoundOff);
 }
 
 TEST(Ledger, the_geometric_term_of_toppling_is_second_order_in_the_step_and_clean_up_only_loses) {
@@ -284,7 +285,7 @@ TEST(Ledger, a_bolt_that_breaks_takes_what_it_held) {
     settings.standard.start = StartRule::sudden;
     const Ledger ledger = ledger_of(standard_scene_of(blocks, analysis, settings), 0.1);
     const double held = share * share * weight * weight / (2 * kStiffness);
-    EXPECT_LE(sums_of(ledger).energy_closure(), kRoundOff);
+    EXPECT_LE(support::sums_of(ledger).energy_closure(), kRoundOff);
     EXPECT_NEAR(ledger.rows.back().flow.rupture, share < 2 ? held : 0, 1e-9 * held);
     EXPECT_EQ(ledger.rows.back().stored.contact > 0, share > 2);
   }
@@ -303,7 +304,7 @@ TEST(Ledger, a_bolt_without_stiffness_pulls_with_its_pretension) {
     settings.standard.start = start;
     const Ledger ledger = ledger_of(standard_scene_of(blocks, analysis, settings), 0.1);
     const double height = kGravity / 2 * 0.01 / 2;
-    EXPECT_LE(sums_of(ledger).energy_closure(), kRoundOff);
+    EXPECT_LE(support::sums_of(ledger).energy_closure(), kRoundOff);
     EXPECT_NEAR(ledger.rows.back().flow.external, 1.5 * weight * height, 1e-9 * weight);
     EXPECT_NEAR(ledger.rows.back().stored.kinetic, 0.5 * weight * height, 1e-9 * weight);
   }
@@ -321,7 +322,7 @@ TEST(Ledger, a_driven_point_does_the_work_of_its_support) {
   EXPECT_TRUE(ledger.scope.has_supports);
   EXPECT_NEAR(end.stored.kinetic, kMass * 4 / 2, 1e-8 * kMass);
   EXPECT_NEAR(end.flow.external - end.flow.clean_up, end.stored.kinetic, 1e-8 * kMass);
-  EXPECT_LE(sums_of(ledger).energy_closure(), kRoundOff);
+  EXPECT_LE(support::sums_of(ledger).energy_closure(), kRoundOff);
 }
 
 // Springs that stop an impact hold all of it at the turn and give it back: error second order in dt/Tc.
@@ -346,7 +347,7 @@ TEST(Ledger, springs_that_stop_an_impact_hold_its_energy_and_give_it_back) {
     EXPECT_NEAR(ledger.rows.back().stored.kinetic, energy, second_order * energy);
     EXPECT_NEAR(ledger.rows.back().flow.algorithmic, 0, second_order * energy);
     EXPECT_NEAR(ledger.rows.back().flow.closing, 0, second_order * energy);
-    EXPECT_LE(sums_of(ledger).energy_closure(), kRoundOff);
+    EXPECT_LE(support::sums_of(ledger).energy_closure(), kRoundOff);
   }
 }
 
@@ -363,8 +364,8 @@ TEST(Ledger, free_bodies_keep_linear_and_angular_momentum_through_a_central_impa
   for (BlockBasis basis : kBases) {
     const Ledger ledger = ledger_of(meeting(basis, 0.5), 0.05);
     EXPECT_FALSE(ledger.scope.has_supports);
-    EXPECT_LE(sums_of(ledger).linear_momentum_closure(), 1e-12);
-    EXPECT_LE(sums_of(ledger).angular_momentum_closure(), 1e-12);
+    EXPECT_LE(support::sums_of(ledger).linear_momentum_closure(), 1e-12);
+    EXPECT_LE(support::sums_of(ledger).angular_momentum_closure(), 1e-12);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "step/time/impact.hpp"
 #include "step/time/ledger.hpp"
 #include "tests/support/ledger_runs.hpp"
+#include "tests/support/ledger_sums.hpp"
 #include "tests/support/standard_scenes.hpp"
 
 namespace keyblock::standard_impact_test {
@@ -350,7 +351,7 @@ TEST(StandardImpact, springs_that_stop_blocks_make_no_energy_at_any_step) {
         EXPECT_LE(row.stored.total(), least + 1e-9 * fallen) << "p " << penalty << ", dt " << dt << ", t " << row.time;
         least = std::min(least, row.stored.total());
       }
-      EXPECT_LE(sums_of(ledger).energy_closure(), 1e-9) << "p " << penalty << ", dt " << dt;
+      EXPECT_LE(support::sums_of(ledger).energy_closure(), 1e-9) << "p " << penalty << ", dt " << dt;
     }
 }
 

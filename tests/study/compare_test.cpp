@@ -26,7 +26,8 @@ CaseFolder free_fall(const std::string& rows) {
 }
 
 ComparedCase compared(const std::string& rows) {
-  return compare_case(free_fall("quantity,block,time,value,tolerance,tolerance_reason,source\n" + rows), "legacy");
+  const std::string head = "quantity,block,time,value,tolerance,tolerance_reason,source\n";
+  return compare_in(free_fall(head + rows), {"legacy"}).plain.front();
 }
 
 /// Both profiles and all variants; `rows` end with the run whose value is compared.

@@ -12,6 +12,7 @@
 #include "run/prepare.hpp"
 #include "run/run.hpp"
 #include "run/stages/rock.hpp"
+#include "tests/support/ledger_sums.hpp"
 #include "tests/support/scenes.hpp"
 
 namespace keyblock::support {
@@ -168,7 +169,7 @@ ChangesTold told_of_changes(const Problem& problem) {
     const double moved = distance(ledger.rows[row].momentum.linear, before.momentum.linear);
     told.at_change = std::max(told.at_change, moved / before.momentum_size.linear);
   }
-  const LedgerSums sums = sums_of(ledger);
+  const LedgerSums sums = support::sums_of(ledger);
   told.momentum = sums.linear_momentum_closure();
   told.energy = sums.energy_closure();
   return told;

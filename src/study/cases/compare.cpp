@@ -166,10 +166,6 @@ bool CaseComparison::holds() const {
   return std::ranges::all_of(plain, &ComparedCase::holds) && std::ranges::all_of(variants, &ComparedCase::holds);
 }
 
-ComparedCase compare_case(const CaseFolder& folder, const std::string& profile) {
-  return plain_run(load(folder), profile);
-}
-
 CaseComparison compare_in(const CaseFolder& folder, const std::vector<std::string>& profiles) {
   const Loaded loaded = load(folder);
   CaseComparison comparison{loaded.label, loaded.file.about, {}, {}};

@@ -43,11 +43,9 @@ struct CaseComparison {
   bool holds() const;
 };
 
-/// Makes the plain run under `profile`. A refusal of the scene by the profile is reported in `not_run`. Throws
-/// InputError for unreadable files, an unknown quantity, a missing block, or an invalid setting of the case file.
-ComparedCase compare_case(const CaseFolder& folder, const std::string& profile);
-
-/// Makes the plain run under each profile, then the variants of these profiles. Throws as `compare_case`.
+/// Makes the plain run under each profile, then the variants of these profiles. A refusal of the scene by a profile is
+/// reported in `not_run`. Throws InputError for unreadable files, an unknown quantity, a missing block, or an invalid
+/// setting of the case file.
 CaseComparison compare_in(const CaseFolder& folder, const std::vector<std::string>& profiles);
 
 }  // namespace keyblock::study
