@@ -12,6 +12,7 @@
 #include <pugixml.hpp>
 #include <string_view>
 
+#include "base/printable.hpp"
 #include "formats/views/vtk_arrays.hpp"
 
 namespace keyblock::formats {
@@ -86,21 +87,6 @@ void add_polygons(VtkFile& file, const Polygons& polygons) {
   file.end();
 }
 
-std::string attribute(std::string_view text) {
-  std::string safe;
-  for (char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
 std::string fields_of(const FrameColumns& frame) {
   const FrameStage& stage = frame.stage;
   std::string fields = vtk_field("TimeValue", frame.time);
@@ -139,8 +125,8 @@ std::string vtu(const FrameColumns& frame, const Units& units, VtkCoding coding)
 std::string pvd(const std::vector<PvdEntry>& entries) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   for (const auto& [time, part, file, name] : entries) {
-    const std::string named = name.empty() ? "" : fmt::format(" name=\"{}\"", attribute(name));
-    text += fmt::format("<DataSet timestep=\"{}\" part=\"{}\"{} file=\"{}\"/>\n", time, part, named, attribute(file));
+    const std::string named = name.empty() ? "" : fmt::format(" name=\"{}\"", escape_xml(name));
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"{}\"{} file=\"{}\"/>\n", time, part, named, escape_xml(file));
   }
   return text + "</Collection>\n</VTKFile>\n";
 }

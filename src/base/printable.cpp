@@ -83,4 +83,29 @@ std::string csv_cell(std::string_view text) {
   return quoted + '"';
 }
 
+std::string escape_xml(std::string_view text) {
+  std::string safe;
+  safe.reserve(text.size());
+  for (char c : valid_utf8(text)) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        // Other control characters may not stand in XML 1.0 at all.
+        if (static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n') safe += c;
+    }
+  }
+  return safe;
+}
+
 }  // namespace keyblock

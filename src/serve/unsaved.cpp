@@ -7,6 +7,7 @@
 #include "base/bytes/file_bytes.hpp"
 #include "base/bytes/sound_json.hpp"
 #include "base/error.hpp"
+#include "base/words/replace_all.hpp"
 #include "formats/registry.hpp"
 #include "job/files.hpp"
 #include "serve/replies.hpp"
@@ -32,11 +33,6 @@ class Removed {
  private:
   fs::path file_;
 };
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-}
 
 Json point_json(Point p) {
   return Json::array({p.x, p.y});

@@ -15,6 +15,7 @@
 #include "app/exit_code.hpp"
 #include "base/error.hpp"
 #include "base/words/diagnostics.hpp"
+#include "base/words/replace_all.hpp"
 #include "formats/registry.hpp"
 #include "job/files.hpp"
 #include "job/folder/frame_files.hpp"
@@ -78,11 +79,6 @@ class SweepJob {
 
 std::string text_of_value(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
-void replace_all(std::string& text, const std::string& part, const std::string& by) {
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + by.size()))
-    text.replace(at, part.size(), by);
 }
 
 std::vector<std::string> SweepJob::command(const std::string& verb) const {

@@ -9,9 +9,9 @@
 #include <set>
 #include <utility>
 
+#include "base/printable.hpp"
 #include "report/document/document_style.hpp"
 #include "report/drawing/png.hpp"
-#include "report/drawing/svg.hpp"
 
 namespace keyblock::report {
 namespace {

@@ -191,31 +191,6 @@ std::string SvgPage::str() const {
       width, height, body_.str());
 }
 
-std::string escape_xml(std::string_view text) {
-  std::string safe;
-  safe.reserve(text.size());
-  for (char c : valid_utf8(text)) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        // Other control characters may not stand in XML 1.0 at all.
-        if (static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n') safe += c;
-    }
-  }
-  return safe;
-}
-
 double text_width(std::string_view utf8, double size) {
   // Bytes 10xxxxxx continue a character. 0.64 em is the mean of DejaVu Sans, the widest face named.
   const auto characters =

@@ -102,9 +102,6 @@ class SvgPage {
   int depth_ = 0;
 };
 
-/// Returns the text made safe for an XML document.
-std::string escape_xml(std::string_view text);
-
 /// Returns a width that the text does not exceed in a common sans-serif face.
 double text_width(std::string_view utf8, double size);
 

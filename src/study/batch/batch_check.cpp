@@ -8,6 +8,7 @@
 
 #include "api/plan.hpp"
 #include "base/words/diagnostics.hpp"
+#include "base/words/replace_all.hpp"
 #include "cut/bodies/cut_blocks.hpp"
 #include "problem/checks/check.hpp"
 #include "report/thumbnail.hpp"
@@ -26,11 +27,6 @@ std::vector<std::string> paths_of(const fs::path& root, const std::vector<std::s
   std::vector<std::string> paths;
   for (const std::string& file : files) paths.push_back(place_of(root, file).string());
   return paths;
-}
-
-void replace_all(std::string& text, const std::string& old_text, const std::string& new_text) {
-  for (std::size_t at = text.find(old_text); at != std::string::npos; at = text.find(old_text, at + new_text.size()))
-    text.replace(at, old_text.size(), new_text);
 }
 
 // Messages show names as in the archive. A path is at the start of a message or after a space.
