@@ -11,47 +11,14 @@
 #include <numbers>
 #include <thread>
 
+#include "tests/library/example_cases.hpp"
 #include "tests/support/program.hpp"
 
 namespace keyblock::api_test {
 namespace {
 
-namespace kb = keyblock::api;
-
-const std::string kCases = std::string(KEYBLOCK_SOURCE_DIR) + "/legacy_cases/";
 constexpr const char* kFriction = "/analysis/joint_materials/0/friction_angle_deg";
 constexpr double kRadian = std::numbers::pi / 180;
-
-std::string corner(double x, double y) {
-  return "[" + std::to_string(x) + ", " + std::to_string(y) + ", 1]";
-}
-
-kb::Case slide() {
-  return kb::Case::read({kCases + "sliding_block/a30_p20"});
-}
-
-/// Courses of bricks, every other one offset by half a brick, on a fixed floor.
-kb::Case wall(int bricks, int courses) {
-  std::string blocks;
-  const auto add = [&](double left, double bottom, double right, double top) {
-    blocks += (blocks.empty() ? "" : ",\n") + std::string(R"({"material": 1, "outer": [)") + corner(left, bottom) +
-              ", " + corner(right, bottom) + ", " + corner(right, top) + ", " + corner(left, top) + "]}";
-  };
-  add(-1, -1, bricks + 1, 0);
-  for (int course = 0; course < courses; ++course)
-    for (int i = 0; i < bricks; ++i) {
-      const double left = i + (course % 2) * 0.5;
-      add(left, 0.5 * course, left + 1, 0.5 * course + 0.5);
-    }
-  const std::string path = ::testing::TempDir() + "keyblock_api_wall_" +
-                           ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
-  std::ofstream(path)
-      << R"({"keyblock": 2, "units": {"length": "m", "mass": "kg", "time": "s"}, "blocks": {"blocks": [)" << blocks
-      << R"(], "fixed_points": [[-0.5, -0.5, 1], [)" << bricks << R"(, -0.5, 1]]},
-    "analysis": {"step_count": 3, "time_step": "2 ms", "block_materials": [{"like": "sandstone"}],
-                 "joint_materials": [{"friction_angle_deg": 30}]}})";
-  return kb::Case::read({path});
-}
 
 /// Returns the displacement of the last block.
 double way(const kb::Frame& frame) {
@@ -110,6 +77,39 @@ TEST(Api, a_value_of_a_case_is_read_and_changed_and_the_case_stays) {
     EXPECT_EQ(error.what(), std::string(kFriction) + ": expected a value as JSON, found NaN");
   }
   EXPECT_THROW(base.with(kFriction, "\"steep\""), kb::InputError);
+}
+
+TEST(Api, units_and_pointers_of_a_case_are_listed) {
+  const kb::Case base = slide();
+  EXPECT_EQ(base.units(), (std::vector<std::string>{"", "", ""}));
+  const kb::Case bricks = wall(2, 1);
+  EXPECT_EQ(bricks.units(), (std::vector<std::string>{"m", "kg", "s"}));
+  const std::vector<std::string> expected{"/blocks/blocks/0/material", "/blocks/blocks/1/material",
+                                          "/blocks/blocks/2/material"};
+  EXPECT_EQ(bricks.pointers("/blocks/blocks/*/material"), expected);
+  EXPECT_THROW(bricks.pointers("/blocks/rocks/*"), kb::SettingError);
+}
+
+// A Latin hypercube uses each of four equal parts of the range once.
+TEST(Api, random_rows_are_stratified_and_repeatable) {
+  const std::vector<std::string> over{kFriction + std::string("=uniform(10,30)")};
+  const std::string text = kb::random_rows(over, 4, 7);
+  EXPECT_EQ(text, kb::random_rows(over, 4, 7));
+  EXPECT_NE(text, kb::random_rows(over, 4, 8));
+  std::vector<int> parts;
+  for (const auto& row : nlohmann::json::parse(text))
+    parts.push_back(static_cast<int>((row.at(kFriction).get<double>() - 10) / 5));
+  std::ranges::sort(parts);
+  EXPECT_EQ(parts, (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_THROW(kb::random_rows({"no values"}, 4), kb::SettingError);
+}
+
+TEST(Api, headway_has_no_name_between_searches) {
+  const kb::Context context;
+  EXPECT_EQ(context.headway(), (std::pair<std::string, double>{"", 0}));
+  kb::Run run(kb::Plan(slide(), {}, context), context);
+  run.go_on();
+  EXPECT_EQ(context.headway().first, "");
 }
 
 TEST(Api, errors_name_their_place) {
@@ -184,45 +184,6 @@ TEST(Api, a_run_left_by_its_caller_goes_on_to_the_same_bits) {
   const auto vertices = run.frame().vertices();
   EXPECT_EQ(std::vector<double>(vertices.values().begin(), vertices.values().end()), state_after(plan, context));
   EXPECT_FALSE(run.advance());
-}
-
-TEST(Api, columns_of_a_frame_fit_together) {
-  kb::Run run((kb::Plan(slide())));
-  run.go_on();
-  const kb::Frame end = run.frame();
-  const auto blocks = end.number().rows();
-  ASSERT_GT(blocks, 1U);
-  EXPECT_EQ(end.centroid().rows(), blocks);
-  EXPECT_EQ(end.stress().width(), 4U);
-  std::size_t corners = 0;
-  for (const int of_loop : end.loop_corners().values()) corners += static_cast<std::size_t>(of_loop);
-  EXPECT_EQ(end.vertices().rows(), corners);
-  ASSERT_GT(end.rows("contacts"), 0U);
-  EXPECT_EQ(end.contact_pressure().rows(), end.contact_block().rows());
-  double pressure = 0;
-  for (const double of_contact : end.contact_pressure().values()) pressure += of_contact;
-  EXPECT_GT(pressure, 0);
-}
-
-TEST(Api, every_column_that_a_frame_names_is_there_with_its_rows) {
-  kb::Run run((kb::Plan(slide())));
-  run.go_on();
-  const kb::Frame end = run.frame();
-  std::size_t columns = 0;
-  for (const std::string& part : kb::Frame::parts())
-    for (const std::string& name : end.names(part)) {
-      const std::size_t rows =
-          end.is_integer(part, name) ? end.integers(part, name).rows() : end.reals(part, name).rows();
-      EXPECT_EQ(rows, end.rows(part)) << part << " " << name;
-      ++columns;
-    }
-  EXPECT_GT(columns, 25U);
-  EXPECT_EQ(end.reals("cracks", "ends").rows(), 0U) << "a part without rows";
-  EXPECT_THROW(end.reals("blocks", "colour"), kb::SettingError);
-  EXPECT_THROW(end.reals("blocks", "material"), kb::SettingError) << "it holds integers";
-  EXPECT_THROW(end.names("clouds"), kb::SettingError);
-  EXPECT_THROW(end.unit("blocks", "colour"), kb::SettingError);
-  EXPECT_EQ(end.stress().values().data(), end.reals("blocks", "stress").values().data()) << "one copy for all";
 }
 
 // A wall has so many contacts that its loops use threads; both runs share the plan, and one sets up threads as the
