@@ -70,7 +70,8 @@ class RecordedRun {
   const std::string& folder() const { return options_.folder; }
   const std::shared_ptr<const PlannedCase>& plan() const { return plan_; }
   const Prepared& prepared() const { return plan_->prepared; }
-  const RunRecord& record() const { return job_->record(); }
+  const std::shared_ptr<RunAccount>& account() const { return job_->account(); }
+  const RunRecord& record() const { return account()->record(); }
 
  private:
   using Time = std::chrono::steady_clock::time_point;

@@ -118,8 +118,6 @@ class RunFolder {
 
   const Frame& first_frame() const { return frames_.front(); }
   const Frame& last_frame() const { return frames_.back(); }
-  /// Returns the extremes of the last frame relative to the first.
-  Extremes extremes(const FieldFrame& end) const { return extremes_of(frames_.front(), frames_.back(), end); }
 
   /// Returns the names of the written files, in order.
   const std::vector<std::string>& outputs() const { return files_.names(); }

@@ -13,8 +13,9 @@
 #include "base/error.hpp"
 #include "job/ledger_report.hpp"
 #include "job/page/run_page.hpp"
-#include "job/run_doubts.hpp"
+#include "job/run_report.hpp"
 #include "job/step_tables.hpp"
+#include "model/continuum.hpp"
 #include "run/steppers.hpp"
 
 namespace keyblock {
@@ -106,55 +107,41 @@ RunTables tables_of(const History& history, const RunRecord& record, const Ledge
 
 RunJob::RunJob(const Prepared& prepared, RunRecord record, RunRequest request, RunJobOptions options, Archive* saved)
     : prepared_(prepared),
-      record_(std::move(record)),
       request_(std::move(request)),
       options_(std::move(options)),
       saved_(saved),
-      folder_(folder_for(options_, record_.units, saved != nullptr)),
-      watch_(prepared),
-      joints_(prepared.scene.model, prepared.joint_lines),
-      followed_(options_.outputs.histories, prepared.scene, joints_, record_.units),
+      folder_(folder_for(options_, record.units, saved != nullptr)),
+      account_(std::make_shared<RunAccount>(prepared, std::move(record), options_.outputs.histories, options_.place)),
       history_{!prepared.scene.model.measured_points.empty(), {}, stride_of(prepared.scene.settings.step_count)},
       clock_(options_.checkpoint_every),
       tables_due_(std::chrono::steady_clock::now() + kTablesEvery) {
-  const int stride = stride_of(prepared.scene.settings.step_count);
-  record_.steps = StepRows(stride);
-  record_.ledger = LedgerRows(stride);
   choose_outputs();
-  record_.warnings =
-      joined(joined(record_.warnings, followed_.of_distant_pairs()), large_tables(prepared_, followed_, options_));
+  Warnings& warnings = account_->record().warnings;
+  warnings = joined(warnings, large_tables(prepared_, account_->followed(), options_));
 }
 
 void RunJob::choose_outputs() {
   const OutputPlan& plan = options_.outputs;
   require_choice(plan);
-  const int frames = 1 + prepared_.scene.settings.step_count / std::max(1, record_.record_every);
+  const int frames = 1 + prepared_.scene.settings.step_count / std::max(1, account_->record().record_every);
   folder_.choose_frames(prepared_.scene.model.block_materials, options_.frames);
   folder_.choose_contacts({plan.contacts, plan.contacts_every,
-                           [this](const ContactFrame& contact) { return followed_.follows(contact); }, frames});
-}
-
-// Follows histories as often as rows of steps are kept.
-void RunJob::follow(const Stepper& stepper) {
-  stepping_ = &stepper;
-  const int step = stepper.state().step, last = prepared_.scene.settings.step_count;
-  if (!followed_.is_empty() && (step % stride_of(last) == 0 || step == last))
-    folder_.add_histories(history_lines(followed_.values(stepper, joints_), step, stepper.state().time));
+                           [this](const ContactFrame& contact) { return account_->followed().follows(contact); },
+                           frames});
 }
 
 // A stop of the context ends the run with a checkpoint, so that it can go on.
 void RunJob::stop_if_met(const Stepper& stepper) {
   if (!options_.stop_when || !criterion_met_.empty()) return;
-  criterion_met_ = options_.stop_when->met_by(followed_.values(stepper, joints_));
+  criterion_met_ = options_.stop_when->met_by(account_->values(stepper));
   if (!criterion_met_.empty()) context().stop();
 }
 
 void RunJob::open() {
   if (saved_ == nullptr) return folder_.begin(bytes_before_steps(request_));
   if (holds_steps(*saved_)) {
-    describe_told(*saved_, folder_, history_, record_, watch_, followed_);
+    describe_told(*saved_, folder_, history_, *account_);
     saved_->group("stepper", [&] { stepper_ = restored_stepper(prepared_.scene, *saved_); });
-    stepping_ = stepper_.get();
     steps_before_ = stepper_->state().step;
     joints_of_edges_ = joints_of_edges(stepper_->model());
   }
@@ -163,7 +150,7 @@ void RunJob::open() {
 
 void RunJob::write_checkpoint(Stepper& stepper) {
   if (!context().is_stopped() && !clock_.is_due()) return;
-  folder_.write_checkpoint(saved_bytes(request_, folder_, history_, record_, watch_, followed_, stepper));
+  folder_.write_checkpoint(saved_bytes(request_, folder_, history_, *account_, stepper));
   clock_.written();
 }
 
@@ -171,45 +158,38 @@ void RunJob::write_checkpoint(Stepper& stepper) {
 void RunJob::write_tables(const LedgerScope& scope) {
   const auto begun = std::chrono::steady_clock::now();
   if (begun < tables_due_) return;
-  folder_.write_tables(tables_of(history_, record_, scope));
+  folder_.write_tables(tables_of(history_, account_->record(), scope));
   const auto ended = std::chrono::steady_clock::now();
   tables_due_ = ended + std::max<std::chrono::steady_clock::duration>(kTablesEvery, kLeastPause * (ended - begun));
 }
 
 Observer RunJob::observer() {
   return {[&](const Frame& frame) {
-            const Model& model = stepping_ != nullptr ? stepping_->model() : prepared_.scene.model;
-            watch_.blocks().add(frame, contacts_, model, prepared_.scene.settings);
-            folder_.add(frame, std::exchange(field_, {}), std::exchange(contacts_, {}),
-                        stage_of(*stepper_, watch_.is_static(), frame));
+            account_->add(frame, stepper_->model());
+            folder_.add(frame, std::exchange(field_, {}), account_->contacts(),
+                        stage_of(*stepper_, account_->is_static(), frame));
           },
           [&](const StepReport& report) {
-            record_.totals.add(report);
-            record_.steps.add(report);
-            watch_.add(report);
-            if (options_.trace == Trace::yes) record_.traced.push_back(report);
+            account_->add(report);
+            if (options_.trace == Trace::yes) account_->record().traced.push_back(report);
             if (calls_.on_step) calls_.on_step(report);
           },
           [&](const HistoryRow& row) { history_.add(row); },
-          [&](const LedgerRow& row) {
-            record_.ledger_sums.add(row);
-            record_.ledger.add(row);
-            watch_.blocks().add(row);
-          },
+          [&](const LedgerRow& row) { account_->add(row); },
           [&](Stepper& stepper) {
             if (!history_.rows.empty()) write_tables(stepper.ledger_scope());
             write_checkpoint(stepper);
           },
           [&](FieldFrame field) { field_ = std::move(field); },
           [&](const ContactFrames& contacts) {
-            contacts_ = contacts;
-            const Model& model = stepping_ != nullptr ? stepping_->model() : prepared_.scene.model;
-            joints_.name(contacts_, model);
-            joints_of_edges_ = joints_of_edges(model);
+            account_->add(contacts, stepper_->model());
+            joints_of_edges_ = joints_of_edges(stepper_->model());
           },
           [&](const Stepper& stepper) {
-            watch_.blocks().add(stepper);
-            follow(stepper);
+            account_->add(stepper);
+            const State& now = stepper.state();
+            if (account_->has_row(now.step))
+              folder_.add_histories(history_lines(account_->values(stepper), now.step, now.time));
             stop_if_met(stepper);
             if (calls_.on_state) calls_.on_state(stepper);
           }};
@@ -220,7 +200,7 @@ void RunJob::taking_back(const Work& work) {
   try {
     work();
   } catch (const StopRequested&) {
-    record_.outcome.end = RunEnd::stopped;
+    account_->record().outcome.end = RunEnd::stopped;
     throw;
   } catch (const InputError&) {
     if (saved_ == nullptr) folder_.take_back();
@@ -234,7 +214,7 @@ void RunJob::start(RunCalls calls) {
   taking_back([&] {
     const bool is_new = stepper_ == nullptr;
     if (is_new) stepper_ = stepper_for(prepared_.scene);
-    loop_.emplace(prepared_.scene, *stepper_, record_.record_every, told_);
+    loop_.emplace(prepared_.scene, *stepper_, account_->record().record_every, told_);
     if (is_new) loop_->tell_start();
   });
 }
@@ -246,10 +226,10 @@ bool RunJob::step() {
 }
 
 void RunJob::end() {
-  record_.outcome = loop_->end();
-  if (record_.outcome.end == RunEnd::stopped) record_.outcome.why_early = criterion_met_;
+  RunOutcome& outcome = account_->record().outcome;
+  outcome = loop_->end();
+  if (outcome.end == RunEnd::stopped) outcome.why_early = criterion_met_;
   loop_.reset();
-  stepping_ = nullptr;
   stepper_.reset();
 }
 
@@ -312,43 +292,39 @@ std::vector<SupportRecord> supports_of(const Frame& start, const Model& model) {
 }  // namespace
 
 std::string RunJob::finish(const std::string& title, double seconds) {
-  record_.timings.run = to_microseconds(seconds);
-  const Place& place = options_.place;
-  record_.warnings = joined(record_.warnings, watch_.warnings(place));
-  record_.extremes = folder_.extremes(record_.outcome.field);
-  record_.plastic = plastic_extremes_of(folder_.last_frame());
-  record_.reactions = reaction_curves(history_);
-  record_.warnings = joined(record_.warnings, thinned_tables(folder_, options_));
-  record_.warnings = joined(record_.warnings, followed_.of_nothing());
-  keyblock::judge(record_, prepared_, watch_, folder_.first_frame(), folder_.last_frame(), place);
-  record_.held = held_blocks(folder_.last_frame());
-  record_.names = options_.names;
-  record_.supports = supports_of(folder_.first_frame(), prepared_.scene.model);
-  record_.left_out = folder_.finish({title,
-                                     tables_of(history_, record_, record_.outcome.ledger_scope),
-                                     record_.traced,
-                                     {record_.outcome.ledger_scope, record_.ledger.rows()},
-                                     record_.outcome.field,
-                                     !prepared_.scene.is_untouched,
-                                     numbers_of(record_.outcome.elements),
-                                     what_failed_does(record_.outcome, prepared_.scene),
-                                     !followed_.is_empty(),
-                                     joints_of_edges_,
-                                     options_.names.rocks,
-                                     options_.names.joints,
-                                     idle_bolts(prepared_.scene),
-                                     record_.held,
-                                     options_.has_pictures,
-                                     options_.has_page,
-                                     options_.shown});
-  record_.outputs = folder_.outputs();
-  record_.checksums = folder_.checksums();
+  RunRecord& record = account_->record();
+  record.timings.run = to_microseconds(seconds);
+  record.reactions = reaction_curves(history_);
+  record.warnings = joined(record.warnings, thinned_tables(folder_, options_));
+  account_->judge(folder_.first_frame(), folder_.last_frame());
+  record.held = held_blocks(folder_.last_frame());
+  record.names = options_.names;
+  record.supports = supports_of(folder_.first_frame(), prepared_.scene.model);
+  record.left_out = folder_.finish({title,
+                                    tables_of(history_, record, record.outcome.ledger_scope),
+                                    record.traced,
+                                    {record.outcome.ledger_scope, record.ledger.rows()},
+                                    record.outcome.field,
+                                    !prepared_.scene.is_untouched,
+                                    numbers_of(record.outcome.elements),
+                                    what_failed_does(record.outcome, prepared_.scene),
+                                    !account_->followed().is_empty(),
+                                    joints_of_edges_,
+                                    options_.names.rocks,
+                                    options_.names.joints,
+                                    idle_bolts(prepared_.scene),
+                                    record.held,
+                                    options_.has_pictures,
+                                    options_.has_page,
+                                    options_.shown});
+  record.outputs = folder_.outputs();
+  record.checksums = folder_.checksums();
   const std::string json =
-      run_json(prepared_, record_).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+      run_json(prepared_, record).dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   std::function<std::string()> page;
   if (options_.has_page) page = [this] { return run_page(options_.folder); };
   folder_.write_record(json + "\n", page);
-  if (record_.outcome.end != RunEnd::stopped) folder_.remove_checkpoint();
+  if (record.outcome.end != RunEnd::stopped) folder_.remove_checkpoint();
   return json;
 }
 

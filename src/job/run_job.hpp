@@ -8,11 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "job/run_account.hpp"
 #include "job/run_folder.hpp"
-#include "job/run_report.hpp"
-#include "job/run_warnings.hpp"
 #include "job/saved_run.hpp"
-#include "run/follow/followed.hpp"
 #include "run/follow/stop_criterion.hpp"
 #include "run/prepare.hpp"
 
@@ -66,7 +64,7 @@ class RunJob {
   /// Writes all results and the record; returns the record as JSON.
   std::string finish(const std::string& title, double seconds);
 
-  const RunRecord& record() const { return record_; }
+  const std::shared_ptr<RunAccount>& account() const { return account_; }
 
  private:
   Observer observer();
@@ -74,21 +72,16 @@ class RunJob {
   void taking_back(const Work& work);
   void write_checkpoint(Stepper& stepper);
   void write_tables(const LedgerScope& scope);
-  void follow(const Stepper& stepper);
   void stop_if_met(const Stepper& stepper);
   void choose_outputs();
 
   const Prepared& prepared_;
-  RunRecord record_;
   RunRequest request_;
   RunJobOptions options_;
   Archive* saved_;
   RunFolder folder_;
-  StepWatch watch_;
-  DrawnJoints joints_;
-  Followed followed_;
-  std::string criterion_met_;          ///< in words; empty before that
-  const Stepper* stepping_ = nullptr;  ///< of the run, after its first state
+  std::shared_ptr<RunAccount> account_;
+  std::string criterion_met_;  ///< in words; empty before that
   History history_;
   CheckpointClock clock_;
   std::chrono::steady_clock::time_point tables_due_;
@@ -98,7 +91,6 @@ class RunJob {
   Observer told_;
   std::optional<StepLoop> loop_;
   FieldFrame field_;                               ///< of the next frame
-  ContactFrames contacts_;                         ///< of the next frame
   std::vector<std::vector<int>> joints_of_edges_;  ///< of the last frame, in the form of `report::RunPicture`
 };
 

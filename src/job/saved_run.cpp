@@ -56,18 +56,10 @@ std::string this_program() {
   return fmt::format("{}, build {}", KEYBLOCK_VERSION, build_id());
 }
 
-void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
-                   Followed& followed) {
+void describe_told(Archive& archive, RunFolder& folder, History& history, RunAccount& account) {
   archive.group("records", [&] {
     archive.list("history", history.rows, [&](HistoryRow& row) { describe(archive, row); });
-    const auto describe_step = [&](StepReport& report) { describe(archive, report); };
-    archive.group("totals", [&] { describe(archive, record.totals); });
-    archive.group("steps", [&] { record.steps.describe(archive, describe_step); });
-    archive.list("traced", record.traced, describe_step);
-    archive.group("watch", [&] { watch.describe(archive); });
-    followed.describe(archive);
-    archive.group("ledger_sums", [&] { describe(archive, record.ledger_sums); });
-    archive.group("ledger", [&] { record.ledger.describe(archive, [&](LedgerRow& row) { describe(archive, row); }); });
+    account.describe(archive);
   });
   archive.group("folder", [&] { folder.describe(archive); });
 }
@@ -82,11 +74,11 @@ bool holds_steps(const Archive& saved) {
   return std::ranges::any_of(saved.root().children, [](const auto& child) { return child->name == "stepper"; });
 }
 
-std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
-                        Followed& followed, Stepper& stepper) {
+std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunAccount& account,
+                        Stepper& stepper) {
   Archive archive;
   archive.group("request", [&] { describe(archive, request); });
-  describe_told(archive, folder, history, record, watch, followed);
+  describe_told(archive, folder, history, account);
   archive.group("stepper", [&] { stepper.save(archive); });
   return checkpoint_bytes(archive);
 }

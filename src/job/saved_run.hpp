@@ -9,11 +9,9 @@
 #include <vector>
 
 #include "base/archive.hpp"
+#include "job/run_account.hpp"
 #include "job/run_folder.hpp"
-#include "job/run_report.hpp"
-#include "job/run_warnings.hpp"
 #include "result/history.hpp"
-#include "run/follow/followed.hpp"
 
 namespace keyblock {
 
@@ -48,10 +46,8 @@ void describe(Archive& archive, RunRequest& request);
 /// round differently.
 std::string this_program();
 
-/// Saves and restores the reports of the run: rows of history, steps and energy balance, their sums, warnings of steps,
-/// followed parts, and frames.
-void describe_told(Archive& archive, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
-                   Followed& followed);
+/// Saves and restores the reports of the run: its account, rows of history, and frames.
+void describe_told(Archive& archive, RunFolder& folder, History& history, RunAccount& account);
 
 /// Returns the checkpoint written at the start: the group request alone. A run resumed from it begins again.
 std::string bytes_before_steps(RunRequest& request);
@@ -60,8 +56,8 @@ std::string bytes_before_steps(RunRequest& request);
 bool holds_steps(const Archive& saved);
 
 /// Returns the whole checkpoint: groups request, records, folder, stepper.
-std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunRecord& record, StepWatch& watch,
-                        Followed& followed, Stepper& stepper);
+std::string saved_bytes(RunRequest& request, RunFolder& folder, History& history, RunAccount& account,
+                        Stepper& stepper);
 
 /// Decides when the next checkpoint is due: after a number of seconds, or only when the run is stopped.
 class CheckpointClock {

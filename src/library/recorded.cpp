@@ -16,14 +16,13 @@ namespace {
 struct FolderRun : Run::State {
   FolderRun(Case what, std::unique_ptr<RecordedRun> of, std::function<void(const Step&)> call,
             const keyblock::Context& under)
-      : State(std::move(what), of->plan(), under), on_step(std::move(call)), recorded(std::move(of)) {
+      : State(std::move(what), of->plan(), of->account(), under), on_step(std::move(call)), recorded(std::move(of)) {
     recorded->open();
     RunCalls calls;
     calls.on_step = [this](const StepReport& report) {
       last = step_of(report);
       if (on_step) on_step(last);
     };
-    calls.on_state = [this](const Stepper& now) { kept.add(now); };
     recorded->start(std::move(calls));
     stepper = recorded->stepper();
     scope = stepper->ledger_scope();
@@ -33,7 +32,6 @@ struct FolderRun : Run::State {
   }
 
   bool is_recorded() const override { return true; }
-  const RunRecord& so_far() const override { return recorded ? recorded->record() : record; }
   bool step() override { return recorded->step(); }
   void end_early(const std::string& why) override {
     if (recorded) recorded->end_early(why);
@@ -41,14 +39,12 @@ struct FolderRun : Run::State {
   void end() override {
     recorded->end();
     recorded->finish();
-    record = recorded->record();
-    outcome = outcome_of(planned->prepared, record);
+    outcome = outcome_of(planned->prepared, account->record());
     recorded.reset();
   }
 
   std::function<void(const Step&)> on_step;
   std::unique_ptr<RecordedRun> recorded;  ///< null after the end
-  RunRecord record;                       ///< after the end
 };
 
 RecordingOptions options_of(const std::string& folder, const Recording& how) {

@@ -11,13 +11,11 @@
 
 #include "formats/tables/run_tables.hpp"
 #include "job/ledger_report.hpp"
-#include "job/run_doubts.hpp"
+#include "job/run_account.hpp"
 #include "job/run_report.hpp"
-#include "job/run_warnings.hpp"
 #include "job/verdict/end_of_motion.hpp"
 #include "library/run_state.hpp"
 #include "problem/units/measure.hpp"
-#include "run/follow/followed.hpp"
 #include "run/record.hpp"
 #include "run/steppers.hpp"
 
@@ -61,27 +59,28 @@ Step step_of(const StepReport& report) {
 
 namespace {
 
+std::shared_ptr<RunAccount> account_of(const Plan& of) {
+  const PlannedCase& planned = of.data()->planned;
+  RunRecord record;
+  record.profile = planned.profile.name;
+  record.units = planned.problem.units;
+  record.warnings = joined(of.data()->of.data().open.input.warnings, planned.warnings);
+  return std::make_shared<RunAccount>(planned.prepared, std::move(record), planned.problem.outputs.histories,
+                                      planned.problem.analysis->place);
+}
+
 /// Run in memory.
 struct MemoryRun : Run::State {
   MemoryRun(const Plan& of, const Context& under)
-      : State(of.data()->of, {of.data(), &of.data()->planned}, under.state().context),
-        plan(of),
-        watch(prepared()),
+      : State(of.data()->of, {of.data(), &of.data()->planned}, account_of(of), under.state().context),
         observer(what_is_told()),
         loop(prepared().scene, stepping(), usual_frame_interval(planned->problem, prepared().scene.settings),
              observer) {
-    record.profile = plan.profile();
-    record.units = planned->problem.units;
-    record.warnings = joined(plan.data()->of.data().open.input.warnings, planned->warnings);
-    const int stride = stride_of(prepared().scene.settings.step_count);
-    record.steps = StepRows(stride);
-    record.ledger = LedgerRows(stride);
     loop.tell_start();
     context.tell(nullptr, 0);
   }
 
   const Prepared& prepared() const { return planned->prepared; }
-  const RunRecord& so_far() const override { return record; }
   bool step() override { return loop.step(); }
 
   Stepper& stepping() {
@@ -94,22 +93,13 @@ struct MemoryRun : Run::State {
     Observer told;
     told.on_step = [this](const StepReport& report) {
       last = step_of(report);
-      record.totals.add(report);
-      record.steps.add(report);
-      watch.add(report);
+      account->add(report);
     };
-    told.on_ledger = [this](const LedgerRow& row) {
-      record.ledger_sums.add(row);
-      record.ledger.add(row);
-      watch.blocks().add(row);
-    };
-    told.on_state = [this](const Stepper& state) {
-      watch.blocks().add(state);
-      kept.add(state);
-    };
-    told.on_contacts = [this](const ContactFrames& now) { contacts = now; };
+    told.on_ledger = [this](const LedgerRow& row) { account->add(row); };
+    told.on_state = [this](const Stepper& state) { account->add(state); };
+    told.on_contacts = [this](const ContactFrames& now) { account->add(now, stepper->model()); };
     told.on_frame = [this](const keyblock::Frame& frame) {
-      watch.blocks().add(frame, contacts, stepper->model(), prepared().scene.settings);
+      account->add(frame, stepper->model());
       if (!first) first = frame;
       last_frame = frame;
     };
@@ -117,19 +107,11 @@ struct MemoryRun : Run::State {
   }
 
   void end() override {
-    const keyblock::Place& place = planned->problem.analysis->place;
-    record.outcome = loop.end();
-    record.warnings = joined(record.warnings, watch.warnings(place));
-    record.extremes = extremes_of(*first, last_frame, record.outcome.field);
-    record.plastic = plastic_extremes_of(last_frame);
-    keyblock::judge(record, prepared(), watch, *first, last_frame, place);
-    outcome = outcome_of(prepared(), record);
+    account->record().outcome = loop.end();
+    account->judge(*first, last_frame);
+    outcome = outcome_of(prepared(), account->record());
   }
 
-  Plan plan;
-  RunRecord record;
-  StepWatch watch;
-  ContactFrames contacts;
   std::optional<keyblock::Frame> first;
   keyblock::Frame last_frame;
   Observer observer;
@@ -137,11 +119,11 @@ struct MemoryRun : Run::State {
 };
 
 bool is_balance(const Run::State& state, std::string_view history) {
-  return history == kBalanceName && state.so_far().ledger.last() != nullptr;
+  return history == kBalanceName && state.account->record().ledger.last() != nullptr;
 }
 
 std::vector<LedgerColumn> balance_columns(const Run::State& state) {
-  return ledger_columns(state.scope, state.so_far().ledger_sums.first);
+  return ledger_columns(state.scope, state.account->record().ledger_sums.first);
 }
 
 std::vector<std::pair<std::string, std::string>> balance_quantities(const Run::State& state) {
@@ -159,7 +141,7 @@ Column<double> balance_of(const Run::State& state, std::string_view quantity) {
   if (column == columns.end())
     throw SettingError(fmt::format("expected a quantity of the history {}, found {}", kBalanceName, quantity));
   std::vector<double> values;
-  for (const LedgerRow& row : state.so_far().ledger.rows()) {
+  for (const LedgerRow& row : state.account->record().ledger.rows()) {
     values.push_back(row.time);
     values.push_back(column->value(row));
   }
@@ -172,12 +154,13 @@ inline namespace v1 {
 
 const std::shared_ptr<Contacts>& Run::State::contacts_now() {
   if (!contacts_of_now_)
-    contacts_of_now_ = std::make_shared<Contacts>([run = stepper, of = planned, lines = joints, under = context] {
-      const Under own(under);
-      ContactFrames contacts = run->contacts();
-      lines->name(contacts, run->model());
-      return contacts;
-    });
+    contacts_of_now_ =
+        std::make_shared<Contacts>([run = stepper, of = planned, lines = account->joints(), under = context] {
+          const Under own(under);
+          ContactFrames contacts = run->contacts();
+          lines->name(contacts, run->model());
+          return contacts;
+        });
   return contacts_of_now_;
 }
 
@@ -187,7 +170,7 @@ void Run::State::leave_step() {
   if (is_held && !planned->problem.stages.empty()) contacts_of_now_->part();
   if (is_held)
     contacts_of_now_->keep([&]() -> std::function<ContactFrames()> {
-      return [run = stepper, of = planned, lines = joints, later = stepper->contacts_later()] {
+      return [run = stepper, of = planned, lines = account->joints(), later = stepper->contacts_later()] {
         ContactFrames contacts = later();
         lines->name(contacts, run->model());
         return contacts;
@@ -265,15 +248,21 @@ Frame Run::frame(Detail detail) const {
 }
 
 std::vector<std::string> Run::histories() const {
-  return state_->kept.names();
+  return state_->account->histories().names();
 }
 
 std::vector<std::pair<std::string, std::string>> Run::quantities(std::string_view history) const {
-  return is_balance(*state_, history) ? balance_quantities(*state_) : state_->kept.quantities(history);
+  return guarded([&] {
+    return is_balance(*state_, history) ? balance_quantities(*state_)
+                                        : state_->account->histories().quantities(history);
+  });
 }
 
 Column<double> Run::history(std::string_view history, std::string_view quantity) const {
-  return is_balance(*state_, history) ? balance_of(*state_, quantity) : state_->kept.values(history, quantity);
+  return guarded([&]() -> Column<double> {
+    if (is_balance(*state_, history)) return balance_of(*state_, quantity);
+    return {std::make_shared<const std::vector<double>>(state_->account->histories().values(history, quantity)), 2};
+  });
 }
 
 const Outcome& Run::outcome() const {

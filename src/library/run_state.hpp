@@ -7,8 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "job/run_record.hpp"
-#include "library/kept_histories.hpp"
+#include "job/run_account.hpp"
 #include "library/parts.hpp"
 #include "step/stepper.hpp"
 
@@ -23,12 +22,9 @@ inline namespace v1 {
 
 /// A run between two steps. One kind steps in memory, the other writes its results into a folder.
 struct Run::State {
-  State(Case of, std::shared_ptr<const PlannedCase> plan, const keyblock::Context& under)
-      : of_case(std::move(of)),
-        planned(std::move(plan)),
-        context(under),
-        joints(std::make_shared<const DrawnJoints>(planned->prepared.scene.model, planned->prepared.joint_lines)),
-        kept(*planned, *joints) {}
+  State(Case of, std::shared_ptr<const PlannedCase> plan, std::shared_ptr<RunAccount> kept,
+        const keyblock::Context& under)
+      : of_case(std::move(of)), planned(std::move(plan)), account(std::move(kept)), context(under) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   virtual ~State() = default;
@@ -40,7 +36,6 @@ struct Run::State {
   virtual bool is_recorded() const { return false; }
   /// Prepares a recorded run to end before its next step.
   virtual void end_early(const std::string&) {}
-  virtual const RunRecord& so_far() const = 0;
 
   /// Makes a step, and `end` after the last.
   bool advance();
@@ -49,9 +44,8 @@ struct Run::State {
 
   Case of_case;
   std::shared_ptr<const PlannedCase> planned;
+  std::shared_ptr<RunAccount> account;
   keyblock::Context context;
-  std::shared_ptr<const DrawnJoints> joints;
-  KeptHistories kept;
   std::shared_ptr<Stepper> stepper;
   LedgerScope scope;  ///< of the energy balance
   Step last;

@@ -1,4 +1,4 @@
-// Histories of runs of the public library, in memory and in a folder, and runs that end early.
+// Histories and warnings of a run in memory are those of a run with results in a folder.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
@@ -14,6 +14,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using Told = std::vector<std::pair<std::string, std::string>>;
+
+/// Returns code and sentence of each warning, sorted.
+Told told(const std::vector<kb::Warning>& warnings) {
+  Told all;
+  for (const kb::Warning& warning : warnings) all.emplace_back(warning.code, warning.sentence);
+  std::ranges::sort(all);
+  return all;
+}
+
+bool has(const Told& all, std::string_view code, std::string_view part) {
+  return std::ranges::any_of(
+      all, [&](const auto& one) { return one.first == code && one.second.find(part) != std::string::npos; });
+}
+
 struct Folder {
   fs::path path = fs::path(::testing::TempDir()) / (std::string("keyblock_histories_") +
                                                     ::testing::UnitTest::GetInstance()->current_test_info()->name());
@@ -22,6 +37,40 @@ struct Folder {
 };
 
 }  // namespace
+
+TEST(Histories, a_run_in_memory_warns_as_the_program_does) {
+  const Folder folder;
+  const std::vector<std::string> histories{"ends=contact:2,7", "self=contact:1,1"};
+  const kb::Case bricks = wall(6, 1);
+  kb::Run run(kb::Plan(bricks, {"", {}, histories}));
+  const Told in_memory = told(run.go_on().warnings);
+  const kb::Outcome recorded = kb::record(bricks, folder.path.string(), {.pictures = false, .histories = histories});
+  EXPECT_EQ(in_memory, told(recorded.warnings));
+  EXPECT_TRUE(has(in_memory, "history_of_distant_blocks", "blocks 2 and 7 are 4 apart before any load"));
+  EXPECT_TRUE(has(in_memory, "history_of_nothing", "\"contact ends\": no contact of blocks 2 and 7 is closed"));
+  EXPECT_TRUE(has(in_memory, "history_of_nothing", "\"contact self\": no contact of blocks 1 and 1 is closed"));
+}
+
+TEST(Histories, a_resumed_run_keeps_the_rows_before_its_checkpoint) {
+  const Folder folder;
+  const auto past = [](int step) { return [step](const kb::Run& now) { return now.last().number == step; }; };
+  const kb::Recording how{.pictures = false, .histories = {"block:2"}};
+  kb::Run first = kb::recorded(slide(), folder.path.string(), how);
+  first.go_on(past(8));
+  const kb::Column<double> before = first.history("2", "displacement_x");
+  EXPECT_EQ(before.rows(), 9U);
+  kb::Run second = kb::resumed(folder.path.string());
+  for (int step = 9; step <= 12; ++step) ASSERT_TRUE(second.advance());
+  EXPECT_EQ(second.histories(), std::vector<std::string>{"2"});
+  const kb::Column<double> after = second.history("2", "displacement_x");
+  ASSERT_EQ(after.rows(), 13U);
+  for (std::size_t row = 0; row < before.rows(); ++row) EXPECT_EQ(after(row, 1), before(row, 1)) << row;
+  EXPECT_EQ(second.history("ledger", "kinetic").rows(), 13U);
+  kb::Run whole(kb::Plan(slide(), {"", {}, {"block:2"}}));
+  whole.go_on(past(12));
+  const kb::Column<double> expected = whole.history("2", "displacement_x");
+  for (std::size_t row = 0; row < after.rows(); ++row) EXPECT_EQ(after(row, 1), expected(row, 1)) << row;
+}
 
 TEST(Histories, names_quantities_and_units_are_listed) {
   kb::Run run(kb::Plan(wall(1, 1), {"", {}, {"top=block:2", "joint=contact:1,2"}}));

@@ -2,32 +2,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <keyblock/keyblock.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "api/plan.hpp"
-#include "run/follow/drawn_joints.hpp"
+#include "base/archive.hpp"
 #include "run/follow/followed.hpp"
-#include "step/stepper.hpp"
 
-namespace keyblock::api {
+namespace keyblock {
 
-/// Histories of the plan, with a row per step as tables have them.
+/// Rows of histories.csv, by name of the history and its quantity. Functions that read them throw UsageError for a name
+/// that is not there.
 class KeptHistories {
  public:
-  /// Keeps a reference to `joints`.
-  KeptHistories(const PlannedCase& planned, const DrawnJoints& joints);
-
-  /// Adds the state at the start, or after a step.
-  void add(const Stepper& stepper);
+  /// Adds a row of each quantity.
+  void add(double time, const std::vector<FollowedValue>& values);
+  void describe(Archive& archive);
 
   std::vector<std::string> names() const;
+  /// Returns the quantities of a history, each with its unit.
   std::vector<std::pair<std::string, std::string>> quantities(std::string_view name) const;
   /// Returns times and values in turn; nan at times at which the quantity is unknown.
-  Column<double> values(std::string_view name, std::string_view quantity) const;
+  std::vector<double> values(std::string_view name, std::string_view quantity) const;
 
  private:
   struct Quantity {
@@ -40,13 +37,11 @@ class KeptHistories {
     std::vector<Quantity> quantities;
   };
 
+  std::size_t place_of(std::string_view name);  ///< adds a history that is not there
   const History& at(std::string_view name) const;
 
-  const DrawnJoints& joints_;
-  Followed followed_;
-  int last_;
   std::vector<double> times_;
   std::vector<History> all_;
 };
 
-}  // namespace keyblock::api
+}  // namespace keyblock
