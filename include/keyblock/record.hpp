@@ -19,6 +19,7 @@ struct Recording {
   std::vector<std::string> histories = {};  ///< as `keyblock run --history`: "crest=point:16.8,12.8"
   std::string contacts = {};                ///< as `--contacts`: "none", "all", …; empty: as the case says
   std::string frames = "automatic";         ///< coding: "automatic", "raw", "zlib" or "text"
+  /// After each step. What it throws ends the call, and passes unchanged; the run can be resumed.
   std::function<void(const Step&)> on_step = {};
 };
 

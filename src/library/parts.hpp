@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <keyblock/keyblock.hpp>
 #include <memory>
@@ -95,11 +96,28 @@ inline std::vector<Warning> public_warnings(const Warnings& warnings) {
 /// Returns the files and choices of a case under choices of the caller.
 AskedCase asked_under(const Case& of, const Choices& choices);
 
+/// What a function of the caller threw. It passes all handlers on the way to `guarded`, which throws it again.
+struct ThrownByCaller {
+  std::exception_ptr error;
+};
+
+template <class... Values>
+void call_back(const std::function<void(const Values&...)>& of_caller, const Values&... values) {
+  if (!of_caller) return;
+  try {
+    of_caller(values...);
+  } catch (...) {
+    throw ThrownByCaller{std::current_exception()};
+  }
+}
+
 /// Calls `work`; converts its exceptions to those of the public header.
 template <class Work>
 auto guarded(const Work& work) {
   try {
     return work();
+  } catch (const ThrownByCaller& thrown) {
+    std::rethrow_exception(thrown.error);
   } catch (const keyblock::InputError& error) {
     throw InputError(error.what(), place_of(error.place()));
   } catch (const UsageError& error) {

@@ -21,7 +21,7 @@ struct FolderRun : Run::State {
     RunCalls calls;
     calls.on_step = [this](const StepReport& report) {
       last = step_of(report);
-      if (on_step) on_step(last);
+      call_back(on_step, last);
     };
     recorded->start(std::move(calls));
     stepper = recorded->stepper();
@@ -68,9 +68,7 @@ std::unique_ptr<RecordedRun> begun(const Case& of, const std::string& folder, co
 
 Outcome run_to_end(RecordedRun& run, const std::function<void(const Step&)>& on_step) {
   run.open();
-  const bool has_begun = run.run([&](const StepReport& report) {
-    if (on_step) on_step(step_of(report));
-  });
+  const bool has_begun = run.run([&](const StepReport& report) { call_back(on_step, step_of(report)); });
   if (has_begun) run.finish();
   return outcome_of(run.prepared(), run.record());
 }

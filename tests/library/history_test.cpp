@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <keyblock/record.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "tests/library/example_cases.hpp"
@@ -104,6 +105,23 @@ TEST(Histories, a_recorded_run_ended_early_says_why_and_makes_no_step_more) {
   EXPECT_EQ(run.outcome().end, kb::End::stopped);
   EXPECT_EQ(run.outcome().reason, "enough is seen");
   EXPECT_EQ(run.outcome().steps, 1);
+}
+
+TEST(Histories, what_a_callback_throws_keeps_its_type) {
+  const Folder folder;
+  const auto thrown_at = [](int number, const auto& error) {
+    return [=](const kb::Step& step) {
+      if (step.number == number) throw error;
+    };
+  };
+  const std::string path = folder.path.string();
+  const std::invalid_argument invalid("from the caller");
+  EXPECT_THROW(kb::record(slide(), path, {.pictures = false, .on_step = thrown_at(2, invalid)}), std::invalid_argument);
+  EXPECT_THROW(kb::resume(path, thrown_at(3, 7)), int);
+  EXPECT_THROW(kb::resume(path, thrown_at(3, kb::Stopped("by the caller"))), kb::Stopped);
+  kb::Run run = kb::recorded(slide(), path, {.overwrite = true, .pictures = false, .on_step = thrown_at(2, invalid)});
+  EXPECT_TRUE(run.advance());
+  EXPECT_THROW(run.advance(), std::invalid_argument);
 }
 
 }  // namespace keyblock::api_test
