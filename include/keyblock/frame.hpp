@@ -40,6 +40,9 @@ class KEYBLOCK_API Frame {
   int step() const;
   double time() const;
   double load_factor() const;  ///< by which crack growth multiplies the loads
+  /// 0, and one more each time that blocks come, go, split or change their undeformed outline: a stage excavates, a
+  /// crack grows. Frames of one epoch of a run have the same blocks, loops and corners in the same rows.
+  int epoch() const;
 
   /// "blocks", "loops", "corners", "contacts", "bolts", "cracks", "points", "tips".
   static std::vector<std::string> parts();

@@ -38,6 +38,8 @@ class Frame:
     step = property(lambda self: self._frame.step, doc="Number of the step; 0 is the initial state.")
     time = property(lambda self: self._frame.time, doc="Time [time].")
     load_factor = property(lambda self: self._frame.load_factor, doc="Factor of the loads under crack growth.")
+    epoch = property(lambda self: self._frame.epoch,
+                     doc="One more each time that blocks change, from 0; rows of one epoch are the same blocks.")
 
     number = _column("blocks", "block", "Number of each block, n.")
     material = _column("blocks", "material", "Number of the material of each block, n.")
@@ -172,6 +174,7 @@ class _Columns:
     step: int
     time: float
     load_factor: float
+    epoch: int = 0
     parts: dict[str, dict[str, tuple[Array, list[str], str]]]  # column, components and unit
 
     @classmethod
@@ -179,6 +182,7 @@ class _Columns:
         """Copies the columns of a frame."""
         columns = cls()
         columns.step, columns.time, columns.load_factor = frame.step, frame.time, frame.load_factor
+        columns.epoch = frame.epoch
         columns.parts = {part: {name: (frame.column(part, name), frame.components(part, name), frame.unit(part, name))
                                 for name in frame.names(part)}
                          for part in frame.parts()}

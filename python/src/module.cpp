@@ -589,6 +589,7 @@ void bind_run(py::module_& m) {
       .def_property_readonly("step", &kb::Frame::step)
       .def_property_readonly("time", &kb::Frame::time)
       .def_property_readonly("load_factor", &kb::Frame::load_factor)
+      .def_property_readonly("epoch", &kb::Frame::epoch)
       .def_static("parts", &kb::Frame::parts)
       .def("names", &kb::Frame::names, py::arg("part"), py::call_guard<py::gil_scoped_release>())
       .def("rows", &rows_of, py::arg("part"))

@@ -37,6 +37,7 @@ void RunAccount::add(const LedgerRow& row) {
 
 void RunAccount::add(const Stepper& stepper) {
   watch_.blocks().add(stepper);
+  epochs_.at(stepper.model());
   if (has_row(stepper.state().step)) kept_.add(stepper.state().time, values(stepper));
 }
 
@@ -57,6 +58,7 @@ void RunAccount::describe(Archive& archive) {
   archive.group("watch", [&] { watch_.describe(archive); });
   followed_.describe(archive);
   archive.group("kept", [&] { kept_.describe(archive); });
+  archive.group("epochs", [&] { epochs_.describe(archive); });
   archive.group("ledger_sums", [&] { keyblock::describe(archive, record_.ledger_sums); });
   archive.group("ledger",
                 [&] { record_.ledger.describe(archive, [&](LedgerRow& row) { keyblock::describe(archive, row); }); });

@@ -10,6 +10,7 @@
 #include "job/run_warnings.hpp"
 #include "problem/output_plan.hpp"
 #include "run/follow/drawn_joints.hpp"
+#include "run/follow/epochs.hpp"
 #include "run/follow/followed.hpp"
 #include "run/follow/kept_histories.hpp"
 #include "run/prepare.hpp"
@@ -17,7 +18,7 @@
 namespace keyblock {
 
 /// Record of a run that grows with every step, and the values behind its warnings: totals, rows of steps and of the
-/// energy balance, histories.
+/// energy balance, histories, epochs.
 class RunAccount {
  public:
   /// Takes in `record` the data known before the first step. Points of `histories` are measured points of the scene
@@ -49,6 +50,7 @@ class RunAccount {
   const std::vector<FollowedValue>& values(const Stepper& stepper);
   const KeptHistories& histories() const { return kept_; }
   const std::shared_ptr<const DrawnJoints>& joints() const { return joints_; }
+  int epoch(const Model& now) { return epochs_.at(now); }
 
  private:
   const Prepared& prepared_;
@@ -60,6 +62,7 @@ class RunAccount {
   std::vector<FollowedValue> values_;  ///< of the step `valued_`
   int valued_ = -1;
   KeptHistories kept_;
+  Epochs epochs_;
   ContactFrames contacts_;
 };
 

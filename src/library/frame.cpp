@@ -71,6 +71,10 @@ double Frame::load_factor() const {
   return data_->columns.load_factor;
 }
 
+int Frame::epoch() const {
+  return data_->epoch;
+}
+
 std::vector<std::string> Frame::parts() {
   std::vector<std::string> names;
   for (const formats::FramePart& part : formats::columns_of({}, {}).parts) names.emplace_back(part.name);

@@ -69,6 +69,7 @@ struct Frame::Data {
   formats::FrameColumns columns;  ///< without contacts
   std::shared_ptr<Contacts> contacts;
   Units units;
+  int epoch = 0;
 
   const formats::FramePart& part(std::string_view name) const {
     return name == "contacts" ? contacts->part() : columns.part(name);

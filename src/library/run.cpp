@@ -242,8 +242,9 @@ Frame Run::frame(Detail detail) const {
     const Under under(state_->context);
     const Stepper& stepper = *state_->stepper;
     const FieldFrame within = detail == Detail::corners ? field_of(stepper.model(), stepper) : FieldFrame{};
-    return Frame(std::make_shared<const Frame::Data>(Frame::Data{
-        formats::columns_of(frame_now(stepper), {}, within), state_->contacts_now(), state_->planned->problem.units}));
+    return Frame(std::make_shared<const Frame::Data>(Frame::Data{formats::columns_of(frame_now(stepper), {}, within),
+                                                                 state_->contacts_now(), state_->planned->problem.units,
+                                                                 state_->account->epoch(stepper.model())}));
   });
 }
 

@@ -1,12 +1,34 @@
-// Frames of the public library: their columns and units.
+// Frames of the public library: their columns, units and epochs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <keyblock/record.hpp>
 
 #include "tests/library/example_cases.hpp"
 
 namespace keyblock::api_test {
+namespace {
+
+/// Two bricks beside each other on a floor: a stage excavates the second one, another changes no block.
+kb::Case excavated() {
+  return wall(2, 1).with("/stages", R"([{"steps": 2}, {"steps": 2, "set": {"time_step": "1 ms"}},
+    {"steps": 2, "excavations": [{"outline": [[1, 0], [2, 0], [2, 0.5], [1, 0.5]]}]}, {"steps": 2}])");
+}
+
+void expect_epochs(kb::Run& run) {
+  while (run.advance()) {
+    const kb::Frame now = run.frame();
+    const bool is_excavated = now.step() > 4;
+    EXPECT_EQ(now.epoch(), is_excavated ? 1 : 0) << now.step();
+    EXPECT_EQ(now.number().rows(), is_excavated ? 2U : 3U) << now.step();
+  }
+  EXPECT_EQ(run.outcome().steps, 8) << run.outcome().reason;
+}
+
+}  // namespace
+
 TEST(Frames, columns_of_a_frame_fit_together) {
   kb::Run run((kb::Plan(slide())));
   run.go_on();
@@ -87,6 +109,24 @@ TEST(Frames, components_and_units_are_those_of_the_case) {
   EXPECT_THROW(start.components("blocks", "nonsense"), kb::SettingError);
   EXPECT_THROW(start.unit("blocks", "nonsense"), kb::SettingError);
   EXPECT_THROW(start.unit("clouds", "x"), kb::SettingError);
+}
+
+TEST(Frames, an_epoch_begins_where_a_stage_excavates) {
+  kb::Run run((kb::Plan(excavated())));
+  EXPECT_EQ(run.frame().epoch(), 0);
+  expect_epochs(run);
+}
+
+TEST(Frames, a_resumed_run_counts_on_its_epochs) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "keyblock_epochs";
+  std::filesystem::remove_all(folder);
+  kb::Run first = kb::recorded(excavated(), folder.string(), {.pictures = false});
+  first.go_on([](const kb::Run& now) { return now.last().number == 5; });
+  EXPECT_EQ(first.frame().epoch(), 1);
+  kb::Run second = kb::resumed(folder.string());
+  EXPECT_EQ(second.frame().epoch(), 1);
+  expect_epochs(second);
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace keyblock::api_test

@@ -181,6 +181,16 @@ class Runs(Folder):
         self.assertAlmostEqual(outcome.time, times[-1], delta=1e-12)
         self.assertNotIn("acceleration_held_after_table", [w.code for w in outcome.warnings])
 
+    def test_an_epoch_begins_where_a_stage_excavates(self):
+        brick = [[1, 0], [2, 0], [2, 0.5], [1, 0.5]]
+        stages = [{"steps": 2}, {"steps": 1, "excavations": [{"outline": brick}]}]
+        run = kb.Run(self.wall(2, 1).with_value("/stages", stages))
+        frames = [run.frame()]
+        while run.advance():
+            frames.append(run.frame())
+        self.assertEqual([(frame.epoch, len(frame.number)) for frame in frames], [(0, 3)] * 3 + [(1, 2)])
+        self.assertEqual(pickle.loads(pickle.dumps(frames[-1])).epoch, 1)
+
     def test_a_load_is_two_finite_numbers_of_a_case(self):
         for wrong in (3.0, (1.0,), (0.0, float("nan")), None, "ab"):
             with self.assertRaisesRegex(ValueError, r"load: expected an acceleration \(ax, ay\) .* at time 0, found"):
