@@ -11,6 +11,7 @@
 #include "base/counted.hpp"
 #include "base/decimals.hpp"
 #include "base/error.hpp"
+#include "base/sentences/sentences.hpp"
 #include "job/ledger_report.hpp"
 #include "job/page/run_page.hpp"
 #include "job/run_report.hpp"
@@ -79,22 +80,22 @@ Warnings large_tables(const Prepared& prepared, const Followed& followed, const 
   const double of_points = points * kBytesOfPoint * rows / kMegabyte;
   const double of_histories = followed.bytes_of_row() * rows / kMegabyte;
   if (of_points + of_histories < kLarge) return {};
-  return {{"tables_large", options.place,
-           fmt::format("tables of histories and measured points will take about {:.2g} MB: histories.csv {:.2g} MB of "
-                       "{} histories, "
-                       "history.csv and points.csv {:.2g} MB of {}",
-                       of_points + of_histories, of_histories, options.outputs.histories.size(), of_points,
-                       counted(prepared.scene.model.measured_points.size(), "measured point"))}};
+  return {warning_of({"tables_large",
+                      {{{"megabytes", of_points + of_histories},
+                        {"of_histories", of_histories},
+                        {"histories", options.outputs.histories.size()},
+                        {"of_points", of_points},
+                        {"points", points}}}},
+                     options.place)};
 }
 
 Warnings thinned_tables(const RunFolder& folder, const RunJobOptions& options) {
   if (folder.frame_tables().thinned_every() < 2) return {};
-  return {{"contacts_thinned", options.place,
-           fmt::format("contacts.csv, joints.csv and joint_lines.csv would have {:.3g} rows and more; beyond {:g} they "
-                       "hold one frame of "
-                       "{} (--contacts all: every frame; none or chosen: less)",
-                       folder.frame_tables().expected_rows(), kMostContactRows,
-                       options.outputs.contacts_every * folder.frame_tables().thinned_every())}};
+  return {warning_of({"contacts_thinned",
+                      {{{"rows", folder.frame_tables().expected_rows()},
+                        {"most", kMostContactRows},
+                        {"every", options.outputs.contacts_every * folder.frame_tables().thinned_every()}}}},
+                     options.place)};
 }
 
 RunTables tables_of(const History& history, const RunRecord& record, const LedgerScope& scope) {

@@ -12,7 +12,7 @@
 #include <ranges>
 #include <set>
 
-#include "base/counted.hpp"
+#include "base/sentences/sentences.hpp"
 #include "base/words/plain_number.hpp"
 #include "contact/find/connected_sets.hpp"
 #include "cut/bodies/slivers.hpp"
@@ -46,7 +46,7 @@ std::string at(const Point& p) {
 }
 
 // Serves files that state the block of each point. `loops`: of the blocks; `near`: nearer points count as on an edge.
-std::string points_outside(const Blocks& blocks, const std::vector<std::vector<Point>>& loops, double near) {
+Finding points_outside(const Blocks& blocks, const std::vector<std::vector<Point>>& loops, double near) {
   struct Stray {
     const char* noun;
     const BlockPoint* point;
@@ -67,12 +67,13 @@ std::string points_outside(const Blocks& blocks, const std::vector<std::vector<P
   look("a loading point", blocks.loading_points);
   look("a measured point", blocks.measured_points);
   if (found.empty()) return {};
-  return fmt::format(
-      "{} outside the block that the file names, the first is {} of block {} at {}, {} from it: it moves with the "
-      "block as "
-      "if it were a part of it",
-      found.size() == 1 ? "1 point lies" : fmt::format("{} points lie", found.size()), found.front().noun,
-      found.front().point->block + 1, at(found.front().point->position), plain(found.front().off, 3));
+  Facts facts{{{"count", found.size()}, {"distance", found.front().off}},
+              {{"lie", found.size() == 1 ? "lies" : "lie"}, {"noun", found.front().noun}}};
+  for (const Stray& stray : found) {
+    facts.elements.push_back(stray.point->block + 1);
+    facts.points.push_back({stray.point->position.x, stray.point->position.y});
+  }
+  return {"point_outside_its_block", std::move(facts)};
 }
 
 // Counts crossings of a level ray with the outline, modulo 2; lines drawn twice count once.
@@ -111,6 +112,8 @@ double middle_area(const std::vector<BlockForm>& shapes, const std::vector<int>&
   return *middle;
 }
 
+using Texts = std::vector<std::pair<std::string, std::string>>;
+
 /// Blocks of a scene as cut, and their contacts.
 class Blocky {
  public:
@@ -136,18 +139,18 @@ class Blocky {
 
   Warnings warnings(const Problem& problem) const {
     Warnings found;
-    const auto put = [&](const char* name, std::string sentence) {
-      if (!sentence.empty()) found.push_back({name, blocks_.place, std::move(sentence)});
+    const auto put = [&](Finding finding) {
+      if (!finding.empty()) found.push_back(warning_of(std::move(finding), blocks_.place));
     };
-    put("slivers", slivers());
-    if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) put("block_outside_outline", outside(*drawing));
+    put(slivers());
+    if (const auto* drawing = std::get_if<Drawing>(&problem.geometry)) put(outside(*drawing));
     if (std::holds_alternative<Blocks>(problem.geometry))  // in others the program assigns points to blocks
-      put("point_outside_its_block", points_outside(blocks_, loops_, kStray * std::sqrt(mean_)));
-    put("free_blocks", flying());
-    put("unheld_blocks", unheld());
-    put("unsupported_blocks", unsupported());
-    put("block_cannot_bend", cannot_bend());
-    put("springs_stiff_for_step", stiff_springs());
+      put(points_outside(blocks_, loops_, kStray * std::sqrt(mean_)));
+    put(flying());
+    put(unheld());
+    put(unsupported());
+    put(cannot_bend());
+    put(stiff_springs());
     return found;
   }
 
@@ -173,28 +176,37 @@ class Blocky {
   }
 
  private:
-  std::string named(std::size_t block) const {
-    return fmt::format("block {} at {}, area {} ({:.3g} % of the mean)", block + 1, at(shapes_[block].centroid),
-                       plain(shapes_[block].area, 3), 100 * shapes_[block].area / mean_);
+  /// Returns the finding about some blocks, with the place and the area of the first.
+  Finding about(const char* form, const std::vector<std::size_t>& found, const Texts& texts) const {
+    const BlockForm& first = shapes_[found.front()];
+    const double size = first.area, percent = 100 * size / mean_;
+    Facts facts{{{"count", found.size()}, {"blocks", shapes_.size()}, {"area", size}, {"percent", percent}}, texts};
+    facts.points = {{first.centroid.x, first.centroid.y}};
+    for (const std::size_t block : found) facts.elements.push_back(static_cast<int>(block) + 1);
+    return {form, std::move(facts)};
   }
 
-  std::string slivers() const {
+  Finding slivers() const {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (is_sliver(shapes_[i], mean_)) found.push_back(i);
     if (found.empty()) return {};
-    const auto smallest = *std::ranges::min_element(found, {}, [&](std::size_t i) { return shapes_[i].area; });
     const auto thinnest =
         *std::ranges::min_element(found, {}, [&](std::size_t i) { return shapes_[i].width() / shapes_[i].length; });
-    return fmt::format(
-        "{} of {} {} {}: the smallest is {}; the thinnest is block {} at {}, {} wide and {} long. Slivers need small "
-        "steps and may never come to rest",
-        counted(found.size(), "block"), shapes_.size(), found.size() == 1 ? "is a sliver," : "are slivers,",
-        slivers_in_words(), named(smallest), thinnest + 1, at(shapes_[thinnest].centroid),
-        plain(shapes_[thinnest].width(), 3), plain(shapes_[thinnest].length, 3));
+    const auto smallest = std::ranges::min_element(found, {}, [&](std::size_t i) { return shapes_[i].area; });
+    std::rotate(found.begin(), smallest, smallest + 1);
+    const BlockForm& thin = shapes_[thinnest];
+    Finding finding = about("slivers", found,
+                            {{"are", found.size() == 1 ? "is a sliver," : "are slivers,"},
+                             {"rule", slivers_in_words()},
+                             {"thinnest_at", at(thin.centroid)}});
+    const auto of_thinnest = {std::pair{"thinnest", thinnest + 1.0}, {"width", thin.width()}, {"length", thin.length}};
+    finding.facts.numbers.insert(finding.facts.numbers.end(), of_thinnest.begin(), of_thinnest.end());
+    finding.facts.points.push_back({thin.centroid.x, thin.centroid.y});
+    return finding;
   }
 
-  std::string outside(const Drawing& drawing) const {
+  Finding outside(const Drawing& drawing) const {
     if (drawing.boundary_count < 3) return {};
     const OutlineGraph graph(std::span(drawing.joints).first(drawing.boundary_count));
     if (graph.is_tangled()) return {};
@@ -206,11 +218,7 @@ class Blocky {
       if (within && !is_inside(outline, *within)) found.push_back(i);
     }
     if (found.empty()) return {};
-    return fmt::format(
-        "{} of {} outside the boundary lines, the first is {}: joints that are drawn beyond the outline make blocks "
-        "there",
-        found.size() == 1 ? "1 block lies" : fmt::format("{} blocks lie", found.size()), shapes_.size(),
-        named(found.front()));
+    return about("block_outside_outline", found, {{"lie", found.size() == 1 ? "lies" : "lie"}});
   }
 
   bool is_held(std::size_t i) const {
@@ -235,26 +243,23 @@ class Blocky {
                                 [&](const Bolt& b) { return is_it(b.first.element) || is_it(b.second.element); });
   }
 
-  std::string flying() const {
+  Finding flying() const {
     const ConnectedSets sets = connected();
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (!sets.is_held(index(i)) && flies(i)) found.push_back(i);
     if (found.empty()) return {};
-    return fmt::format("{} without contact move{} freely from the start, first {}", counted(found.size(), "block"),
-                       found.size() == 1 ? "s" : "", named(found.front()));
+    return about("free_blocks", found, {{"move", found.size() == 1 ? "moves" : "move"}});
   }
 
-  std::string unheld() const {
+  Finding unheld() const {
     const ConnectedSets sets = connected();
     std::vector<std::size_t> loose;
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (!sets.is_held(index(i)) && !flies(i)) loose.push_back(i);
     if (loose.empty()) return {};
-    return fmt::format(
-        "{} of {} {} connected to no fixed block, first {}: {}", counted(loose.size(), "block"), shapes_.size(),
-        loose.size() == 1 ? "is" : "are", named(loose.front()),
-        length(settings_.gravity) > 0 ? "under gravity they fall freely" : "they move as loads push them");
+    const char* const form = length(settings_.gravity) > 0 ? "unheld_blocks" : "unheld_blocks:weightless";
+    return about(form, loose, {{"are", loose.size() == 1 ? "is" : "are"}});
   }
 
   // Returns true if a face of the upper block looks downward and lies on the lower one.
@@ -278,7 +283,7 @@ class Blocky {
     return !shares_a_face && way.x * down.x + way.y * down.y > 0;  // corner on face
   }
 
-  std::string unsupported() const {
+  Finding unsupported() const {
     const double g = length(settings_.gravity);
     if (g == 0) return {};
     const Point down = (1 / g) * settings_.gravity;
@@ -310,12 +315,11 @@ class Blocky {
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (!stands[i] && sets.is_held(index(i))) found.push_back(i);
     if (found.empty()) return {};
-    return fmt::format("{} no support from below, first {}: friction and bonds alone can carry {}",
-                       found.size() == 1 ? "1 block has" : fmt::format("{} blocks have", found.size()),
-                       named(found.front()), found.size() == 1 ? "it" : "them");
+    return about("unsupported_blocks", found,
+                 {{"have", found.size() == 1 ? "has" : "have"}, {"them", found.size() == 1 ? "it" : "them"}});
   }
 
-  std::string cannot_bend() const {
+  Finding cannot_bend() const {
     std::vector<std::size_t> found;
     const double least = kBendingArea * middle_area(shapes_, fixed_);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
@@ -324,23 +328,23 @@ class Blocky {
         found.push_back(i);
     }
     if (found.empty()) return {};
-    const bool is_rigid =
-        std::ranges::any_of(found, [&](std::size_t i) { return !model_.elements[index(i)].can_move(); });
+    const auto rigid =
+        std::ranges::count_if(found, [&](std::size_t i) { return !model_.elements[index(i)].can_move(); });
     const BlockForm& first = shapes_[found.front()];
-    return fmt::format("{} too slender for uniform strain, first block {} at {}, {} long and {} wide: it cannot bend{}",
-                       found.size() == 1 ? "1 block is" : fmt::format("{} blocks are", found.size()), found.front() + 1,
-                       at(first.centroid), plain(first.length, 3), plain(first.width(), 3),
-                       is_rigid ? ", and with two fixed points it is rigid" : "");
+    Finding finding = about("block_cannot_bend", found, {{"are", found.size() == 1 ? "is" : "are"}});
+    finding.facts.numbers.emplace_back("length", first.length);
+    finding.facts.numbers.emplace_back("width", first.width());
+    if (rigid > 0) finding.facts.numbers.emplace_back("rigid", rigid);
+    return finding;
   }
 
-  std::string stiff_springs() const {
+  Finding stiff_springs() const {
     const double ratio = stiffness_of_springs();
     if (ratio == 0) return {};
-    return fmt::format(
-        "contact springs of {:.3g} are {:.3g} times as stiff as the inertia of the mean block over a step (mass / "
-        "time_step²); with {} pairs in contact and a ratio above {:g}, steps with sliding contacts may take tens to "
-        "hundreds of linear solves; {} avoids that",
-        settings_.contact_penalty, ratio, touching_.size(), kStiff, softer_springs());
+    return {
+        "springs_stiff_for_step",
+        {{{"stiffness", settings_.contact_penalty}, {"ratio", ratio}, {"pairs", touching_.size()}, {"limit", kStiff}},
+         {{"remedy", softer_springs()}}}};
   }
 
   const Model& model_;

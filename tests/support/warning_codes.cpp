@@ -167,6 +167,8 @@ std::map<std::string, std::string> warning_codes() {
     });
     add_defaults(text, file, codes);
   });
+  for (const Sentence& row : sentences_ahead())
+    codes.emplace(Finding{std::string(row.form)}.code(), "base/sentences/sentences_ahead.cpp");
   for (const Sentence& row : sentences_of_runs())
     codes.emplace(Finding{std::string(row.form)}.code(), "base/sentences/sentences_of_runs.cpp");
   return codes;

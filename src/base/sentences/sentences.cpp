@@ -18,7 +18,7 @@ namespace keyblock {
 namespace {
 
 std::optional<std::string_view> text_of(std::string_view form) {
-  for (const std::span<const Sentence> part : {sentences_of_runs(), sentences_of_steps()})
+  for (const std::span<const Sentence> part : {sentences_ahead(), sentences_of_runs(), sentences_of_steps()})
     if (const auto row = std::ranges::lower_bound(part, form, {}, &Sentence::form);
         row != part.end() && row->form == form)
       return row->text;

@@ -21,6 +21,7 @@ struct Sentence {
 };
 
 /// All rows, each part sorted by form.
+std::span<const Sentence> sentences_ahead();
 std::span<const Sentence> sentences_of_runs();
 std::span<const Sentence> sentences_of_steps();
 

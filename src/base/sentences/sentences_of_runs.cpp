@@ -67,6 +67,9 @@ constexpr auto kSentencesOfRuns = std::to_array<Sentence>({
     {"far_from_equilibrium:no_sign",
      "static, each step from zero velocity: after {steps} steps the last, {ratio:.3g} of the one before, shows no "
      "sign of an equilibrium"},
+    {"history_of_nothing",
+     "history \"{history}\": {bore} in any of its rows, so that its forces are 0[; the least gap is {least_gap}][; "
+     "before any load they are {apart} apart]"},
     {"increments_too_long",
      "crack {crack}: behind the increment of {increment:.3g} to {x}, {y} (step {step}) K_II is {ratio:.2g} of K_I; "
      "limit {limit:g}"},

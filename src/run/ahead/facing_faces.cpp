@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "base/words/plain_number.hpp"
+#include "base/sentences/sentences.hpp"
 #include "contact/rows/gap.hpp"
 #include "step/newton/tolerances.hpp"
 #include "step/scene/contact_laws.hpp"
@@ -76,14 +78,11 @@ class FacingFaces {
   Warnings warnings(const Place& place) const {
     Warnings found;
     const int material = with_strength(scene_.model);
-    if (!apart_.faces.empty()) {
-      found.push_back({"strength_without_bond", place, of_apart()});
-    } else if (material >= 0 && motion_.bonds.empty()) {
-      found.push_back(
-          {"strength_without_bond", place,
-           fmt::format("{}, but no two of its faces touch at the start: neither acts anywhere", strengths(material))});
-    }
-    if (!differing_.faces.empty()) found.push_back({"joint_materials_differ", place, of_differing()});
+    if (!apart_.faces.empty())
+      found.push_back(warning_of(of_apart(), place));
+    else if (material >= 0 && motion_.bonds.empty())
+      found.push_back(warning_of({"strength_without_bond:nowhere", {strengths(material)}}, place));
+    if (!differing_.faces.empty()) found.push_back(warning_of(of_differing(), place));
     return found;
   }
 
@@ -106,35 +105,36 @@ class FacingFaces {
     }
   }
 
-  std::string strengths(int number) const {
+  std::vector<std::pair<std::string, double>> strengths(int number) const {
     const JointMaterial& joint = scene_.model.joint_material(number);
-    return fmt::format("joint material {} has the cohesion {} and the tensile strength {}", number + 1,
-                       plain(joint.cohesion), plain(joint.tensile_strength));
+    return {{"joint_material", number + 1}, {"cohesion", joint.cohesion}, {"tensile_strength", joint.tensile_strength}};
   }
 
-  std::string where(const FacePairs& pairs) const {
+  /// Returns the first pair of blocks, its place, and the number of pairs.
+  Facts facts_of(const FacePairs& pairs, std::vector<std::pair<std::string, double>> numbers) const {
     const auto number = [&](VertexIndex vertex) {
       return scene_.model.number_of(scene_.model.vertices[vertex].element);
     };
     const Point at = point_of(pairs.first, vertices_);
-    return fmt::format("first of blocks {} and {} near {}, {}", number(pairs.first.vertex), number(pairs.first.start),
-                       plain(at.x, 4), plain(at.y, 4));
+    numbers.emplace_back("count", pairs.faces.size());
+    return {std::move(numbers),
+            {{"pairs", pairs.counted()}},
+            {number(pairs.first.vertex), number(pairs.first.start)},
+            {{at.x, at.y}}};
   }
 
-  std::string of_apart() const {
-    return fmt::format(
-        "{}, but {} with it {} drawn up to {} apart, {}: there neither acts; only faces drawn within {} of each other "
-        "are bonded",
-        strengths(apart_.first.joint_material), apart_.counted(), apart_.faces.size() == 1 ? "is" : "are",
-        plain(apart_.widest, 3), where(apart_), plain(tolerances::of_gaps::kDrawnTogether * scales_.size, 3));
+  Finding of_apart() const {
+    Facts facts = facts_of(apart_, strengths(apart_.first.joint_material));
+    facts.numbers.emplace_back("apart", apart_.widest);
+    facts.numbers.emplace_back("limit", tolerances::of_gaps::kDrawnTogether * scales_.size);
+    facts.texts.emplace_back("are", apart_.faces.size() == 1 ? "is" : "are");
+    return {"strength_without_bond", std::move(facts)};
   }
 
-  std::string of_differing() const {
-    return fmt::format(
-        "{} of one joint {} different joint materials on both sides, {}: that of one side counts, there "
-        "joint material {}",
-        differing_.counted(), differing_.faces.size() == 1 ? "has" : "have", where(differing_),
-        differing_.first.joint_material + 1);
+  Finding of_differing() const {
+    Facts facts = facts_of(differing_, {{"joint_material", differing_.first.joint_material + 1}});
+    facts.texts.emplace_back("have", differing_.faces.size() == 1 ? "has" : "have");
+    return {"joint_materials_differ", std::move(facts)};
   }
 
   StandardScene scene_;

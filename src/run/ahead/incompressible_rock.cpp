@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/ahead/incompressible_rock.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "base/words/plain_number.hpp"
+#include "base/sentences/sentences.hpp"
 #include "model/continuum.hpp"
 
 namespace keyblock {
@@ -23,12 +21,13 @@ Warnings incompressible_rock(const Scene& scene, const Place& place) {
   if (!continuum || scene.settings.plane != Plane::strain || continuum->functions >= CoverFunctions::linear) return {};
   const auto most = std::ranges::max_element(continuum->materials, {}, &BlockMaterial::poissons_ratio);
   if (most == continuum->materials.end() || most->poissons_ratio < kMayLock) return {};
-  return {{"rock_may_lock", place,
-           fmt::format("Poisson's ratio {} in plane strain makes a mesh with {} functions too stiff: displacements are "
-                       "too small by some per cent to a half, less on a finer mesh{}",
-                       plain(most->poissons_ratio),
-                       continuum->functions == CoverFunctions::constant ? "constant" : "derived",
-                       may_yield(scene) ? "" : "; functions \"linear\" of the section `covers` hardly lock")}};
+  const char* const functions = continuum->functions == CoverFunctions::constant ? "constant" : "derived";
+  const char* const advice = may_yield(scene) ? "" : "; functions \"linear\" of the section `covers` hardly lock";
+  return {warning_of(
+      {"rock_may_lock",
+       {{{"poissons_ratio", most->poissons_ratio}, {"block_material", most - continuum->materials.begin() + 1}},
+        {{"functions", functions}, {"advice", advice}}}},
+      place)};
 }
 
 }  // namespace keyblock

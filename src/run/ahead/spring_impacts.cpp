@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/ahead/spring_impacts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
+#include <utility>
 
-#include "base/words/plain_number.hpp"
+#include "base/sentences/sentences.hpp"
 #include "geometry/simplex.hpp"
 #include "model/shared_covers.hpp"
 #include "model/state.hpp"
@@ -82,9 +81,21 @@ SpringImpact impact_of(const Model& model, const Settings& settings, const Strik
   return impact;
 }
 
-std::string name_of(const Model& model, const Striker& striker) {
+Facts facts_of(const Model& model, const Striker& striker) {
   const ElementIndex e{striker.element};
-  return fmt::format("{} {}", model.elements[e].is_on_covers() ? "the body of element" : "block", model.number_of(e));
+  return {{}, {{"body", model.elements[e].is_on_covers() ? "the body of element" : "block"}}, {model.number_of(e)}};
+}
+
+Finding unresolved(const Settings& settings, const SpringImpact& impact, double frequency, Facts facts) {
+  const double resolved = std::numbers::pi / (kStepsOfBlow * frequency);
+  facts.numbers = {{"time_step", settings.time_step},
+                   {"mass", impact.mass},
+                   {"stiffness", impact.stiffness},
+                   {"ratio", frequency * settings.time_step},
+                   {"limit", kUnresolved},
+                   {"resolved_step", resolved},
+                   {"resolved_penalty", settings.contact_penalty * std::pow(resolved / settings.time_step, 2)}};
+  return {"springs_unresolved", std::move(facts)};
 }
 
 }  // namespace
@@ -122,16 +133,7 @@ Warnings spring_impacts(const Scene& scene, const Place& place) {
   const SpringImpact impact = impact_of(model, settings, *striker);
   const double frequency = std::sqrt(impact.stiffness / impact.mass);
   if (frequency * settings.time_step > kUnresolved && settings.step_control == StepControl::constant)
-    found.push_back(
-        {"springs_unresolved", place,
-         fmt::format(
-             "impact=springs: the step of {} is too long for {} (mass {}) on its contact springs (stiffness {}): "
-             "omega dt is {}, beyond {:g}, so that rebounds and forces of blows depend on the step; "
-             "time_step={:.2g} resolves a blow, or contact_penalty={:.2g}",
-             plain(settings.time_step, 3), name_of(model, *striker), plain(impact.mass, 3), plain(impact.stiffness, 3),
-             plain(frequency * settings.time_step, 3), kUnresolved, std::numbers::pi / (kStepsOfBlow * frequency),
-             settings.contact_penalty *
-                 std::pow(std::numbers::pi / (kStepsOfBlow * frequency * settings.time_step), 2))});
+    found.push_back(warning_of(unresolved(settings, impact, frequency, facts_of(model, *striker)), place));
   if (!(impact.damping_time > 0)) return found;
   SpringImpact undamped = impact;
   undamped.damping_time = 0;
@@ -139,13 +141,11 @@ Warnings spring_impacts(const Scene& scene, const Place& place) {
   if (rebound >= kNearlyAll * undamped.rebound()) return found;
   const bool is_given =
       settings.stiffness_damping.of(model.elements[ElementIndex{striker->element}].material).has_value();
-  found.push_back(
-      {"strain_damping_takes_rebound", place,
-       fmt::format("impact=springs: {} takes most of a rebound: {}, dropped on a rigid floor, rises to about {:.2g} of "
-                   "the height at small steps, without it to {:.2g}; {} leaves the rebound to the springs",
-                   is_given ? "stiffness_damping" : "strain_damping=critical", name_of(model, *striker),
-                   rebound * rebound, undamped.rebound() * undamped.rebound(),
-                   is_given ? "stiffness_damping=0" : "strain_damping=none")});
+  Facts facts = facts_of(model, *striker);
+  facts.numbers = {{"height", rebound * rebound}, {"undamped_height", undamped.rebound() * undamped.rebound()}};
+  facts.texts.emplace_back("damping", is_given ? "stiffness_damping" : "strain_damping=critical");
+  facts.texts.emplace_back("remedy", is_given ? "stiffness_damping=0" : "strain_damping=none");
+  found.push_back(warning_of({"strain_damping_takes_rebound", std::move(facts)}, place));
   return found;
 }
 

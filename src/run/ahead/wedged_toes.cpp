@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/words/plain_number.hpp"
+#include "base/sentences/sentences.hpp"
 #include "geometry/segment.hpp"
 #include "step/newton/tolerances.hpp"
 #include "step/scene/enforcement.hpp"
@@ -133,14 +133,13 @@ Warnings wedged_toes(const Scene& scene, const Place& place) {
     return {};
   const std::vector<Toe> toes = Toes(scene).found();
   if (toes.empty()) return {};
-  const Toe& first = toes.front();
-  return {
-      {"toe_wedged", place,
-       fmt::format("{} on the floor in front of it, the first of block {} near {}, {}: a rigid toe cannot be pushed "
-                   "into the floor, and so holds what would slide on the face that dips to it by {} degrees",
-                   toes.size() == 1 ? "a sharp toe rests" : fmt::format("{} sharp toes rest", toes.size()),
-                   scene.model.number_of(first.block), plain(first.corner.x, 4), plain(first.corner.y, 4),
-                   plain(first.dip * 180 / std::numbers::pi, 3))}};
+  Facts facts{{{"count", toes.size()}, {"dip_deg", toes.front().dip * 180 / std::numbers::pi}}};
+  facts.texts = {{"toes", toes.size() == 1 ? "a sharp toe rests" : fmt::format("{} sharp toes rest", toes.size())}};
+  for (const Toe& toe : toes) {
+    facts.elements.push_back(scene.model.number_of(toe.block));
+    facts.points.push_back({toe.corner.x, toe.corner.y});
+  }
+  return {warning_of({"toe_wedged", std::move(facts)}, place)};
 }
 
 }  // namespace keyblock

@@ -14,6 +14,7 @@
 
 #include "base/counted.hpp"
 #include "base/printable.hpp"
+#include "base/sentences/sentences.hpp"
 #include "base/words/plain_number.hpp"
 #include "geometry/box.hpp"
 #include "geometry/segment.hpp"
@@ -335,6 +336,14 @@ std::string what_bore_nothing(const HistoryPlan& plan) {
   return "no closed contact and no bolt crosses the line";
 }
 
+Facts facts_of(const HistoryPlan& plan) {
+  Facts facts;
+  if (plan.contact) facts.elements = {plan.contact->first + 1, plan.contact->second + 1};
+  if (plan.joint) facts.numbers.emplace_back("joint", *plan.joint + 1);
+  if (plan.line) facts.points = {{plan.line->start.x, plan.line->start.y}, {plan.line->end.x, plan.line->end.y}};
+  return facts;
+}
+
 }  // namespace
 
 std::string name_of(const HistoryPlan& plan) {
@@ -448,10 +457,9 @@ Warnings Followed::of_distant_pairs() const {
     if (!one.is_distant) continue;
     const BlockPair& pair = *one.plan.contact;
     warnings.push_back(
-        {"history_of_distant_blocks", one.plan.place,
-         fmt::format("history \"contact {}\": blocks {} and {} are {} apart before any load, farther than the "
-                     "smaller of them is large; its forces are 0 until they meet",
-                     one.name, pair.first + 1, pair.second + 1, plain(one.apart))});
+        warning_of({"history_of_distant_blocks",
+                    {{{"apart", one.apart}}, {{"history", one.name}}, {pair.first + 1, pair.second + 1}}},
+                   one.plan.place));
   }
   return warnings;
 }
@@ -461,14 +469,13 @@ Warnings Followed::of_nothing() const {
   for (const One& one : all_) {
     const HistoryPlan& plan = one.plan;
     if (one.has_borne || !one.has_rows || plan.point || plan.block || plan.bolt) continue;
-    std::string how_near;
+    Facts facts = facts_of(plan);
+    facts.texts = {{"history", word_of(plan) + " " + one.name}, {"bore", what_bore_nothing(plan)}};
     if (one.nearest >= 0)
-      how_near = fmt::format("; the least gap is {}", plain(one.nearest));
+      facts.numbers.emplace_back("least_gap", one.nearest);
     else if (one.apart >= 0)
-      how_near = fmt::format("; before any load they are {} apart", plain(one.apart));
-    warnings.push_back({"history_of_nothing", plan.place,
-                        fmt::format("history \"{} {}\": {} in any of its rows, so that its forces are 0{}",
-                                    word_of(plan), one.name, what_bore_nothing(plan), how_near)});
+      facts.numbers.emplace_back("apart", one.apart);
+    warnings.push_back(warning_of({"history_of_nothing", std::move(facts)}, plan.place));
   }
   return warnings;
 }

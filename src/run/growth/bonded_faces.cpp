@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/growth/bonded_faces.hpp"
 
-#include <fmt/format.h>
+#include <array>
+#include <utility>
+#include <vector>
 
-#include <string>
-
-#include "base/words/plain_number.hpp"
+#include "base/sentences/sentences.hpp"
 #include "model/continuum.hpp"
 
 namespace keyblock {
@@ -30,19 +30,18 @@ Warnings bonded_crack_faces(const Scene& scene, const Place& place) {
     if (number < 0 || static_cast<std::size_t>(number) >= model.joint_materials.size()) return false;
     return model.joint_material(number).has_strength();
   };
-  const auto warning = [&](const std::string& which, int number) {
+  const auto warning = [&](const char* form, int number, std::vector<std::array<double, 2>> tips) {
     const JointMaterial& joint = model.joint_material(number);
-    return Warnings{{"bonded_crack_faces", place,
-                     fmt::format("the faces of {} are bonded: joint material {} has the cohesion {} and the tensile "
-                                 "strength {}: K is that of bonded faces as long as the bonds hold; a joint material "
-                                 "without both leaves the crack open",
-                                 which, number + 1, plain(joint.cohesion), plain(joint.tensile_strength))}};
+    Facts facts{
+        {{"joint_material", number + 1}, {"cohesion", joint.cohesion}, {"tensile_strength", joint.tensile_strength}}};
+    facts.points = std::move(tips);
+    return Warnings{warning_of({form, std::move(facts)}, place)};
   };
   for (const CrackTip& tip : model.continuum->manifold.tips)
     if (const int number = joint_material_at(model.continuum->manifold, tip); is_bonded(number))
-      return warning(fmt::format("the crack that ends at {}, {}", plain(tip.at.x), plain(tip.at.y)), number);
+      return warning("bonded_crack_faces", number, {{tip.at.x, tip.at.y}});
   const int of_new = CrackPlan{}.joint_material;
-  return scene.growth && is_bonded(of_new) ? warning("cracks that start", of_new) : Warnings{};
+  return scene.growth && is_bonded(of_new) ? warning("bonded_crack_faces:of_new", of_new, {}) : Warnings{};
 }
 
 }  // namespace keyblock
