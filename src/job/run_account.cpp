@@ -16,7 +16,8 @@ RunAccount::RunAccount(const Prepared& prepared, RunRecord record, const std::ve
       record_(std::move(record)),
       watch_(prepared),
       joints_(std::make_shared<const DrawnJoints>(prepared.scene.model, prepared.joint_lines)),
-      followed_(histories, prepared.scene, *joints_, record_.units) {
+      followed_(histories, prepared.scene, *joints_, record_.units),
+      bodies_change_(prepared.scene.next != nullptr || prepared.scene.growth != nullptr) {
   const int stride = stride_of(prepared.scene.settings.step_count);
   record_.steps = StepRows(stride);
   record_.ledger = LedgerRows(stride);
@@ -37,7 +38,7 @@ void RunAccount::add(const LedgerRow& row) {
 
 void RunAccount::add(const Stepper& stepper) {
   watch_.blocks().add(stepper);
-  epochs_.at(stepper.model());
+  if (bodies_change_) epochs_.at(stepper.model());
   if (has_row(stepper.state().step)) kept_.add(stepper.state().time, values(stepper));
 }
 

@@ -50,7 +50,8 @@ class RunAccount {
   const std::vector<FollowedValue>& values(const Stepper& stepper);
   const KeptHistories& histories() const { return kept_; }
   const std::shared_ptr<const DrawnJoints>& joints() const { return joints_; }
-  int epoch(const Model& now) { return epochs_.at(now); }
+  /// Returns how often the bodies of the run have changed.
+  int epoch(const Model& now) { return bodies_change_ ? epochs_.at(now) : 0; }
 
  private:
   const Prepared& prepared_;
@@ -62,6 +63,7 @@ class RunAccount {
   std::vector<FollowedValue> values_;  ///< of the step `valued_`
   int valued_ = -1;
   KeptHistories kept_;
+  bool bodies_change_;  ///< by stages or growing cracks
   Epochs epochs_;
   ContactFrames contacts_;
 };

@@ -17,7 +17,7 @@ std::string refusal(const std::string& folder) {
   const Under under(stopped);
   const OpenCase open = opened(asked_case({{KEYBLOCK_SOURCE_DIR "/legacy_cases/" + folder}, {}, {}, {}}));
   try {
-    intensity_at_end(configured(open, open.input.problem, OldFiles::standard));
+    intensity_at_end(intensity_plan(open, open.input));
   } catch (const InputError& error) {
     return error.sentence();
   } catch (const StopRequested&) {

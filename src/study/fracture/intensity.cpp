@@ -51,7 +51,6 @@ IntensityPlan plan_of(ConfiguredCase made) {
 
 /// Takes the scene of the plan.
 CaseIntensity intensity_by_one(IntensityPlan& plan) {
-  const Problem& problem = plan.made.problem;
   CaseIntensity result;
   result.unknowns = plan.prepared.requirements.unknowns;
   const std::unique_ptr<Stepper> stepper = stepper_for(std::move(plan.prepared.scene));
