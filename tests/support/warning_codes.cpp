@@ -90,9 +90,9 @@ bool is_sentence(std::string_view argument) {
          std::ranges::any_of(kNames, [&](std::string_view name) { return argument.ends_with(name); });
 }
 
-/// Name, place and sentence, or a kind of step: name, condition and sentence.
+/// Name, place and sentence, or a kind of step: name, condition and sentence. A name with a measure is a column.
 bool makes_warning(const std::vector<std::string_view>& list) {
-  if (list.size() < 3 || list.size() > 4 || list[1].starts_with('"')) return false;
+  if (list.size() < 3 || list.size() > 4 || list[1].starts_with('"') || list[1].starts_with("m::")) return false;
   return list[2].starts_with('[') || (list.size() == 3 && is_sentence(list[2]));
 }
 

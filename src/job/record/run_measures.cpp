@@ -94,6 +94,27 @@ constexpr auto kEntries = std::to_array<RecordEntry>({
     {"ledger.momentum_about[]", "", m::kLength},
 });
 
+/// Numbers of warnings, doubts and failures, by the end of their path. Others have the unit of what they are compared
+/// with, or none.
+struct FactEntry {
+  std::string_view ending;
+  Measure measure;
+};
+
+constexpr auto kFacts = std::to_array<FactEntry>({
+    {".points[][]", m::kLength},
+    {".numbers.apart", m::kLength},
+    {".numbers.area", m::kArea},
+    {".numbers.cohesion", m::kStress},
+    {".numbers.displacement", m::kLength},
+    {".numbers.distance", m::kLength},
+    {".numbers.dt", m::kTime},
+    {".numbers.height", m::kLength},
+    {".numbers.length", m::kLength},
+    {".numbers.penetration", m::kLength},
+    {".numbers.plastic_work", m::kEnergy},
+});
+
 constexpr std::string_view kOfStages = "stages[].";
 constexpr std::string_view kSettings = "settings.";
 constexpr std::string_view kLedgerEnd = "ledger.end.";
@@ -120,6 +141,8 @@ void collect(const Json& value, const std::string& path, const Units& units, Jso
 std::optional<Measure> measure_in_record(const std::string& path) {
   if (path.starts_with(kSettings)) return measure_of_setting(path.substr(kSettings.size()));
   if (path.starts_with(kLedgerEnd)) return column_of(formats::kLedgerTable, path.substr(kLedgerEnd.size())).measure;
+  const auto* const fact = std::ranges::find_if(kFacts, [&](const FactEntry& f) { return path.ends_with(f.ending); });
+  if (fact != kFacts.end()) return fact->measure;
   const RecordEntry* found = entry_at(path);
   // Quantities of a stage have the keys of those of the whole run.
   if (found == nullptr && path.starts_with(kOfStages))
