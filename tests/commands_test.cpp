@@ -422,6 +422,10 @@ TEST(Commands, a_step_that_throws_a_block_against_a_far_roof_is_told) {
   EXPECT_EQ(run.exit_code, 0) << run.messages;
   EXPECT_TRUE(contains(run.messages, "largest   block 2 near (1, 0): 49\n")) << run.messages;
   EXPECT_TRUE(contains(run.messages, "it may have passed through others")) << run.messages;
+  // Rigid blocks have nothing that gives way: the strike makes energy, and that is told.
+  const ProgramRun rigid =
+      run_keyblock({"run", folder + "/thrown.json", "-o", folder + "/rigid", "--set", "basis=rigid"});
+  EXPECT_EQ(rigid.exit_code, 1) << rigid.messages;
 }
 
 TEST(Commands, a_missing_file_is_exit_3) {

@@ -47,8 +47,10 @@ constexpr int kSetsToSettle = 4;
 constexpr std::size_t kStillFew = 20;
 // Few forces stay as they are if their residual is below this fraction of the goal.
 constexpr double kOfGoal = 1e-3;
-// A pair slides if its way, as a force, is more than this many acceptable residuals.
+// A pair slides if its way, as a force, is more than this many acceptable residuals. A pair holds if its residual is
+// below kOfOwn of its own force: what is little for a large block may throw a small one.
 constexpr double kSlides = 100;
+constexpr double kOfOwn = 1e-4;
 // Residual that iterations may leave, over the goal. kForcing: over the initial residual of an active set that need not
 // be the last.
 constexpr double kInner = 0.3;
@@ -271,9 +273,11 @@ class Newton {
 }  // namespace
 
 bool holds(const FrictionalProblem& problem, const Tried& tried) {
-  if (problem.has_many() || problem.is_static()) return false;
+  if (problem.has_many() || problem.is_static() || problem.proximal.size() > 0) return false;
+  const Eigen::VectorXd change = (natural_map(problem, tried).forces - tried.forces).cwiseAbs();
   for (std::size_t i = 0; i < problem.count(); ++i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
+    if (change.segment<2>(n).maxCoeff() > std::max(kOfOwn * std::abs(tried.forces[n]), problem.goal)) return false;
     const double way = std::abs(tried.y[n + 1]) / problem.compliance()[n + 1];
     if (tried.forces[n] > problem.laws[i].least && way > kSlides * problem.acceptable) return false;
   }

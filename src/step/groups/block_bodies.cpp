@@ -25,10 +25,6 @@ double greatest(const Unknowns& change, double size) {
                change.tail(change.size() - 2).maxCoeff<Eigen::PropagateNaN>());
 }
 
-// Least reference of forces over the force of the initial stress. The round-off of contact forces grows with that
-// stress, and a scene without weight has no other reference.
-constexpr double kOfStress = 1e-2;
-
 }  // namespace
 
 BlockBodies::BlockBodies(Bodies bodies, std::vector<bool> of_others)
@@ -79,7 +75,7 @@ void BlockBodies::add_to(Scales& scales, const UnknownsTable& loads, const Unkno
     const Body& body = bodies_[e];
     const double mass = body.mass(0, 0);
     const double force = std::hypot(loads[e][0], loads[e][1]) + std::abs(loads[e][2]) / body.size;
-    scales.force = std::max({scales.force, force, kOfStress * size_of_force(body.initial_stress, body.size)});
+    scales.force = std::max(scales.force, force);
     scales.acceleration = std::max(scales.acceleration, force / mass);
     scales.momentum = std::max(scales.momentum, mass * (v[e].head<2>().norm() + body.size * std::abs(v[e][2])));
     scales.size = std::max(scales.size, body.size);

@@ -15,6 +15,7 @@
 #include "step/newton/tolerances.hpp"
 #include "step/rest/elements_of_motion.hpp"
 #include "step/scene/contact_laws.hpp"
+#include "step/scene/equilibrium.hpp"
 #include "step/scene/step_constraints.hpp"
 #include "step/scene/touch_search.hpp"
 #include "step/time/smooth_solve.hpp"
@@ -150,7 +151,9 @@ class Settling {
     motion_.v.set_zero();
     loads_ = loads_at(scene, motion_.q, 0);
     scales_ = scales_of(scene, loads_, motion_.q, velocities_);
-    if (is_stressed(scene, motion_.q)) extent_ = extent(scene);
+    const double of_stress = reference_of_stress(scene, motion_.q);
+    scales_.force = std::max(scales_.force, of_stress);
+    if (of_stress > 0) extent_ = extent(scene);
   }
 
   Settled run() {

@@ -88,6 +88,7 @@ class Attempt {
         rule_(step_rule(scene.settings, dt)),
         loads_(mean_loads(scene, start.q, time + rule_.load_time * dt, dt)) {
     scales_ = scales_of(scene, loads_, start.q, start.v);
+    if (scales_.force == 0) scales_.force = reference_of_stress(scene, start.q);
     add_centrifugal_force(scene, start.v, loads_);
     scales_.momentum = std::max(scales_.momentum, dt * driving_force(scene, start, time + dt, dt));
     found_ = touches_of(scene, start, scales_, dt);
@@ -107,7 +108,7 @@ class Attempt {
     if (!step_.converged) return std::move(step_);
     if (!smooth_.is_tolerated) step_.undecided.clear();
     before_clean_up_ = smooth_.v;
-    if (!rule_.carries_acceleration()) stop_unresolved(scene_.bodies(), whole_, before_clean_up_);
+    if (stops_strain()) stop_unresolved(scene_.bodies(), whole_, before_clean_up_);
     step_.motion.q = smooth_.q;
     step_.motion.a = smooth_.a;
     step_.motion.points = smooth_.points;
@@ -170,6 +171,15 @@ class Attempt {
       leave_overlaps(scene_, start_, scales_, fresh);
       found_.insert(found_.end(), fresh.begin(), fresh.end());
     }
+  }
+
+  // Only where the elastic force follows the strain rate (3.6).
+  bool stops_strain() const { return rule_.strain.velocity != 0; }
+  bool has_stopped_strain(const Touch& touch) const {
+    const auto stops = [&](VertexIndex v) {
+      return is_unresolved(scene_.bodies()[scene_.model.vertices[v].element], whole_);
+    };
+    return stops_strain() && (stops(touch.vertex) || stops(touch.start));
   }
 
   double normal(std::size_t i) const { return smooth_.forces[static_cast<Eigen::Index>(2 * i)]; }
@@ -242,10 +252,12 @@ class Attempt {
 
   // If friction opposes the displacement of the step, a sticking contact keeps no tangential velocity, which would
   // reverse in each step. The impulse on a sliding one includes friction. Friction of DDA blocks opposes the end
-  // velocity: Coulomb's law holds for the sum of force and impulse.
+  // velocity. Coulomb's law holds for the sum of force and impulse in the step in which they meet, and where the
+  // clean-up makes up for a strain rate that was stopped.
   HeldSlip slip_held(std::size_t i) const {
     if (!smooth_.way_laws[i]) {
-      if (smooth_.laws[i].is_bonded) return {};
+      const bool is_resting = start_.closed.of(parts_.smooth[i]) && !has_stopped_strain(parts_.smooth[i]);
+      if (smooth_.laws[i].is_bonded || is_resting) return {};
       return {.coulomb = smooth_.laws[i].force.friction,
               .force = smooth_.forces.segment<2>(static_cast<Eigen::Index>(2 * i))};
     }

@@ -6,8 +6,10 @@
 
 namespace keyblock {
 
-/// Stops the strain rates of blocks all of whose strain modes have a shorter period than a step of dt. The momenta of
-/// the block stay: translation and rotation take them over. Such a mode cannot vibrate in the step. A rate left by an
+/// Returns true if all strain modes of a block have more than two periods in a step of dt, which does not resolve them.
+bool is_unresolved(const Body& body, double dt);
+
+/// Stops the strain rates of unresolved blocks. Translation and rotation take over their momenta. A rate left by an
 /// impact would become a strain of half the rate times the step, with (ω dt)²/4 times the energy of the rate.
 void stop_unresolved(const Bodies& bodies, double dt, UnknownsTable& v);
 

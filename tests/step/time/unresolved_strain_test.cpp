@@ -40,27 +40,24 @@ std::string row_that_meets_at_random(int count, unsigned seed) {
                      blocks, 2.0 * count, materials);
 }
 
-// Returns the energy that came from nothing, over the largest stored energy, if it is told.
-double told_gain(const std::string& messages) {
-  const std::string words = "energy came from nothing: ";
-  const std::size_t at = messages.find(words);
-  return at == std::string::npos ? 0 : std::stod(messages.substr(at + words.size()));
-}
-
 // Strain rates left by impacts became strain: energies grew a hundredfold in each step, up to the first crushed block.
-// What is left is an overlap that three blocks close against their elasticity, in one row of six; it is told.
+// What is left is an overlap that three blocks close against their elasticity, in one row of six; the run says so.
 TEST(UnresolvedStrain, rows_of_stiff_blocks_that_meet_at_random_do_not_explode) {
   const std::string folder = support::fresh_folder("unresolved");
-  int told = 0;
+  int doubted = 0;
   for (unsigned seed = 1; seed <= 6; ++seed) {
     support::write_text(folder + "/row.json", row_that_meets_at_random(20, seed));
     const support::ProgramRun run =
         support::run_keyblock({"run", folder + "/row.json", "-o", folder + "/out", "--force", "--no-pictures"});
-    EXPECT_LE(run.exit_code, 1) << "seed " << seed << ": " << run.messages;
-    EXPECT_LT(told_gain(run.messages), 0.1) << "seed " << seed;
-    told += run.exit_code;
+    ASSERT_LE(run.exit_code, 1) << "seed " << seed << ": " << run.messages;
+    if (run.exit_code == 0) continue;
+    ++doubted;
+    const std::string words = "energy came from nothing: ";  // over the largest stored energy
+    const std::size_t at = run.messages.find(words);
+    ASSERT_NE(at, std::string::npos) << run.messages;
+    EXPECT_LT(std::stod(run.messages.substr(at + words.size())), 0.1) << "seed " << seed;
   }
-  EXPECT_LE(told, 1);
+  EXPECT_LE(doubted, 1);
 }
 
 Body unit_body(double frequency) {
@@ -72,10 +69,10 @@ Body unit_body(double frequency) {
   return body;
 }
 
-TEST(UnresolvedStrain, rates_end_if_the_period_is_shorter_than_the_step_and_momenta_stay) {
+TEST(UnresolvedStrain, rates_end_if_two_periods_are_shorter_than_the_step_and_momenta_stay) {
   Bodies bodies;
-  bodies.push_back(unit_body(10));
-  bodies.push_back(unit_body(6));
+  bodies.push_back(unit_body(13));
+  bodies.push_back(unit_body(12));
   UnknownsTable v;
   for (int i = 0; i < 2; ++i) v.push_back(Unknowns::LinSpaced(6, 1, 6));
   const Unknowns momentum = bodies[ElementIndex{0}].mass * v[ElementIndex{0}];
