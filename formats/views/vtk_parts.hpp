@@ -8,7 +8,7 @@
 // formats/text/contact_csv.hpp. Bolts are lines with cell data bolt (from 1), force (tension positive), is_broken (0,
 // 1). Faces of cracks are lines in their current position. Their cell data are crack (from 1), side (0 right, 1 left
 // along the crack), is_shear (0, 1: it started in shear); displacement is point data. Joints are lines from the first
-// to the last contact of two bodies along one joint, with the sums of formats/columns/joint_pieces.hpp as cell data.
+// to the last contact of two bodies along one joint, with the sums of formats/columns/joint_sums.hpp as cell data.
 #pragma once
 
 #include <string>

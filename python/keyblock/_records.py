@@ -140,7 +140,7 @@ def resume(folder: StrPath, on_step: Callable[[_keyblock.Step], Any] | None = No
            context: _keyblock.Context | None = None, until: Callable[[Any], Any] | None = None) -> Results:
     """Continues an interrupted `record`, or `keyblock run` of the same build, from its checkpoint; returns its Results.
 
-    until: as in `record`; its Run has histories from the checkpoint on. Raises InputError, and SettingError if there is
+    until: as in `record`; its Run has the histories of the whole run. Raises InputError, and SettingError if there is
     nothing to resume.
     """
     context = context or Context()

@@ -39,7 +39,7 @@ void RunAccount::add(const LedgerRow& row) {
 void RunAccount::add(const Stepper& stepper) {
   watch_.blocks().add(stepper);
   if (bodies_change_) epochs_.at(stepper.model());
-  if (has_row(stepper.state().step)) kept_.add(stepper.state().time, values(stepper));
+  if (keeps_ && has_row(stepper.state().step)) kept_.add(stepper.state().time, values(stepper));
 }
 
 void RunAccount::add(ContactFrames contacts, const Model& model) {

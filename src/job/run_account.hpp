@@ -48,6 +48,8 @@ class RunAccount {
   bool has_row(int step) const;
   /// Returns the followed values of the present state.
   const std::vector<FollowedValue>& values(const Stepper& stepper);
+  /// Keeps the histories in memory too, for callers of the library.
+  void keep_histories() { keeps_ = true; }
   const KeptHistories& histories() const { return kept_; }
   const std::shared_ptr<const DrawnJoints>& joints() const { return joints_; }
   /// Returns how often the bodies of the run have changed.
@@ -62,6 +64,7 @@ class RunAccount {
   Followed followed_;
   std::vector<FollowedValue> values_;  ///< of the step `valued_`
   int valued_ = -1;
+  bool keeps_ = false;
   KeptHistories kept_;
   bool bodies_change_;  ///< by stages or growing cracks
   Epochs epochs_;

@@ -150,7 +150,10 @@ void RunJob::open() {
 }
 
 void RunJob::write_checkpoint(Stepper& stepper) {
-  if (!context().is_stopped() && !clock_.is_due()) return;
+  if (context().is_stopped() || clock_.is_due()) save(stepper);
+}
+
+void RunJob::save(Stepper& stepper) {
   folder_.write_checkpoint(saved_bytes(request_, folder_, history_, *account_, stepper));
   clock_.written();
 }
@@ -173,7 +176,7 @@ Observer RunJob::observer() {
           [&](const StepReport& report) {
             account_->add(report);
             if (options_.trace == Trace::yes) account_->record().traced.push_back(report);
-            if (calls_.on_step) calls_.on_step(report);
+            last_ = report;
           },
           [&](const HistoryRow& row) { history_.add(row); },
           [&](const LedgerRow& row) { account_->add(row); },
@@ -220,9 +223,23 @@ void RunJob::start(RunCalls calls) {
   });
 }
 
+// If the caller throws, tables are whole, and the run can be resumed from this step.
+void RunJob::tell_caller() {
+  if (!calls_.on_step) return;
+  try {
+    calls_.on_step(last_);
+  } catch (...) {
+    save(*stepper_);
+    throw;
+  }
+}
+
 bool RunJob::step() {
   bool is_made = false;
-  taking_back([&] { is_made = loop_->step(); });
+  taking_back([&] {
+    is_made = loop_->step();
+    if (is_made) tell_caller();
+  });
   return is_made;
 }
 

@@ -70,7 +70,9 @@ class RunJob {
   Observer observer();
   template <class Work>
   void taking_back(const Work& work);
-  void write_checkpoint(Stepper& stepper);
+  void write_checkpoint(Stepper& stepper);  ///< if it is due
+  void save(Stepper& stepper);
+  void tell_caller();
   void write_tables(const LedgerScope& scope);
   void stop_if_met(const Stepper& stepper);
   void choose_outputs();
@@ -88,6 +90,7 @@ class RunJob {
   std::shared_ptr<Stepper> stepper_;  ///< null in a new run, before its start
   std::optional<int> steps_before_;
   RunCalls calls_;
+  StepReport last_;
   Observer told_;
   std::optional<StepLoop> loop_;
   FieldFrame field_;                               ///< of the next frame

@@ -17,6 +17,7 @@ struct FolderRun : Run::State {
   FolderRun(Case what, std::unique_ptr<RecordedRun> of, std::function<void(const Step&)> call,
             const keyblock::Context& under)
       : State(std::move(what), of->plan(), of->account(), under), on_step(std::move(call)), recorded(std::move(of)) {
+    account->keep_histories();
     recorded->open();
     RunCalls calls;
     calls.on_step = [this](const StepReport& report) {

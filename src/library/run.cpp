@@ -76,6 +76,7 @@ struct MemoryRun : Run::State {
         observer(what_is_told()),
         loop(prepared().scene, stepping(), usual_frame_interval(planned->problem, prepared().scene.settings),
              observer) {
+    account->keep_histories();
     loop.tell_start();
     context.tell(nullptr, 0);
   }
@@ -221,8 +222,16 @@ void Run::end_early(const std::string& why) {
 }
 
 const Outcome& Run::go_on(const std::function<bool(const Run&)>& until) {
+  const auto is_met = [&] {
+    try {
+      return until && until(*this);
+    } catch (...) {
+      end_early("the condition of the caller threw an exception");
+      throw;
+    }
+  };
   while (advance())
-    if (until && until(*this)) {
+    if (is_met()) {
       end_early("the condition of the caller is met");
       break;
     }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <keyblock/record.hpp>
 #include <stdexcept>
 #include <utility>
@@ -118,10 +120,24 @@ TEST(Histories, what_a_callback_throws_keeps_its_type) {
   const std::invalid_argument invalid("from the caller");
   EXPECT_THROW(kb::record(slide(), path, {.pictures = false, .on_step = thrown_at(2, invalid)}), std::invalid_argument);
   EXPECT_THROW(kb::resume(path, thrown_at(3, 7)), int);
-  EXPECT_THROW(kb::resume(path, thrown_at(3, kb::Stopped("by the caller"))), kb::Stopped);
+  EXPECT_THROW(kb::resume(path, thrown_at(4, kb::Stopped("by the caller"))), kb::Stopped);
   kb::Run run = kb::recorded(slide(), path, {.overwrite = true, .pictures = false, .on_step = thrown_at(2, invalid)});
   EXPECT_TRUE(run.advance());
   EXPECT_THROW(run.advance(), std::invalid_argument);
+}
+
+TEST(Histories, tables_of_a_run_that_goes_on_after_an_exception_are_whole) {
+  const Folder folder;
+  const auto throws = [](const kb::Step& step) {
+    if (step.number == 2) throw std::invalid_argument("from the caller");
+  };
+  kb::Run run = kb::recorded(slide(), folder.path.string(), {.pictures = false, .on_step = throws});
+  EXPECT_TRUE(run.advance());
+  EXPECT_THROW(run.advance(), std::invalid_argument);
+  run.go_on();
+  std::ifstream ledger(folder.path / "ledger.csv");
+  const auto lines = std::count(std::istreambuf_iterator<char>(ledger), {}, '\n');
+  EXPECT_EQ(lines, run.outcome().steps + 2);  // the title and the start
 }
 
 }  // namespace keyblock::api_test
