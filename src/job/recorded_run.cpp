@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "base/error.hpp"
 #include "formats/registry.hpp"
 #include "job/run_heading.hpp"
+#include "job/run_report.hpp"
 #include "run/run.hpp"
 #include "settings/settings_table.hpp"
 
@@ -87,8 +89,7 @@ PlannedCase planned_with(const OpenCase& read, const OutputOptions& outputs) {
   return planned(read, problem);
 }
 
-}  // namespace
-
+// Returns path, checksum and format of each file of the case, and of the file that a setting names, if any.
 std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings, const std::string& named) {
   std::vector<InputRecord> records;
   for (const formats::FileReading& file : readings)
@@ -98,6 +99,17 @@ std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& 
     records.push_back(
         {named, sha256(formats::load(named).text), "table", "accelerations over time", "body_acceleration_file"});
   return records;
+}
+
+}  // namespace
+
+nlohmann::ordered_json origin_json(const Units& units, const std::vector<formats::FileReading>& readings,
+                                   const ConfiguredCase& made) {
+  nlohmann::ordered_json json;
+  if (units != Units{}) json["units"] = units_json(units);
+  const std::vector<std::string> named = named_files(made);
+  json["inputs"] = inputs_json(input_records(readings, named.empty() ? "" : named.back()));
+  return json;
 }
 
 RecordedRun::Beginning RecordedRun::saved_in(const std::string& folder, std::optional<double> checkpoint_every) {

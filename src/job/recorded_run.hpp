@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,8 +30,9 @@ struct RecordingOptions {
   std::string stop_when = {};  ///< in the form that `stop_criterion_of` reads; empty: at the last step
 };
 
-/// Returns path, checksum and format of each file of the case, and of the file that a setting names, if any.
-std::vector<InputRecord> input_records(const std::vector<formats::FileReading>& readings, const std::string& named);
+/// Returns what the numbers of a study are of: `units`, where the case has them, and `inputs`.
+nlohmann::ordered_json origin_json(const Units& units, const std::vector<formats::FileReading>& readings,
+                                   const ConfiguredCase& made);
 
 /// Run of a case with its results in a folder. It cannot be moved: the run refers to the plan that it owns.
 class RecordedRun {

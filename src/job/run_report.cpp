@@ -292,8 +292,11 @@ Json settings_json_of(const std::vector<SettingText>& settings) {
   return all;
 }
 
-Json plan_json(const ChosenProfile& profile, const Prepared& prepared) {
-  return {{"profile", profile.name},
+Json plan_json(const std::string& name, const ChosenProfile& profile, const Prepared& prepared) {
+  return {{"program", "keyblock"},
+          {"version", KEYBLOCK_VERSION},
+          {"case", name},
+          {"profile", profile.name},
           {"profile_because", profile.why},
           {"unknowns", prepared.requirements.unknowns},
           {"settings", all_settings_json(prepared.scene.settings)}};

@@ -38,8 +38,9 @@ nlohmann::ordered_json warnings_json(const Warnings& warnings);
 nlohmann::ordered_json all_settings_json(const Settings& settings);
 nlohmann::ordered_json settings_json_of(const std::vector<SettingText>& settings);
 
-/// Returns the plan of a study: `profile`, `profile_because`, `unknowns`, `settings`, as check and run.json have them.
-nlohmann::ordered_json plan_json(const ChosenProfile& profile, const Prepared& prepared);
+/// Returns the plan of a study: `program`, `version`, `case`, `profile`, `profile_because`, `unknowns` and `settings`,
+/// as check and run.json have them. `name`: of the case.
+nlohmann::ordered_json plan_json(const std::string& name, const ChosenProfile& profile, const Prepared& prepared);
 
 nlohmann::ordered_json requirements_json(const Requirements& requirements);
 

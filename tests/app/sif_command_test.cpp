@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -52,6 +53,18 @@ Json tips_of(const std::string& file) {
   const ProgramRun run = run_keyblock({"sif", file, "--json"});
   EXPECT_EQ(run.exit_code, 0) << run.messages;
   return Json::parse(run.output).at("tips");
+}
+
+TEST(SifCommand, json_names_the_case_its_files_and_its_warnings) {
+  const ProgramRun run = run_keyblock({"sif", kCases + "edge_crack_05", "--set", "restitution=0.5", "--plan"});
+  ASSERT_EQ(run.exit_code, 0) << run.messages;
+  const Json json = Json::parse(run.output);
+  EXPECT_EQ(json.at("program"), "keyblock");
+  EXPECT_TRUE(json.at("case").get<std::string>().ends_with("edge_crack_05"));
+  ASSERT_FALSE(json.at("inputs").empty());
+  EXPECT_EQ(json.at("inputs")[0].at("sha256").get<std::string>().size(), 64U);
+  EXPECT_TRUE(std::ranges::any_of(json.at("warnings"),
+                                  [](const Json& warning) { return warning.at("name") == "setting_without_effect"; }));
 }
 
 // A node of the mesh lies on the tip, where functions of the root of the distance have no stress.

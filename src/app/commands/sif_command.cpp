@@ -14,6 +14,7 @@
 #include "app/command.hpp"
 #include "app/input/case_options.hpp"
 #include "app/messages.hpp"
+#include "job/recorded_run.hpp"
 #include "job/run_report.hpp"
 #include "problem/units/measure.hpp"
 #include "study/fracture/intensity.hpp"
@@ -144,7 +145,9 @@ ExitCode print_intensity(const SifOptions& options) {
   const OpenCase open = opened(case_of(options.given));
   study::IntensityPlan plan = study::intensity_plan(open, open.input);
   log_by_level(plan.warnings, "the case");
-  nlohmann::ordered_json json = plan_json(plan.made.profile, plan.prepared);
+  nlohmann::ordered_json json = plan_json(open.name, plan.made.profile, plan.prepared);
+  json.update(origin_json(open.input.problem.units, open.read_files(), plan.made));
+  json["warnings"] = warning_list_json(plan.warnings);
   if (options.plan_only) {
     fmt::print("{}\n", json.dump(2));
     return ExitCode::ok;

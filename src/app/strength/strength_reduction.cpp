@@ -98,17 +98,14 @@ Json mesh_error_json(const std::optional<study::MeshError>& error) {
 
 /// Adds what the numbers are of: units, input files, and the values that were changed after reading.
 void put_origin(Json& json, const ReducedCase& chosen) {
-  if (const Units& units = chosen.input.problem.units; units != Units{}) json["units"] = units_json(units);
-  const std::vector<std::string> named = named_files(chosen.plan.trials.made());
-  json["inputs"] = inputs_json(input_records(chosen.read_files(), named.empty() ? "" : named.back()));
+  json.update(origin_json(chosen.input.problem.units, chosen.read_files(), chosen.plan.trials.made()));
   if (!chosen.values.empty()) json["values"] = values_json(chosen.values);
 }
 
 /// Returns the record up to the first trial.
 Json json_of(const ReducedCase& chosen) {
   const study::StrengthTrials& trials = chosen.plan.trials;
-  Json json{{"program", "keyblock"}, {"version", KEYBLOCK_VERSION}, {"case", chosen.name}};
-  json.update(plan_json(trials.made().profile, trials.prepared()));
+  Json json = plan_json(chosen.name, trials.made().profile, trials.prepared());
   json["settings_replaced"] = settings_json_of(trials.replaced());
   json["reduced"] = name_of(trials.what());
   return json;
