@@ -67,7 +67,7 @@ std::vector<Column> contact_cells() {
   return cells;
 }
 
-// Those of one number, then those of two; the places are the points of the file.
+// Lists columns of one number, then those of two. Places are the points of the file.
 std::vector<Column> contact_arrays() {
   std::vector<Column> arrays;
   for (const bool is_point : {false, true})

@@ -97,7 +97,7 @@ inline std::vector<Warning> public_warnings(const Warnings& warnings) {
 /// Returns the files and choices of a case under choices of the caller.
 AskedCase asked_under(const Case& of, const Choices& choices);
 
-/// What a function of the caller threw. It passes all handlers on the way to `guarded`, which throws it again.
+/// Exception of a function of the caller. No handler but `guarded` catches it, which throws the exception again.
 struct ThrownByCaller {
   std::exception_ptr error;
 };

@@ -10,8 +10,9 @@ namespace keyblock {
 /// Returns true if springs make the forces of contacts unique. Under multipliers redundant forces have many solutions.
 bool has_unique_forces(const FrictionalProblem& problem);
 
-/// Returns true if, in motion, no pair of few slides under these forces. Such forces are the answer once they are
-/// acceptable: redundant forces have many solutions, and a clamped block does not creep from one to the next.
+/// Returns true if, in motion, no pair of few slides under these forces, and the residual of each is little of its own
+/// force. Such forces are the answer once they are acceptable: redundant forces have many solutions, and a clamped
+/// block must not creep from one to the next. False for forces with a proximal term of their own.
 bool holds(const FrictionalProblem& problem, const Tried& tried);
 
 /// Applies semismooth Newton to the natural map. A proximal term ρ W_ii (λ − λ_ref) makes redundant contacts regular
