@@ -59,10 +59,9 @@ std::vector<std::string> KeptHistories::names() const {
 
 const KeptHistories::History& KeptHistories::at(std::string_view name) const {
   const auto found = std::ranges::find(all_, name, &History::name);
-  if (found == all_.end())
-    throw UsageError(fmt::format("expected the name of a history, {}, found {}",
-                                 all_.empty() ? "of which there is none" : "such as " + all_.front().name, name));
-  return *found;
+  if (found != all_.end()) return *found;
+  if (all_.empty()) throw UsageError(fmt::format("expected no history, because the run keeps none, found {}", name));
+  throw UsageError(fmt::format("expected the name of a history, such as {}, found {}", all_.front().name, name));
 }
 
 std::vector<std::pair<std::string, std::string>> KeptHistories::quantities(std::string_view name) const {
