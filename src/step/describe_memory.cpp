@@ -42,6 +42,7 @@ void describe(Archive& a, ContactMemory& memory) {
   a.value("tangential_compliance", memory.tangential_compliance);
   a.value("normal_at_end", memory.normal_at_end);
   a.value("compression", memory.compression);
+  a.value("removed_in", memory.removed_in);
 }
 
 void describe(Archive& a, ConstraintMemory& constraints) {

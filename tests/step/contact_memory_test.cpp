@@ -23,6 +23,22 @@ const Facing kFacing{{10}, {20}, 1};
 
 }  // namespace
 
+// A spring of compliance 1e-3 carries 2 and is compressed by 0.01: 0.008 more than by its force.
+TEST(ContactMemory, a_part_of_a_step_counts_its_part_of_the_excess_of_a_spring) {
+  ContactMemory memory = force(2);
+  memory.normal_compliance = 1e-3;
+  memory.compression = 0.01;
+  memory.removed_in = 0.5;
+  EXPECT_EQ(memory.counted(-0.01, 0.5), -0.01);
+  EXPECT_EQ(memory.counted(-0.01, 1), -0.01);
+  EXPECT_DOUBLE_EQ(memory.counted(-0.01, 0.25), -0.006);
+  EXPECT_DOUBLE_EQ(memory.counted(-0.01, 0.05), -0.004);  // at least as much as by the force
+  EXPECT_EQ(memory.counted(-0.001, 0.125), -0.001);
+  EXPECT_EQ(memory.counted(0.02, 0.125), 0.02);
+  memory.compression = 0.001;  // less than by its force
+  EXPECT_EQ(memory.counted(-0.001, 0.125), -0.001);
+}
+
 TEST(ClosedContacts, are_found_in_whatever_order_they_came) {
   const ClosedContacts closed({{touch(7, 3), force(1)}, {touch(2, 9), force(2)}, {touch(7, 1), force(3)}});
   ASSERT_EQ(closed.size(), 3U);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -21,9 +22,20 @@ struct ContactMemory {
   double tangential_compliance = 0;
   double normal_at_end = 0;  ///< spring force at the end of the step; differs from `normal` if that acts at mid-step
   /// Compression of the normal spring at the end of the step, by the gap. It exceeds that of the force if the surfaces
-  /// came to rest within the step. The next step removes the excess. Neither the excess nor the slip during that time
-  /// stores energy.
+  /// came to rest within the step. Neither the excess nor the slip during that time stores energy.
   double compression = 0;
+  /// Time in which later steps remove the excess, at least: the step in which it arose. In a shorter part of a step it
+  /// would throw the bodies apart.
+  double removed_in = 0;
+
+  /// Returns the part of a gap at the start of a step of `dt` that the step counts (5.7a). Of an overlap these are the
+  /// compression by the force and the part of the excess to be removed. An excess up to that compression counts whole:
+  /// springs that vibrate have it in every step.
+  double counted(double gap, double dt) const {
+    if (dt >= removed_in) return gap;
+    const double by_force = normal * normal_compliance;
+    return std::max(gap, -by_force - std::max(by_force, (compression - by_force) * (dt / removed_in)));
+  }
 
   /// Returns the energy of the springs.
   double energy() const {

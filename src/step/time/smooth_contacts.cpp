@@ -129,10 +129,11 @@ void SmoothContacts::set_right_side(const UnknownsTable& estimate) {
   const Eigen::VectorXd way = rates(*rows_, free_.increments());
   for_each_entry(touches_.size(), [&](std::size_t i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
+    const ContactMemory* memory = memories_[i];
     const double before = start_gaps_[i] - laws_[i].rest_gap;
     const double after = gap_of(touches_[i], end) - laws_[i].rest_gap;
     if (follows_rate(i))
-      problem_.b[n] += of_stretch() * before;
+      problem_.b[n] += of_stretch() * memory->counted(before, dt_);
     else
       problem_.b[n] = after + from_estimate[n];
     if (springs_stop() && laws_[i].normal_compliance > 0) {
@@ -140,7 +141,6 @@ void SmoothContacts::set_right_side(const UnknownsTable& estimate) {
       problem_.b[n] -= line.rest;
       line_compliance[n] = line.compliance;
     }
-    const ContactMemory* memory = memories_[i];
     if (follows_way_[i]) problem_.b[n + 1] = way[n + 1];
     if (memory && laws_[i].tangential_compliance > 0) problem_.b[n + 1] += tangential_scale(i) * memory->stretch;
   });

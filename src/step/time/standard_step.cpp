@@ -297,6 +297,7 @@ class Attempt {
       if (law.normal_compliance > 0) {
         const double by_gap = std::max(law.force.least, (law.rest_gap - gap_of(touch, end)) / law.normal_compliance);
         memory.compression = by_gap * law.normal_compliance;
+        memory.removed_in = whole_;
         if (!smooth_.rate_laws[i]) memory.normal_at_end = by_gap;
       }
       closed.push_back({touch, memory});
