@@ -441,6 +441,35 @@ TEST(StandardImpact, overlaps_that_lock_each_other_stay_and_hold_no_others_up) {
   }
 }
 
+// A wedge of 62 degrees falls 0.2 m into a groove that fits it, and locks: friction of 40 degrees is greater than half
+// its angle. What it gains between the meeting and the end of a part of the step must not be left for the next part: no
+// force between locked faces reverses it.
+TEST(StandardImpact, a_wedge_that_friction_locks_lands_in_its_groove) {
+  constexpr double kFall = 0.2;
+  const double half = support::radians(31);
+  const Point face = 4 * Point{std::sin(half), std::cos(half)};
+  const auto of = [](std::initializer_list<Point> corners) {
+    BlockPolygon block;
+    for (const Point& corner : corners) block.outer.push_back({corner, 0});
+    return block;
+  };
+  Blocks blocks;
+  blocks.blocks = {of({{0, 0}, {0, -1}, {4, -1}, {4, face.y}, face}),
+                   of({{0, 0}, {-face.x, face.y}, {-4, face.y}, {-4, -1}, {0, -1}}),
+                   of({{0, kFall}, {face.x / 7, face.y / 7 + kFall}, {-face.x / 7, face.y / 7 + kFall}})};
+  blocks.fixed_points = {{{1, -0.5}, 0, {}}, {{3.5, 1}, 0, {}}, {{-1, -0.5}, 1, {}}, {{-3.5, 1}, 1, {}}};
+  for (const double dt : {0.02, 0.01, 2e-3}) {
+    Analysis analysis = plain_analysis(dt, 1);
+    analysis.joint_materials[0].friction_angle_deg = 40;
+    StandardStepper stepper(standard_scene_of(blocks, analysis, standard_settings(analysis)));
+    const State start = stepper.state();
+    run_to(stepper, 0.6);
+    const Point moved = support::travel(stepper, start, 2);
+    EXPECT_NEAR(moved.y, -kFall, 1e-5) << dt;
+    EXPECT_NEAR(moved.x, 0, 1e-9) << dt;
+  }
+}
+
 // Supports that move do work on the blocks that strike them. An overlap in which blocks gain energy in a jump must not
 // stay and grow. The energy balance must not count the work of impulses as created energy.
 TEST(StandardImpact, columns_on_a_floor_that_shakes_keep_no_overlap_and_gain_what_it_gives) {

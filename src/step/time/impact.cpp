@@ -208,9 +208,11 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   double greatest = 0;
   for (std::size_t i = 0; i < meetings.size(); ++i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
-    const double approach = -problem.b[n] - meetings[i].gained;
+    const double at_end = -problem.b[n];
+    const double approach = at_end - meetings[i].gained;
     const double restitution = restitution_of(scene.settings, touches[i].joint_material);
-    if (approach > 0) problem.b[n] = -(1 + restitution) * approach;
+    // A rebound slower than what was gained since has met the surface again.
+    if (approach > 0) problem.b[n] = -std::max((1 + restitution) * approach, at_end);
     greatest = std::max(greatest, approach / problem.w.diagonal()[n]);
   }
   for (std::size_t i = meetings.size(); i < touches.size(); ++i) {
