@@ -15,6 +15,7 @@
 #include "model/material_choices.hpp"
 #include "step/newton/tolerances.hpp"
 #include "step/scene/step_constraints.hpp"
+#include "step/time/impulse_energy.hpp"
 
 namespace keyblock {
 namespace {
@@ -171,6 +172,46 @@ class Separation {
   Separated result_;
 };
 
+// Approach speed at the meeting times one plus restitution, or without it.
+enum class Rebound { none, by_restitution };
+
+FrictionalProblem problem_of_jump(const StandardScene& scene, const UnknownsTable& v, const Impacts& impacts,
+                                  const Touches& touches, const ContactRows& rows, const Eigen::VectorXd& before,
+                                  const Flexibility& flexibility, Rebound rebound) {
+  const std::vector<ImpactMeeting>& meetings = impacts.meetings;
+  const double goal = of_impacts::kImpulseTolerance * largest_momentum(scene, v) + of_impacts::kSmallest;
+  FrictionalProblem problem{ContactMatrix(rows, flexibility), before, {}, goal, of_impacts::kLooser * goal, {}};
+  for (const Touch& touch : touches)
+    problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
+  problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
+  problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())).setZero();  // fixed points keep their motion
+  double greatest = 0;
+  for (std::size_t i = 0; i < meetings.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    const double at_end = -problem.b[n];
+    const double approach = at_end - meetings[i].gained;
+    const double restitution = rebound == Rebound::none ? 0 : restitution_of(scene.settings, touches[i].joint_material);
+    // A rebound slower than what was gained since has met the surface again.
+    if (approach > 0) problem.b[n] = -std::max((1 + restitution) * approach, at_end);
+    greatest = std::max(greatest, approach / problem.w.diagonal()[n]);
+  }
+  for (std::size_t i = meetings.size(); i < touches.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(2 * i);
+    if (impacts.bonds.contains(touches[i].facing)) {
+      problem.laws[i] = kHeld;
+      problem.b.segment<2>(n).setZero();
+    } else {
+      problem.b[n] = std::max(problem.b[n], 0.0);
+    }
+  }
+  if (problem.has_many()) {
+    problem.goal = of_impacts::kImpulseToleranceOfMany * largest_momentum(scene, v) + of_impacts::kSmallest;
+    problem.acceptable = std::max(problem.goal, of_impacts::kShareOfImpulse * greatest);
+    problem.gap_tolerance = of_impacts::kShareOfSlow * impacts.slow;
+  }
+  return problem;
+}
+
 }  // namespace
 
 Separated without_overlap(const StandardScene& scene, UnknownsTable q, const Touches& impacts, const Touches& others,
@@ -198,38 +239,17 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
   touches = joined(touches, impacts.touching);
   ContactRows rows = rows_with_points(scene, q, touches);
   for (std::size_t i = 0; i < meetings.size(); ++i) take_back(rows[2 * i], rows[2 * i + 1], v, meetings[i].since);
-  const double goal = of_impacts::kImpulseTolerance * largest_momentum(scene, v) + of_impacts::kSmallest;
-  FrictionalProblem problem{
-      ContactMatrix(rows, flexibility), rates(rows, rigid_part(v)), {}, goal, of_impacts::kLooser * goal, {}};
-  for (const Touch& touch : touches)
-    problem.laws.push_back({scene.model.joint_material(touch.joint_material).friction_tangent()});
-  problem.laws.insert(problem.laws.end(), scene.held.size(), kHeld);
-  problem.b.tail(static_cast<Eigen::Index>(2 * scene.held.size())).setZero();  // fixed points keep their motion
-  double greatest = 0;
-  for (std::size_t i = 0; i < meetings.size(); ++i) {
-    const auto n = static_cast<Eigen::Index>(2 * i);
-    const double at_end = -problem.b[n];
-    const double approach = at_end - meetings[i].gained;
-    const double restitution = restitution_of(scene.settings, touches[i].joint_material);
-    // A rebound slower than what was gained since has met the surface again.
-    if (approach > 0) problem.b[n] = -std::max((1 + restitution) * approach, at_end);
-    greatest = std::max(greatest, approach / problem.w.diagonal()[n]);
-  }
-  for (std::size_t i = meetings.size(); i < touches.size(); ++i) {
-    const auto n = static_cast<Eigen::Index>(2 * i);
-    if (impacts.bonds.contains(touches[i].facing)) {
-      problem.laws[i] = kHeld;
-      problem.b.segment<2>(n).setZero();
-    } else {
-      problem.b[n] = std::max(problem.b[n], 0.0);
-    }
-  }
-  if (problem.has_many()) {
-    problem.goal = of_impacts::kImpulseToleranceOfMany * largest_momentum(scene, v) + of_impacts::kSmallest;
-    problem.acceptable = std::max(problem.goal, of_impacts::kShareOfImpulse * greatest);
-    problem.gap_tolerance = of_impacts::kShareOfSlow * impacts.slow;
-  }
-  const FrictionalSolution solution = solve(problem, Eigen::VectorXd::Zero(problem.w.rows()));
+  const Eigen::VectorXd before = rates(rows, rigid_part(v));
+  const auto impulses_of = [&](Rebound rebound) {
+    const FrictionalProblem problem = problem_of_jump(scene, v, impacts, touches, rows, before, flexibility, rebound);
+    return solve(problem, Eigen::VectorXd::Zero(before.size()));
+  };
+  FrictionalSolution solution = impulses_of(Rebound::by_restitution);
+  const bool rebounds = std::ranges::any_of(
+      touches, [&](const Touch& touch) { return restitution_of(scene.settings, touch.joint_material) > 0; });
+  if (rebounds && solution.converged)
+    take_gain(
+        {scene, touches, rows, before, flexibility}, [&] { return impulses_of(Rebound::none); }, solution);
   const UnknownsTable changed = answer(rows, flexibility, solution.forces);
   Jump jump{plus(q, 1, shift_since(scene, meetings, rows, flexibility, solution.forces, changed)),
             plus(v, 1, changed),
@@ -238,7 +258,7 @@ Jump after_jump(const StandardScene& scene, const UnknownsTable& q, const Unknow
             solution.solves,
             {}};
   const auto of_touches = static_cast<Eigen::Index>(2 * touches.size());
-  const Eigen::VectorXd met = rates(rows, rigid_part(v)) + rates(rows, rigid_part(jump.v));
+  const Eigen::VectorXd met = before + rates(rows, rigid_part(jump.v));
   jump.lost = std::max(0.0, -solution.forces.head(of_touches).dot(met.head(of_touches)) / 2);
   const Eigen::Index of_points = met.size() - of_touches;
   if (solution.converged) jump.given = solution.forces.tail(of_points).dot(met.tail(of_points)) / 2;
