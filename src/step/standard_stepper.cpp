@@ -2,164 +2,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "step/standard_stepper.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "base/context.hpp"
-#include "base/counted.hpp"
 #include "base/decimals.hpp"
 #include "base/sentences/sentences.hpp"
 #include "contact/rows/constraints.hpp"
-#include "model/body_load.hpp"
 #include "result/describe.hpp"
 #include "step/describe_memory.hpp"
-#include "step/rest/compatible_start.hpp"
-#include "step/rest/resting_start.hpp"
-#include "step/rest/settled_start.hpp"
-#include "step/rest/static_shares.hpp"
-#include "step/rest/stressed_start.hpp"
+#include "step/initial_motion.hpp"
+#include "step/lots.hpp"
 #include "step/scene/acceleration.hpp"
 #include "step/scene/carry_motion.hpp"
 #include "step/scene/contact_frames.hpp"
-#include "step/scene/contact_laws.hpp"
-#include "step/scene/enforcement.hpp"
 #include "step/scene/equilibrium.hpp"
-#include "step/scene/touch_search.hpp"
 #include "step/step_outcome.hpp"
 #include "step/time/ledger.hpp"
 
 namespace keyblock {
 namespace {
 
-// Rigid blocks have no strain, but their contacts bear the stress too.
-bool has_initial_stress(const StandardScene& scene) {
-  return std::ranges::any_of(scene.model.elements, [&](const Element& element) {
-    return element.can_move() && scene.model.material_of(element).is_stressed();
-  });
-}
-
-// Largest misfit of a compatible start. Forces whose gaps no shift can produce are not those of elastic blocks; a
-// settled start replaces them.
-constexpr double kMisfit = 1e-6;
-// Largest number of touching pairs for a compatible start. Larger jointed masses settle at once, because multipliers
-// between rigid blocks rarely converge there.
-constexpr std::size_t kMostExact = 40;
-
-struct First {
-  Motion motion;
-  std::string failure;
-  StartReport report;
-  std::optional<ElementIndex> turned = {};  ///< turned inside out by its initial state
+struct First : InitialMotion {
+  std::optional<ElementIndex> turned = {};  ///< turned inside out by the initial state
 };
-
-// Returns a list such as "the weight and 2 point loads".
-std::string loads_in_words(const StandardScene& scene) {
-  std::size_t points = 0;
-  for (const CarriedPoint& point : scene.model.loading_points) points += length(point.curve.at(0)) > 0 ? 1 : 0;
-  const bool has_weight = std::ranges::any_of(
-      scene.bodies(), [](const Body& body) { return body.weight.size() > 0 && !body.weight.isZero(0); });
-  std::vector<std::string> loads;
-  if (has_weight) loads.emplace_back("the weight");
-  if (points > 0) loads.push_back(counted(points, "point load"));
-  if (has_body_acceleration(scene.settings)) loads.emplace_back("the body acceleration");
-  return fmt::format("{}", fmt::join(loads, " and "));
-}
-
-std::string balanced_by(const StandardScene& scene, const std::string& what) {
-  const std::string loads = loads_in_words(scene);
-  return loads.empty() ? loads
-                       : fmt::format("at t = 0 {} fit {} and the first accelerations; start=sudden begins without them",
-                                     what, loads);
-}
-
-First settled_first(const StandardScene& scene, Motion motion, const std::string& why) {
-  const bool is_stressed = has_initial_stress(scene);
-  Settled made = settled(scene, std::move(motion));
-  std::string unbalanced;
-  if (made.left > 0)
-    unbalanced = fmt::format("the search for the initial state used up its steps: bodies move by {:.2g} of free motion",
-                             made.left);
-  return {
-      std::move(made.motion),
-      {},
-      {is_stressed ? "that of the initial stress, released" : "that of joints glued under the loads and then released",
-       balanced_by(scene,
-                   scene.model.bolts.empty() ? "contact forces and strains" : "contact forces, strains and bolts"),
-       why, 0, made.unsolved_steps, unbalanced}};
-}
-
-std::string bodies(int count) {
-  return count == 1 ? "1 body" : fmt::format("{} bodies", count);
-}
-
-First resting_first(const StandardScene& scene, Motion motion) {
-  RestingStart start = resting_start(scene, motion);
-  StartReport report;
-  report.unbalanced = start.unbalanced;
-  if (!start.is_found && start.moving == 0) {
-    report.made = start.unbalanced.empty() ? "as the file has it: all bodies move, or have no support"
-                                           : "sudden, because no equilibrium exists";
-    return {std::move(motion), {}, report};
-  }
-  const std::string moving = "first acceleration of " + bodies(start.moving);
-  report.made = !start.is_found     ? moving
-                : start.moving == 0 ? "static equilibrium"
-                                    : "static equilibrium, and " + moving;
-  if (largest_load(scene, loads_at(scene, start.motion.q, 0)) > 0)
-    report.balanced =
-        fmt::format("at t = 0 stresses and contact forces balance the loads{}{}; start=sudden begins without them",
-                    start.moving > 0 ? " and the first accelerations" : "",
-                    start.sudden > 0 ? fmt::format(" except those of {}, suddenly loaded", bodies(start.sudden)) : "");
-  return {std::move(start.motion), {}, report};
-}
-
-First asked_motion(const StandardScene& scene) {
-  Motion motion = start_motion(scene);
-  const Scales scales = scales_at(scene, motion, 0);
-  motion.bonds = bonds_at(scene, motion, scales);
-  const StandardChoices& choices = scene.settings.standard;
-  const bool is_in_time = choices.motion == MotionRule::dynamic;
-  const bool as_drawn = is_in_time && choices.start == StartRule::sudden;
-  const bool slides_in_balance =
-      std::ranges::all_of(scene.groups, [](const BodyGroups::Group& group) { return group->has_compatible_start(); });
-  if (as_drawn) return {std::move(motion), {}, {}};
-  // Blocks that may yield have stress that forces alone do not give.
-  if (!slides_in_balance)
-    return is_in_time ? resting_first(scene, std::move(motion)) : First{std::move(motion), {}, {}};
-  const bool is_stressed = has_initial_stress(scene);
-  if (is_stressed) motion.closed = stressed_contacts(scene, motion);
-  const std::vector<ElementPair> touching = touching_pairs(scene.model);
-  const bool is_jointed = has_ring(scene.model, touching);
-  // In a jointed mass, friction can carry the load in several ways. Statics therefore begins from the same forces as
-  // dynamics, so that both find the same scenes stable.
-  if (!is_in_time) return {is_jointed ? settled(scene, motion).motion : motion, {}, {}};
-  if (is_jointed && touching.size() > kMostExact)
-    return settled_first(scene, std::move(motion),
-                         fmt::format("more than {} pairs of blocks are in contact, some in rings", kMostExact));
-  // Forces of stressed blocks, and of bonds with springs, depend on the strain of all blocks: statics finds them, and
-  // `fos` judges them so.
-  if (is_stressed || (!motion.bonds.empty() && scene.has_springs())) return resting_first(scene, std::move(motion));
-  CompatibleStart start = compatible(scene, motion);
-  if (is_jointed && !start.failure.empty()) return settled_first(scene, std::move(motion), start.failure);
-  if (is_jointed && start.misfit > kMisfit)
-    return settled_first(scene, std::move(motion),
-                         fmt::format("shifts leave {:.1e} of the gaps of the compatible start", start.misfit));
-  const std::string what = start.bolts == 0 ? "contact forces and strains"
-                                            : fmt::format("contact forces, strains and the pull of {}",
-                                                          counted(static_cast<std::size_t>(start.bolts), "bolt"));
-  return {
-      std::move(start.motion), std::move(start.failure), {"compatible", balanced_by(scene, what), {}, start.misfit, 0}};
-}
 
 // Loads that press a block through itself have no initial state; such a run ends with the scene as drawn.
 First first_motion(const StandardScene& scene) {
-  First first = asked_motion(scene);
-  const std::optional<ElementIndex> bad = impossible(state_of(scene, first.motion));
-  if (!first.failure.empty() || !bad) return first;
-  return {{}, sentence_of({"no_start", {{}, {{"block", part_name(scene, *bad)}}}}), {}, bad};
+  InitialMotion made = initial_motion(scene);
+  const std::optional<ElementIndex> bad = impossible(state_of(scene, made.motion));
+  if (!made.failure.empty() || !bad) return {std::move(made)};
+  return {{{}, sentence_of({"no_start", {{}, {{"block", part_name(scene, *bad)}}}}), {}}, bad};
 }
 
 ControlledStep whole(const StandardScene& scene, const UnknownsTable& from, StandardStep step, double dt) {
@@ -432,7 +306,7 @@ ControlledStep StandardStepper::make_step() {
   const double dt = settings.time_step;
   if (settings.standard.motion != MotionRule::dynamic)
     return whole(scene_, motion_.q,
-                 static_equilibrium(scene_, motion_, {state_.step, state_.time, state_.time + dt, begins_scene_}), dt);
+                 equilibrium_of_lots(scene_, motion_, {state_.step, state_.time, state_.time + dt, begins_scene_}), dt);
   Motion start = motion_;
   for (const auto& group : scene_.groups) group->carry_over(scene_.parts(), start.v);
   ControlledStep made = settings.step_control == StepControl::constant

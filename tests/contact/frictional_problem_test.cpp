@@ -50,6 +50,19 @@ TEST(FrictionalProblem, a_pushed_mass_sticks_slips_or_lifts_off) {
   EXPECT_EQ(lifted, Eigen::VectorXd(Eigen::Vector2d(0, 0)));
 }
 
+// The second mass has a millionth of the load, and so of the tolerances. Its force is wrong by a hundredth.
+TEST(FrictionalProblem, each_force_is_judged_by_its_share_of_the_tolerances) {
+  FrictionalProblem two{
+      directly(Eigen::Matrix4d::Identity()), Eigen::Vector4d(-1e6, 0, -1, 0), {{0}, {0}}, 1e-4, 1, {}};
+  const Eigen::Vector4d forces(1e6, 0, 1.01, 0);
+  EXPECT_TRUE(is_acceptable(two, forces));
+  two.share = Eigen::Vector4d(1, 1, 1e-6, 1e-6);
+  EXPECT_FALSE(is_acceptable(two, forces));
+  EXPECT_NEAR(residual(two, forces), 1e4, 1e-6);
+  EXPECT_EQ(worst_pair(two, forces), 1);
+  EXPECT_NEAR(solve(two, forces).forces[2], 1, 1e-10);
+}
+
 TEST(FrictionalProblem, redundant_contacts_carry_together_what_one_would) {
   const FrictionalProblem problem = twice(one_contact(10, 3, 0.5));
   const FrictionalSolution solution = solve(problem, zeros(problem));

@@ -148,7 +148,7 @@ std::optional<Eigen::VectorXd> ActiveForces::by_iterations(const Eigen::VectorXd
     if (row % 2 == 0 && across.unknown == static_cast<Eigen::Index>(u)) pair.tn = across.factor * stiffness;
     if (row % 2 == 0) pair.tn += across.coupled * stiffness;
     const double own = problem_.w.diagonal()[row] - problem_.w.added()[row];
-    judged = std::min(judged, problem_.compliance()[row] / std::sqrt(own));
+    judged = std::min(judged, problem_.share_of(row) * problem_.compliance()[row] / std::sqrt(own));
   }
   const int most = static_cast<int>(kMostProducts * std::sqrt(static_cast<double>(problem_.w.blocks().count())));
   // A residual r of two blocks changes the force of a pair by G A⁻¹ r over its compliance, at most √(2 W) times the

@@ -149,7 +149,7 @@ class Newton {
   }
 
   // Returns the residual of the natural map: its largest change of the forces tried.
-  double change(const NaturalMap& map) const { return (map.forces - tried_.forces).cwiseAbs().maxCoeff(); }
+  double change(const NaturalMap& map) const { return largest(problem_, map.forces - tried_.forces); }
 
   // Returns the residual that a line search reduces. In statics of very many pairs it is the energy of the change: the
   // largest change belongs to one pair, which would shorten the steps of all others.
@@ -277,9 +277,11 @@ bool holds(const FrictionalProblem& problem, const Tried& tried) {
   const Eigen::VectorXd change = (natural_map(problem, tried).forces - tried.forces).cwiseAbs();
   for (std::size_t i = 0; i < problem.count(); ++i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
-    if (change.segment<2>(n).maxCoeff() > std::max(kOfOwn * std::abs(tried.forces[n]), problem.goal)) return false;
+    const double share = problem.share_of(n);
+    if (change.segment<2>(n).maxCoeff() > std::max(kOfOwn * std::abs(tried.forces[n]), share * problem.goal))
+      return false;
     const double way = std::abs(tried.y[n + 1]) / problem.compliance()[n + 1];
-    if (tried.forces[n] > problem.laws[i].least && way > kSlides * problem.acceptable) return false;
+    if (tried.forces[n] > problem.laws[i].least && way > kSlides * share * problem.acceptable) return false;
   }
   return true;
 }

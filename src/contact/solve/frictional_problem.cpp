@@ -55,9 +55,14 @@ NaturalMap natural_map(const FrictionalProblem& problem, const Eigen::VectorXd& 
   return natural_map(problem, tried(problem, forces));
 }
 
+double largest(const FrictionalProblem& problem, const Eigen::VectorXd& change) {
+  if (problem.share.size() == 0) return change.cwiseAbs().maxCoeff();
+  return change.cwiseAbs().cwiseQuotient(problem.share).maxCoeff();
+}
+
 double residual(const FrictionalProblem& problem, const Tried& tried) {
   if (problem.count() == 0) return 0;
-  return (natural_map(problem, tried).forces - tried.forces).cwiseAbs().maxCoeff();
+  return largest(problem, natural_map(problem, tried).forces - tried.forces);
 }
 
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
@@ -66,7 +71,9 @@ double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces)
 
 std::size_t worst_pair(const FrictionalProblem& problem, const Eigen::VectorXd& forces) {
   Eigen::Index worst = 0;
-  (natural_map(problem, forces).forces - forces).cwiseAbs().maxCoeff(&worst);
+  Eigen::VectorXd change = (natural_map(problem, forces).forces - forces).cwiseAbs();
+  if (problem.share.size() > 0) change = change.cwiseQuotient(problem.share);
+  change.maxCoeff(&worst);
   return static_cast<std::size_t>(worst / 2);
 }
 
@@ -77,10 +84,11 @@ std::vector<std::size_t> unsettled(const FrictionalProblem& problem, const Tried
   std::vector<std::size_t> pairs;
   for (std::size_t i = 0; i < problem.count(); ++i) {
     const auto n = static_cast<Eigen::Index>(2 * i);
-    const bool is_allowed = forces[n] >= problem.laws[i].least - problem.acceptable &&
-                            std::abs(forces[n + 1]) <= problem.laws[i].limit(forces[n]) + problem.acceptable;
+    const double acceptable = problem.acceptable * problem.share_of(n);
+    const bool is_allowed = forces[n] >= problem.laws[i].least - acceptable &&
+                            std::abs(forces[n + 1]) <= problem.laws[i].limit(forces[n]) + acceptable;
     const auto is_settled = [&](Eigen::Index k) {
-      return change[k] <= problem.acceptable || (is_allowed && std::abs(y[k]) <= problem.gap_tolerance);
+      return change[k] <= acceptable || (is_allowed && std::abs(y[k]) <= problem.gap_tolerance);
     };
     if (!is_settled(n) || !is_settled(n + 1)) pairs.push_back(i);
   }

@@ -51,6 +51,10 @@ struct FrictionalProblem {
   /// `acceptable`, stays in the solution.
   double no_force = std::numeric_limits<double>::infinity();
   Eigen::VectorXd scale{};  ///< compliance by which y is judged as a force, positive; empty: the diagonal of W
+  /// Fraction of every tolerance that judges a force, positive and at most 1: forces that do not act on each other have
+  /// tolerances of their own. Empty: the whole.
+  Eigen::VectorXd share{};
+  double share_of(Eigen::Index force) const { return share.size() > 0 ? share[force] : 1; }
   /// Returns true in statics, which judge y by a scale of their own.
   bool is_static() const { return scale.size() > 0; }
   const Eigen::VectorXd& compliance() const { return is_static() ? scale : w.diagonal(); }
@@ -108,7 +112,10 @@ Tried tried(const FrictionalProblem& problem, Eigen::VectorXd forces);
 NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried);
 NaturalMap natural_map(const FrictionalProblem& problem, const Tried& tried, const Proximal& proximal);
 
-/// Returns the largest change of λ by the natural map, which is zero exactly at the solution.
+/// Returns the largest change of a force, each divided by its share of the tolerances.
+double largest(const FrictionalProblem& problem, const Eigen::VectorXd& change);
+
+/// Returns the `largest` change of λ by the natural map, which is zero exactly at the solution.
 double residual(const FrictionalProblem& problem, const Eigen::VectorXd& forces);
 double residual(const FrictionalProblem& problem, const Tried& tried);
 

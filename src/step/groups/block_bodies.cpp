@@ -27,6 +27,19 @@ double greatest(const Unknowns& change, double size) {
 
 }  // namespace
 
+void add_block(Scales& scales, const Body& body, const Unknowns& load, const Unknowns& v) {
+  const double mass = body.mass(0, 0);
+  const double force = std::hypot(load[0], load[1]) + std::abs(load[2]) / body.size;
+  scales.force = std::max(scales.force, force);
+  scales.acceleration = std::max(scales.acceleration, force / mass);
+  scales.momentum = std::max(scales.momentum, mass * (v.head<2>().norm() + body.size * std::abs(v[2])));
+  scales.size = std::max(scales.size, body.size);
+}
+
+double largest_load(const Body& body, const Unknowns& load) {
+  return std::max(size_of_force(load, body.size), size_of_force(body.initial_stress, body.size));
+}
+
 BlockBodies::BlockBodies(Bodies bodies, std::vector<bool> of_others)
     : bodies_(std::move(bodies)), of_others_(std::move(of_others)) {
   for (const Body& body : bodies_)
@@ -70,16 +83,8 @@ void BlockBodies::add_inertia(Point acceleration, UnknownsTable& loads) const {
 
 void BlockBodies::add_to(Scales& scales, const UnknownsTable& loads, const UnknownsTable&,
                          const UnknownsTable& v) const {
-  for (ElementIndex e : indices(loads)) {
-    if (loads[e].size() == 0) continue;
-    const Body& body = bodies_[e];
-    const double mass = body.mass(0, 0);
-    const double force = std::hypot(loads[e][0], loads[e][1]) + std::abs(loads[e][2]) / body.size;
-    scales.force = std::max(scales.force, force);
-    scales.acceleration = std::max(scales.acceleration, force / mass);
-    scales.momentum = std::max(scales.momentum, mass * (v[e].head<2>().norm() + body.size * std::abs(v[e][2])));
-    scales.size = std::max(scales.size, body.size);
-  }
+  for (ElementIndex e : indices(loads))
+    if (loads[e].size() > 0) add_block(scales, bodies_[e], loads[e], v[e]);
 }
 
 void BlockBodies::put_mass_inverse(Flexibility& flexibility) const {
@@ -107,10 +112,7 @@ double BlockBodies::largest_momentum(const UnknownsTable& v) const {
 
 double BlockBodies::largest_load(const UnknownsTable& loads) const {
   double largest = 0;
-  for (ElementIndex e : indices(loads)) {
-    const Body& body = bodies_[e];
-    largest = std::max({largest, size_of_force(loads[e], body.size), size_of_force(body.initial_stress, body.size)});
-  }
+  for (ElementIndex e : indices(loads)) largest = std::max(largest, keyblock::largest_load(bodies_[e], loads[e]));
   return largest;
 }
 

@@ -9,6 +9,12 @@
 
 namespace keyblock {
 
+/// Raises scales to those of a DDA block under its load.
+void add_block(Scales& scales, const Body& body, const Unknowns& load, const Unknowns& v);
+
+/// Returns the load of a DDA block, or the force of its initial stress if that is larger.
+double largest_load(const Body& body, const Unknowns& load);
+
 /// Properties, loads, momenta, speeds and step differences of DDA blocks.
 class BlockBodies : public BodyGroup {
  public:

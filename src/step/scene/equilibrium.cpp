@@ -97,6 +97,10 @@ double reference_of_stress(const StandardScene& scene, UnknownsTable q) {
   return kOfStress * largest_load(scene, q);
 }
 
+double reference_of_stress(const Body& body) {
+  return kOfStress * largest_load(body, {});
+}
+
 double driving_force(const StandardScene& scene, const Motion& motion, double time, double dt) {
   const std::vector<double> ways = ways_left(scene, motion, time);
   double largest = 0;

@@ -33,6 +33,8 @@ bool is_stressed(const StandardScene& scene, UnknownsTable q);
 /// Returns the force that counts as a load where only an initial stress of the file loads bodies: a hundredth of the
 /// largest that it causes. `q`: any unknowns of the scene.
 double reference_of_stress(const StandardScene& scene, UnknownsTable q);
+/// Returns the same of one DDA block.
+double reference_of_stress(const Body& body);
 
 /// Greatest displacement of a vertex between two motions over the size of its block. `far`: blocks that moved farther
 /// than a given fraction of their size, unless two points hold them. An equilibrium at such a distance is another one.

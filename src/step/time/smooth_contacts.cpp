@@ -85,6 +85,16 @@ void SmoothContacts::linearise(const UnknownsTable& estimate) {
   problem_.gap_tolerance = all_sprung ? 0 : of_gaps::kGapTolerance * free_.size();
   if (free_.has_judging()) problem_.scale = diagonal_of(*rows_, free_.judging(), problem_.w.shared());
   add_laws();
+  put_shares();
+}
+
+void SmoothContacts::put_shares() {
+  if (tolerance_.shares.empty()) return;
+  problem_.share.resize(problem_.w.rows());
+  for (Eigen::Index force = 0; force < problem_.w.rows(); ++force) {
+    const ContactRow& row = (*rows_)[static_cast<std::size_t>(force)];
+    problem_.share[force] = tolerance_.share_of(row.vertex_element, row.edge_element);
+  }
 }
 
 void SmoothContacts::add_laws() {

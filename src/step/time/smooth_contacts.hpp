@@ -53,6 +53,7 @@ class SmoothContacts {
   void add_laws();
   void follow_lines(const Eigen::VectorXd& compliance);
   void put_goal();
+  void put_shares();
   bool has_proximal() const;
   bool follows_rate(std::size_t i) const;
   double tangential_scale(std::size_t i) const { return follows_way_[i] ? 1 : of_stretch(); }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "contact/rows/gap.hpp"
 #include "contact/solve/frictional_problem.hpp"
@@ -18,6 +20,13 @@ struct ForceTolerance {
   double acceptable = 0;
   /// Residual with which the motion continues if no forces are acceptable; undecided contacts are reported.
   double tolerated = 0;
+  /// Fraction of all three per element (set_shares.hpp); empty: the whole.
+  std::vector<double> shares = {};
+
+  double share_of(ElementIndex one, ElementIndex other) const {
+    if (shares.empty()) return 1;
+    return std::min(shares[static_cast<std::size_t>(one.value)], shares[static_cast<std::size_t>(other.value)]);
+  }
 };
 
 /// Motion of the bodies at the end of the step, and the work of the solver.

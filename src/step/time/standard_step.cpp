@@ -14,6 +14,7 @@
 #include "step/scene/acceleration.hpp"
 #include "step/scene/contact_laws.hpp"
 #include "step/scene/equilibrium.hpp"
+#include "step/scene/set_shares.hpp"
 #include "step/scene/touch_search.hpp"
 #include "step/time/impact.hpp"
 #include "step/time/ledger.hpp"
@@ -76,6 +77,10 @@ Touches touching(const StandardScene& scene, const UnknownsTable& q, const Touch
   return result;
 }
 
+double share_of(const ForceTolerance& tolerance, const Model& model, const Touch& touch) {
+  return tolerance.share_of(model.vertices[touch.vertex].element, model.vertices[touch.start].element);
+}
+
 class Attempt {
  public:
   Attempt(const StandardScene& scene, const Motion& start, double time, double dt, double whole, bool is_last)
@@ -94,6 +99,7 @@ class Attempt {
     found_ = touches_of(scene, start, scales_, dt);
     leave_overlaps(scene, start, scales_, found_);
     least_force_ = of_steps::kForceGoal * scales_.force + of_steps::kMomentumGoal * scales_.momentum / dt;
+    tolerance_.shares = shares_of_sets(scene, start, loads_, found_, dt);
   }
 
   StandardStep run() {
@@ -152,15 +158,15 @@ class Attempt {
     const double goal =
         is_many ? std::max(least_force_, scene_.settings.standard.force_tolerance * scales_.force) : least_force_;
     const double share = is_many ? of_steps::kForceAcceptableOfMany : of_steps::kForceAcceptable;
-    ForceTolerance tolerance{goal,
-                             std::max(share * scales_.force, of_steps::kMomentumAcceptable * scales_.momentum / dt_)};
+    tolerance_.goal = goal;
+    tolerance_.acceptable = std::max(share * scales_.force, of_steps::kMomentumAcceptable * scales_.momentum / dt_);
     if (is_many && is_last_)
-      tolerance.tolerated = std::max(of_steps::kForceToleratedOfMany * scales_.force,
-                                     of_steps::kMomentumToleratedOfMany * scales_.momentum / dt_);
+      tolerance_.tolerated = std::max(of_steps::kForceToleratedOfMany * scales_.force,
+                                      of_steps::kMomentumToleratedOfMany * scales_.momentum / dt_);
     for (int search = 0; search < of_steps::kMostSearches; ++search) {
       parts_ = split(scene_, start_, found_, slow_speed(scene_, scales_, start_.v, whole_));
       const SmoothMotion before = std::move(smooth_);
-      smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance, time_, dt_, rule_,
+      smooth_ = smooth_solve(scene_, start_, loads_, parts_.smooth, tolerance_, time_, dt_, rule_,
                              search > 0 ? &before : nullptr);
       step_.solves += smooth_.solves;
       step_.fallbacks += smooth_.fallbacks > 0 ? 1 : 0;
@@ -186,7 +192,8 @@ class Attempt {
 
   // A force below the residual counts as zero; a bond may pull.
   bool is_closed(std::size_t i) const {
-    return std::abs(normal(i)) > least_force_ || smooth_.bonds.contains(parts_.smooth[i].facing);
+    return std::abs(normal(i)) > share_of(tolerance_, scene_.model, parts_.smooth[i]) * least_force_ ||
+           smooth_.bonds.contains(parts_.smooth[i].facing);
   }
 
   // Lists contacts whose velocity the clean-up must stop. These are multipliers, and springs that would rebound after
@@ -316,6 +323,7 @@ class Attempt {
   Scales scales_;
   Touches found_;
   double least_force_ = 0;
+  ForceTolerance tolerance_;
   Split parts_;
   SmoothMotion smooth_;
   UnknownsTable before_clean_up_;  ///< velocities of the smooth motion that the step resolves
