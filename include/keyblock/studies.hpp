@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace keyblock::api {
@@ -24,7 +25,9 @@ struct Trial {
 struct Strength {
   std::optional<double> stands, falls;  ///< the bracket of the factor of safety
   std::string profile, why_profile;     ///< of all trials; `standard` for old files that request none
-  std::string end;                      ///< "bracketed", "falls", "stands", "undecided", "stopped"
+  std::vector<std::pair<std::string, std::string>> settings;  ///< name and value, all; of all trials: static
+  int unknowns = 0;
+  std::string end;  ///< "bracketed", "falls", "stands", "undecided", "stopped"
   std::vector<Trial> trials;
   std::vector<std::string> notes;
   std::vector<Warning> warnings;  ///< of reading, preparing and looking ahead
@@ -56,7 +59,9 @@ struct Tip {
 
 struct Intensity {
   std::vector<Tip> tips;
-  std::string profile, why_profile;  ///< `standard` for old files that request none
+  std::string profile, why_profile;                           ///< `standard` for old files that request none
+  std::vector<std::pair<std::string, std::string>> settings;  ///< name and value, all
+  int unknowns = 0;
   std::vector<Warning> warnings;
 };
 

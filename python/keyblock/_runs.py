@@ -278,7 +278,8 @@ class Strength:
     """Factor of safety: the bracket, its trials, and the states on both sides.
 
     stands: largest factor at which the case is stable, or None. falls: smallest factor at which it is unstable, or None.
-    profile: of all trials; why_profile: the reason for it.
+    profile: of all trials; why_profile: the reason for it. settings: dict of names and values, all those of the trials,
+    both text. unknowns: their number.
     end: bracketed, falls, stands, undecided or stopped. trials: list of Trial. notes: sentences. warnings: list of Warning.
     standing: Frame of the equilibrium at `stands`. falling: Frame at `falls`: the end of the search, out of balance, or an
     equilibrium far from the drawing. Each stays None if the search has none; neither has contacts.
@@ -287,6 +288,7 @@ class Strength:
     def __init__(self, found: _keyblock.Strength, units: tuple[str, ...]) -> None:
         self.stands, self.falls, self.end = found.stands, found.falls, found.end
         self.profile, self.why_profile = found.profile, found.why_profile
+        self.settings, self.unknowns = dict(found.settings), found.unknowns
         self.trials, self.notes, self.warnings = found.trials, found.notes, found.warnings
         self.standing = None if found.standing is None else Frame(found.standing, units)
         self.falling = None if found.falling is None else Frame(found.falling, units)
@@ -311,12 +313,15 @@ def factor_of_safety(case: Case | StrPath, what: str = "", within: float = 0.0, 
 
 
 class Tips(list):  # type: ignore[type-arg]
-    """List of Tip. `warnings`: list of Warning, of reading, preparing and computing. `profile`, `why_profile`: of the run."""
+    """List of Tip. `warnings`: list of Warning, of reading, preparing and computing.
 
-    def __init__(self, tips: Iterable[_keyblock.Tip] = (), warnings: Iterable[_keyblock.Warning] = (), profile: str = "",
-                 why_profile: str = "") -> None:
-        super().__init__(tips)
-        self.warnings, self.profile, self.why_profile = list(warnings), profile, why_profile
+    `profile`, `why_profile`, `settings` (dict of names and values, both text) and `unknowns` are those of the run.
+    """
+
+    def __init__(self, found: _keyblock.Intensity) -> None:
+        super().__init__(found.tips)
+        self.warnings, self.profile, self.why_profile = list(found.warnings), found.profile, found.why_profile
+        self.settings, self.unknowns = dict(found.settings), found.unknowns
 
 
 def stress_intensity(case: Case | StrPath, profile: str | None = None, settings: Mapping[str, Any] | None = None,
@@ -327,4 +332,4 @@ def stress_intensity(case: Case | StrPath, profile: str | None = None, settings:
     case without cracks.
     """
     case = case if isinstance(case, Case) else read(case)
-    return Tips(*_keyblock.stress_intensity(case._case, profile or "", setting_pairs(settings), context or Context()))
+    return Tips(_keyblock.stress_intensity(case._case, profile or "", setting_pairs(settings), context or Context()))

@@ -466,6 +466,8 @@ void bind_studies(py::module_& m) {
       .def_readonly("falls", &kb::Strength::falls, "Smallest factor at which the case is unstable, or None.")
       .def_readonly("profile", &kb::Strength::profile)
       .def_readonly("why_profile", &kb::Strength::why_profile, "Reason for the profile.")
+      .def_readonly("settings", &kb::Strength::settings, "Names and values of all settings, those of the trials.")
+      .def_readonly("unknowns", &kb::Strength::unknowns, "Number of unknowns.")
       .def_readonly("end", &kb::Strength::end, "bracketed, falls, stands, undecided or stopped.")
       .def_readonly("trials", &kb::Strength::trials)
       .def_readonly("notes", &kb::Strength::notes)
@@ -496,6 +498,13 @@ void bind_studies(py::module_& m) {
           "Returns the numbers and the doubt as a dict.")
       .def(pickled(&kb::Tip::x, &kb::Tip::y, &kb::Tip::ahead_x, &kb::Tip::ahead_y, &kb::Tip::k1, &kb::Tip::k2,
                    &kb::Tip::j, &kb::Tip::kink_deg, &kb::Tip::k_equivalent, &kb::Tip::spread, &kb::Tip::doubt));
+  py::class_<kb::Intensity>(m, "Intensity", "Stress intensity factors of all crack tips.")
+      .def_readonly("tips", &kb::Intensity::tips)
+      .def_readonly("profile", &kb::Intensity::profile)
+      .def_readonly("why_profile", &kb::Intensity::why_profile, "Reason for the profile.")
+      .def_readonly("settings", &kb::Intensity::settings, "Names and values of all settings.")
+      .def_readonly("unknowns", &kb::Intensity::unknowns, "Number of unknowns.")
+      .def_readonly("warnings", &kb::Intensity::warnings);
   m.def(
       "factor_of_safety",
       [](const kb::Case& of, const std::string& what, double within, const std::string& profile, const Pairs& settings,
@@ -506,10 +515,7 @@ void bind_studies(py::module_& m) {
   m.def(
       "stress_intensity",
       [](const kb::Case& of, const std::string& profile, const Pairs& settings, const kb::Context& context) {
-        const kb::Intensity found = computed(context, [=] {
-          return kb::stress_intensity(of, {profile, settings}, context);
-        });
-        return std::make_tuple(found.tips, found.warnings, found.profile, found.why_profile);
+        return computed(context, [=] { return kb::stress_intensity(of, {profile, settings}, context); });
       },
       py::arg("case"), py::arg("profile"), py::arg("settings"), py::arg("context"));
 }

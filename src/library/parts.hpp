@@ -20,6 +20,7 @@
 #include "formats/case.hpp"
 #include "formats/columns/contact_columns.hpp"
 #include "formats/columns/frame_columns.hpp"
+#include "settings/settings_table.hpp"
 
 namespace keyblock::api {
 inline namespace v1 {
@@ -91,6 +92,13 @@ inline std::vector<Warning> public_warnings(const Warnings& warnings) {
   for (const keyblock::Warning& warning : warnings)
     all.push_back({warning.name, warning.sentence, place_of(warning.place),
                    std::string(word_of(level_of(warning.name))), public_facts(warning.facts)});
+  return all;
+}
+
+/// Returns names and values of all settings.
+inline std::vector<std::pair<std::string, std::string>> public_settings(const Prepared& prepared) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const SettingText& setting : list(prepared.scene.settings)) all.emplace_back(setting.name, setting.value);
   return all;
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/folder/outputs_asked.hpp"
 #include "library/parts.hpp"
-#include "settings/settings_table.hpp"
 
 namespace keyblock::api {
 inline namespace v1 {
@@ -27,10 +26,7 @@ const std::string& Plan::why_profile() const {
 }
 
 std::vector<std::pair<std::string, std::string>> Plan::settings() const {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const SettingText& setting : list(data_->planned.prepared.scene.settings))
-    all.emplace_back(setting.name, setting.value);
-  return all;
+  return public_settings(data_->planned.prepared);
 }
 
 std::vector<Warning> Plan::warnings() const {

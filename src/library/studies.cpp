@@ -63,6 +63,8 @@ Strength factor_of_safety(const Case& of, std::string_view what, double within, 
     strength.falls = found.bracket.falls;
     strength.profile = profile.name;
     strength.why_profile = profile.why;
+    strength.settings = public_settings(plan.trials.prepared());
+    strength.unknowns = plan.trials.prepared().requirements.unknowns;
     strength.end = study::name_of(found.end);
     strength.notes = found.notes;
     strength.warnings = public_warnings(plan.warnings);
@@ -79,7 +81,13 @@ Intensity stress_intensity(const Case& of, const Choices& choices, const Context
   return guarded([&] {
     const Under under(context.state().context);
     study::IntensityPlan plan = study::intensity_plan(asked_under(of, choices), of.data().open.input);
-    Intensity all{{}, plan.made.profile.name, plan.made.profile.why, public_warnings(plan.warnings)};
+    const ChosenProfile& profile = plan.made.profile;
+    Intensity all{{},
+                  profile.name,
+                  profile.why,
+                  public_settings(plan.prepared),
+                  plan.prepared.requirements.unknowns,
+                  public_warnings(plan.warnings)};
     const study::CaseIntensity found = study::intensity_at_end(std::move(plan));
     if (!found.failure.empty()) throw Error(found.failure);
     context.state().context.tell(nullptr, 0);

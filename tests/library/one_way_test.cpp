@@ -51,17 +51,30 @@ Outline outline_of_study(const Json& json) {
   return outline;
 }
 
-/// Expects what the library plans. A number is one in JSON; an infinite number is null.
+/// Expects what the library has. A number is one in JSON; an infinite number is null.
+void expect_settings(const std::vector<std::pair<std::string, std::string>>& settings, const Json& said) {
+  EXPECT_EQ(said.size(), settings.size());
+  for (const auto& [name, value] : settings) {
+    const Json parsed = Json::parse(value, nullptr, false);
+    const Json& found = said.at(name);
+    EXPECT_EQ(found, found.is_string() ? Json(value) : parsed.is_discarded() ? Json() : parsed) << name;
+  }
+}
+
 void expect_that_of(const kb::Plan& plan, const Outline& said) {
   EXPECT_EQ(said.profile, plan.profile());
   EXPECT_EQ(said.because, plan.why_profile());
   EXPECT_EQ(said.unknowns, plan.unknowns());
-  EXPECT_EQ(said.settings.size(), plan.settings().size());
-  for (const auto& [name, value] : plan.settings()) {
-    const Json parsed = Json::parse(value, nullptr, false);
-    const Json& found = said.settings.at(name);
-    EXPECT_EQ(found, found.is_string() ? Json(value) : parsed.is_discarded() ? Json() : parsed) << name;
-  }
+  expect_settings(plan.settings(), said.settings);
+}
+
+/// Expects the plan of a study of the library, with the settings of that study.
+template <class Study>
+void expect_that_of_study(const Study& found, const Json& said) {
+  EXPECT_EQ(said.at("profile"), found.profile);
+  EXPECT_EQ(said.at("profile_because"), found.why_profile);
+  EXPECT_EQ(said.at("unknowns"), found.unknowns);
+  expect_settings(found.settings, said.at("settings"));
 }
 
 std::vector<CaseFolder> cases() {
@@ -165,6 +178,11 @@ TEST(OneWay, fos_says_the_plan_of_the_library) {
     const ProgramRun fos = run_keyblock({"fos", folder, "--plan"});
     if (fos.exit_code == 0) {
       ++planned;
+      const kb::Context stopped;
+      stopped.stop();  // before the first trial
+      const kb::Strength found = kb::factor_of_safety(kb::Case::read({folder}), {}, 0, {}, stopped);
+      EXPECT_EQ(found.end, "stopped");
+      expect_that_of_study(found, Json::parse(fos.output));
       return expect_plan_of_study(folder, fos);
     }
     EXPECT_EQ(fos.exit_code, code_within_a_second([&](const kb::Context& context) -> std::optional<int> {
@@ -220,7 +238,9 @@ TEST(OneWay, fos_of_the_library_and_the_command_end_alike) {
     const ProgramRun fos = run_keyblock({"fos", folder, "--json", "--no-mesh-error"});
     EXPECT_EQ(fos.exit_code, *code) << fos.messages;
     if (found.end != "bracketed") return;
-    const Json bracket = Json::parse(fos.output).at("bracket");
+    const Json said = Json::parse(fos.output);
+    expect_that_of_study(found, said);
+    const Json& bracket = said.at("bracket");
     EXPECT_EQ(bracket.at("stands"), *found.stands);
     EXPECT_EQ(bracket.at("falls"), *found.falls);
     ++bracketed;
@@ -231,17 +251,18 @@ TEST(OneWay, fos_of_the_library_and_the_command_end_alike) {
 TEST(OneWay, sif_of_the_library_and_the_command_end_alike) {
   int with_tips = 0;
   for_one_in(7, quick_cases(), [&](const std::string& folder) {
-    std::size_t tips = 0;
+    kb::Intensity found;
     const std::optional<int> code = code_within_a_second([&](const kb::Context& context) -> std::optional<int> {
-      const kb::Intensity found = kb::stress_intensity(kb::Case::read({folder}), {}, context);
-      tips = found.tips.size();
+      found = kb::stress_intensity(kb::Case::read({folder}), {}, context);
       return std::ranges::all_of(found.tips, [](const kb::Tip& tip) { return tip.doubt.empty(); }) ? 0 : 1;
     });
     if (!code) return;
     const ProgramRun sif = run_keyblock({"sif", folder, "--json"});
     EXPECT_EQ(sif.exit_code, *code) << sif.messages;
-    if (tips == 0) return;
-    EXPECT_EQ(Json::parse(sif.output).at("tips").size(), tips);
+    if (found.tips.empty()) return;
+    const Json said = Json::parse(sif.output);
+    EXPECT_EQ(said.at("tips").size(), found.tips.size());
+    expect_that_of_study(found, said);
     ++with_tips;
   });
   EXPECT_GE(with_tips, 1);

@@ -412,8 +412,13 @@ class Program(Folder):
             self.assertEqual(found.profile, profile or "standard")
             self.assertIn(found.profile, repr(found))
             self.assertTrue(found.why_profile)
+            self.assertEqual(found.unknowns, told["unknowns"])
+            self.assertEqual((found.settings["motion"], told["settings"]["motion"]), ("static", "static"))
+            self.assertEqual(found.settings.keys(), told["settings"].keys())
         crack = kb.stress_intensity(kb.cases("stress_intensity", CASES)[0])
         self.assertEqual((crack.profile, bool(crack.why_profile)), ("standard", True))
+        self.assertGreater(crack.unknowns, 100)
+        self.assertEqual(crack.settings["motion"], "static")
 
 
 if __name__ == "__main__":
