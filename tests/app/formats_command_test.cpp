@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "formats/registry.hpp"
 #include "tests/support/program.hpp"
@@ -42,6 +44,21 @@ TEST(FormatsCommand, one_format_has_a_sample) {
   EXPECT_TRUE(contains(run.output, "reads: yes, writes: yes")) << run.output;
   EXPECT_TRUE(contains(run.output, "a sample:\n\n")) << run.output;
   EXPECT_EQ(run_keyblock({"formats", "no-such"}).exit_code, 2);
+}
+
+TEST(FormatsCommand, one_part_at_a_time_is_printed) {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"--schema", "--materials"},
+                                                                                     {"--schema", "dxf"},
+                                                                                     {"--materials", "dxf"},
+                                                                                     {"--schema", "--joint-schema"},
+                                                                                     {""}}) {
+    std::vector<std::string> command{"formats"};
+    command.insert(command.end(), words.begin(), words.end());
+    const ProgramRun run = run_keyblock(command);
+    EXPECT_EQ(run.exit_code, 2) << words.front();
+    EXPECT_TRUE(run.output.empty()) << run.output;
+  }
+  EXPECT_TRUE(contains(run_keyblock({"formats", "DXF"}).messages, "did you mean \"dxf\"?"));
 }
 
 // Granite of the library: 2650 kg/m3 and 52.7 GPa.

@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "app/command.hpp"
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "formats/case_file/keyblock_case.hpp"
 #include "formats/case_file/material_library.hpp"
 #include "formats/case_file/schema/joint_keys.hpp"
@@ -67,6 +72,15 @@ Json library_json() {
           {"joint_materials", joints}};
 }
 
+[[noreturn]] void refuse_format(const std::string& name) {
+  std::string lower = name;
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::vector<std::string> names;
+  for (const formats::Format* format : formats::all_formats()) names.emplace_back(format->name);
+  throw UsageError(
+      fmt::format("there is no format \"{}\"{}; `keyblock formats` lists them", name, nearest_words(lower, names)));
+}
+
 ExitCode list(const FormatsOptions& options) {
   if (options.wants_schema) {
     fmt::print("{}", formats::case_schema());
@@ -76,8 +90,7 @@ ExitCode list(const FormatsOptions& options) {
     fmt::print("{}", options.as_json ? library_json().dump(1) + "\n" : formats::library_tables());
   } else if (!options.name.empty()) {
     const formats::Format* format = formats::find_format(options.name);
-    if (!format)
-      throw UsageError(fmt::format("there is no format \"{}\"; `keyblock formats` lists them", options.name));
+    if (!format) refuse_format(options.name);
     if (options.as_json) {
       fmt::print("{}\n", json_of(*format).dump(1));
     } else {
@@ -99,10 +112,18 @@ ExitCode list(const FormatsOptions& options) {
 
 Action configure_formats(CLI::App& app) {
   const auto options = std::make_shared<FormatsOptions>();
-  app.add_option("NAME", options->name, "print one format with a sample");
-  app.add_flag("--schema", options->wants_schema, "print the JSON Schema of the case file");
-  app.add_flag("--joint-schema", options->wants_joint_schema, "print the JSON Schema of the file of keyblock joints");
-  app.add_flag("--materials", options->wants_materials, "print the library of rocks and joints for the key `like`");
+  CLI::Option* const parts[] = {
+      app.add_option("NAME", options->name, "print one format with a sample")->check([](const std::string& name) {
+        return name.empty() ? "expected the name of a format, found an empty one" : std::string();
+      }),
+      app.add_flag("--schema", options->wants_schema, "print the JSON Schema of the case file"),
+      app.add_flag("--joint-schema", options->wants_joint_schema,
+                   "print the JSON Schema of the file of keyblock joints"),
+      app.add_flag("--materials", options->wants_materials,
+                   "print the library of rocks and joints for the key `like`")};
+  for (CLI::Option* part : parts)
+    for (CLI::Option* other : parts)
+      if (part != other) part->excludes(other);
   app.add_flag("--json", options->as_json, "print as JSON");
   return [options] { return list(*options); };
 }
